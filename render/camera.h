@@ -1,0 +1,46 @@
+/// @file
+/// The six orthographic views and the frame they share.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace render {
+
+/// Looks from the named side to the centre. right = up × from.
+struct View {
+    std::string_view name;
+    glm::dvec3 from, up;
+    glm::dvec3 right() const;
+};
+
+inline constexpr std::array<View, 6> six_views{{
+    {"+x", {1, 0, 0}, {0, 1, 0}},
+    {"-x", {-1, 0, 0}, {0, 1, 0}},
+    {"+y", {0, 1, 0}, {0, 0, -1}},   // y cannot be up here
+    {"-y", {0, -1, 0}, {0, 0, 1}},
+    {"+z", {0, 0, 1}, {0, 1, 0}},
+    {"-z", {0, 0, -1}, {0, 1, 0}},
+}};
+
+/// @throws std::invalid_argument listing the six names
+const View& view_named(const std::string& name);
+
+struct Bounds {
+    glm::dvec3 low{0}, high{0};
+};
+/// Of the finite positions that triangles use.
+Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles);
+
+/// What all pictures of one figure share: the same point in the middle, the same scale.
+struct Frame {
+    glm::dvec3 centre{0};
+    double pixels_per_unit = 1;
+};
+/// The largest extent of `bounds` fills `fill` of the shorter picture side, in every view.
+Frame frame_of(const Bounds& bounds, int width, int height, double fill);
+
+}   // namespace render

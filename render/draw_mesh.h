@@ -1,0 +1,48 @@
+/// @file
+/// Meshes to pictures: the one way in. Draws triangles with per-vertex values from any of the six views.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "camera.h"
+#include "colormap.h"
+#include "image.h"
+
+namespace render {
+
+/// A surface to draw; nothing is owned. Coordinates may be huge, tiny or far off: they are centred and scaled in double
+/// before they become float. Triangles with a corner that is not finite or an index out of range are left out.
+struct Surface {
+    std::span<const glm::dvec3> positions;
+    std::span<const glm::ivec3> triangles;   // counter-clockwise seen from outside
+    std::span<const double> values = {};     // one a vertex, interpolated and coloured per sample; empty: one plain colour
+};
+
+/// How values become colours.
+struct ValueRange {
+    const Colormap* colormap = nullptr;
+    double low = 0, high = 1;   // ends of the map; values beyond are clamped
+};
+
+struct DrawOptions {
+    int width = 1024, height = 1024;
+    double fill = 0.92;                // share of the shorter side taken by the largest extent
+    std::optional<Frame> frame = {};   // default: fitted to the surface with `fill`
+    ValueRange range = {};
+    Rgba surface_color{200, 203, 209, 255};     // where there are no values
+    Rgba undefined_color{225, 190, 231, 255};   // where a value is NaN
+    Rgba background{255, 255, 255, 255};        // alpha 0: transparent
+    bool shading = true;                        // smooth, two-sided; false: flat colours
+    bool face_colors_from_id = false;           // triangle number + 1 as R·65536 + G·256 + B, unshaded (for checks)
+    bool edges = false;                         // thin triangle edges
+    bool backface_tint = true;                  // the back of an open surface is told apart
+    int samples = 4;                            // per pixel: 1 or 4
+};
+
+/// One picture a view, in order; drawn in parallel, same bytes for any number of threads.
+std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& options);
+
+}   // namespace render

@@ -1,0 +1,35 @@
+/// @file
+/// A picture in memory: 8-bit sRGB with straight alpha, rows from the top.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace render {
+
+struct Rgba {
+    std::uint8_t r = 0, g = 0, b = 0, a = 255;
+    friend bool operator==(const Rgba&, const Rgba&) = default;
+};
+
+struct Image {
+    int width = 0, height = 0;
+    std::vector<Rgba> pixels;   // width × height
+
+    Image() = default;
+    Image(int w, int h, Rgba fill = {255, 255, 255, 255})
+        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+
+    Rgba& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
+    const Rgba& at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+};
+
+/// Composites `source` over `target` with its upper left corner at (x, y); what hangs over the edge is cut off.
+void paste(Image& target, const Image& source, int x, int y);
+
+/// A smaller picture by area averaging in linear light. @throws std::invalid_argument when it would enlarge
+Image shrink(const Image& image, int width, int height);
+
+}   // namespace render

@@ -1,0 +1,86 @@
+#include "file_bytes.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "errors.h"
+
+namespace meshfolio {
+
+namespace {
+
+std::string reason() { return std::strerror(errno); }
+
+/// Closes on every way out; `close_checked` reports what close(2) says (delayed write errors arrive there).
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    int get() const { return fd_; }
+    bool close_checked() {
+        const int fd = fd_;
+        fd_ = -1;
+        return ::close(fd) == 0;
+    }
+
+private:
+    int fd_;
+};
+
+}   // namespace
+
+std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
+    const Location where{path.string(), 0};
+    // O_NONBLOCK: opening a FIFO that nobody writes to must not hang.
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.get() < 0) throw InputError(where, "cannot open the file (" + reason() + ")");
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) throw InputError(where, "cannot examine the file (" + reason() + ")");
+    if (S_ISDIR(status.st_mode)) throw InputError(where, "is a folder, not a file");
+    if (!S_ISREG(status.st_mode)) throw InputError(where, "is not a regular file");
+    const auto size = static_cast<std::uintmax_t>(status.st_size);
+    if (size > limit) {
+        throw InputError(where, "the file has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit));
+    }
+    std::string bytes(size, '\0');
+    std::size_t have = 0;
+    while (have < bytes.size()) {
+        const ssize_t got = ::read(file.get(), bytes.data() + have, bytes.size() - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw InputError(where, "cannot read the file (" + reason() + ")");
+        if (got == 0) break;
+        have += static_cast<std::size_t>(got);
+    }
+    bytes.resize(have);
+    return bytes;
+}
+
+void write_all(int descriptor, std::string_view bytes, const std::string& name) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) throw OutputError(name, "cannot write (" + reason() + ")");
+        bytes.remove_prefix(static_cast<std::size_t>(put));
+    }
+}
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file.get() < 0) throw OutputError(path.string(), "cannot create the file (" + reason() + ")");
+    write_all(file.get(), bytes, path.string());
+    // /dev/null and /dev/stdout know no fsync; that is not a failed write.
+    if (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS) {
+        throw OutputError(path.string(), "cannot flush to disk (" + reason() + ")");
+    }
+    if (!file.close_checked()) throw OutputError(path.string(), "cannot close the file (" + reason() + ")");
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,24 @@
+/// @file
+/// Whole files in and out, every system call checked. stdio and iostreams are not used for output because they
+/// swallow ENOSPC and EIO.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace meshfolio {
+
+/// The bytes of a regular file.
+/// @throws InputError if it is missing, unreadable, not a regular file, or larger than `limit` bytes
+std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{4} << 30);
+
+/// Creates or replaces `path` with `bytes`; the data has reached the disk when this returns.
+/// @throws OutputError naming the path and the system's reason
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Writes to an open descriptor (1: standard output) until all is taken.
+/// @throws OutputError as above; `name` is what the message calls the target
+void write_all(int descriptor, std::string_view bytes, const std::string& name);
+
+}   // namespace meshfolio

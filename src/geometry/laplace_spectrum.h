@@ -1,0 +1,36 @@
+/// @file
+/// The smallest eigenpairs of −Cφ = μMφ, ascending, M-orthonormal.
+#pragma once
+
+#include <functional>
+
+#include "geometry/cotangent_laplacian.h"
+
+namespace meshfolio {
+
+struct SpectrumOptions {
+    double tolerance = 1e-9;                     // relative residual asked of each pair
+    int dense_below = 700;                       // vertices in use at or below which all of LAPACK-style dense solving is used
+    std::function<void(double)> progress = {};   // fraction done, in [0, 1]
+};
+
+struct Spectrum {
+    Vector eigenvalues;         // k values μ ≥ 0, ascending; the zero modes are exactly 0 [1/length²]
+    DenseMatrix eigenvectors;   // n × k, ΦᵀMΦ = I; the largest entry of a column is positive; 0 at unreferenced vertices [1/length]
+    Vector residuals;           // ‖−Cφ − μMφ‖ / (μ‖Mφ‖), absolute for the zero modes
+    bool dense = false;         // which solver ran
+    /// Negative pivots of −C − σM for one σ above μ_k (or between μ_k and the next known eigenvalue), and how many eigenvalues found
+    /// lie below that σ: equal when none was missed. −1, −1 when not computed.
+    int inertia_count = -1, found_below = -1;
+    double inertia_shift = 0;   // that σ [1/length²]
+};
+
+/// k is cut to the number of vertices with mass. Dense when the mesh is small or k is more than a third of n; Spectra's
+/// shift-invert Lanczos over SparseFactor otherwise, with σ slightly below 0 and scaled by trace(−C)/trace(M).
+/// @throws MeshError if k < 1; SolverError if the pairs do not converge
+Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const SpectrumOptions& options = {});
+
+/// ‖ΦᵀMΦ − I‖, largest entry.
+double orthonormality_error(const Spectrum& spectrum, const Vector& M);
+
+}   // namespace meshfolio

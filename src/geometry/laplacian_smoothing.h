@@ -1,0 +1,53 @@
+/// @file
+/// Diffusion flow on meshes: ∂X/∂t = LX, integrated explicitly, implicitly (Desbrun et al. 1999, eq. 9) or as Taubin's
+/// λ|μ low-pass filter (Taubin 1995).
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "geometry/cotangent_laplacian.h"
+
+namespace meshfolio {
+
+enum class SmoothingScheme { explicit_euler, implicit_euler, taubin };
+enum class SmoothingOperator { cotangent, uniform };
+
+SmoothingScheme smoothing_scheme_named(const std::string& name);       // explicit, implicit, taubin
+SmoothingOperator smoothing_operator_named(const std::string& name);   // cotan, uniform
+
+struct SmoothingOptions {
+    SmoothingScheme scheme = SmoothingScheme::explicit_euler;
+    SmoothingOperator laplacian = SmoothingOperator::cotangent;
+    double lambda = 0;      // step [length²]; dimensionless for the uniform operator
+    double taubin_mu = 0;   // negative step of Taubin; 0: from the pass-band 1/λ + 1/μ = pass_band · μ_max/2
+    double pass_band = 0.1;
+    int iterations = 1;
+    bool rebuild = false;   // L from the current positions at every step; default: L of the input
+    AreaForm area = AreaForm::barycentric;
+    CotangentOptions cotangent = {};
+    double blow_up_at = 1e3;   // stop when a vertex is farther than this many box diagonals from the centre
+    /// Called after every iteration with its number (from 1) and the positions; return false to stop.
+    std::function<bool(int, const Positions&)> after_step = {};
+};
+
+struct Smoothed {
+    Positions X;                     // the last finite positions
+    int iterations = 0;              // done
+    bool blew_up = false;            // NaN, infinity, or beyond blow_up_at
+    int blow_up_iteration = 0;       // when
+    int blow_up_vertex = -1;         // and where first
+    double taubin_mu = 0;            // the μ used by Taubin
+    long long factor_nonzeros = 0;   // of the last factorisation (implicit)
+    int factorisations = 0;
+};
+
+/// One run. Vertices without mass stay where they are.
+/// @throws MeshError for λ that is not finite or ≤ 0, iterations < 0; SolverError if M − λC cannot be factored
+Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options);
+
+/// X + λLX for a fixed operator, and the solution of (M − λC)X' = MX: the two steps on their own, for tests and studies.
+Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);
+Positions implicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);
+
+}   // namespace meshfolio

@@ -1,0 +1,35 @@
+/// @file
+/// How far one mesh is from another with the same triangles, and how healthy it is.
+#pragma once
+
+#include "geometry/sparse_types.h"
+
+namespace meshfolio {
+
+struct MeshDifference {
+    double rms = 0;                         // √(Σ|a_i − b_i|²/n) over vertices [length]
+    double max = 0;                         // largest |a_i − b_i| [length]
+    double area_weighted_rms = 0;           // √(Σ A_i|a_i − b_i|²/ΣA_i), barycentric areas of `a` [length]
+    double hausdorff = 0;                   // two-sided, vertices of each to the surface of the other [length]
+    double mean_normal_angle = 0;           // mean angle between corresponding face normals [rad]
+    double mean_squared_normal_angle = 0;   // [rad²]
+    double volume_ratio = 0;                // V(b)/V(a); NaN when V(a) = 0
+    double area_ratio = 0;                  // A(b)/A(a)
+    double box_diagonal = 0;                // of `a`, to put lengths in relation [length]
+    int inverted_faces = 0;                 // normal · original normal < 0
+};
+
+/// b measured against a.
+/// @throws MeshError if the triangles differ
+MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b);
+
+/// The cheap part, for error-versus-iteration curves. [length]
+double vertex_rms(const Positions& a, const Positions& b);
+
+/// Smallest interior angle of all triangles. [rad]
+double smallest_angle(const TriangleMesh& mesh);
+
+/// Discrete Dirichlet energy −½ Σ_c x_cᵀ C x_c over the three coordinates. [length²]
+double dirichlet_energy(const SparseMatrix& C, const Positions& X);
+
+}   // namespace meshfolio

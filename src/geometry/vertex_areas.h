@@ -1,0 +1,24 @@
+/// @file
+/// The area A_i that a vertex stands for. All three forms are integrals over the triangles around it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mesh/triangle_mesh.h"
+
+namespace meshfolio {
+
+enum class AreaForm { barycentric, voronoi, mixed };
+
+std::string_view name_of(AreaForm form);
+/// @throws UsageError naming the known forms
+AreaForm area_form_named(const std::string& name);
+
+/// n areas [length²]; 0 for unreferenced vertices.
+/// barycentric: a third of the triangles around. voronoi: Σ (cot α |e|² + cot β |e|²)/8, the circumcentric cell, which may be
+/// ≤ 0 at obtuse triangles. mixed: Meyer et al. 2003, voronoi in non-obtuse triangles, else ½ or ¼ of the triangle.
+Vector vertex_areas(const TriangleMesh& mesh, AreaForm form);
+
+}   // namespace meshfolio

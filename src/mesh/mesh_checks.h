@@ -1,0 +1,57 @@
+/// @file
+/// Preflight: what a mesh is, what is wrong with it, and what was done about that before anything is computed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_files.h"
+#include "mesh/mesh_topology.h"
+#include "mesh/triangle_mesh.h"
+
+namespace meshfolio {
+
+struct Preflight {
+    int vertices = 0;          // rows of X
+    int vertices_in_use = 0;   // named by a triangle
+    int triangles = 0;         // kept
+    int edges = 0;
+    int components = 0;
+    int boundary_edges = 0;
+    int boundary_loops = 0;
+    int euler_characteristic = 0;   // vertices in use − edges + triangles
+    int genus = -1;                 // of one orientable manifold component; −1 where that is not defined
+    int nonmanifold_edges = 0;
+    int nonmanifold_vertices = 0;
+    int zero_area_faces = 0;        // kept; their cotangents are floored
+    int needle_faces = 0;           // kept; smallest angle below 1°
+    int duplicated_positions = 0;   // vertices in use that lie exactly on an earlier one
+    double area = 0;                // [length²]
+    double volume = 0;              // signed; meaningful when closed [length³]
+    double mean_edge = 0;           // [length]
+    Vector3 box_low{0, 0, 0}, box_high{0, 0, 0};
+    bool orientable = true;
+    // Repairs
+    int dropped_degenerate_faces = 0;   // a corner named twice
+    int dropped_duplicate_faces = 0;    // the same three corners again
+    int flipped_faces = 0;              // turned to agree with their component
+    int inside_out_components = 0;      // closed components turned because their volume was negative
+
+    bool closed() const { return boundary_edges == 0; }
+    bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
+};
+
+struct PreparedMesh {
+    TriangleMesh mesh;       // vertex rows as in the file
+    MeshTopology topology;   // of `mesh`
+    Preflight preflight;
+    std::vector<MeshWarning> warnings;   // the reader's, then one for each repair or defect above
+    std::string file;
+};
+
+/// Drops faces that name a corner twice and repeated faces, orients each component consistently (closed ones outwards),
+/// counts everything else.
+/// @throws InputError if no triangle is left, all vertices coincide, or a coordinate exceeds 1e100 in magnitude
+PreparedMesh prepare_mesh(LoadedMesh loaded);
+
+}   // namespace meshfolio

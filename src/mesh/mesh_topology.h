@@ -1,0 +1,44 @@
+/// @file
+/// Who touches whom. Built once from the faces; rows are sorted, so nothing depends on hash order.
+#pragma once
+
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace meshfolio {
+
+/// Lists of integers of different lengths, one after the other (compressed rows).
+struct Incidence {
+    std::vector<int> start;   // size rows + 1
+    std::vector<int> item;
+    int size(int row) const { return start[static_cast<std::size_t>(row) + 1] - start[static_cast<std::size_t>(row)]; }
+    const int* begin(int row) const { return item.data() + start[static_cast<std::size_t>(row)]; }
+    const int* end(int row) const { return item.data() + start[static_cast<std::size_t>(row) + 1]; }
+};
+
+struct Edge {
+    int a, b;    // a < b
+    int faces;   // how many triangles share it: 1 boundary, 2 manifold, more non-manifold
+};
+
+struct MeshTopology {
+    std::vector<Edge> edges;         // sorted by (a, b)
+    Incidence vertex_faces;          // row v: triangles around v, ascending
+    Incidence neighbours;            // row v: one-ring, ascending
+    std::vector<char> on_boundary;   // n flags: v is an end of an edge with one triangle
+    std::vector<char> nonmanifold;   // n flags: v touches a non-manifold edge, or its triangles form more than one fan
+    std::vector<int> component;      // m labels from 0, in order of first triangle; triangles are joined by shared vertices
+    int component_count = 0;
+
+    int boundary_edge_count() const;
+    int nonmanifold_edge_count() const;
+    int nonmanifold_vertex_count() const;
+};
+
+MeshTopology topology_of(const TriangleMesh& mesh);
+
+/// Boundary loops: vertices in order, each loop starting at its smallest index.
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
+
+}   // namespace meshfolio

@@ -1,0 +1,30 @@
+/// @file
+/// Numbers to text and back, independent of any locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace meshfolio {
+
+/// The shortest decimal text that reads back as exactly `x` (for files). NaN and infinities give "".
+std::string exact_text(double x);
+
+/// `x` with `digits` significant digits, for people: 0.0123, 1.23e-07, 43 200; plain between 1e-4 and 1e6.
+/// Minus is U+2212 and powers are written ×10⁻⁷. NaN gives "–".
+std::string readable(double x, int digits = 3);
+
+/// The same without typography: -1.23e-07. For axis labels that programs read, CSV and plain logs.
+std::string plain_text(double x, int digits = 6);
+
+/// A percentage of `fraction` with `digits` significant digits: readable_percent(0.1234) = "12.3 %".
+std::string readable_percent(double fraction, int digits = 3);
+
+/// All of `text` as a finite decimal number ("1", "-.5", "1e-3", "+2."), or nothing. Hexadecimal, "nan" and "inf" are refused.
+std::optional<double> parse_number(std::string_view text);
+
+/// All of `text` as an integer, or nothing; out of range gives nothing too.
+std::optional<long long> parse_integer(std::string_view text);
+
+}   // namespace meshfolio

@@ -1,0 +1,50 @@
+/// @file
+/// What a question asks to be drawn. All panels of a figure share camera, scale and colour range.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace meshfolio::output {
+
+/// One mesh with values, drawn from all six views: images/<name>_<view>.png.
+struct Panel {
+    std::string name;    // "q5_cube_lambda0.1", unique; [a-zA-Z0-9_.-]
+    std::string label;   // "λ = 0.1, 20 iterations"
+    std::shared_ptr<const TriangleMesh> mesh;
+    Vector values = {};   // one a vertex, NaN where undefined; empty: plain surface
+};
+
+struct ColorRange {
+    std::string colormap;   // "viridis"
+    double low = 0, high = 1;
+    std::string quantity, unit;                    // for the colour bar
+    double clipped_below = 0, clipped_above = 0;   // share of the finite values outside
+};
+
+struct FigureRequest {
+    std::string id;   // of the report::Figure: images/<id>_sheet.png
+    std::string title, subtitle;
+    std::vector<Panel> panels;   // one: a 2 × 3 sheet; several: a row each, six columns
+    std::optional<ColorRange> range;
+    bool edges = false;
+    /// Frame all panels on this panel's box (a blown-up mesh must not shrink the others); −1: on the union of all boxes.
+    int frame_panel = 0;
+};
+
+/// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, never
+/// narrower than `floor` (so that rounding noise is not stretched into colours); with the clipped shares filled in.
+ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
+                        double clip = 0.02);
+
+/// A mesh to be written into meshes/.
+struct MeshOutput {
+    std::string name;   // "q4_armadillo_k5.ply"
+    std::shared_ptr<const TriangleMesh> mesh;
+};
+
+}   // namespace meshfolio::output

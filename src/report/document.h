@@ -1,0 +1,178 @@
+/// @file
+/// The report as plain data. Questions fill Sections; the writers turn a Document into HTML, Markdown, JSON and CSV and
+/// compute nothing. Ids are unique in the document and made of [a-z0-9_]; by convention they begin with the question, "q1_…".
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "report/text.h"
+
+namespace meshfolio::report {
+
+// ---- blocks a section is made of --------------------------------------------------------------------------------------
+
+struct Heading {
+    std::string title;   // "Method", "Results", "Discussion"
+};
+
+struct Paragraph {
+    Text text;
+};
+
+struct BulletList {
+    std::vector<Text> items;
+};
+
+/// A displayed equation by its name in templates/formulas.json, which keeps it as TeX, MathML and plain text.
+struct Formula {
+    std::string name;   // "cotangent_laplacian"
+    std::string id;     // to be referred to; empty: not numbered
+};
+
+/// An empty cell means "undefined"; it is never a zero.
+using Cell = std::variant<std::monostate, double, std::string>;
+
+struct Column {
+    std::string name;                                                // "L2 error of H"
+    std::string unit;                                                // "1/length"; empty: none
+    int digits = 3;                                                  // significant digits for people; files get all
+    enum class Best { none, smallest, largest } best = Best::none;   // which value is marked
+};
+
+struct Table {
+    std::string id;   // tables/<id>.csv
+    std::string caption;
+    std::vector<Column> columns;
+    std::vector<std::vector<Cell>> rows;   // each as long as `columns`
+};
+
+struct Series {
+    std::string name;
+    std::vector<double> x, y;            // equally long; NaN leaves a gap
+    std::vector<double> y_low, y_high;   // error band; empty: none
+    enum class Style { line, points, line_and_points, dashed } style = Style::line;
+};
+
+struct Marker {
+    double x = 0, y = 0;
+    std::string label;   // "minimum, iteration 17"
+};
+
+struct Plot {
+    std::string id;   // tables/<id>.csv holds its data
+    std::string caption;
+    std::string alt;                // what is to be seen, in words and numbers
+    std::string x_label, y_label;   // with units: "iteration", "rms error [length]"
+    bool log_x = false, log_y = false;
+    std::vector<Series> series;
+    std::vector<Marker> markers;
+    struct VerticalLine {
+        double x;
+        std::string label;
+    };
+    std::vector<VerticalLine> vertical_lines;   // λ_crit, say
+};
+
+/// A drawn figure; the pictures themselves are made from the request of the same id (src/output/figure_request.h).
+struct Figure {
+    std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
+    std::string caption;
+    std::string alt;
+};
+
+using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Figure>;
+
+// ---- what a section proves and says -----------------------------------------------------------------------------------
+
+/// passed ⇔ |measured − expected| ≤ tolerance, for kind `near`; measured ≤ expected + tolerance, for `at_most`; and so on.
+struct Check {
+    enum class Kind { near, at_most, at_least };
+    std::string name;   // "Gauss–Bonnet: Σ deficit / 2π on sphere"
+    double expected = 0;
+    double measured = 0;
+    double tolerance = 0;
+    bool passed = false;
+    Kind kind = Kind::near;
+    std::string note = {};   // why a failure is expected, or what is compared
+};
+Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
+Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
+Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
+
+/// A result worth the first page.
+struct Finding {
+    Text text;
+    int weight = 0;   // larger first; the page shows the first five
+};
+
+struct Input {
+    std::string role;        // "armadillo"
+    std::string asked;       // path of the assignment, "decompose/armadillo.obj"; empty for meshes no one asked for
+    std::string file;        // name of what was used, without its folder
+    bool stand_in = false;   // one of the bundled meshes in place of the one asked for
+    std::string sha256;
+    int vertices = 0, triangles = 0;
+};
+
+struct CodeReference {
+    std::string function;   // "uniform_laplacian"
+    std::string file;       // "src/geometry/uniform_laplacian.cpp"
+    std::string purpose;    // "Δ with uniform weights"
+};
+
+struct Timing {
+    std::string what;
+    double seconds = 0;
+};
+
+enum class Status { ok, failed, skipped };
+
+struct Section {
+    std::string id;   // "q1"
+    std::string title;
+    std::string asked;   // the question in one sentence
+    Status status = Status::ok;
+    std::string failure;   // one line, when failed
+    std::string extent;    // how far achieved, for the opening table: "H and K on 4 meshes, …"
+    std::vector<Input> inputs;
+    std::map<std::string, std::string> parameters;
+    std::vector<CodeReference> code;
+    std::vector<Block> blocks;
+    std::vector<Check> checks;
+    std::vector<Finding> findings;
+    std::vector<std::string> warnings;
+    std::vector<std::string> output_meshes;   // "meshes/q4_armadillo_k5.ply"
+    std::vector<Timing> timings;
+};
+
+struct Provenance {
+    std::string version, commit, compiler, build_type;
+    std::map<std::string, std::string> libraries;   // name → version
+    std::map<std::string, std::string> settings;    // without threads and paths
+    std::uint64_t seed = 0;
+};
+
+struct Document {
+    std::string title, author, course;
+    Provenance provenance;
+    std::vector<Section> sections;   // in order of the questions
+    std::vector<Timing> timings;     // of the run as a whole
+};
+
+// ---- what the writers need of the pictures ------------------------------------------------------------------------------
+
+/// A figure once drawn. Paths are relative to the report's folder.
+struct DrawnFigure {
+    std::string sheet;                                        // "images/q1_plane_h_sheet.png"
+    std::string preview_jpeg;                                 // bytes, shown inside the page
+    int width = 0, height = 0;                                // of the preview
+    std::vector<std::pair<std::string, std::string>> views;   // label ("+x", or "λ = 0.1, +x") → path of the full-size PNG
+};
+using DrawnFigures = std::map<std::string, DrawnFigure>;   // by figure id
+
+}   // namespace meshfolio::report

@@ -1,0 +1,43 @@
+/// @file
+/// Running text as data: what a question says, without markup. The writers escape it for their format.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meshfolio::report {
+
+struct Run {
+    enum class Kind { plain, strong, emphasis, code, math, reference };
+    Kind kind = Kind::plain;
+    std::string content;   // math: Unicode such as "λ_crit = 2/μ_max"; reference: the id of a figure, table, plot, formula or question
+};
+
+using Text = std::vector<Run>;
+
+inline Run strong(std::string s) { return {Run::Kind::strong, std::move(s)}; }
+inline Run emphasis(std::string s) { return {Run::Kind::emphasis, std::move(s)}; }
+inline Run code(std::string s) { return {Run::Kind::code, std::move(s)}; }
+inline Run math(std::string s) { return {Run::Kind::math, std::move(s)}; }
+inline Run ref(std::string id) { return {Run::Kind::reference, std::move(id)}; }
+
+namespace detail {
+inline void append(Text& text, Run run) { text.push_back(std::move(run)); }
+inline void append(Text& text, std::string s) { text.push_back({Run::Kind::plain, std::move(s)}); }
+inline void append(Text& text, const char* s) { text.push_back({Run::Kind::plain, s}); }
+inline void append(Text& text, const Text& more) { text.insert(text.end(), more.begin(), more.end()); }
+}   // namespace detail
+
+/// text("The error is ", readable(e), " (", ref("t:q1_errors"), ").")
+template <class... Parts>
+Text text(Parts&&... parts) {
+    Text joined;
+    (detail::append(joined, std::forward<Parts>(parts)), ...);
+    return joined;
+}
+
+/// Without markup: for alt texts, checks and tests.
+std::string plain(const Text& text);
+
+}   // namespace meshfolio::report

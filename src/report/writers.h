@@ -1,0 +1,39 @@
+/// @file
+/// A Document to files. Every writer is a pure function from data to bytes.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "report/document.h"
+
+namespace meshfolio::report {
+
+/// Templates by file name ("report.html"): those compiled in, each replaced by the file of that name in a folder when it is there.
+class Templates {
+public:
+    /// @throws UsageError if `folder` is given and not a folder, or a template in it has a syntax error (named with its line)
+    explicit Templates(const std::filesystem::path& folder = {});
+    const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
+private:
+    std::map<std::string, std::string> text_;
+};
+
+struct WriteOptions {
+    bool timings = true;   // false: nothing that differs from run to run
+};
+
+std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});
+std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates,
+                           const WriteOptions& options = {});
+std::string write_json(const Document& document, const DrawnFigures& figures, const WriteOptions& options = {});
+
+/// RFC 4180, LF line ends, header `name [unit]`, numbers exact, undefined cells empty.
+std::string write_csv(const Table& table);
+std::string write_csv(const Plot& plot);
+
+/// Inline SVG that takes its colours from the page (currentColor and CSS variables), readable in grey.
+std::string svg_of(const Plot& plot);
+
+}   // namespace meshfolio::report

@@ -1,0 +1,42 @@
+#include "number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace meshfolio;
+
+TEST(NumberText, ExactTextReadsBackAsTheSameNumber) {
+    for (const double x : {0.1, 1.0 / 3, 6.02e23, -5e-324, 1e308, 123456789.0}) EXPECT_EQ(parse_number(exact_text(x)), x);
+    EXPECT_EQ(exact_text(std::nan("")), "");
+}
+
+TEST(NumberText, ReadableRoundsToSignificantDigits) {
+    EXPECT_EQ(readable(0.0123456), "0.0123");
+    EXPECT_EQ(readable(43243, 5), "43\u202f243");
+    EXPECT_EQ(readable(1234), "1234");
+    EXPECT_EQ(readable(0.99999), "1.00");
+    EXPECT_EQ(readable(-1.23456e-7), "\u22121.23\u202f×\u202f10⁻⁷");
+    EXPECT_EQ(readable(0), "0");
+    EXPECT_EQ(readable_percent(0.1234), "12.3\u202f%");
+}
+
+TEST(NumberText, PlainTextHasNoTypography) {
+    EXPECT_EQ(plain_text(-0.5), "-0.5");
+    EXPECT_EQ(plain_text(1.25e-9), "1.25e-9");
+    EXPECT_EQ(plain_text(100000), "100000");
+}
+
+TEST(NumberText, ParseNumberTakesDecimalNumbersOnly) {
+    for (const char* good : {"1", "+1", "-.5", "0.", "1E3", "1e-400", "-0.0"}) EXPECT_TRUE(parse_number(good)) << good;
+    for (const char* bad : {"", "+", "-", "--1", "+-1", "nan", "inf", "-inf", "0x1", "1,5", "1.2.3", "1e400", "1 ", " 1", "abc", "1e"}) {
+        EXPECT_FALSE(parse_number(bad)) << bad;
+    }
+    EXPECT_EQ(parse_number("4.9e-324"), std::numeric_limits<double>::denorm_min());
+}
+
+TEST(NumberText, ParseIntegerRefusesWhatDoesNotFit) {
+    EXPECT_EQ(parse_integer("-2147483648"), -2147483648LL);
+    for (const char* bad : {"", "4.0", "0x4", "9223372036854775808", "1e3", "++1"}) EXPECT_FALSE(parse_integer(bad)) << bad;
+}
