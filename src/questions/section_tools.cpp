@@ -1,0 +1,96 @@
+#include "questions/section_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace meshfolio {
+
+report::Section section_of(std::string_view id) {
+    const auto questions = question_list();
+    const auto it = std::find_if(questions.begin(), questions.end(), [&](const Question& q) { return q.id == id; });
+    if (it == questions.end()) throw std::logic_error("no question " + std::string(id));
+    report::Section section;
+    section.id = it->id;
+    section.title = it->title;
+    section.asked = it->asked;
+    return section;
+}
+
+void enter_input(const LibraryMesh& mesh, report::Section& section) {
+    const auto same = [&](const report::Input& input) { return input.file == mesh.input.file && input.sha256 == mesh.input.sha256; };
+    if (std::any_of(section.inputs.begin(), section.inputs.end(), same)) return;
+    section.inputs.push_back(mesh.input);
+    for (const MeshWarning& warning : mesh.prepared->warnings) {
+        section.warnings.push_back(mesh.input.file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);
+    }
+}
+
+std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& library, const QuestionSettings& settings,
+                                                           std::initializer_list<std::string_view> roles, report::Section& section) {
+    std::vector<std::shared_ptr<const LibraryMesh>> meshes;
+    if (!settings.meshes.empty()) {
+        for (const std::string& path : settings.meshes) meshes.push_back(library.file(path, settings.base));
+    } else if (library.has_own_meshes()) {
+        meshes = library.own_meshes();
+    } else {
+        for (const std::string_view role : roles) meshes.push_back(library.role(std::string(role)));
+    }
+    for (const auto& mesh : meshes) enter_input(*mesh, section);
+    return meshes;
+}
+
+void add_heading(report::Section& section, std::string title) { section.blocks.push_back(report::Heading{std::move(title)}); }
+
+void add_formula(report::Section& section, std::string name, std::string id) {
+    section.blocks.push_back(report::Formula{std::move(name), std::move(id)});
+}
+
+ValueSummary summary_of(const Vector& values) {
+    ValueSummary summary;
+    std::vector<double> finite;
+    for (const double v : values) {
+        if (std::isfinite(v)) finite.push_back(v);
+    }
+    summary.count = static_cast<int>(finite.size());
+    summary.undefined = static_cast<int>(values.size()) - summary.count;
+    if (finite.empty()) {
+        summary.minimum = summary.maximum = summary.mean = summary.median = summary.standard_deviation = std::nan("");
+        return summary;
+    }
+    std::sort(finite.begin(), finite.end());
+    const std::size_t n = finite.size();
+    summary.minimum = finite.front();
+    summary.maximum = finite.back();
+    summary.median = 0.5 * (finite[(n - 1) / 2] + finite[n / 2]);
+    const Eigen::Map<const Vector> sorted(finite.data(), static_cast<Eigen::Index>(n));
+    summary.mean = sorted.mean();
+    summary.standard_deviation = std::sqrt((sorted.array() - summary.mean).square().mean());
+    return summary;
+}
+
+FieldError relative_error(const Vector& f, const Vector& g, const Vector& areas) {
+    double squared = 0, reference = 0, largest = 0, scale = 0;
+    for (Eigen::Index i = 0; i < f.size(); ++i) {
+        if (!std::isfinite(f[i]) || !std::isfinite(g[i])) continue;
+        const double difference = f[i] - g[i];
+        squared += areas[i] * difference * difference;
+        reference += areas[i] * g[i] * g[i];
+        largest = std::max(largest, std::abs(difference));
+        scale = std::max(scale, std::abs(g[i]));
+    }
+    return {std::sqrt(squared / reference), largest / scale};
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string joined;
+    for (std::size_t i = 0; i < names.size(); ++i) joined += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return joined;
+}
+
+std::string counted(int n, std::string_view singular, std::string_view plural) {
+    const std::string many = plural.empty() ? std::string(singular) + "s" : std::string(plural);
+    return std::to_string(n) + " " + (n == 1 ? std::string(singular) : many);
+}
+
+}   // namespace meshfolio
