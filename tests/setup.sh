@@ -1,0 +1,33 @@
+# Sourced by build-report and run-tests: the packages, and how to get them.
+
+build_packages="cmake g++ ninja-build pkg-config libeigen3-dev libspectra-dev libtinyobjloader-dev libstb-dev libglm-dev libcli11-dev
+    libsuitesparse-dev libopenblas-serial-dev libtbb-dev libdeflate-dev nettle-dev nlohmann-json3-dev libkainjow-mustache-dev
+    libtomlplusplus-dev fonts-dejavu-core"
+test_packages="clang-format-14 libgtest-dev python3-minimal libvalijson-dev libxml2-utils pandoc"
+
+# install_packages NAMES…: what is missing, through apt as root or sudo; otherwise says what to ask for.
+install_packages() {
+    missing=""
+    for package in "$@"; do
+        dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
+    done
+    [ -z "$missing" ] && return 0
+    if [ "$(id -u)" = 0 ]; then
+        as_root=""
+    elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+        as_root="sudo"
+    else
+        echo "meshfolio needs these Debian packages, and this is neither root nor sudo without a password. Please have installed:" >&2
+        echo "   $missing" >&2
+        exit 5
+    fi
+    echo "installing:$missing" >&2
+    # shellcheck disable=SC2086  # both are lists of words
+    { $as_root apt-get update -qq && DEBIAN_FRONTEND=noninteractive $as_root apt-get install -qq -y --no-install-recommends $missing; } >&2
+}
+
+# build_release ROOT TESTS: the program at ROOT/build/release/meshfolio; TESTS is ON or OFF.
+build_release() {
+    cmake -S "$1" -B "$1/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMESHFOLIO_TESTS="$2" >&2
+    cmake --build "$1/build/release" >&2
+}
