@@ -37,6 +37,12 @@ Text text(Parts&&... parts) {
     return joined;
 }
 
+/// Adds to a text what text() would join.
+template <class... Parts>
+void extend(Text& text, Parts&&... parts) {
+    (detail::append(text, std::forward<Parts>(parts)), ...);
+}
+
 /// Without markup: for alt texts, checks and tests.
 std::string plain(const Text& text);
 
