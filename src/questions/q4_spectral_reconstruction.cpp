@@ -16,6 +16,8 @@ namespace meshfolio {
 namespace {
 
 using report::Cell;
+using report::check_at_most;
+using report::check_near;
 using report::math;
 using report::ref;
 
@@ -187,12 +189,11 @@ void add_eigenvalue_table(report::Section& section, const Study& study) {
 void add_checks(report::Section& section, const Study& study) {
     const std::string on = " on " + study.mesh->name;
     const Spectrum& spectrum = study.spectrum;
-    section.checks.push_back(report::check_at_most("largest eigenpair residual" + on, 1e-8, spectrum.residuals.maxCoeff()));
-    section.checks.push_back(report::check_at_most("‖ΦᵀMΦ − I‖" + on, 1e-9, orthonormality_error(spectrum, study.laplacian.M)));
+    section.checks.push_back(check_at_most("largest eigenpair residual" + on, 1e-8, spectrum.residuals.maxCoeff()));
+    section.checks.push_back(check_at_most("‖ΦᵀMΦ − I‖" + on, 1e-9, orthonormality_error(spectrum, study.laplacian.M)));
     const int components = study.mesh->prepared->preflight.components;
     const auto zeros = (spectrum.eigenvalues.array() == 0).count();
-    section.checks.push_back(
-        report::check_near("zero eigenvalues = components" + on, std::min(components, modes_of(study)), double(zeros), 0));
+    section.checks.push_back(check_near("zero eigenvalues = components" + on, std::min(components, modes_of(study)), double(zeros), 0));
     if (spectrum.inertia_count >= 0) {
         section.checks.push_back(
             check_near("eigenvalues below " + plain_text(spectrum.inertia_shift, 4) + " found = counted by inertia" + on,
@@ -208,8 +209,8 @@ void add_checks(report::Section& section, const Study& study) {
     section.checks.push_back(
         check_at_most("error never rises with k: largest rise / box diagonal" + on, 0, largest_rise / study.diagonal, 1e-12));
     if (modes_of(study) == study.mesh->prepared->preflight.vertices_in_use) {
-        section.checks.push_back(report::check_at_most("k = n gives the mesh back: maximum error / box diagonal" + on, 0,
-                                                       study.reconstructions.back().difference.max / study.diagonal, 1e-9));
+        section.checks.push_back(check_at_most("k = n gives the mesh back: maximum error / box diagonal" + on, 0,
+                                               study.reconstructions.back().difference.max / study.diagonal, 1e-9));
     }
 }
 
@@ -280,10 +281,9 @@ report::Text where_the_error_sits(const Study& study) {
     report::Text t = report::text("At k = ", std::to_string(it->k), " the 5\u202f% of vertices that are farthest off lie at ",
                                   readable(remoteness, 2), " times the mean distance from the centroid");
     if (remoteness > 1.15) {
-        detail::append(
-            t,
-            report::text(": the error sits in the extremities. Thin limbs are narrow in the eigenfunctions' metric too; the low modes are "
-                         "nearly constant along them, and the bands that tell them apart are the ones left out"));
+        report::extend(t,
+                       ": the error sits in the extremities. Thin limbs are narrow in the eigenfunctions' metric too; the low modes are "
+                       "nearly constant along them, and the bands that tell them apart are the ones left out");
     } else if (remoteness < 0.85) {
         report::extend(t, ": the error sits in the inner parts of the shape, not at its extremities");
     } else {
