@@ -1,0 +1,78 @@
+#include "questions/smoothing_study.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/curvature.h"
+#include "mesh/triangle_measures.h"
+#include "number_text.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// |⟨X, φ⟩_M| over the three coordinates.
+double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
+    return (X.transpose() * subject.laplacian.M.cwiseProduct(subject.top.mode)).norm();
+}
+
+}   // namespace
+
+SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source) {
+    SmoothingSubject subject;
+    subject.source = std::move(source);
+    subject.laplacian = laplace_beltrami(subject.mesh());
+    subject.top = largest_eigenvalue(subject.laplacian);
+    subject.critical = largest_stable_step(subject.top);
+    subject.mean_edge = mean_edge_length(subject.mesh());
+    subject.diagonal = bounding_box(subject.mesh()).diagonal();
+    subject.initial_energy = dirichlet_energy(subject.laplacian.C, subject.mesh().X);
+    return subject;
+}
+
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep) {
+    SmoothingRun run;
+    run.scheme = scheme;
+    run.lambda = lambda;
+    run.iterations = iterations;
+    run.energy = {1};
+
+    SmoothingOptions options;
+    options.scheme = scheme;
+    options.lambda = lambda;
+    options.iterations = iterations;
+    options.after_step = [&](int iteration, const Positions& X) {
+        run.energy.push_back(dirichlet_energy(subject.laplacian.C, X) / subject.initial_energy);
+        if (std::find(keep.begin(), keep.end(), iteration) != keep.end()) run.snapshots.push_back(X);
+        return true;
+    };
+    run.result = smooth(subject.mesh(), options);
+
+    const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
+    run.moved = compare_meshes(subject.mesh(), smoothed);
+    run.volume_ratio = subject.source->prepared->preflight.closed() ? run.moved.volume_ratio : std::nan("");
+    run.smallest_angle = smallest_angle(smoothed);
+    return run;
+}
+
+Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps) {
+    const double height = 1e-3 * subject.mean_edge / subject.top.mode.cwiseAbs().maxCoeff();
+    Positions X = subject.mesh().X + height * subject.top.mode * Eigen::RowVector3d::Ones();
+    const double start = mode_amplitude(subject, X);
+    for (int t = 0; t < steps; ++t) X = explicit_step(subject.laplacian, lambda, X);
+    return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};
+}
+
+Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
+    const TriangleMesh mesh = moved_to(subject.mesh(), X);
+    return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
+}
+
+std::string step_label(const SmoothingSubject& subject, double lambda) {
+    return readable(lambda) + " = " + readable(lambda / subject.critical, 2) + "\u202fλ_crit";
+}
+
+std::string step_name(double lambda) { return "lambda" + plain_text(lambda, 3); }
+
+}   // namespace meshfolio

@@ -1,0 +1,63 @@
+/// @file
+/// One smoothing run and what is measured along the way; shared by the questions on smoothing.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/laplacian_smoothing.h"
+#include "geometry/mesh_error.h"
+#include "geometry/stability.h"
+#include "questions/mesh_library.h"
+
+namespace meshfolio {
+
+/// A mesh with its operator and the limit of explicit smoothing on it.
+struct SmoothingSubject {
+    std::shared_ptr<const LibraryMesh> source;
+    LaplaceBeltrami laplacian;   // of the input, frozen
+    LargestEigenvalue top;       // of −L
+    double critical = 0;         // λ_crit = 2/μ_max [length²]
+    double mean_edge = 0;        // [length]
+    double diagonal = 0;         // of the bounding box [length]
+    double initial_energy = 0;   // Dirichlet energy of the input [length²]
+
+    const TriangleMesh& mesh() const { return source->mesh(); }
+    const std::string& name() const { return source->name; }
+};
+SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source);
+
+struct SmoothingRun {
+    SmoothingScheme scheme = SmoothingScheme::explicit_euler;
+    double lambda = 0;    // [length²]
+    int iterations = 0;   // asked for
+    Smoothed result;
+    MeshDifference moved;               // the input against the result
+    double volume_ratio = 0;            // NaN when open
+    double smallest_angle = 0;          // of the result [rad]
+    std::vector<double> energy;         // Dirichlet energy after t = 0, 1, … iterations, over that of the input
+    std::vector<Positions> snapshots;   // at the iterations asked for
+};
+
+/// One run; `keep` lists iterations (ascending, ≤ iterations) whose positions are kept in `snapshots`.
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep = {});
+
+/// How much `steps` explicit steps amplify the top mode, which starts a thousandth of a mean edge high (so that it can be measured even
+/// where symmetry leaves none of it in the input), against |1 − λμ_max|^steps.
+struct Amplification {
+    double predicted = 0, measured = 0;
+};
+Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
+
+/// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
+/// figures are coloured by. NaN where undefined.
+Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
+
+/// λ for people: "0.0123 = 0.5 λ_crit".
+std::string step_label(const SmoothingSubject& subject, double lambda);
+/// λ for file names: "lambda0.0123".
+std::string step_name(double lambda);
+
+}   // namespace meshfolio
