@@ -1,0 +1,117 @@
+/// @file
+/// What every answer must satisfy, whatever the meshes.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_files.h"
+#include "questions/question.h"
+
+namespace meshfolio::testing_tools {
+
+inline void no_progress(std::string_view) {}
+
+inline QuestionSettings quick_settings() {
+    QuestionSettings settings;
+    settings.quick = true;
+    return settings;
+}
+
+/// Everything a reader is told, joined.
+inline std::string prose_of(const report::Section& section) {
+    std::string prose = section.extent;
+    for (const report::Block& block : section.blocks) {
+        if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) prose += "\n" + report::plain(paragraph->text);
+        if (const auto* list = std::get_if<report::BulletList>(&block)) {
+            for (const report::Text& item : list->items) prose += "\n" + report::plain(item);
+        }
+        if (const auto* table = std::get_if<report::Table>(&block)) prose += "\n" + table->caption;
+        if (const auto* figure = std::get_if<report::Figure>(&block)) prose += "\n" + figure->caption + "\n" + figure->alt;
+        if (const auto* plot = std::get_if<report::Plot>(&block)) prose += "\n" + plot->caption + "\n" + plot->alt;
+    }
+    for (const report::Finding& finding : section.findings) prose += "\n" + report::plain(finding.text);
+    return prose;
+}
+
+inline void expect_checks_pass(const report::Section& section) {
+    EXPECT_FALSE(section.checks.empty());
+    for (const report::Check& check : section.checks) {
+        EXPECT_TRUE(check.passed) << check.name << ": expected " << check.expected << ", measured " << check.measured << ", tolerance "
+                                  << check.tolerance;
+    }
+}
+
+/// Ids unique and well-formed, tables rectangular, figures drawn and asked for, references that lead somewhere, no NaN in the prose.
+inline void expect_well_formed(const Answer& answer) {
+    const report::Section& section = answer.section;
+    static const std::regex id_form("[a-z0-9_]+"), file_form("[A-Za-z0-9_.-]+"), not_a_number("\\b(nan|inf)\\b");
+    std::set<std::string> ids, figures, references;
+    const auto enter = [&](const std::string& id) {
+        EXPECT_TRUE(std::regex_match(id, id_form)) << id;
+        EXPECT_TRUE(ids.insert(id).second) << "twice: " << id;
+    };
+    for (const report::Block& block : section.blocks) {
+        if (const auto* table = std::get_if<report::Table>(&block)) {
+            enter(table->id);
+            EXPECT_FALSE(table->rows.empty()) << table->id;
+            for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->columns.size()) << table->id;
+        }
+        if (const auto* plot = std::get_if<report::Plot>(&block)) {
+            enter(plot->id);
+            for (const report::Series& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << plot->id;
+        }
+        if (const auto* figure = std::get_if<report::Figure>(&block)) {
+            enter(figure->id);
+            figures.insert(figure->id);
+        }
+        if (const auto* formula = std::get_if<report::Formula>(&block); formula && !formula->id.empty()) enter(formula->id);
+        if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) {
+            for (const report::Run& run : paragraph->text) {
+                if (run.kind == report::Run::Kind::reference) references.insert(run.content);
+            }
+        }
+    }
+    std::set<std::string> requested, panels;
+    for (const output::FigureRequest& request : answer.figures) {
+        EXPECT_TRUE(requested.insert(request.id).second) << request.id;
+        for (const output::Panel& panel : request.panels) {
+            EXPECT_TRUE(std::regex_match(panel.name, file_form)) << panel.name;
+            EXPECT_TRUE(panels.insert(panel.name).second) << "two pictures of one name: " << panel.name;
+            EXPECT_TRUE(panel.values.size() == 0 || panel.values.size() == panel.mesh->vertex_count()) << panel.name;
+        }
+    }
+    EXPECT_EQ(figures, requested);
+    for (const std::string& reference : references) EXPECT_TRUE(ids.contains(reference)) << "leads nowhere: " << reference;
+    EXPECT_FALSE(std::regex_search(prose_of(section), not_a_number)) << prose_of(section);
+    EXPECT_FALSE(section.findings.empty());
+    EXPECT_FALSE(section.extent.empty());
+}
+
+/// A library in which `mesh` takes every role.
+inline MeshLibrary library_of(const TriangleMesh& mesh, const std::string& name) {
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / (name + ".ply");
+    write_mesh(file, mesh);
+    return MeshLibrary({}, {file});
+}
+
+/// The real meshes beside the project; empty when they are not there.
+inline std::vector<std::filesystem::path> shared_meshes() {
+    std::vector<std::filesystem::path> files;
+    const std::filesystem::path folder = std::filesystem::path(MESHFOLIO_SOURCE_DIR).parent_path() / "shared" / "meshes";
+    if (!std::filesystem::exists(folder)) return files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        const std::string ending = entry.path().extension().string();
+        if (ending == ".obj" || ending == ".off") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}   // namespace meshfolio::testing_tools
