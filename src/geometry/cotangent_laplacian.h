@@ -25,9 +25,13 @@ struct CotangentOptions {
 /// `floored`, when given, counts the triangles where that happened.
 CornerValues corner_cotangents(const TriangleMesh& mesh, int* floored = nullptr);
 /// The same from the m × 3 edge lengths of intrinsic triangles: (b² + c² − a²)/(4A) with Kahan's form of Heron's A.
+/// @throws MeshError if a length is negative or not finite
 CornerValues corner_cotangents(const CornerValues& lengths, int* floored = nullptr);
 
-/// C, n × n, from triangles and the cotangents of their corners. [dimensionless]
+/// C, n × n, from triangles and the cotangents of their corners; every diagonal entry is stored. [dimensionless]
+/// Corners of a triangle may be the same vertex, and several edges may join the same two vertices, whose weight is then
+/// that of all their opposite corners together; an edge from a vertex to itself has no effect.
+/// @throws MeshError if the sizes do not fit or an index is not a vertex
 SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerValues& cotangents, const CotangentOptions& options = {});
 
 struct LaplaceBeltrami {
@@ -35,9 +39,12 @@ struct LaplaceBeltrami {
     Vector M;         // n lumped masses A_i; 0 at unreferenced vertices [length²]
 };
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric, const CotangentOptions& options = {});
+/// The same of glued intrinsic triangles with m × 3 edge lengths.
+LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area = AreaForm::barycentric,
+                                 const CotangentOptions& options = {});
 
 /// The per-edge normalised variant of one earlier report (after Vallet & Lévy 2008): L_ij = (cot α + cot β)/(A_i + A_j),
-/// rows sum to 0. Symmetric, not linearly precise; here to be compared with, not to be used. [1/length²]
+/// rows sum to 0, barycentric areas. Symmetric, not linearly precise; here to be compared with, not to be used. [1/length²]
 SparseMatrix edge_normalised_laplacian(const TriangleMesh& mesh, bool clamp_negative = true);
 
 }   // namespace meshfolio
