@@ -29,10 +29,13 @@ inline constexpr std::array<View, 6> six_views{{
 /// @throws std::invalid_argument listing the six names
 const View& view_named(const std::string& name);
 
+/// False for a triangle with an index out of range or a corner that is not finite; such triangles take part in nothing.
+bool can_be_drawn(const glm::ivec3& triangle, std::span<const glm::dvec3> positions);
+
 struct Bounds {
     glm::dvec3 low{0}, high{0};
 };
-/// Of the finite positions that triangles use.
+/// Of the triangles that can be drawn; a point at the origin when there are none.
 Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles);
 
 /// What all pictures of one figure share: the same point in the middle, the same scale.

@@ -1,0 +1,91 @@
+#include "outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <tuple>
+
+namespace render {
+
+namespace {
+
+/// Scatters vertex numbers over 64 bits (the finaliser of SplitMix64, Steele et al. 2014).
+std::uint64_t scattered(std::uint64_t i) {
+    i = (i + 1) * 0x9e3779b97f4a7c15U;
+    i = (i ^ (i >> 30)) * 0xbf58476d1ce4e5b9U;
+    i = (i ^ (i >> 27)) * 0x94d049bb133111ebU;
+    return i ^ (i >> 31);
+}
+
+/// Round an inner vertex the opposite edges close up, so Σ (next − previous) = 0; with scattered numbers hardly ever otherwise.
+/// Vertices where the sum is not 0 include all boundary vertices of a consistently oriented surface.
+std::vector<bool> may_lie_on_boundary(const Surface& surface) {
+    std::vector<std::uint64_t> sum(surface.positions.size(), 0);
+    for (const glm::ivec3& t : surface.triangles) {
+        if (!can_be_drawn(t, surface.positions)) continue;
+        for (int k = 0; k < 3; ++k)
+            sum[static_cast<std::size_t>(t[k])] +=
+                scattered(static_cast<std::uint64_t>(t[(k + 1) % 3])) - scattered(static_cast<std::uint64_t>(t[(k + 2) % 3]));
+    }
+    std::vector<bool> result(sum.size());
+    std::transform(sum.begin(), sum.end(), result.begin(), [](std::uint64_t s) { return s != 0; });
+    return result;
+}
+
+bool same_edge(const BoundaryEdge& e, const BoundaryEdge& f) { return e.a == f.a && e.b == f.b; }
+
+/// |cos| of the angle between normal and view below which a triangle is seen edge-on.
+constexpr double edge_on = 0.02;
+/// Of a ribbon, in 1/256 pixel.
+constexpr double half_width = 0.75 * subpixels;
+
+bool seen_edge_on(const glm::dvec3& normal, const View& view) {
+    return std::abs(glm::dot(normal, view.from)) < edge_on * glm::length(normal);
+}
+
+ScreenPoint moved(const ScreenPoint& p, glm::dvec2 by) { return {p.x + std::llrint(by.x), p.y + std::llrint(by.y), p.depth}; }
+
+}   // namespace
+
+std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
+    const std::vector<bool> candidate = may_lie_on_boundary(surface);
+    std::vector<BoundaryEdge> edges;
+    for (std::size_t id = 0; id < surface.triangles.size(); ++id) {
+        const glm::ivec3& t = surface.triangles[id];
+        if (!can_be_drawn(t, surface.positions)) continue;
+        for (int k = 0; k < 3; ++k) {
+            const int a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
+            if (candidate[static_cast<std::size_t>(a)] && candidate[static_cast<std::size_t>(b)])
+                edges.push_back({a, b, static_cast<std::int32_t>(id)});
+        }
+    }
+    const auto key = [](const BoundaryEdge& e) { return std::tuple(e.a, e.b, e.triangle); };
+    std::sort(edges.begin(), edges.end(), [&](const BoundaryEdge& e, const BoundaryEdge& f) { return key(e) < key(f); });
+    std::vector<BoundaryEdge> single;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const bool repeated = (i > 0 && same_edge(edges[i - 1], edges[i])) || (i + 1 < edges.size() && same_edge(edges[i], edges[i + 1]));
+        if (!repeated) single.push_back(edges[i]);
+    }
+    return single;
+}
+
+std::vector<Ribbon> edge_on_ribbons(const Scene& scene, std::span<const BoundaryEdge> edges, const View& view,
+                                    std::span<const ScreenPoint> points) {
+    std::vector<Ribbon> ribbons;
+    for (const BoundaryEdge& e : edges) {
+        if (!seen_edge_on(scene.face_normal(e.triangle), view)) continue;
+        const ScreenPoint &a = points[static_cast<std::size_t>(e.a)], &b = points[static_cast<std::size_t>(e.b)];
+        const glm::dvec2 along(b.x - a.x, b.y - a.y);
+        const double length = glm::length(along);
+        if (length == 0) continue;
+        const glm::dvec2 across = half_width / length * glm::dvec2(-along.y, along.x);
+        const ScreenPoint a0 = moved(a, -across), a1 = moved(a, across), b0 = moved(b, -across), b1 = moved(b, across);
+        ribbons.push_back({{{a0, b0, b1}}, glm::ivec3(e.a, e.b, e.b)});
+        ribbons.push_back({{{a0, b1, a1}}, glm::ivec3(e.a, e.b, e.a)});
+    }
+    return ribbons;
+}
+
+}   // namespace render
