@@ -36,9 +36,14 @@ struct MeshTopology {
     int nonmanifold_vertex_count() const;
 };
 
+/// Just the edges, sorted by (a, b). Where a triangle names a vertex twice its edges are counted twice.
+std::vector<Edge> edges_of(const TriangleMesh& mesh);
+
+/// @throws MeshError if a triangle names a vertex twice or one that does not exist
 MeshTopology topology_of(const TriangleMesh& mesh);
 
-/// Boundary loops: vertices in order, each loop starting at its smallest index.
+/// Boundary loops: vertices in order, the surface to their left, each loop starting at its smallest index. A vertex where
+/// several loops touch belongs to each. Where non-manifold edges break the boundary up, its open pieces count as loops.
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
 
 }   // namespace meshfolio
