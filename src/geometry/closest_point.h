@@ -1,0 +1,41 @@
+/// @file
+/// Distance from a point to a triangle surface: exact, by a tree of axis-aligned boxes.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace meshfolio {
+
+/// Squared distance from p to the triangle (x0, x1, x2), which may be degenerate. [length²]
+double squared_distance_to_triangle(const Vector3& p, const Vector3& x0, const Vector3& x1, const Vector3& x2);
+
+class ClosestPoint {
+public:
+    /// Of all triangles of `mesh`, whose positions are copied.
+    /// @throws MeshError if there is no triangle
+    explicit ClosestPoint(const TriangleMesh& mesh);
+
+    /// min(squared distance from p to the surface, `known_bound`). As soon as the result is sure to be `enough` or less,
+    /// the search may stop with any value ≤ `enough` that is not below the true one. [length²]
+    double squared_distance(const Vector3& p, double known_bound = std::numeric_limits<double>::infinity(), double enough = 0) const;
+
+private:
+    using Corners = std::array<Vector3, 3>;
+    struct Node {
+        Vector3 low, high;   // box of its triangles
+        int first, count;    // triangles of a leaf; count 0: an inner node
+        int right;           // second child of an inner node, whose first follows it
+        double squared_distance(const Vector3& p) const;
+    };
+
+    int build(std::vector<int>& order, const std::vector<Corners>& triangles, int first, int last);
+
+    std::vector<Node> nodes_;
+    std::vector<Corners> triangles_;   // in the order of the leaves
+};
+
+}   // namespace meshfolio
