@@ -113,9 +113,12 @@ void draw_band(const Picture& picture, std::span<const std::int32_t> triangles, 
                 image.at(x, y) = srgb_of(resolved(seen, band.offsets(), {x, y}, shader, background));
 }
 
+/// Wide enough to stay visible when the picture is shrunk into a sheet.
+double ribbon_width(const DrawOptions& options) { return std::max(1.5, std::min(options.width, options.height) / 320.0); }
+
 Image draw_view(const Scene& scene, std::span<const BoundaryEdge> boundary, const View& view, const DrawOptions& options) {
     Picture picture{scene, view, options, project(scene, view, options.width, options.height), {}};
-    picture.ribbons = edge_on_ribbons(scene, boundary, view, picture.points);
+    picture.ribbons = edge_on_ribbons(scene, boundary, view, picture.points, ribbon_width(options));
     const Bands bands = sorted_into_bands(picture);
     Image image(options.width, options.height, options.background);
     tbb::parallel_for(0, (options.height - 1) / band_rows + 1,

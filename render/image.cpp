@@ -1,5 +1,7 @@
 #include "image.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -41,12 +43,13 @@ std::vector<Footprint> footprints(int old_size, int new_size) {
     return result;
 }
 
-/// One row of `image`, averaged along x.
-void shrink_row(const Image& image, int y, const std::vector<Footprint>& columns, std::vector<LinearColor>& row) {
+/// Adds `weight` times row y of `image`, averaged along x, to `sum`.
+void add_row(const Image& image, int y, float weight, const std::vector<Footprint>& columns, std::vector<LinearColor>& sum) {
     for (std::size_t x = 0; x < columns.size(); ++x) {
-        row[x] = {};
-        for (std::size_t j = 0; j < columns[x].weights.size(); ++j)
-            row[x] += columns[x].weights[j] * linear_of(image.at(columns[x].first + static_cast<int>(j), y));
+        const Rgba* pixel = &image.at(columns[x].first, y);
+        LinearColor mean;
+        for (const float w : columns[x].weights) mean += w * linear_of(*pixel++);
+        sum[x] += weight * mean;
     }
 }
 
@@ -66,16 +69,13 @@ Image shrink(const Image& image, int width, int height) {
     if (width == image.width && height == image.height) return image;
     const auto columns = footprints(image.width, width), lines = footprints(image.height, height);
     Image result(width, height);
-    std::vector<LinearColor> row(index(width)), sum(index(width));
-    for (int y = 0; y < height; ++y) {
+    tbb::parallel_for(0, height, [&](int y) {
         const Footprint& line = lines[index(y)];
-        std::fill(sum.begin(), sum.end(), LinearColor{});
-        for (std::size_t j = 0; j < line.weights.size(); ++j) {
-            shrink_row(image, line.first + static_cast<int>(j), columns, row);
-            for (std::size_t x = 0; x < sum.size(); ++x) sum[x] += line.weights[j] * row[x];
-        }
+        std::vector<LinearColor> sum(index(width));
+        for (std::size_t j = 0; j < line.weights.size(); ++j)
+            add_row(image, line.first + static_cast<int>(j), line.weights[j], columns, sum);
         for (int x = 0; x < width; ++x) result.at(x, y) = srgb_of(sum[index(x)]);
-    }
+    });
     return result;
 }
 

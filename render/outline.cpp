@@ -38,9 +38,6 @@ bool same_edge(const BoundaryEdge& e, const BoundaryEdge& f) { return e.a == f.a
 
 /// |cos| of the angle between normal and view below which a triangle is seen edge-on.
 constexpr double edge_on = 0.02;
-/// Of a ribbon, in 1/256 pixel.
-constexpr double half_width = 0.75 * subpixels;
-
 bool seen_edge_on(const glm::dvec3& normal, const View& view) {
     return std::abs(glm::dot(normal, view.from)) < edge_on * glm::length(normal);
 }
@@ -72,7 +69,7 @@ std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
 }
 
 std::vector<Ribbon> edge_on_ribbons(const Scene& scene, std::span<const BoundaryEdge> edges, const View& view,
-                                    std::span<const ScreenPoint> points) {
+                                    std::span<const ScreenPoint> points, double width) {
     std::vector<Ribbon> ribbons;
     for (const BoundaryEdge& e : edges) {
         if (!seen_edge_on(scene.face_normal(e.triangle), view)) continue;
@@ -80,7 +77,7 @@ std::vector<Ribbon> edge_on_ribbons(const Scene& scene, std::span<const Boundary
         const glm::dvec2 along(b.x - a.x, b.y - a.y);
         const double length = glm::length(along);
         if (length == 0) continue;
-        const glm::dvec2 across = half_width / length * glm::dvec2(-along.y, along.x);
+        const glm::dvec2 across = 0.5 * width * subpixels / length * glm::dvec2(-along.y, along.x);
         const ScreenPoint a0 = moved(a, -across), a1 = moved(a, across), b0 = moved(b, -across), b1 = moved(b, across);
         ribbons.push_back({{{a0, b0, b1}}, glm::ivec3(e.a, e.b, e.b)});
         ribbons.push_back({{{a0, b1, a1}}, glm::ivec3(e.a, e.b, e.a)});

@@ -25,7 +25,8 @@ struct Ribbon {
 };
 
 /// Ribbons along those edges whose triangle is seen edge-on (within about a degree). @param points  as projected for `view`
+/// @param width   pixels
 std::vector<Ribbon> edge_on_ribbons(const Scene& scene, std::span<const BoundaryEdge> edges, const View& view,
-                                    std::span<const ScreenPoint> points);
+                                    std::span<const ScreenPoint> points, double width);
 
 }   // namespace render

@@ -16,15 +16,18 @@ struct Light {
 /// Fixed to the camera. Soft: each reaches a little beyond its horizon. With the ambient part they add up to about 1 where all
 /// of them reach, so no colour of a map is driven to white, and being neutral they shift no hue.
 const std::array<Light, 3> lights{{
-    {glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)), 0.56F},   // key, upper left
-    {glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)), 0.20F},    // fill, right
-    {glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F)), 0.22F},   // from the viewer, slightly below
+    {glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)), 0.66F},   // key, upper left
+    {glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)), 0.17F},    // fill, right
+    {glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F)), 0.18F},   // from the viewer, slightly below
 }};
-constexpr float ambient = 0.14F;
-constexpr float wrap = 0.25F;
+constexpr float ambient = 0.05F;
+constexpr float wrap = 0.15F;
 
 /// Beyond `crease_begin` (cosine) between the normals of corner and triangle the corner turns sharp, wholly so at `crease_end`.
 constexpr float crease_begin = 0.94F, crease_end = 0.85F;
+
+/// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar.
+constexpr float light_on_values = 0.72F;
 
 /// The back of plain surfaces is ochre; values keep their hue there and only darken.
 constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
@@ -34,7 +37,7 @@ constexpr LinearColor edge_color{0.012F, 0.012F, 0.016F, 1};
 constexpr double edge_half_width = 0.45;   // pixels on either side
 constexpr double smallest_meshed = 9;      // pixels; lines of smaller triangles fade, lest they blacken the surface
 /// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
-constexpr float ribbon_light = 0.85F, plain_ribbon_light = 0.35F;
+constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
 
 double cross(glm::dvec2 u, glm::dvec2 v) { return u.x * v.y - u.y * v.x; }
 
@@ -70,6 +73,12 @@ float light(const ShadedTriangle& t, const glm::dvec3& weights) {
     const glm::vec3 n = w.x * t.corner[0].normal + w.y * t.corner[1].normal + w.z * t.corner[2].normal;
     const float length = glm::length(n);
     return length > 0 ? lit(n / length) : lit({0, 0, 1});
+}
+
+float strength_of_light(const ShadedTriangle& t, const glm::dvec3& weights, bool plain, bool ribbon) {
+    if (ribbon) return plain ? plain_ribbon_light : ribbon_light;
+    const float l = light(t, weights);
+    return plain ? l : 1 - light_on_values * (1 - l);
 }
 
 /// 1 on the edges of the triangle, 0 a pixel away.
@@ -139,7 +148,7 @@ LinearColor Shader::color(std::int32_t id, glm::dvec2 at) {
     if (options.face_colors_from_id) return c;
     const bool plain = picture_.scene.map_positions.empty(), ribbon = picture_.is_ribbon(id);
     if (options.shading) {
-        glm::vec3 tint(ribbon ? (plain ? plain_ribbon_light : ribbon_light) : light(t, weights));
+        glm::vec3 tint(strength_of_light(t, weights, plain, ribbon));
         if (t.is_back && options.backface_tint) tint *= plain ? back_tint : glm::vec3(back_darkening);
         c = {tint.r * c.r, tint.g * c.g, tint.b * c.b, c.a};
     }
