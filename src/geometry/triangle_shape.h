@@ -3,6 +3,7 @@
 /// positions or from edge lengths.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
