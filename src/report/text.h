@@ -11,7 +11,8 @@ namespace meshfolio::report {
 struct Run {
     enum class Kind { plain, strong, emphasis, code, math, reference };
     Kind kind = Kind::plain;
-    std::string content;   // math: Unicode such as "λ_crit = 2/μ_max"; reference: the id of a figure, table, plot, formula or question
+    std::string
+        content;   // math: Unicode such as "λ_crit = 2/μ_max"; reference: the id of a figure, table, plot, formula, question or cited work
 };
 
 using Text = std::vector<Run>;
@@ -29,7 +30,7 @@ inline void append(Text& text, const char* s) { text.push_back({Run::Kind::plain
 inline void append(Text& text, const Text& more) { text.insert(text.end(), more.begin(), more.end()); }
 }   // namespace detail
 
-/// text("The error is ", readable(e), " (", ref("t:q1_errors"), ").")
+/// text("The error is ", readable(e), " (", ref("q1_errors"), ").")
 template <class... Parts>
 Text text(Parts&&... parts) {
     Text joined;

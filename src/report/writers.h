@@ -16,12 +16,17 @@ public:
     /// @throws UsageError if `folder` is given and not a folder, or a template in it has a syntax error (named with its line)
     explicit Templates(const std::filesystem::path& folder = {});
     const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
+    /// Takes the template `name` from a file.
+    /// @throws UsageError for an unknown name, an unreadable file, or a syntax error (named with its line)
+    void replace(const std::string& name, const std::filesystem::path& file);
+
 private:
     std::map<std::string, std::string> text_;
 };
 
 struct WriteOptions {
-    bool timings = true;   // false: nothing that differs from run to run
+    bool timings = true;       // false: nothing that differs from run to run
+    bool plot_files = false;   // the caller also writes svg_file_of(plot) to images/<id>.svg; Markdown then shows the plots
 };
 
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});
@@ -35,5 +40,8 @@ std::string write_csv(const Plot& plot);
 
 /// Inline SVG that takes its colours from the page (currentColor and CSS variables), readable in grey.
 std::string svg_of(const Plot& plot);
+
+/// The same as a file of its own, on white: Markdown cannot hold it inline.
+std::string svg_file_of(const Plot& plot);
 
 }   // namespace meshfolio::report

@@ -1,0 +1,41 @@
+#include "report/bibliography.h"
+
+#include <nlohmann/json.hpp>
+
+#include "errors.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+/// What `read` makes of a JSON template; a wrong shape is told as the user's error, for only a replaced file can have it.
+template <class Read>
+auto read_json(const Templates& templates, const std::string& name, Read read) {
+    try {
+        return read(nlohmann::json::parse(templates[name]));
+    } catch (const nlohmann::json::exception& problem) {
+        throw UsageError(std::string("not the expected shape: ") + problem.what(), "compare it with the file that comes with meshfolio",
+                         {name, 0});
+    }
+}
+
+}   // namespace
+
+std::map<std::string, FormulaForms> formulas_of(const Templates& templates) {
+    return read_json(templates, "formulas.json", [](const nlohmann::json& json) {
+        std::map<std::string, FormulaForms> formulas;
+        for (const auto& [name, forms] : json.items()) formulas[name] = {forms.at("tex"), forms.at("mathml"), forms.at("plain")};
+        return formulas;
+    });
+}
+
+std::vector<Work> bibliography_of(const Templates& templates) {
+    return read_json(templates, "references.json", [](const nlohmann::json& json) {
+        std::vector<Work> works;
+        for (const auto& work : json)
+            works.push_back({work.at("id"), work.at("authors"), work.at("year"), work.at("title"), work.at("where")});
+        return works;
+    });
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,124 @@
+#include "report/escape.h"
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "errors.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+bool is_alphanumeric(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+}
+
+/// At the beginning of a block these characters would make a heading, a list, a rule or an underlined title of it.
+bool begins_block(const std::string& text, std::size_t i) {
+    const char c = text[i];
+    if (i == 0) return c == '#' || c == '-' || c == '+' || c == '=';
+    const bool after_number = text.find_first_not_of("0123456789") == i;
+    return after_number && (c == '.' || c == ')');
+}
+
+bool is_within_word(const std::string& text, std::size_t i) {
+    return i > 0 && i + 1 < text.size() && is_alphanumeric(text[i - 1]) && is_alphanumeric(text[i + 1]);
+}
+
+}   // namespace
+
+std::string safe_text(const std::string& text) {
+    std::string line = text;
+    for (char& c : line) {
+        if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+    }
+    line = printable(line);
+    replace_all(line, "\xEF\xBF\xBE", "\uFFFD");   // U+FFFE and U+FFFF are UTF-8, but no characters of XML
+    replace_all(line, "\xEF\xBF\xBF", "\uFFFD");
+    return line;
+}
+
+std::string valid_utf8(const std::string& text) {
+    using nlohmann::json;
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+}
+
+std::string xml_escape(const std::string& text) {
+    std::string escaped;
+    escaped.reserve(text.size() + text.size() / 8);
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            case '"':
+                escaped += "&quot;";
+                break;
+            case '\'':
+                escaped += "&#39;";
+                break;
+            default:
+                escaped += c;
+        }
+    }
+    return escaped;
+}
+
+std::string markdown_escape(const std::string& text) {
+    constexpr std::string_view special = "\\`*[]|~$";
+    std::string escaped;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '&') {
+            escaped += "&amp;";
+        } else if (c == '<') {
+            escaped += "&lt;";
+        } else if (c == '>') {
+            escaped += "&gt;";
+        } else {
+            const bool emphasis = c == '_' && !is_within_word(text, i);
+            if (emphasis || special.find(c) != std::string_view::npos || begins_block(text, i)) escaped += '\\';
+            escaped += c;
+        }
+    }
+    return escaped;
+}
+
+std::string url_path(const std::string& path) {
+    constexpr std::string_view safe = "._~/-", hex = "0123456789ABCDEF";
+    std::string url;
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (is_alphanumeric(c) || safe.find(c) != std::string_view::npos) {
+            url += c;
+        } else {
+            url += {'%', hex[byte >> 4], hex[byte & 15]};
+        }
+    }
+    return url;
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const auto byte = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : std::uint32_t{0}; };
+    std::string encoded;
+    encoded.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+        const std::array<char, 4> quad{digits[group >> 18], digits[group >> 12 & 63], digits[group >> 6 & 63], digits[group & 63]};
+        encoded.append(quad.data(), quad.size());
+    }
+    if (bytes.size() % 3 > 0) encoded.replace(encoded.size() - (3 - bytes.size() % 3), 3 - bytes.size() % 3, 3 - bytes.size() % 3, '=');
+    return encoded;
+}
+
+}   // namespace meshfolio::report

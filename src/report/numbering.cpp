@@ -1,0 +1,68 @@
+#include "report/numbering.h"
+
+#include <stdexcept>
+
+namespace meshfolio::report {
+
+namespace {
+
+/// "q4" of "q4" and of "q4_eq_parseval"; empty for what no question owns.
+std::string question_of(const std::string& id) {
+    if (id.size() < 2 || id[0] != 'q') return "";
+    const std::size_t end = id.find_first_not_of("0123456789", 1);
+    if (end == 1 || (end != std::string::npos && id[end] != '_')) return "";
+    return id.substr(0, end);
+}
+
+bool is_question(const std::string& id) { return !id.empty() && question_of(id) == id; }
+
+}   // namespace
+
+std::vector<std::string> section_numbers(const Document& document) {
+    std::vector<std::string> numbers;
+    char letter = 'A';
+    for (const Section& section : document.sections)
+        numbers.push_back(is_question(section.id) ? section.id.substr(1) : std::string(1, letter++));
+    return numbers;
+}
+
+Numbering::Numbering(const Document& document, const std::vector<Work>& works) {
+    const auto numbers = section_numbers(document);
+    for (std::size_t s = 0; s < document.sections.size(); ++s) {
+        const Section& section = document.sections[s];
+        status_[section.id] = section.status;
+        add(section.id, is_question(section.id) ? "Question " : "Section ", numbers[s]);
+        int figures = 0, tables = 0, equations = 0;
+        const auto next = [&](int& count) { return numbers[s] + "." + std::to_string(++count); };
+        for (const Block& block : section.blocks) {
+            if (const auto* figure = std::get_if<Figure>(&block)) add(figure->id, "Figure ", next(figures));
+            if (const auto* plot = std::get_if<Plot>(&block)) add(plot->id, "Figure ", next(figures));
+            if (const auto* table = std::get_if<Table>(&block)) add(table->id, "Table ", next(tables));
+            const auto* formula = std::get_if<Formula>(&block);
+            if (formula && !formula->id.empty()) add(formula->id, "Equation ", "(" + next(equations) + ")");
+        }
+    }
+    for (std::size_t i = 0; i < works.size(); ++i) {
+        add(works[i].id, "", "[" + std::to_string(i + 1) + "]");
+        references_[works[i].id].anchor = "ref-" + works[i].id;
+    }
+}
+
+void Numbering::add(const std::string& id, const std::string& kind, const std::string& number) {
+    if (id.empty()) throw std::logic_error("report: a block that needs an id has none (" + kind + number + ")");
+    if (!references_.emplace(id, Reference{number, kind + number, id}).second)
+        throw std::logic_error("report: the id " + id + " is used twice");
+}
+
+Reference Numbering::resolve(const std::string& id) const {
+    const std::size_t colon = id.find(':');
+    const std::string key = colon == std::string::npos ? id : id.substr(colon + 1);
+    if (const auto it = references_.find(key); it != references_.end()) return it->second;
+    const std::string question = question_of(key);
+    const auto status = status_.find(question);
+    const bool answered = status != status_.end() && status->second == Status::ok;
+    if (question.empty() || answered) throw std::logic_error("report: nothing has the id " + key + " that a text refers to");
+    return {question.substr(1), "Question " + question.substr(1), status == status_.end() ? "" : question};
+}
+
+}   // namespace meshfolio::report

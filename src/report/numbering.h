@@ -1,0 +1,41 @@
+/// @file
+/// What everything in a document is called: "Figure 1.3", "Table 4.1", "Equation (2.2)", "Question 5", "[4]".
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "report/bibliography.h"
+#include "report/document.h"
+
+namespace meshfolio::report {
+
+struct Reference {
+    std::string number;   // "1.3"
+    std::string label;    // "Figure 1.3"
+    std::string anchor;   // of the element in the page; empty: the report does not hold it
+};
+
+class Numbering {
+public:
+    /// Plots and figures share one count. Equations count when they have an id.
+    /// @throws std::logic_error naming an id that is used twice
+    Numbering(const Document& document, const std::vector<Work>& works);
+
+    /// Of a figure, table, plot, formula, question or cited work. "t:q1_errors" means "q1_errors".
+    /// What belongs to a question that failed or was not asked for is called by that question, without an anchor: one failure must
+    /// not take the other sections with it.
+    /// @throws std::logic_error naming the id if nothing has it
+    Reference resolve(const std::string& id) const;
+
+private:
+    void add(const std::string& id, const std::string& kind, const std::string& number);
+    std::map<std::string, Reference> references_;
+    std::map<std::string, Status> status_;   // of the questions in the document
+};
+
+/// "1" for the section "q1"; letters for sections that are no question.
+std::vector<std::string> section_numbers(const Document& document);
+
+}   // namespace meshfolio::report

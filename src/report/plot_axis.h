@@ -1,0 +1,35 @@
+/// @file
+/// One axis of a plot: its range, its round ticks, and where a value falls.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meshfolio::report {
+
+struct Tick {
+    double value;
+    std::string label;   // empty: a minor tick
+};
+
+class Axis {
+public:
+    /// Covers the finite `values` (on a logarithmic axis the positive ones) with a margin; a single value and no value give a range too.
+    Axis(const std::vector<double>& values, bool logarithmic);
+
+    /// Whether the axis can show this value at all.
+    bool shows(double value) const;
+    /// 0 at the low end, 1 at the high end. Only for values the axis shows.
+    double position(double value) const;
+
+    double low() const { return low_; }
+    double high() const { return high_; }
+    const std::vector<Tick>& ticks() const { return ticks_; }
+
+private:
+    bool logarithmic_;
+    double low_ = 0, high_ = 1;
+    std::vector<Tick> ticks_;
+};
+
+}   // namespace meshfolio::report

@@ -1,0 +1,47 @@
+/// @file
+/// Where the labels of a plot go so that they neither cover each other nor the data. Units are pixels, y down.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meshfolio::report {
+
+constexpr double font_size = 12.5;
+
+struct Point {
+    double x = 0, y = 0;
+};
+
+struct Box {
+    double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// Number of characters a reader sees (code points).
+std::size_t length_of(const std::string& text);
+/// Width in pixels, estimated on the large side for the sans-serif fonts in use.
+double text_width(const std::string& text);
+/// Broken at spaces so that no line is wider than `width`, a single word excepted.
+std::vector<std::string> wrapped(const std::string& text, double width);
+
+class LabelPlacer {
+public:
+    /// Labels stay inside `frame`; `data` are points of the curves, which labels avoid where they can.
+    LabelPlacer(const Box& frame, std::vector<Point> data) : frame_(frame), data_(std::move(data)) {}
+
+    /// Nothing will be placed over this box.
+    void block(const Box& box) { taken_.push_back(box); }
+    /// The best of the candidate boxes: earlier ones are preferred where the cost is equal. It is taken from then on.
+    Box place(const std::vector<Box>& candidates);
+
+private:
+    double cost(const Box& box) const;
+    Box frame_;
+    std::vector<Point> data_;
+    std::vector<Box> taken_;
+};
+
+/// Boxes of a label's size around a point, nearest first.
+std::vector<Box> around(Point point, double width, double height);
+
+}   // namespace meshfolio::report

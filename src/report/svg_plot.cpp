@@ -1,0 +1,365 @@
+// Plots as inline SVG. Colours are CSS variables of the page with defaults that read on white; dashes and marker shapes tell the
+// series apart without colour.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "number_text.h"
+#include "report/escape.h"
+#include "report/plot_axis.h"
+#include "report/plot_labels.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+constexpr double width = 640, plot_height = 290, line_height = 17, right_margin = 18, tick_length = 5;
+
+struct Look {
+    std::string color, dash;
+    int shape;   // of its points
+};
+
+Look look_of(std::size_t index, const Series& series) {
+    constexpr std::array<const char*, 6> defaults{"#0b5fa5", "#c2410c", "#047857", "#86198f", "#92600a", "#475569"};
+    constexpr std::array<const char*, 6> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5"};
+    const std::size_t i = index % defaults.size();
+    const std::string color = "var(--plot-" + std::to_string(i + 1) + ", " + defaults[i] + ")";
+    return {color, series.style == Series::Style::dashed ? "6 5" : dashes[i], static_cast<int>(i)};
+}
+
+/// A coordinate to a tenth of a pixel.
+std::string px(double x) { return plain_text(std::round(10 * x) / 10, 6); }
+
+std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more = "") {
+    return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + xml_escape(safe_text(text)) +
+           "</text>\n";
+}
+
+std::string line_element(Point a, Point b, const std::string& attributes) {
+    return "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) + "\" " + attributes + "/>\n";
+}
+
+std::string point_shape(Point p, int shape, const std::string& color) {
+    const auto at = [&](double dx, double dy) { return px(p.x + dx) + " " + px(p.y + dy); };
+    const std::string filled = "\" fill=\"" + color + "\"/>\n",
+                      drawn = "\" fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.8\"/>\n";
+    switch (shape) {
+        case 1:
+            return "<path d=\"M" + at(-3.3, -3.3) + "H" + px(p.x + 3.3) + "V" + px(p.y + 3.3) + "H" + px(p.x - 3.3) + "Z" + filled;
+        case 2:
+            return "<path d=\"M" + at(0, -4.4) + "L" + at(4.2, 3.2) + "L" + at(-4.2, 3.2) + "Z" + filled;
+        case 3:
+            return "<path d=\"M" + at(0, -4.6) + "L" + at(4.6, 0) + "L" + at(0, 4.6) + "L" + at(-4.6, 0) + "Z" + filled;
+        case 4:
+            return "<path d=\"M" + at(-3.4, -3.4) + "L" + at(3.4, 3.4) + "M" + at(-3.4, 3.4) + "L" + at(3.4, -3.4) + drawn;
+        case 5:
+            return "<path d=\"M" + at(-4.2, 0) + "L" + at(4.2, 0) + "M" + at(0, -4.2) + "L" + at(0, 4.2) + drawn;
+        default:
+            return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"3.6" + filled;
+    }
+}
+
+/// A run of points without a gap.
+using Run = std::vector<Point>;
+
+class Drawing {
+public:
+    explicit Drawing(const Plot& plot) : plot_(plot), x_(x_values(plot), plot.log_x), y_(y_values(plot), plot.log_y) {
+        double widest = 0;
+        for (const Tick& tick : y_.ticks()) widest = std::max(widest, text_width(tick.label));
+        frame_.left = std::ceil(widest) + tick_length + 10;
+        frame_.right = width - right_margin;
+        place_legend();
+        const auto lines = wrapped(safe_text(plot.y_label), width - 8);
+        frame_.top = legend_bottom_ + line_height * static_cast<double>(lines.size()) + 10;
+        frame_.bottom = frame_.top + plot_height;
+    }
+
+    std::string svg() {
+        std::string body = legend_ + axis_titles() + grid();
+        if (is_empty()) {
+            return head() + body +
+                   text_element({0.5 * (frame_.left + frame_.right), 0.5 * (frame_.top + frame_.bottom)}, "middle", "no data") + "</svg>\n";
+        }
+        for (std::size_t i = 0; i < plot_.series.size(); ++i) body += band(i);
+        body += vertical_lines();
+        for (std::size_t i = 0; i < plot_.series.size(); ++i) body += curve(i);
+        return head() + body + labels() + "</svg>\n";
+    }
+
+private:
+    static std::vector<double> x_values(const Plot& plot) {
+        std::vector<double> values;
+        for (const Series& s : plot.series) values.insert(values.end(), s.x.begin(), s.x.end());
+        for (const Marker& m : plot.markers) values.push_back(m.x);
+        for (const auto& line : plot.vertical_lines) values.push_back(line.x);
+        return values;
+    }
+
+    static std::vector<double> y_values(const Plot& plot) {
+        std::vector<double> values;
+        for (const Series& s : plot.series) {
+            for (const auto* part : {&s.y, &s.y_low, &s.y_high}) values.insert(values.end(), part->begin(), part->end());
+        }
+        for (const Marker& m : plot.markers) values.push_back(m.y);
+        return values;
+    }
+
+    bool shows(double x, double y) const { return x_.shows(x) && y_.shows(y); }
+    Point at(double x, double y) const {
+        return {frame_.left + x_.position(x) * (frame_.right - frame_.left), frame_.bottom - y_.position(y) * (frame_.bottom - frame_.top)};
+    }
+    double at_x(double x) const { return frame_.left + x_.position(x) * (frame_.right - frame_.left); }
+
+    /// The points of a series, broken where a value is undefined or the axis cannot show it.
+    std::vector<Run> runs_of(const Series& series, const std::vector<double>& y) const {
+        std::vector<Run> runs(1);
+        for (std::size_t i = 0; i < std::min(series.x.size(), y.size()); ++i) {
+            if (shows(series.x[i], y[i])) {
+                runs.back().push_back(at(series.x[i], y[i]));
+            } else if (!runs.back().empty()) {
+                runs.emplace_back();
+            }
+        }
+        if (runs.back().empty()) runs.pop_back();
+        return runs;
+    }
+
+    bool is_empty() const {
+        const auto none = [&](const Series& s) { return runs_of(s, s.y).empty(); };
+        return std::all_of(plot_.series.begin(), plot_.series.end(), none) && plot_.markers.empty() && plot_.vertical_lines.empty();
+    }
+
+    std::string head() const {
+        const std::string id = xml_escape(safe_text(plot_.id));
+        const std::string subject = plot_.y_label + " against " + plot_.x_label;
+        return "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height()) +
+               "\" role=\"img\" aria-labelledby=\"" + id + "-title " + id + "-desc\" fill=\"currentColor\" font-family=\"system-ui, " +
+               "-apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"" + px(font_size) + "\">\n<title id=\"" + id +
+               "-title\">" + xml_escape(safe_text(subject)) + "</title>\n<desc id=\"" + id + "-desc\">" + xml_escape(safe_text(plot_.alt)) +
+               "</desc>\n";
+    }
+
+    double height() const {
+        const auto lines = wrapped(safe_text(plot_.x_label), width - 8);
+        return frame_.bottom + 24 + line_height * static_cast<double>(lines.size()) + 4;
+    }
+
+    /// Names of the series with a sample of each, in rows above the plot.
+    void place_legend() {
+        double x = 4, y = 14;
+        for (std::size_t i = 0; i < plot_.series.size(); ++i) {
+            const Series& series = plot_.series[i];
+            if (series.name.empty()) continue;
+            const auto lines = wrapped(safe_text(series.name), width - 60);
+            double widest = 0;
+            for (const std::string& line : lines) widest = std::max(widest, text_width(line));
+            if (x > 4 && x + 36 + widest > width) {
+                x = 4;
+                y += line_height + 2;
+            }
+            legend_ += sample(i, {x, y - 4.5});
+            for (std::size_t k = 0; k < lines.size(); ++k) {
+                if (k > 0) y += line_height;
+                legend_ += text_element({x + 34, y}, "start", lines[k]);
+            }
+            x += 34 + widest + 20;
+            legend_bottom_ = y + 8;
+        }
+    }
+
+    std::string sample(std::size_t i, Point left) const {
+        const Series& series = plot_.series[i];
+        const Look look = look_of(i, series);
+        const bool with_line = series.style != Series::Style::points;
+        const bool with_points = series.style == Series::Style::points || series.style == Series::Style::line_and_points;
+        std::string svg;
+        if (with_line) svg += line_element(left, {left.x + 28, left.y}, stroke(look));
+        if (with_points) svg += point_shape({left.x + 14, left.y}, look.shape, look.color);
+        return svg;
+    }
+
+    static std::string stroke(const Look& look) {
+        const std::string dash = look.dash.empty() ? "" : " stroke-dasharray=\"" + look.dash + "\"";
+        return "fill=\"none\" stroke=\"" + look.color + "\" stroke-width=\"2\" stroke-linejoin=\"round\"" + dash;
+    }
+
+    std::string axis_titles() const {
+        std::string svg;
+        double y = legend_bottom_ + line_height - 3;
+        for (const std::string& line : wrapped(safe_text(plot_.y_label), width - 8)) {
+            svg += text_element({4, y}, "start", line, " font-weight=\"600\"");
+            y += line_height;
+        }
+        y = frame_.bottom + 24 + line_height - 4;
+        for (const std::string& line : wrapped(safe_text(plot_.x_label), width - 8)) {
+            svg += text_element({0.5 * (frame_.left + frame_.right), y}, "middle", line, " font-weight=\"600\"");
+            y += line_height;
+        }
+        return svg;
+    }
+
+    std::string grid() const {
+        const std::string faint = "stroke=\"var(--plot-grid, #d9dce1)\" stroke-width=\"1\"",
+                          firm = "stroke=\"currentColor\" stroke-width=\"1\"";
+        std::string svg;
+        for (const Tick& tick : y_.ticks()) {
+            const double y = frame_.bottom - y_.position(tick.value) * plot_height;
+            if (tick.label.empty()) {
+                svg += line_element({frame_.left - 3, y}, {frame_.left, y}, firm);
+                continue;
+            }
+            svg += line_element({frame_.left, y}, {frame_.right, y}, faint);
+            svg += text_element({frame_.left - tick_length - 3, y + 0.35 * font_size}, "end", tick.label);
+        }
+        double free_from = -width;   // labels that would touch the one before are left out
+        for (const Tick& tick : x_.ticks()) {
+            const double x = at_x(tick.value), half = 0.5 * text_width(tick.label);
+            const bool labelled = !tick.label.empty() && x - half > free_from;
+            svg += line_element({x, frame_.bottom}, {x, frame_.bottom + (labelled ? tick_length : 3)}, firm);
+            if (!labelled) continue;
+            svg += text_element({x, frame_.bottom + tick_length + 14}, "middle", tick.label);
+            free_from = x + half + 6;
+        }
+        return svg + line_element({frame_.left, frame_.bottom}, {frame_.right, frame_.bottom}, firm) +
+               line_element({frame_.left, frame_.top}, {frame_.left, frame_.bottom}, firm);
+    }
+
+    std::string band(std::size_t i) const {
+        const Series& series = plot_.series[i];
+        std::string path;
+        Run lower, upper;
+        const auto close = [&] {
+            for (std::size_t k = 0; k < upper.size(); ++k) path += (k == 0 ? "M" : "L") + px(upper[k].x) + " " + px(upper[k].y);
+            for (auto p = lower.rbegin(); p != lower.rend(); ++p) path += "L" + px(p->x) + " " + px(p->y);
+            if (!upper.empty()) path += "Z";
+            lower.clear();
+            upper.clear();
+        };
+        for (std::size_t k = 0; k < std::min({series.x.size(), series.y_low.size(), series.y_high.size()}); ++k) {
+            const bool shown = shows(series.x[k], series.y_low[k]) && shows(series.x[k], series.y_high[k]);
+            if (!shown) {
+                close();
+                continue;
+            }
+            lower.push_back(at(series.x[k], series.y_low[k]));
+            upper.push_back(at(series.x[k], series.y_high[k]));
+        }
+        close();
+        return path.empty() ? "" : "<path d=\"" + path + "\" fill=\"" + look_of(i, series).color + "\" opacity=\"0.18\"/>\n";
+    }
+
+    std::string curve(std::size_t i) const {
+        const Series& series = plot_.series[i];
+        const Look look = look_of(i, series);
+        const bool with_line = series.style != Series::Style::points;
+        std::string path, points;
+        std::size_t count = 0;
+        const auto runs = runs_of(series, series.y);
+        for (const Run& run : runs) count += run.size();
+        const std::size_t stride = series.style == Series::Style::line_and_points ? 1 + count / 40 : 1;
+        std::size_t index = 0;
+        for (const Run& run : runs) {
+            for (std::size_t k = 0; with_line && run.size() > 1 && k < run.size(); ++k) {
+                path += (k == 0 ? "M" : "L") + px(run[k].x) + " " + px(run[k].y);
+            }
+            // A value between two gaps would leave no trace in a line.
+            const bool all = !with_line || series.style == Series::Style::line_and_points || run.size() == 1;
+            for (const Point& p : run) {
+                if (all && index++ % stride == 0) points += point_shape(p, look.shape, look.color);
+            }
+        }
+        return (path.empty() ? "" : "<path d=\"" + path + "\" " + stroke(look) + "/>\n") + points;
+    }
+
+    std::string vertical_lines() const {
+        std::string svg;
+        for (const auto& line : plot_.vertical_lines) {
+            if (!x_.shows(line.x)) continue;
+            svg += line_element({at_x(line.x), frame_.top}, {at_x(line.x), frame_.bottom},
+                                "stroke=\"var(--plot-line, #6b7280)\" stroke-width=\"1.4\" stroke-dasharray=\"3 3\"");
+        }
+        return svg;
+    }
+
+    /// Points along all curves, for the labels to keep clear of.
+    std::vector<Point> data_points() const {
+        std::vector<Point> points;
+        for (const Series& series : plot_.series) {
+            for (const Run& run : runs_of(series, series.y)) {
+                for (std::size_t k = 0; k < run.size(); ++k) {
+                    points.push_back(run[k]);
+                    if (k == 0 || series.style == Series::Style::points) continue;
+                    const Point a = run[k - 1], b = run[k];
+                    const int steps = static_cast<int>(std::hypot(b.x - a.x, b.y - a.y) / 6);
+                    for (int s = 1; s < steps; ++s) points.push_back({a.x + (b.x - a.x) * s / steps, a.y + (b.y - a.y) * s / steps});
+                }
+            }
+        }
+        return points;
+    }
+
+    std::string labels() const {
+        const std::string halo =
+            " font-size=\"12\" paint-order=\"stroke\" stroke=\"var(--plot-ground, #ffffff)\" stroke-width=\"3.5\" "
+            "stroke-linejoin=\"round\"";
+        LabelPlacer placer(frame_, data_points());
+        std::string rings, svg;
+        for (const Marker& m : plot_.markers) {
+            if (!shows(m.x, m.y)) continue;
+            const Point p = at(m.x, m.y);
+            placer.block({p.x - 6, p.y - 6, p.x + 6, p.y + 6});
+            rings += "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) +
+                     "\" r=\"5.5\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.6\"/>\n";
+        }
+        for (const auto& line : plot_.vertical_lines) {
+            if (!x_.shows(line.x) || line.label.empty()) continue;
+            const double w = text_width(line.label), x = at_x(line.x);
+            std::vector<Box> boxes;
+            for (double y = frame_.top + 2; y + line_height < frame_.bottom; y += line_height) {
+                boxes.push_back({x + 6, y, x + 6 + w, y + line_height});
+                boxes.push_back({x - 6 - w, y, x - 6, y + line_height});
+            }
+            const Box box = placer.place(boxes);
+            svg += text_element({box.left, box.bottom - 5}, "start", line.label, halo);
+        }
+        for (const Marker& m : plot_.markers) {
+            if (!shows(m.x, m.y) || m.label.empty()) continue;
+            const Point p = at(m.x, m.y);
+            const Box box = placer.place(around(p, text_width(m.label), line_height));
+            svg += leader(p, box) + text_element({box.left, box.bottom - 5}, "start", m.label, halo);
+        }
+        return rings + svg;
+    }
+
+    /// A thin line from a marker to its label when that is not right beside it.
+    static std::string leader(Point p, const Box& box) {
+        const Point end{std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)};
+        const double distance = std::hypot(end.x - p.x, end.y - p.y);
+        if (distance < 16) return "";
+        const Point start{p.x + (end.x - p.x) * 6 / distance, p.y + (end.y - p.y) * 6 / distance};
+        return line_element(start, end, "stroke=\"var(--plot-line, #6b7280)\" stroke-width=\"1\"");
+    }
+
+    const Plot& plot_;
+    Axis x_, y_;
+    Box frame_;
+    double legend_bottom_ = 0;
+    std::string legend_;
+};
+
+}   // namespace
+
+std::string svg_of(const Plot& plot) { return Drawing(plot).svg(); }
+
+std::string svg_file_of(const Plot& plot) {
+    std::string svg = svg_of(plot);
+    svg.insert(svg.find('>') + 1, "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
+    // Without a page around it there is no current colour to take over.
+    svg.insert(svg.find(" role="), " color=\"#1b1b1f\"");
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg;
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,44 @@
+/// @file
+/// Mustache templates against a JSON view model. Tags the model does not know are errors here, where Mustache would print nothing.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+struct SyntaxProblem {
+    std::string what;
+    long line = 0;
+};
+
+/// What is wrong with the syntax of a template, if anything.
+std::optional<SyntaxProblem> syntax_problem(const std::string& text);
+
+/// A tag of a template, counted as one wherever it occurs.
+struct Tag {
+    std::string file;
+    long line = 0;
+    std::string name;
+    auto operator<=>(const Tag&) const = default;
+};
+
+struct TagUse {
+    std::vector<Tag> unknown;     // evaluated, and nothing in the model has this name
+    std::vector<Tag> unreached;   // never evaluated with this model: in a section that is empty
+};
+
+/// Evaluates every tag of a template, and of those it includes with {{>name}}, as rendering would.
+TagUse use_of_tags(const Templates& templates, const std::string& name, const nlohmann::json& model);
+
+/// @param escape  applied to what {{tag}} prints, not to {{{tag}}}
+/// @throws UsageError naming template and line of a tag that the model does not know
+std::string render(const Templates& templates, const std::string& name, const nlohmann::json& model,
+                   const std::function<std::string(const std::string&)>& escape);
+
+}   // namespace meshfolio::report

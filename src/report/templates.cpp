@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "embedded_templates.h"
+#include "errors.h"
+#include "file_bytes.h"
+#include "report/template_render.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// HTML and Markdown are Mustache; JSON is JSON; the style sheet and the script are taken as they are.
+void require_syntax(const std::string& name, const std::string& text, const std::string& file) {
+    if (name.ends_with(".html") || name.ends_with(".md")) {
+        if (const auto problem = syntax_problem(text)) {
+            throw UsageError("template syntax: " + problem->what, "close the tag or take it out", {file, problem->line});
+        }
+    } else if (name.ends_with(".json")) {
+        try {
+            const auto parsed = nlohmann::json::parse(text);
+        } catch (const nlohmann::json::parse_error& error) {
+            const auto before = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+            throw UsageError("not JSON", "", {file, 1 + std::count(text.begin(), before, '\n')});
+        }
+    }
+}
+
+}   // namespace
+
+Templates::Templates(const fs::path& folder) {
+    for (const auto& file : meshfolio_embedded::embedded_templates()) text_[std::string(file.name)] = std::string(file.bytes);
+    if (folder.empty()) return;
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) throw UsageError("not a folder of templates", "", {folder.string(), 0});
+    for (const auto& [name, unused] : text_) {
+        if (fs::exists(folder / name, ignored)) replace(name, folder / name);
+    }
+}
+
+void Templates::replace(const std::string& name, const fs::path& file) {
+    const auto it = text_.find(name);
+    if (it == text_.end()) throw UsageError("there is no template " + name);
+    try {
+        std::string text = read_file(file);
+        std::erase(text, '\r');
+        require_syntax(name, text, file.string());
+        it->second = std::move(text);
+    } catch (const InputError& error) {
+        throw UsageError(error.what());
+    }
+}
+
+const std::string& Templates::operator[](const std::string& name) const {
+    const auto it = text_.find(name);
+    if (it == text_.end()) throw UsageError("there is no template " + name);
+    return it->second;
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,145 @@
+#include "report/view_blocks.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "report/escape.h"
+#include "report/math_markup.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+using nlohmann::json;
+
+json math_view(const std::string& math) {
+    json parts = json::array();
+    for (const MathPart& part : math_parts(safe_text(math))) {
+        parts.push_back({{"text", part.text},
+                         {"is_upright", part.kind == MathPart::Kind::upright},
+                         {"is_variable", part.kind == MathPart::Kind::variable},
+                         {"is_subscript", part.kind == MathPart::Kind::subscript},
+                         {"is_superscript", part.kind == MathPart::Kind::superscript}});
+    }
+    return parts;
+}
+
+json run_view(const Run& run, const Numbering& numbering) {
+    const bool is_reference = run.kind == Run::Kind::reference;
+    const Reference target = is_reference ? numbering.resolve(run.content) : Reference{};
+    return {{"text", safe_text(is_reference ? target.label : run.content)},
+            {"href", "#" + url_path(target.anchor)},
+            {"parts", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
+            {"is_plain", run.kind == Run::Kind::plain || (is_reference && target.anchor.empty())},
+            {"is_strong", run.kind == Run::Kind::strong},
+            {"is_emphasis", run.kind == Run::Kind::emphasis},
+            {"is_code", run.kind == Run::Kind::code},
+            {"is_math", run.kind == Run::Kind::math},
+            {"is_link", is_reference && !target.anchor.empty()}};
+}
+
+json formula_view(const Formula& formula, const ViewContext& context) {
+    const auto forms = context.formulas.find(formula.name);
+    if (forms == context.formulas.end()) throw std::logic_error("report: formulas.json has no formula " + formula.name);
+    const bool numbered = !formula.id.empty();
+    const std::string number = numbered ? context.numbering.resolve(formula.id).number : "";
+    return {{"id", safe_text(formula.id)},    {"is_numbered", numbered},  {"number", number},
+            {"mathml", forms->second.mathml}, {"tex", forms->second.tex}, {"plain", forms->second.plain}};
+}
+
+json plot_view(const Plot& plot, const ViewContext& context) {
+    json markers = json::array();
+    for (const Marker& marker : plot.markers) {
+        if (!marker.label.empty()) markers.push_back({{"text", safe_text(marker.label)}});
+    }
+    for (const auto& line : plot.vertical_lines) {
+        if (!line.label.empty()) markers.push_back({{"text", safe_text(line.label)}});
+    }
+    return {{"id", safe_text(plot.id)},
+            {"label", context.numbering.resolve(plot.id).label},
+            {"caption", safe_text(plot.caption)},
+            {"alt", safe_text(plot.alt)},
+            {"x_label", safe_text(plot.x_label)},
+            {"y_label", safe_text(plot.y_label)},
+            {"csv", url_path("tables/" + plot.id + ".csv")},
+            {"svg", context.options.pictures ? svg_of(plot) : ""},
+            {"has_file", context.options.plot_files},
+            {"file", url_path("images/" + plot.id + ".svg")},
+            {"has_markers", !markers.empty()},
+            {"markers", std::move(markers)}};
+}
+
+/// Links to the single pictures, those of one panel together: "λ = 0.1, +x" belongs to the panel "λ = 0.1".
+json view_groups(const DrawnFigure& drawn) {
+    json groups = json::array();
+    for (const auto& [label, file] : drawn.views) {
+        const std::size_t comma = label.rfind(", ");
+        const std::string panel = safe_text(comma == std::string::npos ? "" : label.substr(0, comma));
+        const std::string name = safe_text(comma == std::string::npos ? label : label.substr(comma + 2));
+        if (groups.empty() || groups.back()["panel"] != panel) {
+            groups.push_back({{"panel", panel}, {"has_panel", !panel.empty()}, {"views", json::array()}});
+        }
+        groups.back()["views"].push_back({{"name", name}, {"href", url_path(file)}});
+    }
+    return groups;
+}
+
+json figure_view(const Figure& figure, const ViewContext& context) {
+    const auto it = context.figures.find(figure.id);
+    const bool is_drawn = it != context.figures.end();
+    const DrawnFigure drawn = is_drawn ? it->second : DrawnFigure{};
+    const std::string sheet = url_path(drawn.sheet);
+    const bool inside = context.options.pictures && !drawn.preview_jpeg.empty();
+    return {{"id", safe_text(figure.id)},
+            {"label", context.numbering.resolve(figure.id).label},
+            {"caption", safe_text(figure.caption)},
+            {"alt", safe_text(figure.alt)},
+            {"is_drawn", is_drawn},
+            {"sheet", sheet},
+            {"source", inside ? "data:image/jpeg;base64," + base64(drawn.preview_jpeg) : sheet},
+            {"has_size", drawn.width > 0 && drawn.height > 0},
+            {"width", std::to_string(drawn.width)},
+            {"height", std::to_string(drawn.height)},
+            {"has_views", context.options.single_views && !drawn.views.empty()},
+            {"view_count", std::to_string(drawn.views.size())},
+            {"groups", view_groups(drawn)}};
+}
+
+}   // namespace
+
+json text_view(const Text& text, const Numbering& numbering) {
+    json runs = json::array();
+    for (const Run& run : text) runs.push_back(run_view(run, numbering));
+    return runs;
+}
+
+json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context) {
+    json view = json::object();
+    if (const auto* heading = std::get_if<Heading>(&block)) {
+        const std::string number = section_number + "." + std::to_string(++headings);
+        view = {{"title", safe_text(heading->title)}, {"number", number}, {"anchor", "section-" + number}};
+    } else if (const auto* paragraph = std::get_if<Paragraph>(&block)) {
+        view["runs"] = text_view(paragraph->text, context.numbering);
+    } else if (const auto* list = std::get_if<BulletList>(&block)) {
+        view["items"] = json::array();
+        for (const Text& item : list->items) view["items"].push_back({{"runs", text_view(item, context.numbering)}});
+    } else if (const auto* formula = std::get_if<Formula>(&block)) {
+        view = formula_view(*formula, context);
+    } else if (const auto* table = std::get_if<Table>(&block)) {
+        view = table_view(*table, context);
+    } else if (const auto* plot = std::get_if<Plot>(&block)) {
+        view = plot_view(*plot, context);
+    } else if (const auto* figure = std::get_if<Figure>(&block)) {
+        view = figure_view(*figure, context);
+    }
+    view["is_heading"] = std::holds_alternative<Heading>(block);
+    view["is_paragraph"] = std::holds_alternative<Paragraph>(block);
+    view["is_list"] = std::holds_alternative<BulletList>(block);
+    view["is_formula"] = std::holds_alternative<Formula>(block);
+    view["is_table"] = std::holds_alternative<Table>(block);
+    view["is_plot"] = std::holds_alternative<Plot>(block);
+    view["is_figure"] = std::holds_alternative<Figure>(block);
+    return view;
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,228 @@
+#include "report/view_model.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "number_text.h"
+#include "report/escape.h"
+#include "report/view_blocks.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t findings_shown = 5;
+
+json names_and_values(const std::map<std::string, std::string>& pairs) {
+    json list = json::array();
+    for (const auto& [name, value] : pairs) list.push_back({{"name", safe_text(name)}, {"value", safe_text(value)}});
+    return list;
+}
+
+// ---- checks -------------------------------------------------------------------------------------------------------------
+
+std::size_t passed_in(const Section& section) {
+    return static_cast<std::size_t>(std::count_if(section.checks.begin(), section.checks.end(), [](const Check& c) { return c.passed; }));
+}
+
+json check_view(const Check& check) {
+    const bool near = check.kind == Check::Kind::near;
+    const std::string relation = near ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
+    return {{"name", safe_text(check.name)},
+            {"expected", relation + readable(check.expected, 4)},
+            {"measured", readable(check.measured, 4)},
+            {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + readable(check.tolerance, 2)},
+            {"passed", check.passed},
+            {"note", safe_text(check.note)},
+            {"has_note", !check.note.empty()}};
+}
+
+/// Counts of checks, as the opening table and the headings print them.
+json score_view(std::size_t passed, std::size_t total) {
+    return {{"passed_count", std::to_string(passed)},
+            {"total_count", std::to_string(total)},
+            {"has_checks", total > 0},
+            {"all_passed", passed == total}};
+}
+
+// ---- sections -----------------------------------------------------------------------------------------------------------
+
+template <class Kind>
+std::size_t count_of(const Section& section) {
+    const auto is_kind = [](const Block& block) { return std::holds_alternative<Kind>(block); };
+    return static_cast<std::size_t>(std::count_if(section.blocks.begin(), section.blocks.end(), is_kind));
+}
+
+json input_view(const Input& input) {
+    return {{"role", safe_text(input.role)},
+            {"asked", safe_text(input.asked)},
+            {"has_asked", !input.asked.empty()},
+            {"file", safe_text(input.file)},
+            {"is_stand_in", input.stand_in},
+            {"sha256", safe_text(input.sha256)},
+            {"vertices", readable(input.vertices, 12)},
+            {"triangles", readable(input.triangles, 12)}};
+}
+
+json code_view(const CodeReference& code) {
+    return {{"function", safe_text(code.function)}, {"file", safe_text(code.file)}, {"purpose", safe_text(code.purpose)}};
+}
+
+json links_view(const std::vector<std::string>& files) {
+    json list = json::array();
+    for (const std::string& file : files) list.push_back({{"name", safe_text(file)}, {"href", url_path(file)}});
+    return list;
+}
+
+template <class Item, class View>
+json list_of(const std::vector<Item>& items, View view) {
+    json list = json::array();
+    for (const Item& item : items) list.push_back(view(item));
+    return list;
+}
+
+/// What the opening table, the contents list and the section itself have in common.
+json section_head(const Section& section, const std::string& number) {
+    json head = score_view(passed_in(section), section.checks.size());
+    head["id"] = safe_text(section.id);
+    head["number"] = number;
+    head["title"] = safe_text(section.title);
+    head["is_ok"] = section.status == Status::ok;
+    head["is_failed"] = section.status == Status::failed;
+    head["is_skipped"] = section.status == Status::skipped;
+    head["extent"] = safe_text(section.extent);
+    head["has_extent"] = !section.extent.empty();
+    head["failure"] = safe_text(section.failure);
+    head["figure_count"] = std::to_string(count_of<Figure>(section) + count_of<Plot>(section));
+    head["table_count"] = std::to_string(count_of<Table>(section));
+    head["checks"] = list_of(section.checks, check_view);
+    return head;
+}
+
+json section_view(const Section& section, const std::string& number, const ViewContext& context) {
+    json view = section_head(section, number);
+    view["asked"] = safe_text(section.asked);
+    view["has_asked"] = !section.asked.empty();
+    view["inputs"] = list_of(section.inputs, input_view);
+    view["has_inputs"] = !section.inputs.empty();
+    view["parameters"] = names_and_values(section.parameters);
+    view["has_parameters"] = !section.parameters.empty();
+    view["code"] = list_of(section.code, code_view);
+    view["has_code"] = !section.code.empty();
+    view["warnings"] = list_of(section.warnings, [](const std::string& w) { return json{{"text", safe_text(w)}}; });
+    view["has_warnings"] = !section.warnings.empty();
+    view["outputs"] = links_view(section.output_meshes);
+    view["has_outputs"] = !section.output_meshes.empty();
+    int headings = 0;
+    view["blocks"] = json::array();
+    for (const Block& block : section.blocks) view["blocks"].push_back(block_view(block, number, headings, context));
+    return view;
+}
+
+// ---- the document -------------------------------------------------------------------------------------------------------
+
+json findings_view(const Document& document, const std::vector<std::string>& numbers, const Numbering& numbering) {
+    struct Ranked {
+        const Finding* finding;
+        std::size_t section;
+    };
+    std::vector<Ranked> ranked;
+    for (std::size_t s = 0; s < document.sections.size(); ++s) {
+        for (const Finding& finding : document.sections[s].findings) ranked.push_back({&finding, s});
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.finding->weight > b.finding->weight; });
+    if (ranked.size() > findings_shown) ranked.resize(findings_shown);
+    json list = json::array();
+    for (const Ranked& r : ranked) {
+        list.push_back({{"runs", text_view(r.finding->text, numbering)},
+                        {"href", "#" + url_path(document.sections[r.section].id)},
+                        {"label", numbering.resolve(document.sections[r.section].id).label},
+                        {"section_number", numbers[r.section]}});
+    }
+    return list;
+}
+
+json provenance_view(const Document& document) {
+    const Provenance& p = document.provenance;
+    std::set<std::tuple<std::string, std::string, bool>> meshes;
+    for (const Section& section : document.sections) {
+        for (const Input& input : section.inputs) meshes.emplace(input.file, input.sha256, input.stand_in);
+    }
+    json inputs = json::array();
+    for (const auto& [file, sha256, stand_in] : meshes) {
+        inputs.push_back({{"file", safe_text(file)}, {"sha256", safe_text(sha256)}, {"is_stand_in", stand_in}});
+    }
+    return {{"version", safe_text(p.version)},
+            {"commit", safe_text(p.commit)},
+            {"has_commit", !p.commit.empty()},
+            {"compiler", safe_text(p.compiler)},
+            {"build_type", safe_text(p.build_type)},
+            {"seed", std::to_string(p.seed)},
+            {"libraries", names_and_values(p.libraries)},
+            {"has_libraries", !p.libraries.empty()},
+            {"settings", names_and_values(p.settings)},
+            {"has_settings", !p.settings.empty()},
+            {"has_meshes", !inputs.empty()},
+            {"meshes", std::move(inputs)}};
+}
+
+json works_view(const std::vector<Work>& works, const Numbering& numbering) {
+    json list = json::array();
+    for (const Work& work : works) {
+        const Reference reference = numbering.resolve(work.id);
+        list.push_back({{"number", reference.number},
+                        {"anchor", reference.anchor},
+                        {"authors", safe_text(work.authors)},
+                        {"year", safe_text(work.year)},
+                        {"title", safe_text(work.title)},
+                        {"where", safe_text(work.where)}});
+    }
+    return list;
+}
+
+json timings_view(const Document& document, const Numbering& numbering) {
+    json list = json::array();
+    const auto add = [&](const std::string& where, const Timing& timing) {
+        list.push_back({{"where", where}, {"what", safe_text(timing.what)}, {"seconds", readable(timing.seconds, 3)}});
+    };
+    for (const Section& section : document.sections) {
+        for (const Timing& timing : section.timings) add(numbering.resolve(section.id).label, timing);
+    }
+    for (const Timing& timing : document.timings) add("The run", timing);
+    return list;
+}
+
+}   // namespace
+
+json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options) {
+    const std::vector<Work> works = bibliography_of(templates);
+    const auto formulas = formulas_of(templates);
+    const Numbering numbering(document, works);
+    const auto numbers = section_numbers(document);
+    const ViewContext context{figures, numbering, formulas, options};
+
+    std::size_t passed = 0, total = 0;
+    json attempted = json::array(), sections = json::array();
+    for (std::size_t s = 0; s < document.sections.size(); ++s) {
+        passed += passed_in(document.sections[s]);
+        total += document.sections[s].checks.size();
+        attempted.push_back(section_head(document.sections[s], numbers[s]));
+        sections.push_back(section_view(document.sections[s], numbers[s], context));
+    }
+    json model = {
+        {"title", safe_text(document.title)},     {"author", safe_text(document.author)},
+        {"has_author", !document.author.empty()}, {"course", safe_text(document.course)},
+        {"has_course", !document.course.empty()}, {"provenance", provenance_view(document)},
+        {"score", score_view(passed, total)},     {"attempted", std::move(attempted)},
+        {"sections", std::move(sections)},        {"findings", findings_view(document, numbers, numbering)},
+        {"works", works_view(works, numbering)},  {"timings", options.timings ? timings_view(document, numbering) : json::array()}};
+    model["has_findings"] = !model["findings"].empty();
+    model["has_works"] = !model["works"].empty();
+    model["has_timings"] = !model["timings"].empty();
+    return model;
+}
+
+}   // namespace meshfolio::report

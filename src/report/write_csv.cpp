@@ -1,0 +1,62 @@
+// RFC 4180 with LF line ends.
+#include <cmath>
+
+#include "number_text.h"
+#include "report/escape.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+std::string field(const std::string& raw) {
+    const std::string text = valid_utf8(raw);
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string field(const Cell& cell) {
+    if (const auto* number = std::get_if<double>(&cell)) return exact_text(*number);
+    if (const auto* words = std::get_if<std::string>(&cell)) return field(*words);
+    return "";
+}
+
+/// Entry i, or "undefined" where a band has none.
+std::string value_at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? exact_text(values[i]) : ""; }
+
+}   // namespace
+
+std::string write_csv(const Table& table) {
+    std::string csv;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const Column& column = table.columns[c];
+        csv += (c > 0 ? "," : "") + field(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+    }
+    csv += '\n';
+    for (const auto& row : table.rows) {
+        for (std::size_t c = 0; c < table.columns.size(); ++c) csv += (c > 0 ? "," : "") + (c < row.size() ? field(row[c]) : "");
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string write_csv(const Plot& plot) {
+    bool with_band = false;
+    for (const Series& series : plot.series) with_band = with_band || !series.y_low.empty();
+    std::string csv = "series," + field(plot.x_label) + "," + field(plot.y_label) + (with_band ? ",low,high\n" : "\n");
+    for (const Series& series : plot.series) {
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            csv += field(series.name) + "," + exact_text(series.x[i]) + "," + value_at(series.y, i);
+            if (with_band) csv += "," + value_at(series.y_low, i) + "," + value_at(series.y_high, i);
+            csv += '\n';
+        }
+    }
+    return csv;
+}
+
+}   // namespace meshfolio::report
