@@ -1,0 +1,491 @@
+// Question 1: mean curvature from the uniform Laplacian, Gaussian curvature from the angle deficit.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/uniform_laplacian.h"
+#include "number_text.h"
+#include "questions/question.h"
+#include "questions/section_tools.h"
+#include "questions/six_view_figure.h"
+#include "questions/uniform_curvature_study.h"
+
+namespace meshfolio {
+
+namespace {
+
+using report::Cell;
+using report::check_at_most;
+using report::check_near;
+using report::math;
+using report::ref;
+
+constexpr std::size_t barycentric = 0;   // in area_forms: the form used for figures and statistics
+
+// ---- figures ----------------------------------------------------------------------------------------------------------
+
+struct Quantity {
+    std::string key, title, unit, caption;
+    std::vector<output::Panel> panels;   // one a mesh
+    double floor;                        // narrowest range
+};
+
+Quantity mean_curvature_length(const std::vector<MeshCurvature>& meshes) {
+    Quantity q{"h", "Uniform mean curvature ½‖Δx‖", "% of mean edge", "Uniform ½‖Δx‖, signed, in % of the mean edge length", {}, 0.1};
+    for (const MeshCurvature& c : meshes) {
+        q.panels.push_back(
+            panel_of(*c.subject.source, "q1_" + c.subject.name() + "_h", c.subject.name(), 100 / c.subject.mean_edge * c.length));
+    }
+    return q;
+}
+
+Quantity gaussian_curvature_by_size(const std::vector<MeshCurvature>& meshes) {
+    Quantity q{"k", "Gaussian curvature from the angle deficit, × d²",
+               "",  "Angle-deficit K (barycentric areas) times the squared box diagonal",
+               {},  0.1};
+    for (const MeshCurvature& c : meshes) {
+        q.panels.push_back(
+            panel_of(*c.subject.source, "q1_" + c.subject.name() + "_k", c.subject.name(), c.subject.diagonal * c.subject.diagonal * c.K));
+    }
+    return q;
+}
+
+void add_figures(Answer& answer, const std::vector<MeshCurvature>& meshes) {
+    for (const Quantity& q : {mean_curvature_length(meshes), gaussian_curvature_by_size(meshes)}) {
+        const output::ColorRange shared = output::robust_range(q.panels, "diverging", q.title, q.unit, q.floor, 0.04);
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            const CurvatureSubject& subject = meshes[i].subject;
+            SixViewFigure figure;
+            figure.id = q.panels[i].name;
+            figure.title = q.title;
+            figure.subtitle = subject.source->input.file + ", " + counted(subject.mesh().vertex_count(), "vertex", "vertices");
+            figure.caption = q.caption + ", on " + subject.name() + ".";
+            if (meshes.size() > 1) figure.caption += " All meshes share one colour range.";
+            figure.caption += undefined_words(subject);
+            figure.panels = {q.panels[i]};
+            figure.range = range_for(shared, figure.panels);
+            add_figure(answer, std::move(figure));
+        }
+    }
+}
+
+// ---- tables -----------------------------------------------------------------------------------------------------------
+
+void add_statistics(report::Section& section, const std::vector<MeshCurvature>& meshes) {
+    report::Table table;
+    table.id = "q1_statistics";
+    table.caption =
+        "The estimates over the vertices where they are defined. H scaled is ½‖Δx‖ times 4/h² (h²: mean squared edge of the one-ring).";
+    table.columns = {{"mesh", ""},
+                     {"quantity", ""},
+                     {"unit", ""},
+                     {"minimum", "", 4},
+                     {"median", "", 4},
+                     {"mean", "", 4},
+                     {"maximum", "", 4},
+                     {"standard deviation", "", 3},
+                     {"defined", "", count_digits},
+                     {"undefined", "", count_digits}};
+    const auto number = [](double x) { return std::isfinite(x) ? Cell(x) : Cell(); };
+    for (const MeshCurvature& c : meshes) {
+        const auto row = [&](const char* quantity, const char* unit, const Vector& values) {
+            const ValueSummary s = summary_of(values);
+            table.rows.push_back({c.subject.name(), quantity, unit, number(s.minimum), number(s.median), number(s.mean), number(s.maximum),
+                                  number(s.standard_deviation), double(s.count), double(s.undefined)});
+        };
+        row("½‖Δx‖", "length", c.length);
+        row("H scaled", "1/length", c.H);
+        row("K", "1/length²", c.K);
+    }
+    section.blocks.push_back(std::move(table));
+}
+
+void add_error_table(report::Section& section, const std::vector<UniformRefinement>& refinements) {
+    report::Table table;
+    table.id = "q1_errors";
+    table.caption =
+        "Errors against the closed form on the finest meshes: L2 weighted by vertex area, L∞ over the largest true magnitude. H is ½‖Δx‖ "
+        "times "
+        "4/h²; its normal part is −½Δx·n times 4/h² with the surface's own normal. K is over barycentric areas. Jittered: the same "
+        "triangles, "
+        "vertices moved along the surface. The orders are fitted over the three finest levels.";
+    table.columns = {{"surface", ""},   {"triangulation", ""}, {"vertices", "", count_digits}, {"smallest angle", "°", 3},
+                     {"H, L2", "%", 3}, {"H, L∞", "%", 3},     {"H, order of L2", "", 2},      {"H normal part, L2", "%", 2},
+                     {"K, L2", "%", 3}, {"K, L∞", "%", 3},     {"K, order of L2", "", 2}};
+    for (const UniformRefinement& r : refinements) {
+        const UniformErrors& e = r.finest();
+        table.rows.push_back({r.surface.name, name_of(r.triangulation), double(e.vertices), e.smallest_angle * 180 / M_PI, 100 * e.H.l2,
+                              100 * e.H.linf, uniform_H(r).order(), 100 * e.normal_part.l2, 100 * e.K[barycentric].l2,
+                              100 * e.K[barycentric].linf, deficit_K(r).order()});
+    }
+    section.blocks.push_back(std::move(table));
+}
+
+void add_area_table(report::Section& section, const std::vector<UniformRefinement>& refinements, double FieldError::*norm,
+                    const std::string& key, const std::string& norm_name) {
+    report::Table table;
+    table.id = "q1_area_forms_" + key;
+    table.caption =
+        norm_name +
+        " error of K on the finest meshes, one row an area form. Vertices whose area is ≤ 0 have no K and are counted in the last column.";
+    table.columns = {{"area A_i", ""}};
+    for (const UniformRefinement& r : refinements) table.columns.push_back({r.title(), "%", 3, report::Column::Best::smallest});
+    table.columns.push_back({"without K", "vertices", count_digits, report::Column::Best::smallest});
+    for (std::size_t form = 0; form < area_forms.size(); ++form) {
+        std::vector<Cell> row{area_name(area_forms[form])};
+        int undefined = 0;
+        for (const UniformRefinement& r : refinements) {
+            row.push_back(100 * r.finest().K[form].*norm);
+            undefined += r.finest().undefined[form];
+        }
+        row.push_back(double(undefined));
+        table.rows.push_back(std::move(row));
+    }
+    section.blocks.push_back(std::move(table));
+}
+
+void add_convergence_plot(report::Section& section, const std::vector<UniformRefinement>& refinements, bool gaussian) {
+    report::Plot plot;
+    plot.id = gaussian ? "q1_convergence_k" : "q1_convergence_h";
+    const std::string quantity = gaussian ? "K (barycentric areas)" : "uniform H (scaled)";
+    plot.caption = "L2 error of " + quantity + " as the meshes are refined; dashed: jittered vertices.";
+    plot.x_label = "mean edge [length]";
+    plot.y_label = "relative L2 error [%]";
+    plot.log_x = plot.log_y = true;
+    plot.alt = "L2 error of " + quantity + " over mean edge.";
+    for (const UniformRefinement& r : refinements) {
+        const ErrorHistory history = gaussian ? deficit_K(r) : uniform_H(r);
+        const bool regular = r.triangulation == Triangulation::regular;
+        plot.series.push_back(
+            error_series(r.title(), history, regular ? report::Series::Style::line_and_points : report::Series::Style::dashed));
+        plot.alt += " " + r.title() + ": " + trend(history) + ".";
+    }
+    section.blocks.push_back(std::move(plot));
+}
+
+// ---- Gauss–Bonnet -----------------------------------------------------------------------------------------------------
+
+void add_gauss_bonnet(report::Section& section, const std::vector<AngleSum>& sums) {
+    report::Table table;
+    table.id = "q1_gauss_bonnet";
+    table.caption = "Gauss–Bonnet: the angle deficits (π − Σθ on the boundary) add up to 2πχ on every manifold mesh, however coarse.";
+    table.columns = {
+        {"mesh", ""},   {"vertices", "", count_digits}, {"χ", "", count_digits}, {"Σ deficit / 2π", "", 6}, {"difference", "", 2},
+        {"applies", ""}};
+    for (const AngleSum& s : sums) {
+        table.rows.push_back({s.mesh, double(s.vertices), double(s.euler), s.measured, s.measured - s.euler,
+                              s.applies ? "yes" : "no: not manifold, or triangles without area"});
+        if (s.applies)
+            section.checks.push_back(check_near("Gauss–Bonnet: Σ deficit / 2π of " + s.mesh, s.euler, s.measured, s.tolerance()));
+    }
+    section.blocks.push_back(std::move(table));
+}
+
+// ---- flat meshes ------------------------------------------------------------------------------------------------------
+
+void check_flat_mesh(report::Section& section, const FlatMesh& f) {
+    if (f.curvature->subject.interior == 0) return;
+    const std::string on = " inside " + f.curvature->subject.name();
+    section.checks.push_back(
+        check_at_most("uniform Δx · n in mean edges" + on, 0, f.normal_part, 1e-6, "the mesh is flat to 1e-6 of its box"));
+    section.checks.push_back(check_at_most("angle deficit" + on, 0, f.deficit, 1e-5, "the mesh is flat to 1e-6 of its box"));
+}
+
+report::Text flat_mesh_words(const FlatMesh& f) {
+    const CurvatureSubject& s = f.curvature->subject;
+    report::Text t = report::text("The mesh ", s.name(), " is flat, so H and K are zero on it");
+    if (s.interior > 0) {
+        report::extend(t, "; at its ", counted(s.interior, "inner vertex", "inner vertices"), " the angle deficit is at most ",
+                       readable(f.deficit, 2), " rad and the normal part of ", math("Δx"), " at most ", readable(f.normal_part, 2),
+                       " mean edges");
+        if (f.drift < 1e-6) {
+            report::extend(t, ", and as every inner ring is symmetric, ", math("½‖Δx‖"), " vanishes too (", readable(f.drift, 2),
+                           " mean edges)");
+        } else {
+            report::extend(t, ", but ", math("½‖Δx‖"), " reaches ", readable(f.drift, 2),
+                           " mean edges there: the uniform Laplacian of an asymmetric ring points along the plane, and its length is read "
+                           "as curvature");
+        }
+    }
+    report::extend(t, ". ");
+    if (f.boundary_vertices > 0) {
+        report::extend(t, "Whatever a picture of it shows comes from its ",
+                       counted(f.boundary_vertices, "boundary vertex", "boundary vertices"), ": unmasked, they would read up to ",
+                       readable(f.boundary_length, 2), " mean edges of ", math("½‖Δx‖"), " and ", readable(f.boundary_K, 3), " of ",
+                       math("K·d²"), ". Their ", math("π − Σθ"), " (at most ", readable(f.largest_turning, 3),
+                       " rad) is the turning of the boundary and adds up to ", readable(f.turning, 4), " full turns.");
+    }
+    return t;
+}
+
+// ---- discussion -------------------------------------------------------------------------------------------------------
+
+/// The share of inner vertices where K < 0, and the spread of h² over the mesh, in words.
+report::Text mesh_words(const MeshCurvature& c) {
+    const CurvatureSubject& s = c.subject;
+    const ValueSummary H = summary_of(c.H), K = summary_of(c.K);
+    if (H.count == 0) {
+        return report::text("On ", s.name(), " every vertex lies on the boundary or is not manifold: no curvature is defined anywhere.");
+    }
+    int negative = 0;
+    double low = INFINITY, high = 0;
+    const Vector h2 = mean_squared_ring_edge(s.mesh(), s.topology());
+    for (int i = 0; i < c.K.size(); ++i) {
+        negative += c.K[i] < 0 ? 1 : 0;
+        if (!std::isfinite(c.H[i])) continue;
+        low = std::min(low, h2[i]);
+        high = std::max(high, h2[i]);
+    }
+    report::Text t = report::text("On ", s.name(), " the median of H (scaled) is ", readable(H.median), " and of K ", readable(K.median),
+                                  " in units of the mesh; K is negative at ", readable_percent(double(negative) / std::max(1, K.count), 2),
+                                  " of the ", std::to_string(K.count), " vertices that have one.");
+    if (low > 0) {
+        const double spread = high / low;
+        report::extend(t, " The squared ring edge varies ", readable(spread, 2), "-fold over it, ");
+        if (spread < 1.5) {
+            report::extend(t, "so there the raw ", math("½‖Δx‖"), " and the scaled H tell the same story.");
+        } else {
+            report::extend(t, "and the raw ", math("½‖Δx‖"), " of two vertices with equal H by as much.");
+        }
+    }
+    return t;
+}
+
+report::Text length_words(const UniformRefinement& sphere) {
+    const UniformErrors& coarse = sphere.second_finest();
+    const UniformErrors& fine = sphere.finest();
+    return report::text("As the assignment writes it, ", math("½‖Δx‖"), " is a length: from ", std::to_string(coarse.vertices), " to ",
+                        std::to_string(fine.vertices), " vertices its mean on the unit sphere falls from ", readable(coarse.mean_length),
+                        " to ", readable(fine.mean_length), ", ", readable(coarse.mean_length / fine.mean_length),
+                        "-fold, though H = 1 throughout. Times ", math("4/h²"),
+                        " it becomes a curvature that can be held against the closed form.");
+}
+
+/// "on the sphere it falls from …, on the ellipsoid …" over the refinements of one triangulation.
+report::Text trends(const std::vector<UniformRefinement>& refinements, Triangulation triangulation, bool gaussian) {
+    report::Text t;
+    for (const UniformRefinement& r : refinements) {
+        if (r.triangulation != triangulation) continue;
+        report::extend(t, t.empty() ? "on the " : "; on the ", r.surface.name, " it ", trend(gaussian ? deficit_K(r) : uniform_H(r)));
+    }
+    return t;
+}
+
+/// How much of the error of uniform H is the part of Δx along the surface.
+report::Text tangential_words(const std::vector<UniformRefinement>& refinements) {
+    report::Text t =
+        report::text("The norm ", math("‖Δx‖"), " also counts the part of ", math("Δx"),
+                     " along the surface, which has nothing to do with curvature. With the normal part alone the error would be ");
+    std::vector<std::string> parts;
+    double with = 0, without = 0;
+    for (const UniformRefinement& r : refinements) {
+        parts.push_back(readable_percent(r.finest().normal_part.l2, 2) + " on the " + name_of(r.triangulation) + " " + r.surface.name);
+        with = std::max(with, r.finest().H.l2);
+        without = std::max(without, r.finest().normal_part.l2);
+    }
+    report::extend(
+        t, listed(parts), " (", ref("q1_errors"), "): at worst ", readable_percent(without, 2), " instead of ", readable_percent(with, 2),
+        without < 0.5 * with ? ", so most of the error is tangential drift." : ", so the drift is not what spoils the estimate.");
+    return t;
+}
+
+/// Worst finest error over the three surfaces.
+double worst(const std::vector<UniformRefinement>& refinements, Triangulation triangulation, bool gaussian) {
+    double error = 0;
+    for (const UniformRefinement& r : refinements) {
+        if (r.triangulation == triangulation) error = std::max(error, gaussian ? deficit_K(r).last() : uniform_H(r).last());
+    }
+    return error;
+}
+
+report::Text area_words(const std::vector<UniformRefinement>& refinements) {
+    report::Text t = report::text("The area decides how K is normalised. ");
+    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
+        std::vector<std::string> parts;
+        for (const UniformRefinement& r : refinements) {
+            if (r.triangulation != triangulation) continue;
+            std::size_t best = 0, last = 0;
+            for (std::size_t form = 1; form < area_forms.size(); ++form) {
+                if (r.finest().K[form].l2 < r.finest().K[best].l2) best = form;
+                if (r.finest().K[form].l2 > r.finest().K[last].l2) last = form;
+            }
+            parts.push_back(area_name(area_forms[best]) + " on the " + r.surface.name + " (" + readable_percent(r.finest().K[best].l2) +
+                            " against " + readable_percent(r.finest().K[last].l2) + " with " + area_name(area_forms[last]) + ")");
+        }
+        report::extend(t, "The smallest L2 error on ", name_of(triangulation), " meshes is that of ", listed(parts), ". ");
+    }
+    std::array<int, 3> undefined{};
+    for (const UniformRefinement& r : refinements) {
+        for (std::size_t form = 0; form < area_forms.size(); ++form) undefined[form] += r.finest().undefined[form];
+    }
+    report::extend(t,
+                   "Barycentric areas are used here for figures and statistics because they are positive wherever triangles have area and "
+                   "add up to the surface");
+    if (undefined[1] > 0)
+        report::extend(t, "; the Voronoi form has ", counted(undefined[1], "vertex", "vertices"), " of area ≤ 0 on these meshes");
+    report::extend(t, " (", ref("q1_area_forms_l2"), ").");
+    return t;
+}
+
+report::Text gauss_bonnet_words(const std::vector<AngleSum>& sums, const std::vector<UniformRefinement>& refinements) {
+    double gap = 0;
+    int applicable = 0;
+    for (const AngleSum& s : sums) {
+        if (!s.applies) continue;
+        ++applicable;
+        gap = std::max(gap, std::abs(s.measured - s.euler));
+    }
+    const double pointwise = worst(refinements, Triangulation::jittered, true);
+    report::Text t = report::text("Summed up, the angle deficit gives the Euler characteristic of ",
+                                  applicable == static_cast<int>(sums.size()) ? "all " : "", counted(applicable, "mesh", "meshes"), " to ",
+                                  readable(gap, 2), " (", ref("q1_gauss_bonnet"), ")");
+    if (pointwise > 0.01) {
+        report::extend(t, ", also where K at single vertices is off by ", readable_percent(pointwise),
+                       ": the total is exact, its distribution is not");
+    }
+    report::extend(t, ".");
+    return t;
+}
+
+report::Text verdict(const std::vector<UniformRefinement>& refinements) {
+    const double h_regular = worst(refinements, Triangulation::regular, false),
+                 h_jittered = worst(refinements, Triangulation::jittered, false);
+    const double k_regular = worst(refinements, Triangulation::regular, true),
+                 k_jittered = worst(refinements, Triangulation::jittered, true);
+    report::Text t = report::text(report::strong("Is this a good approximation? "), "On regular triangulations uniform H is ",
+                                  grade(h_regular), " (worst L2 error at the finest level ", readable_percent(h_regular), ") and K ",
+                                  grade(k_regular), " (", readable_percent(k_regular),
+                                  "). After a jitter along the surface, which leaves the surface as it was, H is ", grade(h_jittered), " (",
+                                  readable_percent(h_jittered), ") and K ", grade(k_jittered), " (", readable_percent(k_jittered), ").");
+    const double h_factor = h_jittered / h_regular, k_factor = k_jittered / k_regular;
+    if (std::max(h_factor, k_factor) > 2) {
+        report::extend(t, " The error grew ", readable(h_factor, 2), "-fold for H and ", readable(k_factor, 2),
+                       "-fold for K: both depend on the triangulation, not only on the surface.");
+    } else {
+        report::extend(t, " The triangulation matters little here: the errors change by factors of ", readable(h_factor, 2), " and ",
+                       readable(k_factor, 2), ".");
+    }
+    return t;
+}
+
+void add_discussion(report::Section& section, const std::vector<MeshCurvature>& meshes, const std::vector<UniformRefinement>& refinements,
+                    const std::vector<AngleSum>& sums, const std::vector<FlatMesh>& flat) {
+    add_heading(section, "Discussion: is this a good approximation?");
+    section.blocks.push_back(report::Paragraph{length_words(refinements.front())});
+    for (const bool gaussian : {false, true}) {
+        add_paragraph(section, gaussian ? "K" : "Uniform H",
+                      ", L2 error over the three finest levels, regular meshes: ", trends(refinements, Triangulation::regular, gaussian),
+                      ". With jittered vertices: ", trends(refinements, Triangulation::jittered, gaussian), ".");
+    }
+    section.blocks.push_back(report::Paragraph{tangential_words(refinements)});
+    section.blocks.push_back(report::Paragraph{area_words(refinements)});
+    section.blocks.push_back(report::Paragraph{gauss_bonnet_words(sums, refinements)});
+    for (const FlatMesh& f : flat) section.blocks.push_back(report::Paragraph{flat_mesh_words(f)});
+    for (const MeshCurvature& c : meshes) {
+        if (!c.subject.plane_normal) section.blocks.push_back(report::Paragraph{mesh_words(c)});
+    }
+    section.blocks.push_back(report::Paragraph{verdict(refinements)});
+}
+
+// ---- method, checks, findings -----------------------------------------------------------------------------------------
+
+void add_method(report::Section& section) {
+    add_heading(section, "Method");
+    add_paragraph(section, "Mean curvature by the uniform Laplacian: the mean of the one-ring minus the vertex.");
+    add_formula(section, "uniform_laplacian", "q1_eq_uniform");
+    add_formula(section, "mean_curvature_from_laplacian", "q1_eq_mean");
+    add_paragraph(section, "The sign is that of ", math("−Δx·n"),
+                  ", so that H > 0 on a sphere with outward normals. The uniform Laplacian has no unit, hence ", math("½‖Δx‖"),
+                  " is a length; where it is compared with a curvature it is scaled by the edges of its ring:");
+    add_formula(section, "uniform_scaling", "q1_eq_scaling");
+    add_paragraph(section, "Gaussian curvature by the angle deficit over the barycentric area, a third of the triangles around:");
+    add_formula(section, "angle_deficit", "q1_eq_deficit");
+    add_formula(section, "barycentric_area");
+    add_formula(section, "voronoi_area");
+    add_formula(section, "mixed_area");
+    add_paragraph(section,
+                  "On the boundary neither is a curvature, so it is masked. Over the whole mesh the deficits obey Gauss–Bonnet, and on "
+                  "surfaces with closed form the "
+                  "estimates are held against it:");
+    add_formula(section, "gauss_bonnet", "q1_eq_gauss_bonnet");
+    add_formula(section, "relative_l2_error");
+    section.code = {{"uniform_laplacian", "src/geometry/uniform_laplacian.cpp", "Δ with uniform weights, as a sparse matrix"},
+                    {"uniform_mean_curvature", "src/geometry/curvature.cpp", "½‖Δx‖ with its sign; _scaled: times 4/h²"},
+                    {"angle_deficit", "src/geometry/curvature.cpp", "2π − Σθ, on the boundary π − Σθ"},
+                    {"gaussian_curvature", "src/geometry/curvature.cpp", "K = (2π − Σθ)/A"},
+                    {"vertex_areas", "src/geometry/vertex_areas.cpp", "barycentric, Voronoi and mixed areas"},
+                    {"known_surfaces", "src/questions/known_surfaces.cpp", "sphere, ellipsoid and torus, regular and jittered"},
+                    {"answer_q1", "src/questions/q1_uniform_curvature.cpp", "this section"}};
+}
+
+void add_refinement_checks(report::Section& section, const std::vector<UniformRefinement>& refinements) {
+    const UniformRefinement& torus = refinement_on(refinements, "torus", Triangulation::regular);
+    section.checks.push_back(check_near("order of K (barycentric areas, L2) on the regular torus", 2, deficit_K(torus).order(), 0.2));
+    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
+        const UniformRefinement& sphere = refinement_on(refinements, "sphere", triangulation);
+        section.checks.push_back(
+            check_at_most("normal part of scaled uniform H is 1/R at any points of a sphere, " + name_of(triangulation), 0,
+                          sphere.finest().normal_part.linf, 1e-9, "mean of 1 − x·x_j over the ring is half its mean squared edge"));
+    }
+}
+
+void add_findings(report::Section& section, const std::vector<UniformRefinement>& refinements, const std::vector<AngleSum>& sums) {
+    const UniformRefinement& regular = refinement_on(refinements, "torus", Triangulation::regular);
+    const UniformRefinement& jittered = refinement_on(refinements, "torus", Triangulation::jittered);
+    section.findings.push_back(
+        {report::text("Q1: on the torus, uniform H is off by ", readable_percent(uniform_H(regular).last()), " (L2) and K by ",
+                      readable_percent(deficit_K(regular).last()), "; with jittered vertices by ",
+                      readable_percent(uniform_H(jittered).last()), " and ", readable_percent(deficit_K(jittered).last()), "."),
+         70});
+    double gap = 0;
+    for (const AngleSum& s : sums) gap = std::max(gap, s.applies ? std::abs(s.measured - s.euler) : 0);
+    section.findings.push_back(
+        {report::text("Q1: the angle deficits add up to 2πχ to ", readable(gap, 2), " of a turn on every manifold mesh."), 30});
+}
+
+}   // namespace
+
+Answer answer_q1(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
+    Answer answer;
+    report::Section& section = answer.section;
+    section = section_of("q1");
+    const auto sources = meshes_for(library, settings, {"plane", "lilium", "bumpy_cube", "sphere"}, section);
+    add_method(section);
+
+    add_heading(section, "Results");
+    std::vector<MeshCurvature> meshes;
+    std::vector<std::string> names;
+    for (const auto& source : sources) {
+        progress("uniform curvature of " + source->name);
+        meshes.push_back(curvature_of(source));
+        names.push_back(source->name);
+    }
+    add_figures(answer, meshes);
+    add_statistics(section, meshes);
+    const std::vector<UniformRefinement> refinements = refine_known_surfaces(settings, progress, "uniform curvature", uniform_errors);
+    add_error_table(section, refinements);
+    add_area_table(section, refinements, &FieldError::l2, "l2", "L2");
+    add_area_table(section, refinements, &FieldError::linf, "linf", "L∞");
+    add_convergence_plot(section, refinements, false);
+    add_convergence_plot(section, refinements, true);
+    const std::vector<AngleSum> sums = angle_sums(meshes, refinements);
+    add_gauss_bonnet(section, sums);
+    std::vector<FlatMesh> flat;
+    for (const MeshCurvature& c : meshes) {
+        if (c.subject.plane_normal) flat.push_back(flat_mesh(c));
+    }
+    for (const FlatMesh& f : flat) check_flat_mesh(section, f);
+    add_refinement_checks(section, refinements);
+    add_discussion(section, meshes, refinements, sums, flat);
+    add_findings(section, refinements, sums);
+
+    section.parameters = {{"area form", "barycentric"},
+                          {"colour range", "one a quantity, 4th to 96th percentile over all meshes, symmetric"},
+                          {"levels of refinement", std::to_string(refinements.front().levels.size())},
+                          {"seed of the jitter", std::to_string(settings.seed)}};
+    section.extent = "H and K on " + listed(names) + " in six views; errors on 3 surfaces with closed form, regular and jittered, " +
+                     counted(static_cast<int>(refinements.front().levels.size()), "level") + " each; Gauss–Bonnet on " +
+                     counted(static_cast<int>(sums.size()), "mesh", "meshes");
+    return answer;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,455 @@
+// Question 3: mean curvature from the cotangent Laplace–Beltrami operator, beside that of the uniform Laplacian.
+#include <algorithm>
+#include <cmath>
+
+#include "number_text.h"
+#include "questions/cotangent_study.h"
+#include "questions/question.h"
+#include "questions/section_tools.h"
+#include "questions/six_view_figure.h"
+
+namespace meshfolio {
+
+namespace {
+
+using report::Cell;
+using report::check_at_most;
+using report::check_near;
+using report::math;
+using report::ref;
+
+constexpr std::size_t barycentric = 0, voronoi = 1, mixed = 2;   // in area_forms
+
+/// Barycentric H of a flat regular pentagon cap over its true value, less 1: where L∞ on the icosphere stalls, at its twelve
+/// vertices of valence 5.
+double pentagon_excess() { return 3 / std::tan(54 * M_PI / 180) / (2 * std::sin(72 * M_PI / 180)) - 1; }
+
+// ---- figures and tables of the meshes ---------------------------------------------------------------------------------
+
+void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
+    const CurvatureSubject& s = c.subject;
+    const std::string id = "q3_" + s.name() + "_h";
+    SixViewFigure figure;
+    figure.id = id;
+    figure.title = "Mean curvature × mean edge: uniform, cotangent, difference";
+    figure.subtitle = s.source->input.file + ", " + counted(s.mesh().vertex_count(), "vertex", "vertices");
+    figure.panels = {panel_of(*s.source, id + "_uniform", "uniform, × 4/h²", s.mean_edge * c.uniform),
+                     panel_of(*s.source, id + "_cotangent", "cotangent", s.mean_edge * c.cotangent),
+                     panel_of(*s.source, id + "_difference", "cotangent − uniform", s.mean_edge * c.difference)};
+    // The two estimates set the range; the difference is drawn in it, so that its colours weigh the same.
+    figure.range = output::robust_range({figure.panels[0], figure.panels[1]}, "diverging", "H × mean edge", "", 0.01, 0.03);
+    figure.range = range_for(*figure.range, figure.panels);
+    figure.caption = "Mean curvature of " + s.name() + " times its mean edge length (" + readable(s.mean_edge) +
+                     "): by the uniform Laplacian of question 1 (scaled by 4/h²), by the cotangent operator, and cotangent minus uniform. "
+                     "All rows share camera "
+                     "and colour range.";
+    figure.caption += undefined_words(s);
+    add_figure(answer, std::move(figure));
+}
+
+Cell number(double x) { return std::isfinite(x) ? Cell(x) : Cell(); }
+
+void add_difference_table(report::Section& section, const std::vector<CotangentComparison>& meshes) {
+    report::Table table;
+    table.id = "q3_differences";
+    table.caption =
+        "Both estimates of H and their difference over the inner vertices; the last column counts vertices where they disagree about the "
+        "sign.";
+    table.columns = {{"mesh", ""},
+                     {"uniform, median", "1/length", 4},
+                     {"uniform, std", "1/length", 3},
+                     {"cotangent, median", "1/length", 4},
+                     {"cotangent, std", "1/length", 3},
+                     {"difference, rms", "1/length", 3},
+                     {"difference, largest", "1/length", 3},
+                     {"difference, rms", "% of uniform rms", 3},
+                     {"other sign", "% of vertices", 3}};
+    for (const CotangentComparison& c : meshes) {
+        const ValueSummary uniform = summary_of(c.uniform), cotangent = summary_of(c.cotangent);
+        const bool curved = c.drift > 1e-9 || c.precision > 1e-9;
+        table.rows.push_back({c.subject.name(), number(uniform.median), number(uniform.standard_deviation), number(cotangent.median),
+                              number(cotangent.standard_deviation), c.rms_difference, largest_magnitude(c.difference),
+                              curved && c.rms_uniform > 0 ? Cell(100 * c.rms_difference / c.rms_uniform) : Cell(), 100 * c.sign_change});
+    }
+    section.blocks.push_back(std::move(table));
+}
+
+void add_variant_table(report::Section& section, const std::vector<CotangentComparison>& meshes) {
+    report::Table table;
+    table.id = "q3_variants";
+    table.caption =
+        "The operator and two variants, barycentric areas: edges with negative weight, the smallest weight, largest ½‖Lx‖ inside (mean "
+        "curvature) and "
+        "on the boundary (there the pull along the surface, no curvature), both times the mean edge, and how much H changes inside.";
+    table.columns = {{"mesh", ""},
+                     {"operator", ""},
+                     {"negative weights, inside", "edges", count_digits},
+                     {"negative weights, boundary", "edges", count_digits},
+                     {"smallest weight", "", 3},
+                     {"largest inside", "", 3},
+                     {"change inside, rms", "%", 3},
+                     {"largest on boundary", "", 3}};
+    for (const CotangentComparison& c : meshes) {
+        for (const OperatorVariant& v : c.variants) {
+            table.rows.push_back({c.subject.name(), v.name, double(v.negative_inside), double(v.negative_boundary), v.smallest_weight,
+                                  v.inside, number(100 * v.change), v.boundary});
+        }
+    }
+    section.blocks.push_back(std::move(table));
+}
+
+// ---- errors against the closed form -----------------------------------------------------------------------------------
+
+void add_error_table(report::Section& section, const std::vector<CotangentRefinement>& refinements, double FieldError::*norm,
+                     const std::string& key, const std::string& norm_name) {
+    report::Table table;
+    table.id = "q3_errors_" + key;
+    table.caption = norm_name +
+                    " error of H on the finest meshes, one row an estimator. Clamped: barycentric areas, negative weights set to 0. "
+                    "Vertices of area ≤ 0 have no H.";
+    table.columns = {{"estimator", ""}};
+    for (const CotangentRefinement& r : refinements) table.columns.push_back({r.title(), "%", 3, report::Column::Best::smallest});
+    table.columns.push_back({"without H", "vertices", count_digits});
+    const auto add_row = [&](std::string name, auto error_of, auto undefined_of) {
+        std::vector<Cell> row{std::move(name)};
+        int undefined = 0;
+        for (const CotangentRefinement& r : refinements) {
+            row.push_back(100 * error_of(r.finest()).*norm);
+            undefined += undefined_of(r.finest());
+        }
+        row.push_back(double(undefined));
+        table.rows.push_back(std::move(row));
+    };
+    const auto none = [](const CotangentErrors&) { return 0; };
+    add_row(
+        "uniform, × 4/h²", [](const CotangentErrors& e) { return e.uniform; }, none);
+    for (std::size_t form = 0; form < area_forms.size(); ++form) {
+        add_row(
+            "cotangent, " + area_name(area_forms[form]), [form](const CotangentErrors& e) { return e.H[form]; },
+            [form](const CotangentErrors& e) { return e.undefined[form]; });
+    }
+    add_row(
+        "cotangent, clamped", [](const CotangentErrors& e) { return e.clamped; }, none);
+    section.blocks.push_back(std::move(table));
+}
+
+void add_order_table(report::Section& section, const std::vector<CotangentRefinement>& refinements) {
+    report::Table table;
+    table.id = "q3_orders";
+    table.caption = "Order p of error ≈ c·h^p in L2, and L∞ for barycentric areas, fitted over the three finest of " +
+                    counted(static_cast<int>(refinements.front().levels.size()), "mesh", "meshes") +
+                    ". The coarsest and finest size, the smallest angle and the negative weights of the finest.";
+    table.columns = {{"surface", ""},
+                     {"triangulation", ""},
+                     {"from", "vertices", count_digits},
+                     {"to", "vertices", count_digits},
+                     {"smallest angle", "°", 3},
+                     {"negative weights", "% of edges", 3},
+                     {"uniform", "", 3},
+                     {"barycentric", "", 3},
+                     {"barycentric, L∞", "", 3},
+                     {"Voronoi", "", 3},
+                     {"mixed", "", 3}};
+    for (const CotangentRefinement& r : refinements) {
+        table.rows.push_back({r.surface.name, name_of(r.triangulation), double(r.levels.front().vertices), double(r.finest().vertices),
+                              r.finest().smallest_angle * 180 / M_PI, 100 * r.finest().negative_weights,
+                              number(scaled_uniform_H(r).order()), number(cotangent_H(r, barycentric).order()),
+                              number(cotangent_H(r, barycentric, &FieldError::linf).order()), number(cotangent_H(r, voronoi).order()),
+                              number(cotangent_H(r, mixed).order())});
+    }
+    section.blocks.push_back(std::move(table));
+}
+
+void add_convergence_plot(report::Section& section, const std::vector<CotangentRefinement>& refinements, Triangulation triangulation) {
+    report::Plot plot;
+    plot.id = "q3_convergence_" + name_of(triangulation);
+    plot.caption = "L2 error of H over the mean edge on " + name_of(triangulation) + " meshes; dashed: the scaled uniform estimate.";
+    plot.x_label = "mean edge [length]";
+    plot.y_label = "relative L2 error [%]";
+    plot.log_x = plot.log_y = true;
+    plot.alt = "L2 error of H over mean edge, " + name_of(triangulation) + " meshes.";
+    for (const CotangentRefinement& r : refinements) {
+        if (r.triangulation != triangulation) continue;
+        for (std::size_t form = 0; form < area_forms.size(); ++form) {
+            const std::string name = r.surface.name + ", " + area_name(area_forms[form]);
+            plot.series.push_back(error_series(name, cotangent_H(r, form), report::Series::Style::line_and_points));
+            plot.alt += " " + name + ": " + trend(cotangent_H(r, form)) + ".";
+        }
+        plot.series.push_back(error_series(r.surface.name + ", uniform", scaled_uniform_H(r), report::Series::Style::dashed));
+    }
+    section.blocks.push_back(std::move(plot));
+}
+
+void add_checks(report::Section& section, const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane,
+                const std::vector<CotangentComparison>& meshes) {
+    const CotangentRefinement& torus = refinement_on(refinements, "torus", Triangulation::regular);
+    for (const std::size_t form : {barycentric, voronoi, mixed}) {
+        section.checks.push_back(check_near("order of cotangent H (" + area_name(area_forms[form]) + ", L2) on the regular torus", 2,
+                                            cotangent_H(torus, form).order(), 0.2));
+    }
+    const CotangentErrors& sphere = refinement_on(refinements, "sphere", Triangulation::regular).finest();
+    section.checks.push_back(check_near("barycentric H on the icosphere, L∞, stalls at 3 cot 54°/(2 sin 72°) − 1", pentagon_excess(),
+                                        sphere.H[barycentric].linf, 0.25 * sphere.mean_edge * sphere.mean_edge, "the tolerance is h²/4"));
+    section.checks.push_back(
+        check_at_most("cotangent H × mean edge inside an irregular flat square (linear precision)", 0, plane.cotangent, 1e-10));
+    for (const CotangentComparison& c : meshes) {
+        if (!c.subject.plane_normal || c.subject.interior == 0) continue;
+        section.checks.push_back(check_at_most("cotangent H × mean edge inside the flat " + c.subject.name(), 0, c.precision, 1e-5,
+                                               "the mesh is flat to 1e-6 of its box"));
+    }
+}
+
+// ---- discussion -------------------------------------------------------------------------------------------------------
+
+std::size_t best_form(const CotangentErrors& e) {
+    std::size_t best = 0;
+    for (std::size_t form = 1; form < area_forms.size(); ++form) {
+        if (e.H[form].l2 < e.H[best].l2) best = form;
+    }
+    return best;
+}
+
+std::string times_smaller(double factor) {
+    if (factor > 1000) return "over 1000 times smaller";
+    return factor >= 1 ? readable(factor, 2) + " times smaller" : readable(1 / factor, 2) + " times larger";
+}
+
+/// "on the torus 0.02 % (mixed) against 14 % uniform, 680 times smaller".
+report::Text gains(const std::vector<CotangentRefinement>& refinements, Triangulation triangulation) {
+    report::Text t;
+    for (const CotangentRefinement& r : refinements) {
+        if (r.triangulation != triangulation) continue;
+        const CotangentErrors& e = r.finest();
+        const std::size_t best = best_form(e);
+        report::extend(t, t.empty() ? "on the " : "; on the ", r.surface.name, " ", readable_percent(e.H[best].l2), " (",
+                       area_name(area_forms[best]), " areas) against ", readable_percent(e.uniform.l2), " of the uniform estimate, ",
+                       times_smaller(e.uniform.l2 / e.H[best].l2));
+    }
+    return t;
+}
+
+/// Which area forms converge on one surface, with the errors at the finest level.
+report::Text convergence_words(const CotangentRefinement& r) {
+    std::vector<std::string> parts;
+    for (std::size_t form = 0; form < area_forms.size(); ++form) {
+        parts.push_back("with " + area_name(area_forms[form]) + " areas it " + trend(cotangent_H(r, form)));
+    }
+    return report::text("Refining the ", name_of(r.triangulation), " ", r.surface.name,
+                        ", L2 error of cotangent H over the three finest levels: ", listed(parts), ".");
+}
+
+report::Text sphere_words(const CotangentRefinement& regular, const CotangentRefinement& jittered) {
+    const CotangentErrors& coarse = regular.levels.front();
+    const CotangentErrors& fine = regular.finest();
+    report::Text t = report::text(
+        "At single vertices the barycentric area can be wrong at every resolution: on the icosphere its L∞ error goes from ",
+        readable_percent(coarse.H[barycentric].linf, 4), " at ", std::to_string(coarse.vertices), " vertices to ",
+        readable_percent(fine.H[barycentric].linf, 4), " at ", std::to_string(fine.vertices),
+        "; the limit at the twelve vertices of valence 5 is ", math("3 cot 54°/(2 sin 72°) − 1"), " = ",
+        readable_percent(pentagon_excess(), 4), ". With mixed areas it is ", readable_percent(fine.H[mixed].linf, 2), " there.");
+    const double identity = jittered.finest().H[voronoi].l2;
+    if (identity < 0.1 * jittered.finest().H[barycentric].l2) {
+        report::extend(t, " With Voronoi areas the sphere is a special case, off by only ", readable_percent(identity, 2),
+                       " (L2) even when jittered, for the normal part of ", math("Lx"),
+                       " is then exact at any points of a sphere; the other two surfaces are the ones to judge by.");
+    }
+    return t;
+}
+
+report::Text plane_words(const PlaneTest& plane) {
+    report::Text t = report::text(
+        "Inside an irregular flat square of ", std::to_string(plane.vertices), " vertices, ", readable_percent(plane.negative_weights, 2),
+        " of whose edges have negative weights, the cotangent operator leaves |H| × mean edge at ", readable(plane.cotangent, 2),
+        ", rounding; the uniform one reads ", readable(plane.uniform), " where there is no curvature");
+    if (plane.clamped > 1e3 * plane.cotangent) {
+        report::extend(t, ", and clamping the negative weights makes that ", readable(plane.clamped),
+                       " for the cotangent operator too: it gives up linear precision");
+    } else {
+        report::extend(t, ", and clamping changes nothing (", readable(plane.clamped, 2), ")");
+    }
+    report::extend(t, ".");
+    return t;
+}
+
+report::Text flat_words(const CotangentComparison& c) {
+    const CurvatureSubject& s = c.subject;
+    report::Text t = report::text("The mesh ", s.name(), " is flat. ");
+    if (s.interior == 0) {
+        report::extend(t, "All its vertices lie on the boundary: there is no H to estimate.");
+        return t;
+    }
+    report::extend(t, "Inside, |H| × mean edge is at most ", readable(c.precision, 2), " by the cotangent and ", readable(c.drift, 2),
+                   " by the uniform operator");
+    if (c.drift < 1e-6 && c.precision < 1e-6) {
+        report::extend(t, ": its triangles are so regular that the cotangent weights improve nothing here. ");
+    } else if (c.drift > 10 * c.precision) {
+        report::extend(t, ", ", readable(c.drift / std::max(c.precision, 1e-300), 2),
+                       " times more: there the cotangent weights are the improvement. ");
+    } else {
+        report::extend(t, ". ");
+    }
+    report::extend(t, "On its boundary ", math("½‖Lx‖"), " reaches ", readable(c.variants[0].boundary),
+                   " per mean edge with half the sum of cotangents and ", readable(c.variants[1].boundary),
+                   " with the mean over opposite vertices: a pull along the plane, which a picture without mask would show as curvature.");
+    return t;
+}
+
+report::Text curved_words(const CotangentComparison& c) {
+    const CurvatureSubject& s = c.subject;
+    if (summary_of(c.difference).count == 0) {
+        return report::text("On ", s.name(), " no vertex has a neighbourhood inside the surface, so there is nothing to compare.");
+    }
+    const OperatorVariant& used = c.variants[0];
+    const OperatorVariant& clamped = c.variants[2];
+    report::Text t = report::text("On ", s.name(), " the two estimates differ by ", readable_percent(c.rms_difference / c.rms_uniform),
+                                  " of the uniform one (rms) and in sign at ", readable_percent(c.sign_change, 2), " of the vertices. ");
+    if (used.negative_inside + used.negative_boundary == 0) {
+        report::extend(t, "None of its ", std::to_string(s.topology().edges.size()),
+                       " edges has a negative weight, so clamping changes nothing.");
+    } else {
+        report::extend(t, std::to_string(used.negative_inside + used.negative_boundary), " of its ",
+                       counted(static_cast<int>(s.topology().edges.size()), "edge"),
+                       used.negative_inside + used.negative_boundary == 1 ? " has" : " have", " a negative weight (",
+                       std::to_string(used.negative_boundary), " on the boundary; the smallest is ", readable(used.smallest_weight), ")");
+        if (std::isfinite(clamped.change))
+            report::extend(t, "; clamping them changes H inside by ", readable_percent(clamped.change, 2), " (rms)");
+        report::extend(t, ".");
+    }
+    if (!s.source->prepared->preflight.closed()) {
+        report::extend(t, " On the boundary ", math("½‖Lx‖"), " × mean edge reaches ", readable(used.boundary),
+                       ", with the mean over opposite vertices ", readable(c.variants[1].boundary), ", against ", readable(used.inside),
+                       " inside: it is masked.");
+    }
+    return t;
+}
+
+report::Text verdict(const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane) {
+    int regular_wins = 0, jittered_wins = 0, regular_converging = 0, jittered_converging = 0, surfaces = 0;
+    double worst_regular = 0, worst_jittered = 0;
+    for (const CotangentRefinement& r : refinements) {
+        const bool regular = r.triangulation == Triangulation::regular;
+        const bool better = r.finest().H[mixed].l2 < r.finest().uniform.l2, converging = converges(cotangent_H(r, mixed));
+        surfaces += regular ? 1 : 0;
+        (regular ? regular_wins : jittered_wins) += better ? 1 : 0;
+        (regular ? regular_converging : jittered_converging) += converging ? 1 : 0;
+        double& worst = regular ? worst_regular : worst_jittered;
+        worst = std::max(worst, r.finest().H[mixed].l2);
+    }
+    const std::string of_surfaces = " of " + counted(surfaces, "surface");
+    report::Text t = report::text(report::strong("Does the cotangent discretisation improve the estimate? "),
+                                  "On regular triangulations it is the better one on ", std::to_string(regular_wins), of_surfaces,
+                                  " (mixed areas) and converges on ", std::to_string(regular_converging), ", with errors up to ",
+                                  readable_percent(worst_regular), " at the finest level, which is ", grade(worst_regular), ". ");
+    report::extend(
+        t, "On jittered ones it is the better one on ", std::to_string(jittered_wins), of_surfaces, " and converges on ",
+        std::to_string(jittered_converging), ", with errors up to ", readable_percent(worst_jittered), ", which is ", grade(worst_jittered),
+        jittered_converging < surfaces ? ": the weights repair the bias of the uniform average, not the dependence on the triangulation. "
+                                       : ". ");
+    report::extend(t, "On irregular planes the false curvature falls from ", readable(plane.uniform, 2), " to ",
+                   readable(plane.cotangent, 2), " per mean edge.");
+    return t;
+}
+
+void add_discussion(report::Section& section, const std::vector<CotangentComparison>& meshes,
+                    const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane) {
+    add_heading(section, "Discussion: does this improve the estimate?");
+    add_paragraph(section, "L2 error of H on the finest regular meshes: ", gains(refinements, Triangulation::regular),
+                  ". With jittered vertices: ", gains(refinements, Triangulation::jittered), " (", ref("q3_errors_l2"), ").");
+    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
+        for (const char* surface : {"ellipsoid", "torus"}) {
+            section.blocks.push_back(report::Paragraph{convergence_words(refinement_on(refinements, surface, triangulation))});
+        }
+    }
+    section.blocks.push_back(report::Paragraph{sphere_words(refinement_on(refinements, "sphere", Triangulation::regular),
+                                                            refinement_on(refinements, "sphere", Triangulation::jittered))});
+    section.blocks.push_back(report::Paragraph{plane_words(plane)});
+    for (const CotangentComparison& c : meshes)
+        section.blocks.push_back(report::Paragraph{c.subject.plane_normal ? flat_words(c) : curved_words(c)});
+    section.blocks.push_back(report::Paragraph{verdict(refinements, plane)});
+}
+
+// ---- method and findings ----------------------------------------------------------------------------------------------
+
+void add_method(report::Section& section) {
+    add_heading(section, "Method");
+    add_paragraph(
+        section,
+        "The Laplace–Beltrami operator with cotangent weights, a half for every corner opposite the edge, over lumped vertex areas:");
+    add_formula(section, "cotangent_weights", "q3_eq_weights");
+    add_formula(section, "cotangent_laplacian", "q3_eq_laplacian");
+    add_formula(section, "mean_curvature_from_laplacian");
+    add_paragraph(
+        section,
+        "Areas are barycentric unless said otherwise; Voronoi and mixed ones are compared. Boundary vertices are masked, for there ",
+        math("Lx"), " is the pull along the surface. Question 1's estimate is scaled to a curvature first:");
+    add_formula(section, "uniform_scaling");
+    add_paragraph(section, "On surfaces with closed form, refined step by step, the order of convergence is the slope of the error:");
+    add_formula(section, "convergence_order", "q3_eq_order");
+    section.code = {{"laplace_beltrami", "src/geometry/cotangent_laplacian.cpp", "C and M from a mesh"},
+                    {"corner_cotangents", "src/geometry/cotangent_laplacian.cpp", "cotangents from positions or edge lengths"},
+                    {"vertex_areas", "src/geometry/vertex_areas.cpp", "barycentric, Voronoi and mixed areas"},
+                    {"cotangent_mean_curvature", "src/geometry/curvature.cpp", "H = ±½‖Lx‖"},
+                    {"uniform_mean_curvature_scaled", "src/geometry/curvature.cpp", "question 1's estimate times 4/h²"},
+                    {"compare_operators", "src/questions/cotangent_study.cpp", "both estimates and the variants on a mesh"},
+                    {"answer_q3", "src/questions/q3_cotangent_curvature.cpp", "this section"}};
+}
+
+void add_findings(report::Section& section, const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane) {
+    const CotangentErrors& regular = refinement_on(refinements, "torus", Triangulation::regular).finest();
+    const CotangentRefinement& jittered = refinement_on(refinements, "torus", Triangulation::jittered);
+    section.findings.push_back(
+        {report::text("Q3: on the regular torus cotangent H (mixed areas) is off by ", readable_percent(regular.H[mixed].l2),
+                      ", uniform H by ", readable_percent(regular.uniform.l2), " (L2)."),
+         80});
+    section.findings.push_back(
+        {report::text("Q3: with jittered vertices the error of cotangent H on the torus ", trend(cotangent_H(jittered, mixed)), "."), 72});
+    section.findings.push_back(
+        {report::text("Q3: inside an irregular flat square |H| × mean edge is ", readable(plane.cotangent, 2), " (cotangent), ",
+                      readable(plane.uniform, 2), " (uniform) and ", readable(plane.clamped, 2), " (cotangent, clamped)."),
+         45});
+}
+
+}   // namespace
+
+Answer answer_q3(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
+    Answer answer;
+    report::Section& section = answer.section;
+    section = section_of("q3");
+    const auto sources = meshes_for(library, settings, {"lilium", "plane"}, section);
+    add_method(section);
+
+    add_heading(section, "Results");
+    std::vector<CotangentComparison> meshes;
+    std::vector<std::string> names;
+    for (const auto& source : sources) {
+        progress("cotangent curvature of " + source->name);
+        meshes.push_back(compare_operators(source));
+        names.push_back(source->name);
+        add_comparison_figure(answer, meshes.back());
+    }
+    add_difference_table(section, meshes);
+    add_variant_table(section, meshes);
+    const auto refinements = refine_known_surfaces(settings, progress, "cotangent curvature", cotangent_errors);
+    const PlaneTest plane = irregular_plane(settings.seed);
+    add_error_table(section, refinements, &FieldError::l2, "l2", "L2");
+    add_error_table(section, refinements, &FieldError::linf, "linf", "L∞");
+    add_order_table(section, refinements);
+    add_convergence_plot(section, refinements, Triangulation::regular);
+    add_convergence_plot(section, refinements, Triangulation::jittered);
+    add_checks(section, refinements, plane, meshes);
+    add_discussion(section, meshes, refinements, plane);
+    add_findings(section, refinements, plane);
+
+    const int levels = static_cast<int>(refinements.front().levels.size());
+    section.parameters = {{"area form", "barycentric; Voronoi and mixed compared"},
+                          {"negative weights", "kept; clamping compared"},
+                          {"levels of refinement", std::to_string(levels)},
+                          {"seed of the jitter", std::to_string(settings.seed)}};
+    section.extent = "cotangent H beside uniform H on " + listed(names) +
+                     " in six views; errors and orders of 3 area forms on 3 surfaces, regular and jittered, " + counted(levels, "level") +
+                     " each, up to " + std::to_string(refinement_on(refinements, "torus", Triangulation::regular).finest().vertices) +
+                     " vertices";
+    return answer;
+}
+
+}   // namespace meshfolio
