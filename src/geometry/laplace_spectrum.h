@@ -17,7 +17,7 @@ struct SpectrumOptions {
 struct Spectrum {
     Vector eigenvalues;         // k values μ ≥ 0, ascending; the zero modes are exactly 0 [1/length²]
     DenseMatrix eigenvectors;   // n × k, ΦᵀMΦ = I; the largest entry of a column is positive; 0 at unreferenced vertices [1/length]
-    Vector residuals;           // ‖−Cφ − μMφ‖ / (μ‖Mφ‖), absolute for the zero modes
+    Vector residuals;           // ‖−Cφ − μMφ‖ / (μ‖Mφ‖); for the zero modes ‖Cφ‖ of the mesh scaled to area 1
     bool dense = false;         // which solver ran
     /// Negative pivots of −C − σM for one σ above μ_k (or between μ_k and the next known eigenvalue), and how many eigenvalues found
     /// lie below that σ: equal when none was missed. −1, −1 when not computed.

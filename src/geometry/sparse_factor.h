@@ -8,32 +8,38 @@
 
 namespace meshfolio {
 
+/// Whose factorisation. `automatic`: CHOLMOD where the build has it; `eigen` is always there, for comparison.
+enum class FactorLibrary { automatic, eigen };
+
 class SparseFactor {
 public:
     /// LDLᵀ of a symmetric matrix (lower triangle read), indefinite allowed as long as no pivot vanishes.
-    /// @throws SolverError if a pivot is zero or not finite
-    static SparseFactor ldlt(const SparseMatrix& A);
+    /// @throws SolverError if a pivot is zero to rounding or not finite
+    static SparseFactor ldlt(const SparseMatrix& A, FactorLibrary library = FactorLibrary::automatic);
     /// Cholesky LLᵀ, supernodal where that is faster.
     /// @throws SolverError if A is not positive definite
-    static SparseFactor cholesky(const SparseMatrix& A);
+    static SparseFactor cholesky(const SparseMatrix& A, FactorLibrary library = FactorLibrary::automatic);
 
     SparseFactor(SparseFactor&&) noexcept;
     SparseFactor& operator=(SparseFactor&&) noexcept;
     ~SparseFactor();
 
     /// Refactors another matrix of the same pattern, reusing the symbolic analysis.
+    /// @throws SolverError as at first, or if the pattern is another one
     void refactor(const SparseMatrix& A);
 
+    /// Solving from several threads at once is safe.
     Vector solve(const Vector& b) const;
     /// Several right-hand sides together (columns of B).
     DenseMatrix solve(const DenseMatrix& B) const;
 
     /// Pivots < 0: by Sylvester's law the number of negative eigenvalues (LDLᵀ only; 0 after cholesky).
     int negative_pivots() const;
-    long long nonzeros() const;   // of the factor
+    long long nonzeros() const;   // of the factor, diagonal included
+
+    struct Implementation;
 
 private:
-    struct Implementation;
     explicit SparseFactor(std::unique_ptr<Implementation> implementation);
     std::unique_ptr<Implementation> implementation_;
 };

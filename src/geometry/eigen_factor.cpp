@@ -1,0 +1,51 @@
+// Factorisations by Eigen: SimplicialLDLT and SimplicialLLT with AMD ordering.
+#include <Eigen/SparseCholesky>
+
+#include "geometry/factor_implementation.h"
+
+namespace meshfolio {
+
+namespace {
+
+using LDLT = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>;
+using LLT = Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower>;
+
+/// d in the order of the factor, returned in the order of the matrix.
+Vector in_matrix_order(const Vector& d, const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>& Pinv) {
+    return Pinv.size() > 0 ? Vector(Pinv * d) : d;
+}
+
+template <class Solver>
+class EigenFactor final : public SparseFactor::Implementation {
+public:
+    void analyze(const SparseMatrix& A) override { solver_.analyzePattern(A); }
+    bool factorize(const SparseMatrix& A) override {
+        solver_.factorize(A);
+        return solver_.info() == Eigen::Success;
+    }
+    DenseMatrix solve(const DenseMatrix& B) const override { return solver_.solve(B); }
+    Vector pivots() const override {
+        if constexpr (std::is_same_v<Solver, LDLT>) {
+            return in_matrix_order(solver_.vectorD(), solver_.permutationPinv());
+        } else {
+            const SparseMatrix& L = solver_.matrixL().nestedExpression();
+            return in_matrix_order(L.diagonal().cwiseAbs2(), solver_.permutationPinv());
+        }
+    }
+    long long nonzeros() const override {
+        const long long unit_diagonal = std::is_same_v<Solver, LDLT> ? rows : 0;   // kept implicit in LDLᵀ
+        return solver_.matrixL().nestedExpression().nonZeros() + unit_diagonal;
+    }
+
+private:
+    Solver solver_;
+};
+
+}   // namespace
+
+std::unique_ptr<SparseFactor::Implementation> factor_by_eigen(FactorKind kind) {
+    if (kind == FactorKind::ldlt) return std::make_unique<EigenFactor<LDLT>>();
+    return std::make_unique<EigenFactor<LLT>>();
+}
+
+}   // namespace meshfolio

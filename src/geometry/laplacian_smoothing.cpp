@@ -1,0 +1,203 @@
+#include "geometry/laplacian_smoothing.h"
+
+#include <cmath>
+#include <utility>
+
+#include "errors.h"
+#include "geometry/diffusion_step.h"
+#include "geometry/stability.h"
+#include "geometry/uniform_laplacian.h"
+#include "mesh/triangle_measures.h"
+#include "number_text.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// The units a run is computed in: about the box centre, by a power of two near the box diagonal. Scaling is exact, and
+/// coordinates far from the origin do not eat the digits of the differences between them.
+struct Frame {
+    Eigen::RowVector3d centre{0, 0, 0};
+    double unit = 1;       // [length]
+    double diagonal = 0;   // of the box [unit]
+
+    Positions inside(const Positions& X) const { return (X.rowwise() - centre) / unit; }
+    Positions outside(const Positions& X) const { return (X * unit).rowwise() + centre; }
+};
+
+Frame frame_of(const TriangleMesh& mesh) {
+    const Box box = bounding_box(mesh);
+    const double diagonal = box.diagonal();
+    if (!(diagonal > 0)) throw MeshError("smoothing: the mesh has no extent");
+    const double unit = std::exp2(std::ceil(std::log2(diagonal)));
+    return {box.centre().transpose(), unit, diagonal / unit};
+}
+
+/// M⁻¹C with the valences as masses is the uniform operator: C = D U.
+LaplaceBeltrami uniform_operator(const TriangleMesh& mesh) {
+    const MeshTopology topology = topology_of(mesh);
+    Vector valence(mesh.vertex_count());
+    for (int v = 0; v < mesh.vertex_count(); ++v) valence[v] = topology.neighbours.size(v);
+    return {weighted_by_rows(uniform_laplacian(topology), valence), valence};
+}
+
+LaplaceBeltrami operator_of(const TriangleMesh& mesh, const SmoothingOptions& options) {
+    if (options.laplacian == SmoothingOperator::uniform) return uniform_operator(mesh);
+    return laplace_beltrami(mesh, options.area, options.cotangent);
+}
+
+void check(const SmoothingOptions& options) {
+    if (!std::isfinite(options.lambda) || options.lambda <= 0) {
+        throw MeshError("smoothing: lambda = " + plain_text(options.lambda), "it must be positive and finite");
+    }
+    if (options.iterations < 0) throw MeshError("smoothing: " + std::to_string(options.iterations) + " iterations");
+    if (!(options.blow_up_at > 0)) throw MeshError("smoothing: blow_up_at = " + plain_text(options.blow_up_at));
+    if (options.scheme == SmoothingScheme::taubin && !(std::isfinite(options.taubin_mu) && options.taubin_mu <= 0)) {
+        throw MeshError("smoothing: Taubin's mu = " + plain_text(options.taubin_mu), "it must be negative, or 0 for the pass-band");
+    }
+}
+
+/// 1/λ + 1/μ = pass_band · μ_max/2.
+double taubin_step(const LaplaceBeltrami& laplacian, double lambda, double pass_band) {
+    const double inverse = 0.5 * pass_band * largest_eigenvalue(laplacian).value - 1 / lambda;
+    if (inverse < 0) return 1 / inverse;
+    throw MeshError("smoothing: no Taubin step inflates again after lambda at pass-band " + plain_text(pass_band, 3),
+                    "take a smaller lambda");
+}
+
+/// One scheme with one operator at a time, in the units of the frame.
+class Diffusion {
+public:
+    Diffusion(const TriangleMesh& mesh, const SmoothingOptions& options, Smoothed& statistics)
+        : options_(options), statistics_(statistics) {
+        rebuild(mesh);
+    }
+
+    Positions step(const Positions& X) const {
+        switch (options_.scheme) {
+            case SmoothingScheme::implicit_euler:
+                return implicit_.step(X);
+            case SmoothingScheme::taubin:
+                return explicit_->step(taubin_mu_, explicit_->step(options_.lambda, X));
+            case SmoothingScheme::explicit_euler:
+                break;
+        }
+        return explicit_->step(options_.lambda, X);
+    }
+
+    void rebuild(const TriangleMesh& mesh) {
+        const LaplaceBeltrami laplacian = operator_of(mesh, options_);
+        OperatorWithMass whole = operator_with_mass(laplacian);
+        moving_ = whole.vertex;
+        if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) {
+            taubin_mu_ = options_.taubin_mu != 0 ? options_.taubin_mu : taubin_step(laplacian, options_.lambda, options_.pass_band);
+        }
+        if (options_.scheme != SmoothingScheme::implicit_euler) {
+            explicit_.emplace(whole);
+            return;
+        }
+        implicit_.prepare(std::move(whole), options_.lambda);
+        statistics_.factor_nonzeros = implicit_.factor_nonzeros();
+        ++statistics_.factorisations;
+    }
+
+    double taubin_mu() const { return taubin_mu_; }
+    const std::vector<int>& moving() const { return moving_; }   // vertices with mass
+
+private:
+    const SmoothingOptions& options_;
+    Smoothed& statistics_;
+    double taubin_mu_ = 0;
+    std::vector<int> moving_;
+    std::optional<ExplicitDiffusion> explicit_;
+    ImplicitDiffusion implicit_;
+};
+
+void check_rows(const OperatorWithMass& whole, const Positions& X) {
+    if (X.rows() == whole.all_vertices) return;
+    throw MeshError("smoothing: " + std::to_string(X.rows()) + " positions for an operator on " + std::to_string(whole.all_vertices) +
+                    " vertices");
+}
+
+/// The first vertex that is not finite, else the farthest one beyond `limit` from the origin; −1 when all is well.
+int runaway_vertex(const Positions& X, const std::vector<int>& moving, double limit) {
+    int farthest = -1;
+    double largest = limit * limit;
+    for (const int v : moving) {
+        const double distance = X.row(v).squaredNorm();
+        if (!std::isfinite(distance)) return v;
+        if (distance <= largest) continue;
+        largest = distance;
+        farthest = v;
+    }
+    return farthest;
+}
+
+}   // namespace
+
+SmoothingScheme smoothing_scheme_named(const std::string& name) {
+    if (name == "explicit") return SmoothingScheme::explicit_euler;
+    if (name == "implicit") return SmoothingScheme::implicit_euler;
+    if (name == "taubin") return SmoothingScheme::taubin;
+    throw UsageError("unknown smoothing scheme '" + printable(name) + "'", "use explicit, implicit or taubin");
+}
+
+SmoothingOperator smoothing_operator_named(const std::string& name) {
+    if (name == "cotan") return SmoothingOperator::cotangent;
+    if (name == "uniform") return SmoothingOperator::uniform;
+    throw UsageError("unknown Laplacian '" + printable(name) + "'", "use cotan or uniform");
+}
+
+Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
+    check(options);
+    const Frame frame = frame_of(mesh);
+    const double step_unit = options.laplacian == SmoothingOperator::cotangent ? frame.unit * frame.unit : 1;   // of λ
+    SmoothingOptions inside = options;
+    inside.lambda /= step_unit;
+    inside.taubin_mu /= step_unit;
+
+    Smoothed result;
+    result.X = mesh.X;
+    TriangleMesh current{frame.inside(mesh.X), mesh.F};
+    Diffusion diffusion(current, inside, result);
+    const std::vector<int> moving = diffusion.moving();
+    const auto positions = [&] {
+        Positions X = mesh.X;
+        X(moving, Eigen::all) = frame.outside(current.X)(moving, Eigen::all);
+        return X;
+    };
+    const bool rebuild = options.rebuild && options.laplacian == SmoothingOperator::cotangent;   // the uniform operator sees no positions
+
+    for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
+        if (rebuild && t > 1) diffusion.rebuild(current);
+        Positions next = diffusion.step(current.X);
+        result.blow_up_vertex = runaway_vertex(next, moving, options.blow_up_at * frame.diagonal);
+        result.blew_up = result.blow_up_vertex >= 0;
+        if (result.blew_up) result.blow_up_iteration = t;
+        if (result.blew_up && !next.row(result.blow_up_vertex).allFinite()) break;
+        current.X = std::move(next);
+        result.iterations = t;
+        if (options.after_step && !options.after_step(t, positions())) break;
+    }
+    if (result.iterations > 0) result.X = positions();
+    result.taubin_mu = diffusion.taubin_mu() * step_unit;
+    return result;
+}
+
+Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    check_rows(whole, X);
+    const Eigen::RowVector3d near = X.row(whole.vertex.front());
+    return ExplicitDiffusion(whole).step(lambda, X.rowwise() - near).rowwise() + near;
+}
+
+Positions implicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {
+    OperatorWithMass whole = operator_with_mass(laplacian);
+    check_rows(whole, X);
+    const Eigen::RowVector3d near = X.row(whole.vertex.front());
+    ImplicitDiffusion diffusion;
+    diffusion.prepare(std::move(whole), lambda);
+    return diffusion.step(X.rowwise() - near).rowwise() + near;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,100 @@
+#include "geometry/stability.h"
+
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymEigsSolver.h>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "errors.h"
+#include "geometry/vertices_with_mass.h"
+
+namespace meshfolio {
+
+namespace {
+
+constexpr int dense_up_to = 200;
+
+struct TopPair {
+    double mu = 0;
+    Vector y;   // unit
+};
+
+TopPair dense_top(const SparseMatrix& B) {
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(B)};
+    if (solver.info() != Eigen::Success) throw SolverError("largest eigenvalue: the dense eigensolver did not converge");
+    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1)};
+}
+
+/// Grids have top eigenvalues that crowd together; a larger basis separates them.
+TopPair lanczos_top(const SparseMatrix& B) {
+    constexpr int most_restarts = 1000;
+    for (const int basis : {30, 60, 120}) {
+        Spectra::SparseSymMatProd<double> product(B);
+        Spectra::SymEigsSolver<Spectra::SparseSymMatProd<double>> lanczos(product, 1, basis);
+        lanczos.init();
+        lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, 1e-12);
+        if (lanczos.info() == Spectra::CompInfo::Successful) return {lanczos.eigenvalues()[0], lanczos.eigenvectors(1)};
+    }
+    throw SolverError("largest eigenvalue: Lanczos did not converge on " + std::to_string(B.rows()) + " vertices");
+}
+
+/// max_i Σ_j |A_ij|/M_i bounds every eigenvalue of M⁻¹A (Gershgorin).
+double gershgorin_bound(const SparseMatrix& A, const Vector& M) {
+    Vector row_sum = Vector::Zero(A.rows());
+    for (int j = 0; j < A.cols(); ++j) {
+        for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) row_sum[entry.row()] += std::abs(entry.value());
+    }
+    return row_sum.cwiseQuotient(M).maxCoeff();
+}
+
+}   // namespace
+
+LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) {
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    const double total = whole.M.sum();
+    const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
+    const SparseMatrix B = symmetric_form(whole.A, M);
+    const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : lanczos_top(B);
+
+    LargestEigenvalue top;
+    top.value = pair.mu / total;
+    top.upper_bound = gershgorin_bound(whole.A, M) / total;
+    Vector phi = pair.y.cwiseQuotient((M * total).cwiseSqrt());
+    const Eigen::Index largest = first_largest(phi);
+    if (phi[largest] < 0) phi = -phi;
+    top.vertex = whole.vertex[static_cast<std::size_t>(largest)];
+    top.mode = to_all_vertices(whole, phi);
+    const Vector share = pair.y.cwiseAbs2();   // Mφ², summing to 1
+    top.support = share.sum() * share.sum() / share.squaredNorm();
+    return top;
+}
+
+/// D U = W − D is symmetric, so U is the operator of C = D U with masses D.
+LargestEigenvalue largest_eigenvalue_uniform(const SparseMatrix& uniform, const Vector& valence) {
+    return largest_eigenvalue({weighted_by_rows(uniform, valence), valence});
+}
+
+double largest_stable_step(const LargestEigenvalue& top) { return top.value > 0 ? 2 / top.value : std::numeric_limits<double>::infinity(); }
+
+StepUnit step_unit_named(const std::string& name) {
+    if (name == "raw") return StepUnit::raw;
+    if (name == "tau") return StepUnit::tau;
+    if (name == "h2") return StepUnit::h2;
+    throw UsageError("unknown unit of lambda '" + printable(name) + "'", "use raw, tau or h2");
+}
+
+double step_in_model_units(double lambda, StepUnit unit, double critical, double mean_edge) {
+    switch (unit) {
+        case StepUnit::tau:
+            return lambda * critical;
+        case StepUnit::h2:
+            return lambda * mean_edge * mean_edge;
+        case StepUnit::raw:
+            break;
+    }
+    return lambda;
+}
+
+}   // namespace meshfolio
