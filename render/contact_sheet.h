@@ -13,10 +13,10 @@ namespace render {
 
 /// The legend of a figure.
 struct ColorBar {
-    ValueRange range;
-    std::string quantity;       // "mean curvature H"
-    std::string unit;           // "1/length"; may be empty
-    double clipped_below = 0;   // share of the values outside the range, printed when > 0
+    ValueRange range = {};
+    std::string quantity = {};   // "mean curvature H"
+    std::string unit = {};       // "1/length"; may be empty
+    double clipped_below = 0;    // share of the values outside the range, printed when > 0
     double clipped_above = 0;
     bool has_undefined = false;   // adds a swatch for NaN in `undefined_color`
     Rgba undefined_color{225, 190, 231, 255};
@@ -24,16 +24,16 @@ struct ColorBar {
 
 /// One line of pictures. Sheets of one row put the six views 2 × 3 (three columns, two rows: +x +y +z over −x −y −z).
 struct SheetRow {
-    std::string label;             // "λ = 0.01, 20 iterations"; empty: none
-    std::vector<Image> pictures;   // one a view, all of one size
+    std::string label = {};             // "λ = 0.01, 20 iterations"; empty: none
+    std::vector<Image> pictures = {};   // one a view, all of one size
 };
 
 struct ContactSheet {
-    std::string title;
-    std::string subtitle;                  // mesh, counts, settings
-    std::vector<std::string> view_names;   // over the columns (or in the cells of a single row)
-    std::vector<SheetRow> rows;
-    std::optional<ColorBar> color_bar;
+    std::string title = {};
+    std::string subtitle = {};                  // mesh, counts, settings
+    std::vector<std::string> view_names = {};   // over the columns (or in the cells of a single row)
+    std::vector<SheetRow> rows = {};
+    std::optional<ColorBar> color_bar = {};
     int cell = 0;   // pixels of one view in the sheet; 0: as the pictures are
     Rgba background{255, 255, 255, 255};
 };

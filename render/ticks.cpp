@@ -23,7 +23,9 @@ struct Step {
     int exponent;
 
     double value() const { return scaled(mantissa, exponent); }
-    double count(double low, double high) const { return std::floor(high / value()) - std::ceil(low / value()) + 1; }
+    /// Multiples of the step at the ends; an end that is itself a tick counts in spite of rounding.
+    double first(double low) const { return std::ceil(low / value() - 1e-9); }
+    double last(double high) const { return std::floor(high / value() + 1e-9); }
 };
 
 /// The step whose number of ticks comes nearest to `wanted`.
@@ -34,7 +36,7 @@ Step best_step(double low, double high, int wanted) {
     for (int e = exponent - 2; e <= exponent + 1; ++e)
         for (const double mantissa : {1.0, 2.0, 2.5, 5.0}) {
             const Step step{mantissa, e};
-            const double d = std::abs(step.count(low, high) - wanted);
+            const double d = std::abs(step.last(high) - step.first(low) + 1 - wanted);
             if (d < difference) best = step, difference = d;
         }
     return best;
@@ -71,9 +73,8 @@ int decimals_needed(const std::vector<double>& values, double step) {
 std::vector<double> round_ticks(double low, double high, int wanted) {
     if (!(low < high) || !std::isfinite(high - low) || wanted < 1) return {};
     const Step step = best_step(low, high, wanted);
-    const double first = std::ceil(low / step.value()), last = std::floor(high / step.value());
     std::vector<double> ticks;
-    for (double i = first; i <= last && ticks.size() < 1000; ++i) {
+    for (double i = step.first(low); i <= step.last(high) && ticks.size() < 1000; ++i) {
         const double tick = scaled(i * step.mantissa, step.exponent) + 0.0;   // + 0: no −0
         if (tick >= low && tick <= high && (ticks.empty() || tick > ticks.back())) ticks.push_back(tick);
     }
