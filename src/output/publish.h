@@ -1,8 +1,10 @@
 /// @file
 /// A folder that appears all at once: built beside its final place, then exchanged with what was there by one rename.
+/// Whatever happens in between — an error, a signal, a loss of power — the earlier folder stays whole.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -10,10 +12,13 @@ namespace meshfolio::output {
 
 /// The marker file that tells a folder made by us.
 inline constexpr const char* marker_file = ".meshfolio";
+/// Digests of every other file, in the format of sha256sum.
+inline constexpr const char* sums_file = "SHA256SUMS";
 
 class Publication {
 public:
-    /// Prepares `<target>.tmp-<pid>` beside `target` and sweeps leftovers of dead runs.
+    /// Prepares `<target>.tmp-<pid>` beside `target` and sweeps leftovers of dead runs. A target that is a symbolic link
+    /// stands for what it points to; one that is a mount point is prepared inside.
     /// @throws OutputError if the parent cannot be written, or `target` holds something that is not ours (neither the marker nor
     /// nothing but a .gitignore)
     explicit Publication(const std::filesystem::path& target);
@@ -21,18 +26,27 @@ public:
     Publication(const Publication&) = delete;
     Publication& operator=(const Publication&) = delete;
 
-    const std::filesystem::path& folder() const { return folder_; }   // to write into
+    const std::filesystem::path& folder() const;   // to write into
 
     /// Writes SHA256SUMS and the marker, carries over .gitignore, syncs, exchanges, removes the old one.
+    /// @return  what to tell the user when the exchange could not be one atomic step; else empty
     /// @throws OutputError
-    void publish();
+    std::string publish();
 
 private:
-    std::filesystem::path target_, folder_;
-    bool published_ = false;
+    struct Folder;
+    std::filesystem::path target_;
+    std::unique_ptr<Folder> folder_;
+    bool in_place_ = false;   // the target is a mount point
 };
 
-/// Hexadecimal SHA-256.
-std::string sha256(std::string_view bytes);
+/// Creates or replaces one file all at once: written beside it, synced, renamed. What is not a regular file (a device, a FIFO) is
+/// written directly.
+/// @throws OutputError
+void replace_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// For whoever ends the process early, on a signal say: removes every temporary file and folder of this process and lets nothing more be
+/// published. Never returns control to a publication that is under way.
+void abandon_publications() noexcept;
 
 }   // namespace meshfolio::output

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -35,7 +36,9 @@ struct LibraryMesh {
 /// compiled into the program. Each file is read and prepared once; thread-safe.
 class MeshLibrary {
 public:
-    MeshLibrary(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes);
+    /// @param listed  the paths later asked for by file(), so that those with the same stem get names of their own in a fixed order
+    MeshLibrary(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes,
+                const std::vector<std::filesystem::path>& listed = {});
 
     /// @throws InputError if the file is missing or unusable; UsageError for an unknown role
     std::shared_ptr<const LibraryMesh> role(const std::string& role) const;
@@ -48,9 +51,18 @@ public:
 
 private:
     std::vector<std::filesystem::path> folders_, own_;
+    std::map<std::string, std::string> names_;   // path as given → name
     mutable std::mutex mutex_;
     mutable std::map<std::string, std::shared_ptr<const LibraryMesh>> cache_;
-    std::shared_ptr<const LibraryMesh> load(const std::string& key, const std::filesystem::path& path, report::Input input) const;
+
+    struct Found;
+    Found found_role(const MeshRole& role) const;
+    Found found_file(const std::filesystem::path& path, const std::filesystem::path& base) const;
+    std::shared_ptr<const LibraryMesh> loaded(const std::string& key, const std::function<Found()>& find) const;
+    std::string name_of(const std::filesystem::path& path) const;
 };
+
+/// The stem of a file name made safe for ids: [a-z0-9_], at most 40 characters, never empty.
+std::string short_name(const std::filesystem::path& path);
 
 }   // namespace meshfolio

@@ -1,0 +1,186 @@
+#include "output/draw_figures.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <glm/common.hpp>
+#include <limits>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "contact_sheet.h"
+#include "draw_mesh.h"
+#include "errors.h"
+#include "file_bytes.h"
+#include "output/label_view.h"
+#include "output/safe_name.h"
+#include "output/surface_of.h"
+#include "png.h"
+
+namespace meshfolio::output {
+
+namespace {
+
+/// A figure while its panels are being drawn: only the small pictures of the sheet are kept.
+struct Work {
+    const FigureRequest* request = nullptr;
+    render::DrawOptions options;
+    std::vector<render::SheetRow> rows;
+    std::atomic<int> panels_left = 0;
+    report::DrawnFigure drawn;
+};
+
+int cell_of(const FigureRequest& request, const DrawSettings& settings) {
+    return std::min(request.panels.size() == 1 ? settings.sheet_cell : settings.strip_cell, settings.width);
+}
+
+/// Names become files: unique in the whole report, and nothing but a name.
+void require_good_names(std::span<const FigureRequest> requests) {
+    std::set<std::string> names;
+    const auto require = [&](const std::string& name) {
+        if (!is_safe_name(name)) throw std::logic_error("figure name '" + printable(name) + "' is not a plain file name");
+        if (!names.insert(name).second) throw std::logic_error("two figures are named " + name);
+    };
+    for (const FigureRequest& request : requests) {
+        require(request.id + "_sheet");
+        for (const Panel& panel : request.panels) require(panel.name);
+        if (request.panels.empty()) throw std::logic_error("figure " + request.id + " has no panel");
+        if (request.frame_panel >= static_cast<int>(request.panels.size())) {
+            throw std::logic_error("figure " + request.id + " is framed on a panel it has not");
+        }
+    }
+}
+
+/// The box all panels are framed on, so that they share one scale.
+render::Bounds framed_box(const FigureRequest& request) {
+    if (request.frame_panel >= 0) return bounds_of(*request.panels[static_cast<std::size_t>(request.frame_panel)].mesh);
+    render::Bounds box = bounds_of(*request.panels.front().mesh);
+    for (const Panel& panel : request.panels) {
+        const render::Bounds other = bounds_of(*panel.mesh);
+        box.low = glm::min(box.low, other.low);
+        box.high = glm::max(box.high, other.high);
+    }
+    return box;
+}
+
+render::DrawOptions options_of(const FigureRequest& request, const DrawSettings& settings) {
+    render::DrawOptions options;
+    options.width = settings.width;
+    options.height = settings.height;
+    options.edges = request.edges;
+    options.frame = render::frame_of(framed_box(request), settings.width, settings.height, options.fill);
+    if (request.range) options.range = value_range(*request.range);
+    return options;
+}
+
+std::string view_file(const Panel& panel, const render::View& view) {
+    return "images/" + panel.name + "_" + std::string(view.name) + ".png";
+}
+
+/// Six pictures into files; the sheet keeps them small.
+void draw_panel(Work& work, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
+    const Panel& panel = work.request->panels[index];
+    render::DrawOptions options = work.options;
+    const bool colored = panel.values.size() > 0 && work.request->range.has_value();
+    std::vector<render::Image> views =
+        render::draw_views(surface_of(*panel.mesh, colored ? &panel.values : nullptr), render::six_views, options);
+    const int cell = cell_of(*work.request, settings);
+    render::SheetRow& row = work.rows[index];
+    row.label = work.request->panels.size() > 1 ? panel.label : "";
+    row.pictures.resize(views.size());
+    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
+        row.pictures[i] = render::shrink(views[i], cell, cell * views[i].height / views[i].width);
+        label_view(views[i], render::six_views[i].name);
+        write_file(folder / view_file(panel, render::six_views[i]), render::encode_png(views[i]));
+        views[i] = {};
+    });
+}
+
+bool has_undefined(const FigureRequest& request) {
+    for (const Panel& panel : request.panels) {
+        if (panel.values.array().isNaN().any()) return true;
+    }
+    return false;
+}
+
+void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSettings& settings) {
+    const FigureRequest& request = *work.request;
+    render::ContactSheet sheet;
+    sheet.title = request.title;
+    sheet.subtitle = request.subtitle;
+    for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
+    sheet.rows = std::move(work.rows);
+    if (request.range) sheet.color_bar = color_bar_of(*request.range, has_undefined(request), work.options.undefined_color);
+    const render::Image image = render::compose(sheet);
+    work.drawn.sheet = "images/" + request.id + "_sheet.png";
+    write_file(folder / work.drawn.sheet, render::encode_png(image));
+
+    const bool too_wide = image.width > settings.preview_width;
+    const int width = too_wide ? settings.preview_width : image.width;
+    const int height = too_wide ? std::max(1, image.height * width / image.width) : image.height;
+    work.drawn.width = width;
+    work.drawn.height = height;
+    work.drawn.preview_jpeg = render::encode_jpeg(too_wide ? render::shrink(image, width, height) : image, settings.jpeg_quality);
+}
+
+void name_views(Work& work) {
+    for (const Panel& panel : work.request->panels) {
+        for (const render::View& view : render::six_views) {
+            const std::string prefix = work.request->panels.size() > 1 ? panel.label + ", " : "";
+            work.drawn.views.emplace_back(prefix + std::string(view.name), view_file(panel, view));
+        }
+    }
+}
+
+/// One panel of one figure: what is drawn in parallel.
+struct Piece {
+    std::size_t figure, panel;
+};
+
+}   // namespace
+
+report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
+                                  const DrawSettings& settings, const std::function<void(double)>& progress) {
+    require_good_names(requests);
+    std::error_code error;
+    std::filesystem::create_directories(folder / "images", error);
+    if (error) throw OutputError((folder / "images").string(), "cannot create the folder (" + error.message() + ")");
+
+    std::vector<Work> figures(requests.size());
+    std::vector<Piece> pieces;
+    for (std::size_t f = 0; f < requests.size(); ++f) {
+        figures[f].request = &requests[f];
+        figures[f].options = options_of(requests[f], settings);
+        figures[f].rows.resize(requests[f].panels.size());
+        figures[f].panels_left = static_cast<int>(requests[f].panels.size());
+        for (std::size_t p = 0; p < requests[f].panels.size(); ++p) pieces.push_back({f, p});
+    }
+    std::mutex telling;
+    std::size_t drawn = 0;
+    const auto draw_piece = [&](std::size_t i) {
+        // Isolated: a thread that waits for the views of this panel does not begin another one, so that at most one panel a thread is
+        // in memory at full size.
+        tbb::this_task_arena::isolate([&] {
+            Work& work = figures[pieces[i].figure];
+            draw_panel(work, pieces[i].panel, folder, settings);
+            if (--work.panels_left == 0) draw_sheet(work, folder, settings);
+        });
+        const std::lock_guard lock(telling);
+        if (progress) progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
+    };
+    tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, pieces.size(), draw_piece, tbb::simple_partitioner()); });
+
+    report::DrawnFigures all;
+    for (Work& work : figures) {
+        name_views(work);
+        all.emplace(work.request->id, std::move(work.drawn));
+    }
+    return all;
+}
+
+}   // namespace meshfolio::output

@@ -1,0 +1,51 @@
+#include "output/folder_system.h"
+
+#include <fcntl.h>
+#include <linux/stat.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "errors.h"
+
+namespace meshfolio::output {
+
+namespace fs = std::filesystem;
+
+int rename_with(const fs::path& from, const fs::path& to, unsigned flags) {
+    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0 ? 0 : errno;
+}
+
+OpenFolder::OpenFolder(const fs::path& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ < 0) throw OutputError(path.string(), std::string("cannot open the folder (") + std::strerror(errno) + ")");
+}
+
+OpenFolder::~OpenFolder() { ::close(descriptor_); }
+
+void OpenFolder::sync() const {
+    // Some network and overlay file systems know no fsync of folders.
+    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {
+        throw OutputError(path_.string(), std::string("cannot flush the folder to disk (") + std::strerror(errno) + ")");
+    }
+}
+
+bool is_mount_point(const fs::path& folder) {
+    struct statx status {};
+    if (::statx(AT_FDCWD, folder.c_str(), AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &status) != 0) return false;
+    if (status.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) return (status.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+    struct stat inside {};
+    struct stat outside {};
+    if (::stat(folder.c_str(), &inside) != 0 || ::stat((folder / "..").c_str(), &outside) != 0) return false;
+    return inside.st_dev != outside.st_dev;
+}
+
+void make_folder(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")");
+}
+
+}   // namespace meshfolio::output

@@ -1,0 +1,34 @@
+/// @file
+/// The system calls on folders that the standard library does not offer, each checked.
+#pragma once
+
+#include <filesystem>
+
+namespace meshfolio::output {
+
+/// renameat2 with `flags` (RENAME_NOREPLACE, RENAME_EXCHANGE). @return 0 or errno
+int rename_with(const std::filesystem::path& from, const std::filesystem::path& to, unsigned flags);
+
+/// An open folder, to be synced after names in it have changed.
+class OpenFolder {
+public:
+    /// @throws OutputError
+    explicit OpenFolder(const std::filesystem::path& path);
+    ~OpenFolder();
+    OpenFolder(const OpenFolder&) = delete;
+    OpenFolder& operator=(const OpenFolder&) = delete;
+    /// @throws OutputError
+    void sync() const;
+
+private:
+    std::filesystem::path path_;
+    int descriptor_;
+};
+
+/// True where another file system (or a bind mount) begins: such a folder cannot be renamed.
+bool is_mount_point(const std::filesystem::path& folder);
+
+/// mkdir, parents too. @throws OutputError
+void make_folder(const std::filesystem::path& path);
+
+}   // namespace meshfolio::output

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace meshfolio::output {
+
+/// True when no process has this number (any more).
+bool is_dead(long pid);
+
+/// The process number at the end of `name` when it reads `<stem><digits>`; else 0.
+long process_in_name(const std::string& name, const std::string& stem);
+
+/// Sees to what interrupted runs left beside `target`: `<target>.tmp-<pid>` folders of dead runs are removed; `<target>.old-<pid>`
+/// becomes `target` again when that is missing, and is removed otherwise. Folders without our marker and anything else are left alone,
+/// and nothing that cannot be removed is an error.
+void sweep_leftovers(const std::filesystem::path& target) noexcept;
+
+/// The same for the temporary files of replace_file() in `folder`.
+void sweep_file_leftovers(const std::filesystem::path& folder) noexcept;
+
+}   // namespace meshfolio::output

@@ -1,0 +1,222 @@
+#include "output/publish.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include "errors.h"
+#include "file_bytes.h"
+#include "output/folder_system.h"
+#include "output/leftovers.h"
+#include "output/sha256.h"
+#include "output/temporaries.h"
+
+namespace meshfolio::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
+    throw OutputError(path.string(), what + " (" + std::strerror(error) + ")");
+}
+
+/// Absolute, links followed, no trailing slash: what the rename will name.
+fs::path resolved(const fs::path& target) {
+    std::error_code error;
+    fs::path path = fs::weakly_canonical(fs::absolute(target), error);
+    if (error || target.empty()) throw OutputError(target.string(), "cannot be a folder (" + error.message() + ")");
+    if (path.filename().empty()) path = path.parent_path();
+    if (path.filename().empty()) throw OutputError(target.string(), "is the root of the file system", "choose another folder with --out");
+    return path;
+}
+
+/// @throws OutputError if replacing `target` would delete what we did not make
+void require_ours(const fs::path& target) {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(target, error);
+    if (status.type() == fs::file_type::not_found) return;
+    if (error) throw OutputError(target.string(), "cannot be examined (" + error.message() + ")");
+    if (!fs::is_directory(status)) throw OutputError(target.string(), "is not a folder", "choose another with --out");
+    bool foreign = false;
+    fs::directory_iterator it(target, error);
+    if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
+    for (; it != fs::directory_iterator(); ++it) {
+        const fs::path name = it->path().filename();
+        if (name == marker_file) return;
+        if (name != ".gitignore" && process_in_name(name.string(), ".meshfolio.tmp-") == 0) foreign = true;
+    }
+    if (foreign) {
+        throw OutputError(target.string(), "holds files that no report of ours put there, and would be replaced",
+                          "choose a new or empty folder with --out");
+    }
+}
+
+/// Files below `folder`, relative to it, sorted by their bytes.
+std::vector<std::string> files_below(const fs::path& folder) {
+    std::vector<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder).generic_string());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void write_sums(const fs::path& folder) {
+    std::vector<std::string> files = files_below(folder);
+    std::erase(files, sums_file);
+    std::vector<std::string> digests(files.size());
+    tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) { digests[i] = sha256(read_file(folder / files[i])); });
+    std::string sums;
+    for (std::size_t i = 0; i < files.size(); ++i) sums += digests[i] + "  " + files[i] + "\n";
+    write_file(folder / sums_file, sums);
+}
+
+void sync_folders(const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_directory()) OpenFolder(entry.path()).sync();
+    }
+    OpenFolder(folder).sync();
+}
+
+/// Two renames where one exchange is not to be had; what was there waits under a name that the next run knows how to restore.
+void replace_in_two_steps(const fs::path& folder, const fs::path& target) {
+    const fs::path aside = target.string() + ".old-" + process_number();
+    const int moved = rename_with(target, aside, 0);
+    if (moved != 0 && moved != ENOENT) fail(target, "cannot be moved aside", moved);
+    if (const int error = rename_with(folder, target, 0); error != 0) {
+        if (moved == 0) rename_with(aside, target, 0);
+        fail(target, "cannot be put in place", error);
+    }
+    const Temporary replaced(aside);   // removed here
+}
+
+enum class Placed { fresh, exchanged, unsupported };
+
+/// `folder` becomes `target` by one rename. Two first runs may race: whoever comes second finds the name taken and exchanges.
+Placed place(const fs::path& folder, const fs::path& target) {
+    int error = 0;
+    for (int attempt = 0; attempt < 10; ++attempt) {
+        error = rename_with(folder, target, RENAME_NOREPLACE);
+        if (error == 0) return Placed::fresh;
+        if (error == EEXIST || error == ENOTEMPTY) {
+            require_ours(target);
+            error = rename_with(folder, target, RENAME_EXCHANGE);
+            if (error == 0) return Placed::exchanged;
+        }
+        if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP) return Placed::unsupported;
+        if (error != ENOENT) break;
+    }
+    fail(target, "the finished report cannot be put in its place", error);
+}
+
+void place_by_one_rename(const fs::path& folder, const fs::path& target, std::string& note) {
+    const OpenFolder parent(target.parent_path());
+    const auto permission = permission_to_publish();
+    const Placed placed = place(folder, target);
+    if (placed == Placed::unsupported) {
+        replace_in_two_steps(folder, target);
+        note = target.string() + ": this file system cannot exchange folders, so the report was replaced in two steps";
+    }
+    try {
+        parent.sync();
+    } catch (const OutputError&) {   // not known to last: better the old one
+        if (placed == Placed::exchanged) rename_with(folder, target, RENAME_EXCHANGE);
+        if (placed == Placed::fresh) rename_with(target, folder, 0);
+        throw;
+    }
+}
+
+/// For a mount point, which cannot be renamed: file by file, the sums last, so that a mix is at least found out by them.
+void place_file_by_file(const fs::path& folder, const fs::path& target) {
+    const auto permission = permission_to_publish();
+    std::vector<std::string> files = files_below(folder);
+    const std::vector<std::string> old = files_below(target);
+    std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return file != sums_file; });
+    for (const std::string& file : files) {
+        make_folder((target / file).parent_path());
+        if (const int error = rename_with(folder / file, target / file, 0); error != 0)
+            fail(target / file, "cannot be put in place", error);
+    }
+    std::sort(files.begin(), files.end());
+    for (const std::string& file : old) {
+        const bool temporary = process_in_name(file, ".meshfolio.tmp-") != 0;
+        if (!temporary && !std::binary_search(files.begin(), files.end(), file)) fs::remove(target / file);
+    }
+    sync_folders(target);
+}
+
+}   // namespace
+
+struct Publication::Folder : Temporary {
+    using Temporary::Temporary;
+};
+
+Publication::Publication(const fs::path& target) : target_(resolved(target)) {
+    require_ours(target_);
+    make_folder(target_.parent_path());
+    sweep_leftovers(target_);
+    in_place_ = is_mount_point(target_);
+    const fs::path path =
+        in_place_ ? target_ / (".meshfolio.tmp-" + process_number()) : fs::path(target_.string() + ".tmp-" + process_number());
+    folder_ = std::make_unique<Folder>(path);
+    std::error_code error;
+    if (!fs::create_directory(path, error)) {
+        throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")");
+    }
+    write_file(path / marker_file, "This folder was made by meshfolio, which replaces it as a whole.\n");
+}
+
+Publication::~Publication() = default;
+
+const fs::path& Publication::folder() const { return folder_->path(); }
+
+std::string Publication::publish() try {
+    const fs::path kept = target_ / ".gitignore";
+    if (fs::exists(kept)) write_file(folder() / ".gitignore", read_file(kept));
+    write_sums(folder());
+    sync_folders(folder());
+    std::string note;
+    if (in_place_) {
+        place_file_by_file(folder(), target_);
+        note = target_.string() + ": is a mount point, so the report was replaced file by file";
+    } else {
+        place_by_one_rename(folder(), target_, note);
+    }
+    return note;
+} catch (const fs::filesystem_error& error) {
+    throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
+} catch (const InputError& error) {   // a file of ours that cannot be read back
+    throw OutputError(target_.string(), error.what());
+}
+
+void replace_file(const fs::path& path, std::string_view bytes) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(path, error);
+    if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
+    const fs::file_status status = fs::status(target, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, bytes);
+    const fs::path folder = fs::absolute(target).parent_path();
+    if (!fs::is_directory(folder, error)) throw OutputError(path.string(), "its folder does not exist", "create it first");
+    sweep_file_leftovers(folder);
+    static std::atomic<int> number = 0;
+    const Temporary part(folder / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
+    try {
+        write_file(part.path(), bytes);
+    } catch (const OutputError& failure) {   // name the file that was asked for
+        throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
+    }
+    const OpenFolder parent(folder);
+    const auto permission = permission_to_publish();
+    if (const int code = rename_with(part.path(), target, 0); code != 0) fail(path, "cannot be put in place", code);
+    parent.sync();
+}
+
+void abandon_publications() noexcept { remove_all_temporaries(); }
+
+}   // namespace meshfolio::output

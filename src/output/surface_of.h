@@ -1,0 +1,22 @@
+/// @file
+/// Our meshes, values and ranges as the renderer knows them.
+#pragma once
+
+#include "contact_sheet.h"
+#include "draw_mesh.h"
+#include "mesh/triangle_mesh.h"
+#include "output/figure_request.h"
+
+namespace meshfolio::output {
+
+/// A view of the mesh (and of `values`, one a vertex, when given); both must outlive it.
+render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = nullptr);
+
+render::Bounds bounds_of(const TriangleMesh& mesh);
+
+/// @throws UsageError for an unknown colour map, naming the known ones
+render::ValueRange value_range(const ColorRange& range);
+
+render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
+
+}   // namespace meshfolio::output

@@ -1,0 +1,75 @@
+#include "output/temporaries.h"
+
+#include <unistd.h>
+
+#include <set>
+#include <string>
+#include <system_error>
+
+#include "output/publish.h"
+
+namespace meshfolio::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Registry {
+    std::mutex publishing;   // the permission
+    std::mutex listing;      // guards `paths`
+    std::set<fs::path> paths;
+};
+
+/// Never destroyed: a signal may come while the program ends.
+Registry& registry() {
+    static auto* const instance = new Registry;
+    return *instance;
+}
+
+/// The marker goes last: a removal that is cut short leaves a folder the next run still knows as ours.
+void remove_contents(const fs::path& folder, std::error_code& error) {
+    if (fs::is_symlink(fs::symlink_status(folder, error)) || !fs::is_directory(folder, error)) return;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        if (it->path().filename() != marker_file) fs::remove_all(it->path(), error);
+    }
+}
+
+/// Repeated, because a writer that is still running may add a file between the listing and the removal of its folder.
+void remove_stubbornly(const fs::path& path) noexcept {
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        std::error_code error;
+        try {
+            remove_contents(path, error);
+            fs::remove_all(path, error);
+        } catch (const std::exception&) {   // no memory to name an entry; tried again
+            continue;
+        }
+        if (!error) return;
+        ::usleep(1000);
+    }
+}
+
+}   // namespace
+
+Temporary::Temporary(fs::path path) : path_(std::move(path)) {
+    const std::lock_guard lock(registry().listing);
+    registry().paths.insert(path_);
+}
+
+Temporary::~Temporary() {
+    remove_stubbornly(path_);
+    const std::lock_guard lock(registry().listing);
+    registry().paths.erase(path_);
+}
+
+std::unique_lock<std::mutex> permission_to_publish() { return std::unique_lock(registry().publishing); }
+
+void remove_all_temporaries() noexcept {
+    registry().publishing.lock();   // and never unlocked
+    registry().listing.lock();
+    for (const auto& path : registry().paths) remove_stubbornly(path);
+}
+
+std::string process_number() { return std::to_string(::getpid()); }
+
+}   // namespace meshfolio::output

@@ -1,0 +1,209 @@
+#include "questions/mesh_library.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+
+#include "embedded_data.h"
+#include "errors.h"
+#include "file_bytes.h"
+#include "output/sha256.h"
+
+namespace meshfolio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<MeshRole, 13> roles{{
+    {"plane", "curvatures/plane.obj", "plane.obj"},
+    {"lilium", "curvatures/lilium_s.obj", "lily.obj"},
+    {"armadillo", "decompose/armadillo.obj", "creature.obj"},
+    {"plane_ns", "smoothing/plane_ns.obj", "plane_noisy.obj"},
+    {"fandisk_ns", "smoothing/fandisk_ns.obj", "fandisk_noisy.obj"},
+    {"cube", "", "cube.obj"},
+    {"cube8", "", "cube8.obj"},
+    {"sphere", "", "sphere.obj"},
+    {"ellipsoid", "", "ellipsoid.obj"},
+    {"torus", "", "torus.obj"},
+    {"bumpy_cube", "", "bumpy_cube.obj"},
+    {"saddle", "", "saddle.obj"},
+    {"fandisk", "", "fandisk_like.obj"},
+}};
+
+const MeshRole& role_named(const std::string& name) {
+    const auto it = std::find_if(roles.begin(), roles.end(), [&](const MeshRole& role) { return role.role == name; });
+    if (it == roles.end()) throw UsageError("no mesh has the role '" + name + "'");
+    return *it;
+}
+
+std::optional<std::string_view> bundled(std::string_view file) {
+    for (const auto& entry : meshfolio_embedded::embedded_data()) {
+        if (entry.name == file) return entry.bytes;
+    }
+    return {};
+}
+
+/// The bundled mesh that stands for a path: by the assignment's path, the file's name, or a bare stem such as "torus".
+const MeshRole* role_of_path(const std::string& path) {
+    const auto stands_for = [&](const MeshRole& role) {
+        return path == role.asked || path == role.bundled || path + ".obj" == role.bundled ||
+               (!role.asked.empty() && fs::path(path).filename() == fs::path(role.asked).filename());
+    };
+    const auto it = std::find_if(roles.begin(), roles.end(), stands_for);
+    return it == roles.end() ? nullptr : &*it;
+}
+
+/// `path` in the first of `folders` that has it, by the path itself or by the bare file name.
+std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const fs::path& path) {
+    for (const fs::path& folder : folders) {
+        for (const fs::path& candidate : {folder / path, folder / path.filename()}) {
+            if (std::error_code error; fs::exists(candidate, error)) return candidate;
+        }
+    }
+    return {};
+}
+
+/// Messages name the file as it was asked for, not where the machine keeps it: they end up in the report.
+std::string bytes_of(const fs::path& path, const std::string& label) try { return read_file(path); } catch (const InputError& error) {
+    const std::string message = error.what(), where = printable(path.string());
+    throw InputError({}, message.starts_with(where) ? label + message.substr(where.size()) : message);
+}
+
+}   // namespace
+
+std::span<const MeshRole> mesh_role_list() { return roles; }
+
+std::string short_name(const fs::path& path) {
+    std::string name;
+    for (const char c : path.stem().string()) {
+        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        const bool good = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
+        if (good) name += lower;
+        if (!good && !name.empty() && name.back() != '_') name += '_';
+    }
+    name.resize(std::min<std::size_t>(name.size(), 40));
+    while (name.ends_with('_')) name.pop_back();
+    return name.empty() ? "mesh" : name;
+}
+
+/// Where a mesh comes from, before it is read.
+struct MeshLibrary::Found {
+    std::optional<fs::path> path;   // of a file; none: `bundled_file`
+    std::string_view bundled_file;
+    std::string label;   // as messages call it
+    std::string name;
+    report::Input input;
+};
+
+MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::path> own_meshes, const std::vector<fs::path>& listed)
+    : folders_(std::move(data_folders)), own_(std::move(own_meshes)) {
+    for (const fs::path& folder : folders_) {
+        std::error_code error;
+        if (!fs::is_directory(folder, error)) throw InputError({folder.string()}, "is not a folder of meshes", "correct --data");
+    }
+    std::set<std::string> taken;
+    for (const std::vector<fs::path>& paths : {own_, listed}) {
+        for (const fs::path& path : paths) {
+            if (names_.contains(path.string())) continue;
+            std::string name = short_name(path);
+            for (int number = 2; !taken.insert(name).second; ++number) name = short_name(path) + "_" + std::to_string(number);
+            names_[path.string()] = name;
+        }
+    }
+}
+
+std::string MeshLibrary::name_of(const fs::path& path) const {
+    const auto it = names_.find(path.string());
+    return it == names_.end() ? short_name(path) : it->second;
+}
+
+MeshLibrary::Found MeshLibrary::found_role(const MeshRole& role) const {
+    Found found;
+    found.input.role = role.role;
+    found.input.asked = role.asked;
+    if (!role.asked.empty()) found.path = in_folders(folders_, role.asked);
+    found.bundled_file = role.bundled;
+    found.input.stand_in = !found.path && !role.asked.empty();
+    const fs::path file = found.path ? *found.path : fs::path(role.bundled);
+    found.input.file = file.filename().string();
+    found.label = found.path ? std::string(role.asked) : found.input.file;
+    found.name = short_name(file);
+    return found;
+}
+
+MeshLibrary::Found MeshLibrary::found_file(const fs::path& path, const fs::path& base) const {
+    Found found;
+    found.name = name_of(path);
+    found.label = path.string();
+    found.input.role = found.name;
+    found.input.file = path.filename().string();
+    if (std::error_code error; fs::exists(base / path, error)) {
+        found.path = base / path;
+    } else if (const auto in_data = in_folders(folders_, path)) {
+        found.path = in_data;
+    } else if (const MeshRole* role = role_of_path(path.string())) {
+        found.bundled_file = role->bundled;
+        found.input.file = role->bundled;
+        found.input.stand_in = path.filename() != role->bundled && path.string() + ".obj" != role->bundled;
+        found.input.asked = found.input.stand_in ? path.string() : "";
+    } else {
+        throw InputError({path.string()}, "no such mesh beside the settings file, in the data folders or among the bundled meshes",
+                         "`meshfolio list` names the bundled ones");
+    }
+    return found;
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const std::string& key, const std::function<Found()>& find) const {
+    // Held while reading: a mesh that two questions want is read once.
+    const std::lock_guard lock(mutex_);
+    if (const auto it = cache_.find(key); it != cache_.end()) return it->second;
+    const Found found = find();
+    std::string from_file;
+    std::string_view bytes;
+    if (found.path) {
+        bytes = from_file = bytes_of(*found.path, found.label);
+    } else if (const auto embedded = bundled(found.bundled_file)) {
+        bytes = *embedded;
+    } else {
+        throw InputError({std::string(found.bundled_file)}, "is not among the bundled meshes of this build");
+    }
+    auto mesh = std::make_shared<LibraryMesh>();
+    // The ending of the file decides the format; the label may be a role's path.
+    mesh->prepared = std::make_shared<const PreparedMesh>(prepare_mesh(parse_mesh(bytes, found.label)));
+    mesh->input = found.input;
+    mesh->input.sha256 = output::sha256(bytes);
+    mesh->input.vertices = mesh->prepared->mesh.vertex_count();
+    mesh->input.triangles = mesh->prepared->mesh.face_count();
+    mesh->name = found.name;
+    return cache_[key] = mesh;
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::role(const std::string& name) const {
+    if (!own_.empty()) return own_meshes().front();
+    const MeshRole& role = role_named(name);
+    return loaded("role " + name, [&] { return found_role(role); });
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::file(const fs::path& path, const fs::path& base) const {
+    return loaded("file " + (base / path).string(), [&] { return found_file(path, base); });
+}
+
+std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
+    std::vector<std::shared_ptr<const LibraryMesh>> meshes;
+    for (const fs::path& path : own_) {
+        meshes.push_back(loaded("own " + path.string(), [&] {
+            Found found;
+            found.path = path;
+            found.label = path.filename().string();
+            found.name = name_of(path);
+            found.input.role = "your mesh";
+            found.input.file = found.label;
+            return found;
+        }));
+    }
+    return meshes;
+}
+
+}   // namespace meshfolio
