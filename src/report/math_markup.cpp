@@ -46,6 +46,17 @@ std::string script_at(const std::string& s, std::size_t& at) {
     return script;
 }
 
+bool is_greek(std::string_view c) { return is_small_greek(c) || (c.size() == 2 && c >= "\u0391" && c <= "\u03a9"); }
+
+/// Where the symbol that begins at `at` ends; `at` if none does.
+std::size_t symbol_end(const std::string& s, std::size_t at) {
+    const std::size_t letter = character_length(s, at);
+    if (!is_greek(std::string_view(s).substr(at, letter)) || at + letter >= s.size() || s[at + letter] != '_') return at;
+    std::size_t end = at + letter + 1;
+    while (end < s.size() && (is_letter(s[end]) || is_digit(s[end]))) ++end;
+    return end == at + letter + 1 ? at : end;
+}
+
 void append(std::vector<MathPart>& parts, MathPart::Kind kind, const std::string& text) {
     const bool joins = kind == MathPart::Kind::upright && !parts.empty() && parts.back().kind == kind;
     if (joins) {
@@ -78,6 +89,29 @@ std::vector<MathPart> math_parts(const std::string& math) {
         }
     }
     return parts;
+}
+
+Text prose(const std::string& words) {
+    Text runs;
+    std::string plain;
+    const auto flush = [&] {
+        if (!plain.empty()) runs.push_back({Run::Kind::plain, plain});
+        plain.clear();
+    };
+    for (std::size_t at = 0; at < words.size();) {
+        const std::size_t end = symbol_end(words, at);
+        if (end > at) {
+            flush();
+            runs.push_back(math(words.substr(at, end - at)));
+            at = end;
+        } else {
+            const std::size_t length = character_length(words, at);
+            plain += words.substr(at, length);
+            at += length;
+        }
+    }
+    flush();
+    return runs;
 }
 
 }   // namespace meshfolio::report

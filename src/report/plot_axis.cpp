@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "number_text.h"
+#include "report/brief_number.h"
 
 namespace meshfolio::report {
 
@@ -40,16 +40,13 @@ std::vector<Tick> linear_ticks(double low, double high) {
 /// 0.01 to 1000 in plain, powers of ten beyond.
 std::string decade_label(int exponent) {
     if (exponent >= -2 && exponent <= 3) return readable(std::pow(10, exponent), 1);
-    constexpr const char* superscript[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string label = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent))) label += superscript[digit - '0'];
-    return label;
+    return power_of_ten(exponent);
 }
 
 /// Decades, every second or third of them when there are many; 1-2-5 when there are few.
 std::vector<Tick> logarithmic_ticks(double low, double high) {
     const int first = static_cast<int>(std::floor(std::log10(low) + 1e-9)), last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
-    const double decades = std::log10(high / low);
+    const double decades = std::log10(high) - std::log10(low);
     if (decades < 0.7) return linear_ticks(low, high);
     const int stride = static_cast<int>(std::ceil(decades / 8));
     std::vector<Tick> ticks;
@@ -80,7 +77,7 @@ Axis::Axis(const std::vector<double>& values, bool logarithmic) : logarithmic_(l
         low_ = logarithmic ? 0.1 : 0;
         high_ = logarithmic ? 10 : 1;
     } else if (logarithmic) {
-        const double margin = low == high ? 2 : std::pow(high / low, 0.03);
+        const double margin = low == high ? 2 : std::exp(0.03 * (std::log(high) - std::log(low)));   // the quotient may overflow
         low_ = std::max(low / margin, 1e-307);
         high_ = std::min(high * margin, 1e307);
     } else {
@@ -98,7 +95,7 @@ Axis::Axis(const std::vector<double>& values, bool logarithmic) : logarithmic_(l
 bool Axis::shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0) && std::abs(value) < 1e300; }
 
 double Axis::position(double value) const {
-    if (logarithmic_) return std::log(value / low_) / std::log(high_ / low_);
+    if (logarithmic_) return (std::log(value) - std::log(low_)) / (std::log(high_) - std::log(low_));
     return (value - low_) / (high_ - low_);
 }
 

@@ -7,7 +7,7 @@ namespace meshfolio::report {
 
 namespace {
 
-constexpr double mean_character_width = 0.58 * font_size;
+constexpr double mean_character_width = 0.58 * font_size, clearance = 3;
 
 double overlap(const Box& a, const Box& b) {
     const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
@@ -45,8 +45,9 @@ double LabelPlacer::cost(const Box& box) const {
     double sum = 20 * (area(box) - overlap(box, frame_));
     for (const Box& other : taken_) sum += 10 * overlap(box, other);
     for (const Point& p : data_) {
-        const bool covered = p.x > box.left && p.x < box.right && p.y > box.top && p.y < box.bottom;
-        if (covered) sum += 8;
+        const bool covered =
+            p.x > box.left - clearance && p.x < box.right + clearance && p.y > box.top - clearance && p.y < box.bottom + clearance;
+        if (covered) sum += 40;
     }
     return sum;
 }

@@ -6,6 +6,7 @@
 
 #include "number_text.h"
 #include "report/escape.h"
+#include "report/math_markup.h"
 #include "report/plot_axis.h"
 #include "report/plot_labels.h"
 #include "report/writers.h"
@@ -32,8 +33,25 @@ Look look_of(std::size_t index, const Series& series) {
 /// A coordinate to a tenth of a pixel.
 std::string px(double x) { return plain_text(std::round(10 * x) / 10, 6); }
 
+/// Escaped text with the indices of its symbols lowered: λ_crit.
+std::string with_indices(const std::string& words) {
+    std::string marked, shift;   // `shift` takes the next part back to the base line
+    for (const Run& run : prose(words)) {
+        for (const MathPart& part :
+             run.kind == Run::Kind::math ? math_parts(run.content) : std::vector<MathPart>{{MathPart::Kind::upright, run.content}}) {
+            const bool lowered = part.kind == MathPart::Kind::subscript;
+            const std::string text = xml_escape(safe_text(part.text));
+            marked += lowered         ? "<tspan dy=\"3.5\" font-size=\"9.5\">" + text + "</tspan>"
+                      : shift.empty() ? text
+                                      : "<tspan" + shift + ">" + text + "</tspan>";
+            shift = lowered ? " dy=\"-3.5\"" : "";
+        }
+    }
+    return marked;
+}
+
 std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more = "") {
-    return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + xml_escape(safe_text(text)) +
+    return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + with_indices(text) +
            "</text>\n";
 }
 
@@ -61,8 +79,8 @@ std::string point_shape(Point p, int shape, const std::string& color) {
     }
 }
 
-/// A run of points without a gap.
-using Run = std::vector<Point>;
+/// Points of a curve without a gap.
+using Stretch = std::vector<Point>;
 
 class Drawing {
 public:
@@ -114,8 +132,8 @@ private:
     double at_x(double x) const { return frame_.left + x_.position(x) * (frame_.right - frame_.left); }
 
     /// The points of a series, broken where a value is undefined or the axis cannot show it.
-    std::vector<Run> runs_of(const Series& series, const std::vector<double>& y) const {
-        std::vector<Run> runs(1);
+    std::vector<Stretch> runs_of(const Series& series, const std::vector<double>& y) const {
+        std::vector<Stretch> runs(1);
         for (std::size_t i = 0; i < std::min(series.x.size(), y.size()); ++i) {
             if (shows(series.x[i], y[i])) {
                 runs.back().push_back(at(series.x[i], y[i]));
@@ -230,7 +248,7 @@ private:
     std::string band(std::size_t i) const {
         const Series& series = plot_.series[i];
         std::string path;
-        Run lower, upper;
+        Stretch lower, upper;
         const auto close = [&] {
             for (std::size_t k = 0; k < upper.size(); ++k) path += (k == 0 ? "M" : "L") + px(upper[k].x) + " " + px(upper[k].y);
             for (auto p = lower.rbegin(); p != lower.rend(); ++p) path += "L" + px(p->x) + " " + px(p->y);
@@ -258,10 +276,10 @@ private:
         std::string path, points;
         std::size_t count = 0;
         const auto runs = runs_of(series, series.y);
-        for (const Run& run : runs) count += run.size();
+        for (const Stretch& run : runs) count += run.size();
         const std::size_t stride = series.style == Series::Style::line_and_points ? 1 + count / 40 : 1;
         std::size_t index = 0;
-        for (const Run& run : runs) {
+        for (const Stretch& run : runs) {
             for (std::size_t k = 0; with_line && run.size() > 1 && k < run.size(); ++k) {
                 path += (k == 0 ? "M" : "L") + px(run[k].x) + " " + px(run[k].y);
             }
@@ -284,11 +302,11 @@ private:
         return svg;
     }
 
-    /// Points along all curves, for the labels to keep clear of.
+    /// Points along all curves and lines, for the labels to keep clear of.
     std::vector<Point> data_points() const {
         std::vector<Point> points;
         for (const Series& series : plot_.series) {
-            for (const Run& run : runs_of(series, series.y)) {
+            for (const Stretch& run : runs_of(series, series.y)) {
                 for (std::size_t k = 0; k < run.size(); ++k) {
                     points.push_back(run[k]);
                     if (k == 0 || series.style == Series::Style::points) continue;
@@ -297,6 +315,10 @@ private:
                     for (int s = 1; s < steps; ++s) points.push_back({a.x + (b.x - a.x) * s / steps, a.y + (b.y - a.y) * s / steps});
                 }
             }
+        }
+        for (const auto& line : plot_.vertical_lines) {
+            if (!x_.shows(line.x)) continue;
+            for (double y = frame_.top; y < frame_.bottom; y += 6) points.push_back({at_x(line.x), y});
         }
         return points;
     }

@@ -24,9 +24,8 @@ json math_view(const std::string& math) {
     return parts;
 }
 
-json run_view(const Run& run, const Numbering& numbering) {
+json run_view(const Run& run, const Reference& target) {
     const bool is_reference = run.kind == Run::Kind::reference;
-    const Reference target = is_reference ? numbering.resolve(run.content) : Reference{};
     return {{"text", safe_text(is_reference ? target.label : run.content)},
             {"href", "#" + url_path(target.anchor)},
             {"parts", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
@@ -57,7 +56,7 @@ json plot_view(const Plot& plot, const ViewContext& context) {
     }
     return {{"id", safe_text(plot.id)},
             {"label", context.numbering.resolve(plot.id).label},
-            {"caption", safe_text(plot.caption)},
+            {"caption", prose_view(plot.caption)},
             {"alt", safe_text(plot.alt)},
             {"x_label", safe_text(plot.x_label)},
             {"y_label", safe_text(plot.y_label)},
@@ -92,7 +91,7 @@ json figure_view(const Figure& figure, const ViewContext& context) {
     const bool inside = context.options.pictures && !drawn.preview_jpeg.empty();
     return {{"id", safe_text(figure.id)},
             {"label", context.numbering.resolve(figure.id).label},
-            {"caption", safe_text(figure.caption)},
+            {"caption", prose_view(figure.caption)},
             {"alt", safe_text(figure.alt)},
             {"is_drawn", is_drawn},
             {"sheet", sheet},
@@ -109,15 +108,27 @@ json figure_view(const Figure& figure, const ViewContext& context) {
 
 json text_view(const Text& text, const Numbering& numbering) {
     json runs = json::array();
-    for (const Run& run : text) runs.push_back(run_view(run, numbering));
+    for (const Run& run : text) {
+        if (run.kind == Run::Kind::plain) {
+            for (const Run& part : prose(run.content)) runs.push_back(run_view(part, {}));
+        } else {
+            runs.push_back(run_view(run, run.kind == Run::Kind::reference ? numbering.resolve(run.content) : Reference{}));
+        }
+    }
     return runs;
+}
+
+json prose_view(const std::string& words) {
+    json runs = json::array();
+    for (const Run& run : prose(words)) runs.push_back(run_view(run, {}));
+    return {{"runs", std::move(runs)}};
 }
 
 json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context) {
     json view = json::object();
     if (const auto* heading = std::get_if<Heading>(&block)) {
         const std::string number = section_number + "." + std::to_string(++headings);
-        view = {{"title", safe_text(heading->title)}, {"number", number}, {"anchor", "section-" + number}};
+        view = {{"title", prose_view(heading->title)}, {"number", number}, {"anchor", "section-" + number}};
     } else if (const auto* paragraph = std::get_if<Paragraph>(&block)) {
         view["runs"] = text_view(paragraph->text, context.numbering);
     } else if (const auto* list = std::get_if<BulletList>(&block)) {

@@ -22,6 +22,9 @@ struct ViewContext {
 /// Runs of a text, references resolved.
 nlohmann::json text_view(const Text& text, const Numbering& numbering);
 
+/// A caption, a name, a heading: `{runs}` as of a text, symbols found.
+nlohmann::json prose_view(const std::string& words);
+
 nlohmann::json table_view(const Table& table, const ViewContext& context);
 
 /// A heading gets the next of the section's subsection numbers, counted in `headings`.

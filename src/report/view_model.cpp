@@ -1,10 +1,12 @@
 #include "report/view_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "number_text.h"
+#include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/view_blocks.h"
 
@@ -18,7 +20,7 @@ constexpr std::size_t findings_shown = 5;
 
 json names_and_values(const std::map<std::string, std::string>& pairs) {
     json list = json::array();
-    for (const auto& [name, value] : pairs) list.push_back({{"name", safe_text(name)}, {"value", safe_text(value)}});
+    for (const auto& [name, value] : pairs) list.push_back({{"name", prose_view(name)}, {"value", prose_view(value)}});
     return list;
 }
 
@@ -28,15 +30,18 @@ std::size_t passed_in(const Section& section) {
     return static_cast<std::size_t>(std::count_if(section.checks.begin(), section.checks.end(), [](const Check& c) { return c.passed; }));
 }
 
+/// Counts stay whole numbers; 2.000 says that four digits agree, 2 that it is exactly two.
+std::string measured_text(const Check& check) {
+    const bool whole = std::trunc(check.measured) == check.measured && std::abs(check.measured) < 1e9;
+    return whole ? readable_integer(check.measured) : readable(check.measured, 4);
+}
+
 json check_view(const Check& check) {
     const bool near = check.kind == Check::Kind::near;
     const std::string relation = near ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
-    return {{"name", safe_text(check.name)},
-            {"expected", relation + readable(check.expected, 4)},
-            {"measured", readable(check.measured, 4)},
-            {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + readable(check.tolerance, 2)},
-            {"passed", check.passed},
-            {"note", safe_text(check.note)},
+    return {{"name", prose_view(check.name)},   {"expected", relation + brief(check.expected, 4)},
+            {"measured", measured_text(check)}, {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
+            {"passed", check.passed},           {"note", prose_view(check.note)},
             {"has_note", !check.note.empty()}};
 }
 
@@ -63,12 +68,12 @@ json input_view(const Input& input) {
             {"file", safe_text(input.file)},
             {"is_stand_in", input.stand_in},
             {"sha256", safe_text(input.sha256)},
-            {"vertices", readable(input.vertices, 12)},
-            {"triangles", readable(input.triangles, 12)}};
+            {"vertices", readable_integer(input.vertices)},
+            {"triangles", readable_integer(input.triangles)}};
 }
 
 json code_view(const CodeReference& code) {
-    return {{"function", safe_text(code.function)}, {"file", safe_text(code.file)}, {"purpose", safe_text(code.purpose)}};
+    return {{"function", safe_text(code.function)}, {"file", safe_text(code.file)}, {"purpose", prose_view(code.purpose)}};
 }
 
 json links_view(const std::vector<std::string>& files) {
@@ -93,7 +98,7 @@ json section_head(const Section& section, const std::string& number) {
     head["is_ok"] = section.status == Status::ok;
     head["is_failed"] = section.status == Status::failed;
     head["is_skipped"] = section.status == Status::skipped;
-    head["extent"] = safe_text(section.extent);
+    head["extent"] = prose_view(section.extent);
     head["has_extent"] = !section.extent.empty();
     head["failure"] = safe_text(section.failure);
     head["figure_count"] = std::to_string(count_of<Figure>(section) + count_of<Plot>(section));
@@ -104,7 +109,7 @@ json section_head(const Section& section, const std::string& number) {
 
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
     json view = section_head(section, number);
-    view["asked"] = safe_text(section.asked);
+    view["asked"] = prose_view(section.asked);
     view["has_asked"] = !section.asked.empty();
     view["inputs"] = list_of(section.inputs, input_view);
     view["has_inputs"] = !section.inputs.empty();

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "number_text.h"
+#include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/view_blocks.h"
 
@@ -41,29 +42,43 @@ std::optional<double> best_of(const Table& table, std::size_t column) {
     return table.columns[column].best == Column::Best::smallest ? *smallest : *largest;
 }
 
-std::string cell_text(const std::vector<Cell>& row, std::size_t column, const Column& format) {
-    if (const double* x = number_in(row, column)) return readable(*x, format.digits);
-    if (column < row.size()) {
-        if (const auto* words = std::get_if<std::string>(&row[column])) return safe_text(*words);
+enum class Notation { whole, plain, scientific };
+
+/// Counts are shown whole. When one number of a column needs a power of ten, the others far from 1 are written with one too.
+Notation notation_of(const Table& table, std::size_t column) {
+    bool whole = true, power = false;
+    for (const auto& row : table.rows) {
+        const double* x = number_in(row, column);
+        if (!x || !std::isfinite(*x)) continue;
+        whole = whole && std::trunc(*x) == *x && std::abs(*x) < 1e9;
+        power = power || readable(*x, table.columns[column].digits).find("×") != std::string::npos;
     }
-    return "–";
+    return whole ? Notation::whole : power ? Notation::scientific : Notation::plain;
 }
 
-/// Characters from the decimal point to the end; nothing for numbers written with a power of ten.
-std::optional<std::size_t> decimals_of(const std::string& number) {
-    if (number.find("×") != std::string::npos) return {};
-    const std::size_t point = number.find('.');
-    return point == std::string::npos ? 0 : number.size() - point;
+std::string number_text(double x, Notation notation, int digits) {
+    const bool near_one = std::abs(x) >= 0.01 && std::abs(x) < 1000;
+    if (notation == Notation::scientific && !near_one) return scientific(x, digits);
+    return notation == Notation::whole ? readable_integer(x) : readable(x, digits);
+}
+
+/// The column's numbers as they are printed, "–" for what is undefined; texts are left empty.
+std::vector<std::string> number_texts(const Table& table, std::size_t column) {
+    const Notation notation = notation_of(table, column);
+    std::vector<std::string> texts;
+    for (const auto& row : table.rows) {
+        const double* x = number_in(row, column);
+        texts.push_back(x ? number_text(*x, notation, table.columns[column].digits) : "–");
+    }
+    return texts;
 }
 
 /// Figure spaces that put the decimal points of a right-aligned column under each other; none where powers of ten are mixed in.
-std::vector<std::string> paddings_of(const Table& table, std::size_t column) {
-    std::vector<std::size_t> decimals;
-    for (const auto& row : table.rows) {
-        const double* x = number_in(row, column);
-        const auto count = decimals_of(x ? readable(*x, table.columns[column].digits) : "");
-        if (!count) return std::vector<std::string>(table.rows.size());
-        decimals.push_back(*count);
+std::vector<std::string> paddings_of(const std::vector<std::string>& texts) {
+    std::vector<std::size_t> decimals;   // characters from the point to the end
+    for (const std::string& text : texts) {
+        if (text.find("×") != std::string::npos) return std::vector<std::string>(texts.size());
+        decimals.push_back(text.size() - std::min(text.find('.'), text.size()));
     }
     const std::size_t most = decimals.empty() ? 0 : *std::max_element(decimals.begin(), decimals.end());
     std::vector<std::string> paddings;
@@ -78,18 +93,28 @@ std::vector<std::string> paddings_of(const Table& table, std::size_t column) {
 struct ColumnView {
     bool numeric;
     std::optional<double> best;
-    std::vector<std::string> paddings;   // one a row
+    std::vector<std::string> texts, paddings;   // one a row
 };
+
+ColumnView column_view(const Table& table, std::size_t column) {
+    ColumnView view{is_numeric(table, column), best_of(table, column), number_texts(table, column), {}};
+    view.paddings = view.numeric ? paddings_of(view.texts) : std::vector<std::string>(view.texts.size());
+    return view;
+}
 
 json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& columns) {
     json cells = json::array();
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const double* x = number_in(table.rows[r], c);
-        cells.push_back({{"text", cell_text(table.rows[r], c, table.columns[c])},
-                         {"padding", columns[c].numeric ? columns[c].paddings[r] : ""},
-                         {"is_numeric", columns[c].numeric},
-                         {"is_best", x && columns[c].best && *x == *columns[c].best},
-                         {"is_row_header", c == 0}});
+        const auto* words = c < table.rows[r].size() ? std::get_if<std::string>(&table.rows[r][c]) : nullptr;
+        json cell = prose_view(words ? *words : "");
+        cell["is_words"] = words != nullptr;
+        cell["number"] = columns[c].texts[r];
+        cell["padding"] = columns[c].paddings[r];
+        cell["is_numeric"] = columns[c].numeric;
+        cell["is_best"] = x && columns[c].best && *x == *columns[c].best;
+        cell["is_row_header"] = c == 0;
+        cells.push_back(std::move(cell));
     }
     return {{"cells", std::move(cells)}, {"is_gap", false}};
 }
@@ -107,9 +132,9 @@ json table_view(const Table& table, const ViewContext& context) {
     bool has_best = false;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         const Column& column = table.columns[c];
-        columns.push_back({is_numeric(table, c), best_of(table, c), paddings_of(table, c)});
+        columns.push_back(column_view(table, c));
         has_best = has_best || columns.back().best;
-        heads.push_back({{"name", safe_text(column.name)},
+        heads.push_back({{"name", prose_view(column.name)},
                          {"unit", safe_text(column.unit)},
                          {"has_unit", !column.unit.empty()},
                          {"is_numeric", columns.back().numeric}});
@@ -121,10 +146,14 @@ json table_view(const Table& table, const ViewContext& context) {
     if (first + last < total) rows.push_back(gap_view(total - first - last, columns.size()));
     for (std::size_t r = total - last; r < total; ++r) rows.push_back(row_view(table, r, columns));
     const Reference self = context.numbering.resolve(table.id);
-    return {{"id", safe_text(table.id)},           {"label", self.label},
-            {"caption", safe_text(table.caption)}, {"csv", url_path("tables/" + table.id + ".csv")},
-            {"columns", std::move(heads)},         {"rows", std::move(rows)},
-            {"is_cut", first + last < total},      {"has_best", has_best}};
+    return {{"id", safe_text(table.id)},
+            {"label", self.label},
+            {"caption", prose_view(table.caption)},
+            {"csv", url_path("tables/" + table.id + ".csv")},
+            {"columns", std::move(heads)},
+            {"rows", std::move(rows)},
+            {"is_cut", first + last < total},
+            {"has_best", has_best}};
 }
 
 }   // namespace meshfolio::report
