@@ -86,7 +86,7 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     const Vector squared = (a.X - b.X).rowwise().squaredNorm();
     if (squared.size() > 0) difference.max = std::sqrt(squared.maxCoeff());
     const Vector areas = vertex_areas(a, AreaForm::barycentric);
-    if (areas.sum() > 0) difference.area_weighted_rms = std::sqrt(areas.dot(squared) / areas.sum());
+    if (areas.sum() > 0) difference.area_weighted_rms = std::sqrt((areas / areas.sum()).dot(squared));
     if (a.face_count() > 0) difference.hausdorff = two_sided_hausdorff(a, b);
     compare_normals(a, b, difference);
     const double volume = signed_volume(a);
