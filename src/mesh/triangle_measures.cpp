@@ -1,5 +1,6 @@
 #include "mesh/triangle_measures.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "mesh/mesh_topology.h"
