@@ -42,12 +42,17 @@ LoadedMesh parse_stl(std::string_view bytes, const std::string& file);
 /// @throws UsageError for another ending
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file);
 
+/// The ending of a file's name with its dot: ".obj" of "Cow.OBJ".
+std::string lower_case_ending(const std::string& file);
+
 /// encode_mesh into a file, checked.
 /// @throws OutputError
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
-/// Triangles of a polygon given by its corner positions in order: a fan when convex, ear clipping in the plane of the
-/// Newell normal otherwise. Indices are into `corners`. Independent of where the polygon lies.
+/// Triangles of a polygon given by its corner positions in order: the fan around its first corner where that is right (always
+/// when convex), ear clipping in the plane of the Newell normal otherwise. Indices are into `corners`. Independent of where
+/// the polygon lies and how large it is.
+/// @throws MeshError with fewer than 3 corners or more than 65536
 Faces triangulate_polygon(const Positions& corners);
 
 }   // namespace meshfolio

@@ -24,20 +24,6 @@ void check_faces(const TriangleMesh& mesh) {
     }
 }
 
-/// Row v: triangles around v, ascending, by counting sort; a triangle that names v twice stands there twice.
-Incidence triangles_around(const TriangleMesh& mesh) {
-    Incidence around;
-    around.start.assign(at(mesh.vertex_count()) + 1, 0);
-    for (const int v : mesh.F.reshaped()) ++around.start[at(v) + 1];
-    std::partial_sum(around.start.begin(), around.start.end(), around.start.begin());
-    around.item.resize(at(mesh.face_count()) * 3);
-    std::vector<int> next(around.start.begin(), around.start.end() - 1);
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        for (int k = 0; k < 3; ++k) around.item[at(next[at(mesh.F(t, k))]++)] = t;
-    }
-    return around;
-}
-
 /// For each vertex a, the ends b > a of its triangles' edges are sorted; equal ones are one edge.
 std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& vertex_faces) {
     std::vector<Edge> edges;
@@ -151,6 +137,19 @@ int count_where(const Items& items, Condition condition) {
 }
 
 }   // namespace
+
+Incidence triangles_around(const TriangleMesh& mesh) {
+    Incidence around;
+    around.start.assign(at(mesh.vertex_count()) + 1, 0);
+    for (const int v : mesh.F.reshaped()) ++around.start[at(v) + 1];
+    std::partial_sum(around.start.begin(), around.start.end(), around.start.begin());
+    around.item.resize(at(mesh.face_count()) * 3);
+    std::vector<int> next(around.start.begin(), around.start.end() - 1);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        for (int k = 0; k < 3; ++k) around.item[at(next[at(mesh.F(t, k))]++)] = t;
+    }
+    return around;
+}
 
 std::vector<Edge> edges_of(const TriangleMesh& mesh) { return collected_edges(mesh, triangles_around(mesh)); }
 

@@ -36,6 +36,9 @@ struct MeshTopology {
     int nonmanifold_vertex_count() const;
 };
 
+/// Row v: triangles around v, ascending; a triangle that names v twice stands there twice.
+Incidence triangles_around(const TriangleMesh& mesh);
+
 /// Just the edges, sorted by (a, b). Where a triangle names a vertex twice its edges are counted twice.
 std::vector<Edge> edges_of(const TriangleMesh& mesh);
 

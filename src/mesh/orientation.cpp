@@ -1,0 +1,146 @@
+#include "mesh/orientation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "mesh/mesh_topology.h"
+
+namespace meshfolio {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+struct Neighbour {
+    int face = -1;           // −1: the edge has one triangle, or more than two
+    bool same_way = false;   // both run through the edge the same way: they disagree
+};
+using FaceNeighbours = std::vector<std::array<Neighbour, 3>>;   // [t][k]: across the edge from corner k to corner k + 1
+
+/// One side of a triangle, from the view of the edge's smaller vertex.
+struct Side {
+    int other, face, k;
+    bool forwards;
+};
+
+void join_pairs(const std::vector<Side>& sides, FaceNeighbours& neighbours) {
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i + 1;
+        while (end < sides.size() && sides[end].other == sides[i].other) ++end;
+        if (end == i + 2) {
+            const Side& s = sides[i];
+            const Side& u = sides[i + 1];
+            neighbours[at(s.face)][at(s.k)] = {u.face, s.forwards == u.forwards};
+            neighbours[at(u.face)][at(u.k)] = {s.face, s.forwards == u.forwards};
+        }
+        i = end;
+    }
+}
+
+FaceNeighbours neighbours_across_edges(const TriangleMesh& mesh) {
+    const Incidence around = triangles_around(mesh);
+    FaceNeighbours neighbours(at(mesh.face_count()));
+    std::vector<Side> sides;
+    for (int a = 0; a < mesh.vertex_count(); ++a) {
+        sides.clear();
+        for (const int* t = around.begin(a); t != around.end(a); ++t) {
+            for (int k = 0; k < 3; ++k) {
+                const int from = mesh.F(*t, k);
+                const int to = mesh.F(*t, (k + 1) % 3);
+                if (from == a && to > a) sides.push_back({to, *t, k, true});
+                if (to == a && from > a) sides.push_back({from, *t, k, false});
+            }
+        }
+        std::stable_sort(sides.begin(), sides.end(), [](const Side& s, const Side& u) { return s.other < u.other; });
+        join_pairs(sides, neighbours);
+    }
+    return neighbours;
+}
+
+/// A piece: its triangles in the order of a walk over its edges, with `flip` relative to the first.
+struct Piece {
+    std::vector<int> faces;
+    bool closed = true;
+    bool orientable = true;
+};
+
+Piece walk_from(int start, const FaceNeighbours& neighbours, std::vector<char>& seen, std::vector<char>& flip) {
+    Piece piece;
+    piece.faces.push_back(start);
+    seen[at(start)] = 1;
+    for (std::size_t i = 0; i < piece.faces.size(); ++i) {
+        const int t = piece.faces[i];
+        for (const Neighbour& n : neighbours[at(t)]) {
+            if (n.face < 0) {
+                piece.closed = false;
+                continue;
+            }
+            const char turned = static_cast<char>(flip[at(t)] ^ static_cast<char>(n.same_way));
+            if (seen[at(n.face)] == 0) {
+                seen[at(n.face)] = 1;
+                flip[at(n.face)] = turned;
+                piece.faces.push_back(n.face);
+            } else if (flip[at(n.face)] != turned) {
+                piece.orientable = false;
+            }
+        }
+    }
+    return piece;
+}
+
+/// Whether the volume within a closed piece, oriented by `flip`, is negative beyond doubt. Taken about one of its corners.
+bool inside_out(const TriangleMesh& mesh, const Piece& piece, const std::vector<char>& flip) {
+    const Vector3 origin = mesh.X.row(mesh.F(piece.faces.front(), 0));
+    double volume = 0;
+    double magnitude = 0;
+    for (const int t : piece.faces) {
+        const Vector3 a = mesh.X.row(mesh.F(t, 0)).transpose() - origin;
+        const Vector3 b = mesh.X.row(mesh.F(t, 1)).transpose() - origin;
+        const Vector3 c = mesh.X.row(mesh.F(t, 2)).transpose() - origin;
+        const double six_volumes = a.dot(b.cross(c));
+        volume += flip[at(t)] != 0 ? -six_volumes : six_volumes;
+        magnitude += std::abs(six_volumes);
+    }
+    return volume < -1e-12 * magnitude;
+}
+
+void orient(const TriangleMesh& mesh, Piece& piece, Orientation& result) {
+    std::vector<char>& flip = result.flip;
+    std::sort(piece.faces.begin(), piece.faces.end());
+    if (!piece.orientable) {
+        for (const int t : piece.faces) flip[at(t)] = 0;
+        if (result.unorientable_components++ == 0) result.first_unorientable = piece.faces.front();
+        return;
+    }
+    const auto turned = std::count_if(piece.faces.begin(), piece.faces.end(), [&](int t) { return flip[at(t)] != 0; });
+    const bool other_way = 2 * static_cast<std::size_t>(turned) > piece.faces.size();
+    for (const int t : piece.faces) {
+        flip[at(t)] = static_cast<char>(flip[at(t)] ^ static_cast<char>(other_way));
+        if (flip[at(t)] == 0) continue;
+        ++result.disagreeing_faces;
+        if (result.first_disagreeing < 0 || t < result.first_disagreeing) result.first_disagreeing = t;
+    }
+    if (!piece.closed || !inside_out(mesh, piece, flip)) return;
+    for (const int t : piece.faces) flip[at(t)] = static_cast<char>(flip[at(t)] ^ 1);
+    if (result.inside_out_components++ == 0) result.first_inside_out = piece.faces.front();
+}
+
+}   // namespace
+
+Orientation consistent_orientation(const TriangleMesh& mesh) {
+    const FaceNeighbours neighbours = neighbours_across_edges(mesh);
+    Orientation result;
+    result.flip.assign(at(mesh.face_count()), 0);
+    std::vector<char> seen(at(mesh.face_count()), 0);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        if (seen[at(t)] != 0) continue;
+        Piece piece = walk_from(t, neighbours, seen, result.flip);
+        orient(mesh, piece, result);
+    }
+    return result;
+}
+
+}   // namespace meshfolio

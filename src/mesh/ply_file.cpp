@@ -1,0 +1,303 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "errors.h"
+#include "mesh/mesh_files.h"
+#include "mesh/ply_header.h"
+#include "mesh/polygon_list.h"
+#include "mesh/text_scanner.h"
+#include "number_text.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Values one after the other. Both kinds of body look alike to the reader of elements: rows of values.
+class TextBody {
+public:
+    TextBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
+        : lines_(bytes.substr(header.size)), header_lines_(header.lines), file_(file) {}
+
+    long line() const { return header_lines_ + lines_.number(); }
+
+    /// A row is a line.
+    void begin_row(const PlyElement& element) {
+        while (lines_.next()) {
+            rest_ = lines_.line();
+            std::string_view look = rest_;
+            if (!take_word(look).empty()) return;
+        }
+        throw InputError({file_, 0}, "ends early within element " + in_quotes(element.name), "the file may be cut off");
+    }
+
+    void end_row(const PlyElement& element) {
+        if (take_word(rest_).empty()) return;
+        throw InputError(here(), "more values than element " + in_quotes(element.name) + " has", "each row must be one line of its own");
+    }
+
+    double number(PlyType) { return checked_coordinate(word(), here()); }
+
+    long long integer(PlyType) {
+        const std::string_view value = word();
+        const std::optional<long long> i = parse_integer(value);
+        if (!i) throw InputError(here(), "bad number " + in_quotes(value), "a whole number belongs here");
+        return *i;
+    }
+
+    void skip(PlyType, long long times) {
+        for (long long i = 0; i < times; ++i) word();
+    }
+
+    void end(WarningTally& warnings) {
+        while (lines_.next()) {
+            std::string_view line = lines_.line();
+            if (take_word(line).empty()) continue;
+            return warnings.add(this->line(), "text after the last element ignored", "texts after the last element ignored");
+        }
+    }
+
+private:
+    std::string_view word() {
+        const std::string_view value = take_word(rest_);
+        if (value.empty()) throw InputError(here(), "too few values on the line", "the file may be cut off");
+        return value;
+    }
+
+    Location here() const { return {file_, line()}; }
+
+    LineScanner lines_;
+    std::string_view rest_;
+    long header_lines_;
+    const std::string& file_;
+};
+
+class BinaryBody {
+public:
+    BinaryBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
+        : bytes_(bytes),
+          at_(header.size),
+          swap_((header.format == PlyHeader::Format::big_endian) != (std::endian::native == std::endian::big)),
+          file_(file) {}
+
+    long line() const { return 0; }
+    void begin_row(const PlyElement&) {}
+    void end_row(const PlyElement&) {}
+
+    double number(PlyType type) {
+        if (type == PlyType::float32) return value<float>();
+        if (type == PlyType::float64) return value<double>();
+        return static_cast<double>(integer(type));
+    }
+
+    long long integer(PlyType type) {
+        switch (type) {
+            case PlyType::int8:
+                return value<std::int8_t>();
+            case PlyType::uint8:
+                return value<std::uint8_t>();
+            case PlyType::int16:
+                return value<std::int16_t>();
+            case PlyType::uint16:
+                return value<std::uint16_t>();
+            case PlyType::int32:
+                return value<std::int32_t>();
+            default:
+                return value<std::uint32_t>();
+        }
+    }
+
+    void skip(PlyType type, long long times) {
+        // `times` comes from a list length of at most 32 bits: the product cannot overflow.
+        const auto bytes = static_cast<std::size_t>(times) * size_of(type);
+        need(bytes);
+        at_ += bytes;
+    }
+
+    void end(WarningTally& warnings) const {
+        const std::size_t left = bytes_.size() - at_;
+        if (left > 0) warnings.add(0, "bytes after the last element ignored", "bytes after the last element ignored", std::to_string(left));
+    }
+
+private:
+    void need(std::size_t bytes) const {
+        if (bytes_.size() - at_ >= bytes) return;
+        throw InputError({file_, 0}, "ends early (byte " + std::to_string(bytes_.size()) + ")", "the file may be cut off");
+    }
+
+    template <class T>
+    T value() {
+        need(sizeof(T));
+        std::array<char, sizeof(T)> raw;
+        std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
+        if (swap_) std::reverse(raw.begin(), raw.end());
+        at_ += sizeof(T);
+        return std::bit_cast<T>(raw);
+    }
+
+    std::string_view bytes_;
+    std::size_t at_;
+    bool swap_;
+    const std::string& file_;
+};
+
+const PlyElement* element_named(const PlyHeader& header, std::string_view name) {
+    const auto e = std::find_if(header.elements.begin(), header.elements.end(), [&](auto& element) { return element.name == name; });
+    return e == header.elements.end() ? nullptr : &*e;
+}
+
+/// Place of a property among those of its element, or −1.
+int property_named(const PlyElement& element, std::string_view name) {
+    const auto p = std::find_if(element.properties.begin(), element.properties.end(), [&](auto& q) { return q.name == name; });
+    return p == element.properties.end() ? -1 : static_cast<int>(p - element.properties.begin());
+}
+
+/// Reads the elements in the order of the header, whatever it is.
+template <class Body>
+class PlyReader {
+public:
+    PlyReader(const PlyHeader& header, Body body, const std::string& file) : header_(header), body_(std::move(body)), file_(file) {}
+
+    LoadedMesh run(WarningTally warnings) {
+        find_what_is_needed();
+        for (const PlyElement& element : header_.elements) {
+            if (&element == vertices_) {
+                read_vertices(element);
+            } else if (&element == faces_) {
+                read_faces(element);
+            } else {
+                skip_element(element);
+            }
+        }
+        body_.end(warnings);
+        return triangulated(polygons_, std::move(X_), file_, std::move(warnings));
+    }
+
+private:
+    [[noreturn]] void fail(long line, const std::string& problem, const std::string& remedy) const {
+        throw InputError({file_, line}, problem, remedy);
+    }
+
+    void find_what_is_needed() {
+        vertices_ = element_named(header_, "vertex");
+        if (vertices_ == nullptr) fail(0, "no vertex element", "export the mesh with its vertices");
+        for (const char* name : {"x", "y", "z"}) {
+            const int p = property_named(*vertices_, name);
+            if (p < 0) fail(0, std::string("element vertex has no property '") + name + "'", "a mesh needs x, y and z");
+            const PlyProperty& property = vertices_->properties[static_cast<std::size_t>(p)];
+            if (property.is_list) fail(property.line, std::string("property '") + name + "' is a list", "it must be one number");
+            axis_[static_cast<std::size_t>(*name - 'x')] = p;
+        }
+        faces_ = element_named(header_, "face");
+        if (faces_ == nullptr) {
+            const bool strips = element_named(header_, "tristrips") != nullptr;
+            fail(0, strips ? "no faces (tristrips are not supported)" : "no face element", "export the mesh as polygons");
+        }
+        corners_ = std::max(property_named(*faces_, "vertex_indices"), property_named(*faces_, "vertex_index"));
+        if (corners_ < 0) fail(faces_->line, "element face has no property 'vertex_indices'", "export the mesh as polygons");
+        const PlyProperty& corners = faces_->properties[static_cast<std::size_t>(corners_)];
+        if (!corners.is_list || !is_integer(corners.type))
+            fail(corners.line, "vertex index type must be a list of an integer type", "such as int");
+        X_.resize(vertices_->count, 3);
+    }
+
+    void read_vertices(const PlyElement& element) {
+        for (long long i = 0; i < element.count; ++i) {
+            body_.begin_row(element);
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                const auto axis = std::find(axis_.begin(), axis_.end(), static_cast<int>(p));
+                if (axis == axis_.end()) {
+                    skip_value(element.properties[p]);
+                } else {
+                    read_coordinate(i, static_cast<int>(axis - axis_.begin()), element.properties[p].type);
+                }
+            }
+            body_.end_row(element);
+        }
+    }
+
+    void read_coordinate(long long i, int axis, PlyType type) {
+        const double x = body_.number(type);
+        if (!(std::abs(x) <= largest_coordinate)) {
+            const std::string name = "vertex " + std::to_string(i) + ": " + "xyz"[axis];
+            if (!std::isfinite(x)) fail(body_.line(), name + (std::isnan(x) ? " is nan" : " is inf"), "every coordinate must be finite");
+            fail(body_.line(), name + ": coordinate out of the supported range (1e100)", "scale the mesh down");
+        }
+        X_(i, axis) = x;
+    }
+
+    void read_faces(const PlyElement& element) {
+        polygons_.reserve(static_cast<std::size_t>(element.count));
+        for (long long i = 0; i < element.count; ++i) {
+            body_.begin_row(element);
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                if (static_cast<int>(p) == corners_) {
+                    read_corners(i, element.properties[p]);
+                } else {
+                    skip_value(element.properties[p]);
+                }
+            }
+            polygons_.end_polygon(body_.line());
+            body_.end_row(element);
+        }
+    }
+
+    void read_corners(long long face, const PlyProperty& property) {
+        const long long corners = list_length(property);
+        for (long long k = 0; k < corners; ++k) {
+            const long long index = body_.integer(property.type);
+            if (index < 0 || index >= vertices_->count) {
+                fail(body_.line(),
+                     "face " + std::to_string(face) + ": index " + std::to_string(index) + " out of range (" +
+                         std::to_string(vertices_->count) + " vertices)",
+                     "indices are whole numbers from 0");
+            }
+            polygons_.add_corner(static_cast<int>(index));
+        }
+    }
+
+    long long list_length(const PlyProperty& property) {
+        const long long length = body_.integer(property.count_type);
+        if (length < 0 || length > std::numeric_limits<std::uint32_t>::max()) {
+            fail(body_.line(), "list of " + std::to_string(length) + " items", "the file may be damaged");
+        }
+        return length;
+    }
+
+    void skip_value(const PlyProperty& property) { body_.skip(property.type, property.is_list ? list_length(property) : 1); }
+
+    void skip_element(const PlyElement& element) {
+        for (long long i = 0; i < element.count; ++i) {
+            body_.begin_row(element);
+            for (const PlyProperty& property : element.properties) skip_value(property);
+            body_.end_row(element);
+        }
+    }
+
+    const PlyHeader& header_;
+    Body body_;
+    const std::string& file_;
+    const PlyElement* vertices_ = nullptr;
+    const PlyElement* faces_ = nullptr;
+    std::array<int, 3> axis_{};   // which property is x, y, z
+    int corners_ = -1;            // which is the list of corners
+    Positions X_;
+    PolygonList polygons_;
+};
+
+}   // namespace
+
+LoadedMesh parse_ply(std::string_view bytes, const std::string& file) {
+    WarningTally warnings;
+    if (without_bom(bytes).size() < bytes.size()) warnings.add(1, "byte order mark ignored", "byte order marks ignored");
+    bytes = without_bom(bytes);
+    const PlyHeader header = parse_ply_header(bytes, file);
+    if (header.format != PlyHeader::Format::ascii) return PlyReader(header, BinaryBody(bytes, header, file), file).run(warnings);
+    return PlyReader(header, TextBody(bytes, header, file), file).run(warnings);
+}
+
+}   // namespace meshfolio

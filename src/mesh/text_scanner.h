@@ -1,0 +1,68 @@
+/// @file
+/// Lines and words of text files, each with the number of the physical line it stands on.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace meshfolio {
+
+/// Takes the first word off `line` and returns it; empty when only white space was left.
+std::string_view take_word(std::string_view& line);
+
+/// A piece of the input within quotes, for messages: harmless to print, and cut when long.
+std::string in_quotes(std::string_view text);
+
+/// `text` without the UTF-8 byte order mark that some editors put in front.
+std::string_view without_bom(std::string_view text);
+
+/// `line` without its comment, which begins with a '#' at the start of a word. ("-1.#IND" is a bad number, not a good one.)
+std::string_view without_comment(std::string_view line);
+
+/// @throws InputError at the line of the first NUL byte, which no text file has
+void refuse_nul_bytes(std::string_view text, const std::string& file);
+
+/// Goes through the lines of a text. They may end in \n, \r\n or \r.
+class LineScanner {
+public:
+    explicit LineScanner(std::string_view text);
+
+    /// Moves to the next line; false at the end of the text.
+    bool next();
+    /// Moves to the next line that has a word outside of comments. `line()` is then without the comment.
+    bool next_with_words();
+
+    std::string_view line() const { return line_; }
+    long number() const { return number_; }          // of line(), from 1
+    std::size_t offset() const { return offset_; }   // of the byte behind line() and its end
+
+private:
+    std::string_view text_;
+    std::string_view line_;
+    std::size_t offset_ = 0;
+    long number_ = 0;
+    bool has_returns_;   // looked for once: most files have none
+};
+
+/// Goes through the words of a text wherever its lines end, leaving comments ("# …") out.
+class WordScanner {
+public:
+    explicit WordScanner(std::string_view text) : lines_(text) {}
+
+    /// The next word on this or a later line; empty at the end of the text.
+    std::string_view next();
+    /// The next word of the current line; empty at its end.
+    std::string_view next_on_line() { return take_word(rest_); }
+    /// Leaves the current line.
+    void skip_line() { rest_ = {}; }
+
+    long line() const { return lines_.number(); }
+    std::string_view rest_of_line() const { return rest_; }
+    std::size_t offset() const { return lines_.offset() - rest_.size(); }   // bytes read so far, nearly
+
+private:
+    LineScanner lines_;
+    std::string_view rest_;
+};
+
+}   // namespace meshfolio
