@@ -18,9 +18,6 @@
 
 namespace meshfolio {
 
-/// Column::digits of a count: whole numbers below a million are printed whole however few digits are asked for.
-inline constexpr int count_digits = 1;
-
 /// A mesh whose curvature is estimated.
 struct CurvatureSubject {
     std::shared_ptr<const LibraryMesh> source;

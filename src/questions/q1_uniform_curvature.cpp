@@ -75,16 +75,9 @@ void add_statistics(report::Section& section, const std::vector<MeshCurvature>& 
     table.id = "q1_statistics";
     table.caption =
         "The estimates over the vertices where they are defined. H scaled is ½‖Δx‖ times 4/h² (h²: mean squared edge of the one-ring).";
-    table.columns = {{"mesh", ""},
-                     {"quantity", ""},
-                     {"unit", ""},
-                     {"minimum", "", 4},
-                     {"median", "", 4},
-                     {"mean", "", 4},
-                     {"maximum", "", 4},
-                     {"standard deviation", "", 3},
-                     {"defined", "", count_digits},
-                     {"undefined", "", count_digits}};
+    table.columns = {{"mesh", ""},      {"quantity", ""}, {"unit", ""},       {"minimum", "", 4},
+                     {"median", "", 4}, {"mean", "", 4},  {"maximum", "", 4}, {"standard deviation", "", 3},
+                     {"defined", ""},   {"undefined", ""}};
     const auto number = [](double x) { return std::isfinite(x) ? Cell(x) : Cell(); };
     for (const MeshCurvature& c : meshes) {
         const auto row = [&](const char* quantity, const char* unit, const Vector& values) {
@@ -108,8 +101,8 @@ void add_error_table(report::Section& section, const std::vector<UniformRefineme
         "4/h²; its normal part is −½Δx·n times 4/h² with the surface's own normal. K is over barycentric areas. Jittered: the same "
         "triangles, "
         "vertices moved along the surface. The orders are fitted over the three finest levels.";
-    table.columns = {{"surface", ""},   {"triangulation", ""}, {"vertices", "", count_digits}, {"smallest angle", "°", 3},
-                     {"H, L2", "%", 3}, {"H, L∞", "%", 3},     {"H, order of L2", "", 2},      {"H normal part, L2", "%", 2},
+    table.columns = {{"surface", ""},   {"triangulation", ""}, {"vertices", ""},          {"smallest angle", "°", 3},
+                     {"H, L2", "%", 3}, {"H, L∞", "%", 3},     {"H, order of L2", "", 2}, {"H normal part, L2", "%", 2},
                      {"K, L2", "%", 3}, {"K, L∞", "%", 3},     {"K, order of L2", "", 2}};
     for (const UniformRefinement& r : refinements) {
         const UniformErrors& e = r.finest();
@@ -129,7 +122,7 @@ void add_area_table(report::Section& section, const std::vector<UniformRefinemen
         " error of K on the finest meshes, one row an area form. Vertices whose area is ≤ 0 have no K and are counted in the last column.";
     table.columns = {{"area A_i", ""}};
     for (const UniformRefinement& r : refinements) table.columns.push_back({r.title(), "%", 3, report::Column::Best::smallest});
-    table.columns.push_back({"without K", "vertices", count_digits, report::Column::Best::smallest});
+    table.columns.push_back({"without K", "vertices", 3, report::Column::Best::smallest});
     for (std::size_t form = 0; form < area_forms.size(); ++form) {
         std::vector<Cell> row{area_name(area_forms[form])};
         int undefined = 0;
@@ -168,9 +161,7 @@ void add_gauss_bonnet(report::Section& section, const std::vector<AngleSum>& sum
     report::Table table;
     table.id = "q1_gauss_bonnet";
     table.caption = "Gauss–Bonnet: the angle deficits (π − Σθ on the boundary) add up to 2πχ on every manifold mesh, however coarse.";
-    table.columns = {
-        {"mesh", ""},   {"vertices", "", count_digits}, {"χ", "", count_digits}, {"Σ deficit / 2π", "", 6}, {"difference", "", 2},
-        {"applies", ""}};
+    table.columns = {{"mesh", ""}, {"vertices", ""}, {"χ", ""}, {"Σ deficit / 2π", "", 6}, {"difference", "", 2}, {"applies", ""}};
     for (const AngleSum& s : sums) {
         table.rows.push_back({s.mesh, double(s.vertices), double(s.euler), s.measured, s.measured - s.euler,
                               s.applies ? "yes" : "no: not manifold, or triangles without area"});

@@ -337,7 +337,7 @@ void add_discrete_table(report::Section& section, const Tip& exact, const Discre
     table.caption = "Cotangent H and angle-deficit K (Voronoi areas) at the vertex nearest (a, 0, 0) of meshes of the ellipsoid " +
                     axes_text(exact.ellipsoid) + ". Closed form: H = " + readable(exact.H, 5) + ", K = " + readable(exact.K, 5) + ".";
     table.columns = {{"mesh", ""},
-                     {"vertices", "", 1},
+                     {"vertices", ""},
                      {"mean edge", "length", 3},
                      {"vertex to tip", "length", 2},
                      {"H", "1/length", 5},

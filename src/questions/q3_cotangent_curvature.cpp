@@ -83,8 +83,8 @@ void add_variant_table(report::Section& section, const std::vector<CotangentComp
         "on the boundary (there the pull along the surface, no curvature), both times the mean edge, and how much H changes inside.";
     table.columns = {{"mesh", ""},
                      {"operator", ""},
-                     {"negative weights, inside", "edges", count_digits},
-                     {"negative weights, boundary", "edges", count_digits},
+                     {"negative weights, inside", "edges"},
+                     {"negative weights, boundary", "edges"},
                      {"smallest weight", "", 3},
                      {"largest inside", "", 3},
                      {"change inside, rms", "%", 3},
@@ -109,7 +109,7 @@ void add_error_table(report::Section& section, const std::vector<CotangentRefine
                     "Vertices of area ≤ 0 have no H.";
     table.columns = {{"estimator", ""}};
     for (const CotangentRefinement& r : refinements) table.columns.push_back({r.title(), "%", 3, report::Column::Best::smallest});
-    table.columns.push_back({"without H", "vertices", count_digits});
+    table.columns.push_back({"without H", "vertices"});
     const auto add_row = [&](std::string name, auto error_of, auto undefined_of) {
         std::vector<Cell> row{std::move(name)};
         int undefined = 0;
@@ -141,8 +141,8 @@ void add_order_table(report::Section& section, const std::vector<CotangentRefine
                     ". The coarsest and finest size, the smallest angle and the negative weights of the finest.";
     table.columns = {{"surface", ""},
                      {"triangulation", ""},
-                     {"from", "vertices", count_digits},
-                     {"to", "vertices", count_digits},
+                     {"from", "vertices"},
+                     {"to", "vertices"},
                      {"smallest angle", "°", 3},
                      {"negative weights", "% of edges", 3},
                      {"uniform", "", 3},
