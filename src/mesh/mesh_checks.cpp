@@ -27,7 +27,7 @@ void check_coordinates(const LoadedMesh& loaded) {
             if (!std::isfinite(mesh.X(v, axis))) {
                 throw InputError({loaded.file, 0}, "vertex " + std::to_string(v) + " is not finite", "every coordinate must be a number");
             }
-            check_range(mesh.X(v, axis), {loaded.file, 0});
+            check_range(mesh.X(v, axis), loaded.file, 0);
         }
     }
     for (const int v : mesh.F.reshaped()) {

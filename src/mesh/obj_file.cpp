@@ -19,25 +19,23 @@ public:
     explicit MemoryBuffer(std::string& text) { setg(text.data(), text.data(), text.data() + text.size()); }
 };
 
-/// What tinyobjloader finds, handed to us statement by statement: it then stores nothing, and polygons may have any size.
+/// The faces that tinyobjloader finds, handed to us one by one: it then stores nothing, and polygons may have any size. The
+/// coordinates do not go through it, because it rounds about half of all decimal numbers wrongly in the last digits.
 struct Found {
     const CheckedObj& checked;
+    std::size_t vertices;
     PolygonList polygons;
-    std::size_t vertices = 0;
     int too_large = 0;   // the first index beyond the vertices, from 1; 0: none
     long too_large_line = 0;
 };
-
-void count_vertex(void* found, double, double, double, double) { ++static_cast<Found*>(found)->vertices; }
 
 void add_face(void* user, tinyobj::index_t* corners, int count) {
     Found& found = *static_cast<Found*>(user);
     const std::size_t number = found.polygons.size();
     const long line = number < found.checked.face_lines.size() ? found.checked.face_lines[number] : 0;
-    const auto vertices = static_cast<int>(found.checked.coordinates.size() / 3);
     for (int k = 0; k < count; ++k) {
         const int index = corners[k].vertex_index;
-        if (found.too_large == 0 && index > vertices) {
+        if (found.too_large == 0 && static_cast<std::size_t>(index) > found.vertices) {
             found.too_large = index;
             found.too_large_line = line;
         }
@@ -48,15 +46,14 @@ void add_face(void* user, tinyobj::index_t* corners, int count) {
 
 void parse_checked(CheckedObj& checked, Found& found) {
     tinyobj::callback_t callback;
-    callback.vertex_cb = count_vertex;
     callback.index_cb = add_face;
     MemoryBuffer buffer(checked.text);
     std::istream stream(&buffer);
     std::string warnings, errors;
     // No material reader: no other file is ever opened.
     const bool parsed = tinyobj::LoadObjWithCallback(stream, callback, &found, nullptr, &warnings, &errors);
-    const bool complete = found.vertices == checked.coordinates.size() / 3 && found.polygons.size() == checked.face_lines.size();
-    if (!parsed || !complete) throw MeshError("tinyobjloader disagrees with the check of the file: " + errors + warnings);
+    if (!parsed || found.polygons.size() != checked.face_lines.size())
+        throw MeshError("tinyobjloader disagrees with the check of the file: " + errors + warnings);
 }
 
 std::string vertex_count(std::size_t n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
@@ -81,11 +78,10 @@ void check_content(const Found& found, const std::string& file) {
 
 LoadedMesh parse_obj(std::string_view text, const std::string& file) {
     CheckedObj checked = check_obj(text, file);
-    Found found{checked, {}};
+    Found found{checked, checked.coordinates.size() / 3, {}};
     found.polygons.reserve(checked.face_lines.size());
     parse_checked(checked, found);
     check_content(found, file);
-    // tinyobjloader rounds about half of all decimal numbers wrongly in the last digits: the coordinates are our own.
     Positions X = Eigen::Map<const Positions>(checked.coordinates.data(), static_cast<Eigen::Index>(found.vertices), 3);
     return triangulated(found.polygons, std::move(X), file, std::move(checked.warnings));
 }

@@ -75,7 +75,7 @@ struct UnusedAttribute {
 
 class ObjGate {
 public:
-    ObjGate(std::string_view text, const std::string& file) : lines_(text), file_(file) { checked_.text.reserve(text.size() + 16); }
+    ObjGate(std::string_view text, const std::string& file) : lines_(text), file_(file) { checked_.text.reserve(text.size() / 2); }
 
     CheckedObj run() {
         while (next_statement()) {
@@ -131,9 +131,8 @@ private:
     void vertex(std::string_view rest) {
         std::array<double, 7> value;
         std::size_t count = 0;
-        const std::string_view numbers = rest;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            const double x = checked_coordinate(word, here());
+            const double x = checked_coordinate(word, file_, line_);
             if (count < value.size()) value[count] = x;
             ++count;
         }
@@ -147,10 +146,6 @@ private:
             checked_.warnings.add(line_, "vertex weight other than 1 ignored", "vertex weights other than 1 ignored");
         }
         checked_.coordinates.insert(checked_.coordinates.end(), value.begin(), value.begin() + 3);
-        rest = numbers;
-        checked_.text += 'v';
-        for (int axis = 0; axis < 3; ++axis) checked_.text.append(" ").append(take_word(rest));
-        checked_.text += '\n';
     }
 
     void face(std::string_view rest) {

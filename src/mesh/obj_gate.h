@@ -13,7 +13,7 @@ namespace meshfolio {
 
 struct CheckedObj {
     std::vector<double> coordinates;   // x y z of each vertex, correctly rounded
-    std::string text;                  // "v x y z" and "f a b c …" only, indices > 0, one statement a line
+    std::string text;                  // "f a b c …" only, one face a line, indices counted from 1
     std::vector<long> face_lines;      // in the file, of each "f" of the text
     WarningTally warnings;
     bool free_form = false;   // there were free-form surfaces

@@ -109,7 +109,7 @@ private:
             if (word.empty())
                 fail(words_.line(), "ends early: vertex " + std::to_string(i + 1) + " of " + std::to_string(vertices_) + " is missing",
                      "the file may be cut off");
-            X_(i, axis) = checked_coordinate(word, {file_, words_.line()});
+            X_(i, axis) = checked_coordinate(word, file_, words_.line());
         }
         while (!words_.next_on_line().empty()) ++numbers;
         if (numbers < layout_.fewest_numbers) {

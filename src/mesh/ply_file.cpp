@@ -40,7 +40,7 @@ public:
         throw InputError(here(), "more values than element " + in_quotes(element.name) + " has", "each row must be one line of its own");
     }
 
-    double number(PlyType) { return checked_coordinate(word(), here()); }
+    double number(PlyType) { return checked_coordinate(word(), file_, line()); }
 
     long long integer(PlyType) {
         const std::string_view value = word();

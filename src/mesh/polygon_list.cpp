@@ -109,16 +109,18 @@ LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::str
     return loaded;
 }
 
-double checked_coordinate(std::string_view word, const Location& where) {
+double checked_coordinate(std::string_view word, const std::string& file, long line) {
     const std::optional<double> x = parse_number(word);
-    if (!x) throw InputError(where, in_quotes(word) + " is not a finite number", "coordinates are decimal numbers such as 0.5 or -1e-3");
-    check_range(*x, where);
+    if (!x) {
+        throw InputError({file, line}, in_quotes(word) + " is not a finite number", "coordinates are decimal numbers such as 0.5 or -1e-3");
+    }
+    check_range(*x, file, line);
     return *x;
 }
 
-void check_range(double x, const Location& where) {
+void check_range(double x, const std::string& file, long line) {
     if (std::abs(x) <= largest_coordinate) return;
-    throw InputError(where, "coordinate out of the supported range (1e100)", "scale the mesh down");
+    throw InputError({file, line}, "coordinate out of the supported range (1e100)", "scale the mesh down");
 }
 
 }   // namespace meshfolio

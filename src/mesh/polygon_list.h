@@ -39,9 +39,9 @@ LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::str
 
 /// A coordinate read from a file.
 /// @throws InputError if `word` is not a finite decimal number or exceeds largest_coordinate
-double checked_coordinate(std::string_view word, const Location& where);
+double checked_coordinate(std::string_view word, const std::string& file, long line);
 
 /// @throws InputError if x exceeds largest_coordinate
-void check_range(double x, const Location& where);
+void check_range(double x, const std::string& file, long line);
 
 }   // namespace meshfolio

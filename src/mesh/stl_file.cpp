@@ -94,7 +94,7 @@ private:
     double coordinate() {
         const std::string_view word = words_.next_on_line();
         if (word.empty()) fail("'vertex' needs 3 coordinates");
-        return checked_coordinate(word, {file_, words_.line()});
+        return checked_coordinate(word, file_, words_.line());
     }
 
     WordScanner words_;
