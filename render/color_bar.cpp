@@ -50,7 +50,7 @@ void draw_colors(Image& image, const ColorBar& bar, const Extent& e) {
 /// As many ticks as stand apart, seven at most.
 std::vector<double> readable_ticks(const ColorBar& bar, const Extent& e, const TextStyle& style) {
     for (int wanted = 7; wanted > 1; --wanted) {
-        const std::vector<double> ticks = round_ticks(bar.range.low, bar.range.high, wanted);
+        std::vector<double> ticks = round_ticks(bar.range.low, bar.range.high, wanted);
         const TickLabels labels = tick_labels(ticks);
         double widest = 0;
         for (const std::string& text : labels.text) widest = std::max(widest, text_width(text, style));

@@ -60,6 +60,7 @@ glm::dvec3 spline(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& 
 std::vector<Rgba> stops_of(const std::vector<std::uint32_t>& colors) {
     constexpr int steps = 16;   // between two given colours: below what can be told apart
     std::vector<glm::dvec3> lab;
+    lab.reserve(colors.size() + 2);
     for (const std::uint32_t c : colors) lab.push_back(lab_of(unpacked(c)));
     lab.insert(lab.begin(), 2.0 * lab[0] - lab[1]);   // straight ends
     lab.push_back(2.0 * lab.back() - lab[lab.size() - 2]);
@@ -81,7 +82,7 @@ struct Maps {
     }
 };
 
-std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double u) { return static_cast<std::uint8_t>(a + u * (b - a) + 0.5); }
+std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double u) { return static_cast<std::uint8_t>(std::lrint(a + u * (b - a))); }
 
 }   // namespace
 

@@ -35,7 +35,7 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Te
     std::size_t begin = 0;
     while (begin < text.size()) {
         const std::size_t end = std::min(text.find(' ', begin), text.size());
-        const std::string word = text.substr(begin, end - begin), longer = line.empty() ? word : line + " " + word;
+        const std::string word = text.substr(begin, end - begin), longer = line.empty() ? word : std::string(line).append(" ").append(word);
         if (!line.empty() && text_width(longer, style) > width && lines.size() + 1 < most_lines) {
             lines.push_back(line);
             line = word;

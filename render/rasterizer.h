@@ -62,11 +62,18 @@ public:
                static_cast<std::size_t>(samples_) *
                    (static_cast<std::size_t>(y - first_row_) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
     }
+    /// A depth than which no sample of the block of columns from block × block_width on is farther. It may lag behind: small
+    /// triangles do not update it.
+    static constexpr int block_width = 32;
+    float farthest(int block) const { return farthest_[static_cast<std::size_t>(block)]; }
+    void update_farthest(int block);
+
     std::span<const Visible> at(int x, int y) { return {pixel(x, y), static_cast<std::size_t>(samples_)}; }
 
 private:
     int width_, first_row_, rows_, samples_;
     std::vector<Visible> seen_;
+    std::vector<float> farthest_;
 };
 
 /// Marks the samples that `triangle` covers and is nearest at. Of equal depths the one drawn first stays: draw in ascending id.

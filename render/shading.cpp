@@ -34,12 +34,10 @@ constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
 constexpr float back_darkening = 0.62F;
 
 constexpr LinearColor edge_color{0.012F, 0.012F, 0.016F, 1};
-constexpr double edge_half_width = 0.45;   // pixels on either side
-constexpr double smallest_meshed = 9;      // pixels; lines of smaller triangles fade, lest they blacken the surface
+constexpr float edge_half_width = 0.45F;   // pixels on either side
+constexpr float smallest_meshed = 9;       // pixels; lines of smaller triangles fade, lest they blacken the surface
 /// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
 constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
-
-double cross(glm::dvec2 u, glm::dvec2 v) { return u.x * v.y - u.y * v.x; }
 
 Rgba id_color(std::int32_t id) {
     const auto number = static_cast<std::uint32_t>(id) + 1;
@@ -49,17 +47,17 @@ Rgba id_color(std::int32_t id) {
 Rgba opaque(Rgba color) { return {color.r, color.g, color.b, 255}; }
 
 /// The value at a point; where corners are undefined, the nearest corner decides whether the point is.
-float interpolated(const std::array<float, 3>& t, const glm::dvec3& weights) {
+float interpolated(const std::array<float, 3>& t, const glm::vec3& weights) {
     int nearest = 0;
-    double sum = 0, weight = 0;
+    float sum = 0, weight = 0;
     for (int k = 0; k < 3; ++k) {
         if (weights[k] > weights[nearest]) nearest = k;
         if (std::isnan(t[static_cast<std::size_t>(k)])) continue;
-        sum += weights[k] * static_cast<double>(t[static_cast<std::size_t>(k)]);
+        sum += weights[k] * t[static_cast<std::size_t>(k)];
         weight += weights[k];
     }
     const float at_nearest = t[static_cast<std::size_t>(nearest)];
-    return std::isnan(at_nearest) || weight == 0 ? at_nearest : static_cast<float>(sum / weight);
+    return std::isnan(at_nearest) || weight == 0 ? at_nearest : sum / weight;
 }
 
 /// The normal of the vertex, or of the triangle where the surface has a crease.
@@ -68,25 +66,24 @@ glm::vec3 corner_normal(const glm::vec3& vertex_normal, const glm::vec3& face_no
     return sharp * face_normal + (1 - sharp) * vertex_normal;
 }
 
-float light(const ShadedTriangle& t, const glm::dvec3& weights) {
-    const glm::vec3 w(weights);
-    const glm::vec3 n = w.x * t.corner[0].normal + w.y * t.corner[1].normal + w.z * t.corner[2].normal;
+float light(const ShadedTriangle& t, const glm::vec3& weights) {
+    const glm::vec3 n = weights.x * t.corner[0].normal + weights.y * t.corner[1].normal + weights.z * t.corner[2].normal;
     const float length = glm::length(n);
     return length > 0 ? lit(n / length) : lit({0, 0, 1});
 }
 
-float strength_of_light(const ShadedTriangle& t, const glm::dvec3& weights, bool plain, bool ribbon) {
+float strength_of_light(const ShadedTriangle& t, const glm::vec3& weights, bool plain, bool ribbon) {
     if (ribbon) return plain ? plain_ribbon_light : ribbon_light;
     const float l = light(t, weights);
     return plain ? l : 1 - light_on_values * (1 - l);
 }
 
 /// 1 on the edges of the triangle, 0 a pixel away.
-float edge_strength(const ShadedTriangle& t, const glm::dvec3& weights) {
-    const glm::dvec3 distance = weights * t.heights;
-    const double nearest = std::min({distance.x, distance.y, distance.z});
-    const double smallest = std::min({t.heights.x, t.heights.y, t.heights.z});
-    return static_cast<float>(std::clamp(edge_half_width + 0.5 - nearest, 0.0, 1.0) * std::clamp(smallest / smallest_meshed, 0.0, 1.0));
+float edge_strength(const ShadedTriangle& t, const glm::vec3& weights) {
+    const glm::vec3 distance = weights * t.heights;
+    const float nearest = std::min({distance.x, distance.y, distance.z});
+    const float smallest = std::min({t.heights.x, t.heights.y, t.heights.z});
+    return std::clamp(edge_half_width + 0.5F - nearest, 0.0F, 1.0F) * std::clamp(smallest / smallest_meshed, 0.0F, 1.0F);
 }
 
 }   // namespace
@@ -97,10 +94,10 @@ float lit(const glm::vec3& normal) {
     return std::min(sum, 1.0F);
 }
 
-Triangle2 Picture::on_screen(std::int32_t id) const {
-    if (is_ribbon(id)) return ribbon(id).screen;
-    const glm::ivec3& t = scene.triangle(id);
-    return {{points[static_cast<std::size_t>(t[0])], points[static_cast<std::size_t>(t[1])], points[static_cast<std::size_t>(t[2])]}};
+Palette::Palette(const DrawOptions& options)
+    : plain(linear_of(opaque(options.surface_color))), undefined(linear_of(opaque(options.undefined_color))) {
+    ramp.reserve(steps + 1);
+    for (int i = 0; i <= steps; ++i) ramp.push_back(linear_of(opaque(color_at(*options.range.colormap, double(i) / steps))));
 }
 
 ShadedTriangle::ShadedTriangle(const Picture& picture, std::int32_t number) : id(number) {
@@ -116,34 +113,38 @@ ShadedTriangle::ShadedTriangle(const Picture& picture, std::int32_t number) : id
     for (std::size_t k = 0; k < 3; ++k) {
         const auto v = static_cast<std::size_t>(vertex[static_cast<int>(k)]);
         const glm::vec3 n = (is_back ? -1.0F : 1.0F) * (ribbon ? face_normal : corner_normal(scene.normals[v], face_normal));
-        corner[k] = {glm::dvec2(screen.corner[k].x, screen.corner[k].y),
-                     {glm::dot(n, right), glm::dot(n, up), glm::dot(n, from)},
-                     scene.map_positions.empty() ? 0 : scene.map_positions[v]};
+        corner[k] = {{glm::dot(n, right), glm::dot(n, up), glm::dot(n, from)}, scene.map_positions.empty() ? 0 : scene.map_positions[v]};
     }
-    const glm::dvec2 u = corner[1].screen - corner[0].screen, v = corner[2].screen - corner[0].screen;
-    area = cross(u, v);
-    heights = std::abs(area) / subpixels / glm::dvec3(glm::length(v - u), glm::length(v), glm::length(u));
+    const auto between = [&](std::size_t i, std::size_t j) {
+        return glm::dvec2(screen.corner[j].x - screen.corner[i].x, screen.corner[j].y - screen.corner[i].y);
+    };
+    const glm::dvec2 u = between(0, 1), v = between(0, 2);
+    const double area = u.x * v.y - u.y * v.x;
+    origin = {screen.corner[0].x, screen.corner[0].y};
+    to_weight1 = glm::dvec2(v.y, -v.x) / area;
+    to_weight2 = glm::dvec2(-u.y, u.x) / area;
+    heights = glm::vec3(std::abs(area) / subpixels / glm::dvec3(glm::length(v - u), glm::length(v), glm::length(u)));
 }
 
-glm::dvec3 ShadedTriangle::barycentric(glm::dvec2 at) const {
-    const glm::dvec2 a = corner[0].screen - at, b = corner[1].screen - at, c = corner[2].screen - at;
-    const glm::dvec3 w = glm::max(glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / area, glm::dvec3(0));
-    return w / (w.x + w.y + w.z);
+glm::vec3 ShadedTriangle::barycentric(glm::dvec2 at) const {
+    // Limits, because rounding may carry points of slivers and of huge triangles out.
+    const auto w1 = static_cast<float>(std::clamp(glm::dot(to_weight1, at - origin), 0.0, 1.0));
+    const auto w2 = static_cast<float>(std::clamp(glm::dot(to_weight2, at - origin), 0.0, 1.0));
+    return {std::max(0.0F, 1 - w1 - w2), w1, std::min(w2, 1 - w1)};
 }
 
-LinearColor Shader::base_color(const ShadedTriangle& t, const glm::dvec3& weights) const {
-    const DrawOptions& options = picture_.options;
-    if (options.face_colors_from_id) return linear_of(id_color(t.id));
-    if (picture_.scene.map_positions.empty()) return linear_of(opaque(options.surface_color));
+LinearColor Shader::base_color(const ShadedTriangle& t, const glm::vec3& weights) const {
+    if (picture_.options.face_colors_from_id) return linear_of(id_color(t.id));
+    if (picture_.scene.map_positions.empty()) return picture_.palette.plain;
     const float at = interpolated({t.corner[0].map_position, t.corner[1].map_position, t.corner[2].map_position}, weights);
-    return linear_of(opaque(std::isnan(at) ? options.undefined_color : color_at(*options.range.colormap, static_cast<double>(at))));
+    return std::isnan(at) ? picture_.palette.undefined : picture_.palette.at(at);
 }
 
 LinearColor Shader::color(std::int32_t id, glm::dvec2 at) {
     ShadedTriangle& t = kept_[static_cast<std::size_t>(id) % kept_.size()];
     if (t.id != id) t = ShadedTriangle(picture_, id);
     const DrawOptions& options = picture_.options;
-    const glm::dvec3 weights = t.barycentric(at);
+    const glm::vec3 weights = t.barycentric(at);
     LinearColor c = base_color(t, weights);
     if (options.face_colors_from_id) return c;
     const bool plain = picture_.scene.map_positions.empty(), ribbon = picture_.is_ribbon(id);

@@ -14,7 +14,7 @@ SrgbTables::SrgbTables() {
     for (int i = 0; i < 256; ++i) linear[static_cast<std::size_t>(i)] = static_cast<float>(decoded(i / 255.0));
     int c = 0;
     for (int i = 0; i <= steps; ++i) {
-        while (c < 255 && double(i) / steps >= decoded((c + 0.5) / 255)) ++c;
+        while (c < 255 && (i + 0.5) / steps >= decoded((c + 0.5) / 255)) ++c;
         channel[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(c);
     }
 }

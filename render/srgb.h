@@ -25,7 +25,7 @@ struct LinearColor {
 struct SrgbTables {
     static constexpr int steps = 16384;   // fine enough that neighbouring dark channels stay apart
     std::array<float, 256> linear;
-    std::array<std::uint8_t, steps + 1> channel;
+    std::array<std::uint8_t, steps + 1> channel;   // at the middle of each step
 
     SrgbTables();
 };
@@ -40,7 +40,7 @@ inline float linear_of(std::uint8_t channel) { return srgb_tables().linear[chann
 
 /// The nearest 8-bit sRGB channel, clamped; srgb_of(linear_of(c)) == c.
 inline std::uint8_t srgb_of(float linear) {
-    return srgb_tables().channel[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * SrgbTables::steps + 0.5F)];
+    return srgb_tables().channel[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * SrgbTables::steps)];
 }
 
 inline LinearColor linear_of(Rgba color) {

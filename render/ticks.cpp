@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "contact_sheet.h"
@@ -74,8 +75,9 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
     if (!(low < high) || !std::isfinite(high - low) || wanted < 1) return {};
     const Step step = best_step(low, high, wanted);
     std::vector<double> ticks;
-    for (double i = step.first(low); i <= step.last(high) && ticks.size() < 1000; ++i) {
-        const double tick = scaled(i * step.mantissa, step.exponent) + 0.0;   // + 0: no −0
+    const auto last = static_cast<std::int64_t>(step.last(high));
+    for (auto i = static_cast<std::int64_t>(step.first(low)); i <= last && ticks.size() < 1000; ++i) {
+        const double tick = scaled(static_cast<double>(i) * step.mantissa, step.exponent) + 0.0;   // + 0: no −0
         if (tick >= low && tick <= high && (ticks.empty() || tick > ticks.back())) ticks.push_back(tick);
     }
     return ticks;
@@ -88,6 +90,7 @@ TickLabels tick_labels(const std::vector<double>& ticks) {
     const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest) + 1e-12)) : 0;
     const bool plain = exponent >= -3 && exponent <= 4;
     std::vector<double> mantissas;
+    mantissas.reserve(ticks.size());
     for (const double t : ticks) mantissas.push_back(plain ? t : scaled(t, -exponent));
     const double step = mantissas.size() > 1 ? mantissas[1] - mantissas[0] : std::abs(mantissas[0]);
     const int decimals = decimals_needed(mantissas, step);

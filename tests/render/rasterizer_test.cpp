@@ -190,6 +190,29 @@ TEST(Rasterizer, DepthsStayWithinThoseOfTheCorners) {
     }
 }
 
+// Many large triangles through one another: whatever is skipped as hidden must be hidden.
+TEST(Rasterizer, EverySampleSeesTheNearestOfManyLargeTriangles) {
+    std::mt19937_64 random(8);
+    constexpr int columns = 150, rows = 32, count = 120;
+    for (const std::int64_t reach : {std::int64_t{300 * 256}, std::int64_t{1} << 40}) {
+        std::vector<Triangle2> triangles;
+        for (int i = 0; i < count; ++i) triangles.push_back(random_triangle(random, reach, 1));
+        SampleBand together(columns, 0, rows, 4);
+        for (int i = 0; i < count; ++i) render::rasterize(triangles[static_cast<std::size_t>(i)], i, together);
+        std::vector<Visible> nearest(static_cast<std::size_t>(columns * rows * 4));
+        for (int i = 0; i < count; ++i) {
+            SampleBand alone(columns, 0, rows, 4);
+            render::rasterize(triangles[static_cast<std::size_t>(i)], i, alone);
+            for (std::size_t s = 0; s < nearest.size(); ++s)
+                if (alone.pixel(0, 0)[s].depth > nearest[s].depth) nearest[s] = alone.pixel(0, 0)[s];
+        }
+        for (std::size_t s = 0; s < nearest.size(); ++s) {
+            ASSERT_EQ(together.pixel(0, 0)[s].triangle, nearest[s].triangle);
+            ASSERT_EQ(together.pixel(0, 0)[s].depth, nearest[s].depth);
+        }
+    }
+}
+
 TEST(Rasterizer, DepthIsLinearOnThePlane) {
     // z = 3 + x/10 − y/5 in pixels
     const auto z = [](double x, double y) { return 3 + 0.1 * x - 0.2 * y; };
