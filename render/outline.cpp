@@ -37,7 +37,7 @@ std::vector<bool> may_lie_on_boundary(const Surface& surface) {
 bool same_edge(const BoundaryEdge& e, const BoundaryEdge& f) { return e.a == f.a && e.b == f.b; }
 
 /// |cos| of the angle between normal and view below which a triangle is seen edge-on.
-constexpr double edge_on = 0.02;
+constexpr double edge_on = 0.004;
 bool seen_edge_on(const glm::dvec3& normal, const View& view) {
     return std::abs(glm::dot(normal, view.from)) < edge_on * glm::length(normal);
 }
