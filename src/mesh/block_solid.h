@@ -1,0 +1,29 @@
+/// @file
+/// Surfaces of solids put together from blocks, before they are bent into shape. Feature edges of the shape are edges of
+/// the blocks, hence represented exactly however finely the blocks are divided.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace meshfolio {
+
+/// For each axis, into how many cells each block along it is divided: {{{4}, {2, 3}, {5}}} is 1 × 2 × 1 blocks.
+using BlockDivisions = std::array<std::vector<int>, 3>;
+
+struct BlockSurface {
+    Positions X;                             // block coordinates: block (i, j, k) fills [i, i+1] × [j, j+1] × [k, k+1]
+    std::vector<std::array<int, 4>> quads;   // counter-clockwise seen from outside
+    std::vector<std::array<int, 2>> cell;    // place of each quad within its side: cells along its first and second edge
+};
+
+/// The quads between filled and empty. Closed; manifold unless filled blocks touch along an edge or a corner only.
+BlockSurface surface_of_blocks(const BlockDivisions& divisions, const std::function<bool(int i, int j, int k)>& filled);
+
+/// Cuts quad q along its corners 0–2 where `first_diagonal(surface, q)`, else along 1–3.
+TriangleMesh triangulated(const BlockSurface& surface, const std::function<bool(const BlockSurface&, int q)>& first_diagonal);
+
+}   // namespace meshfolio
