@@ -174,7 +174,7 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
         result.blow_up_vertex = runaway_vertex(next, moving, options.blow_up_at * frame.diagonal);
         result.blew_up = result.blow_up_vertex >= 0;
         if (result.blew_up) result.blow_up_iteration = t;
-        if (result.blew_up && !next.row(result.blow_up_vertex).allFinite()) break;
+        if (result.blew_up && !frame.outside(next).allFinite()) break;
         current.X = std::move(next);
         result.iterations = t;
         if (options.after_step && !options.after_step(t, positions())) break;

@@ -2,6 +2,7 @@
 
 #include <Spectra/SymEigsSolver.h>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -22,18 +23,28 @@ SparseMatrix shifted(const SparseMatrix& A, const Vector& M, double sigma) {
     return A + diagonal;
 }
 
-/// σ = −10⁻⁶ trace(A)/trace(M): small against the eigenvalues sought, large enough for pivots that are surely positive. Where
-/// needles make rounding larger than that, farther below.
+/// The size of an ordinary eigenvalue where Σ M = 1: n times the median diagonal entry, which needles do not raise as they do
+/// the mean, trace(A)/trace(M).
+double ordinary_eigenvalue(const SparseMatrix& A) {
+    Vector diagonal = A.diagonal();
+    double* const middle = diagonal.data() + diagonal.size() / 2;
+    std::nth_element(diagonal.data(), middle, diagonal.data() + diagonal.size());
+    return double(A.rows()) * *middle;
+}
+
+/// σ = −10⁻⁶ of that: small against the eigenvalues sought, large enough for pivots that are surely positive. Farther below where
+/// needles or specks make rounding larger.
 SparseFactor factor_below_zero(const SparseMatrix& A, const Vector& M, double& sigma) {
-    const double mean_eigenvalue = A.diagonal().sum() / M.sum();
-    int negative = 0;
-    for (const double share : {1e-6, 1e-5, 1e-4, 1e-3}) {
-        sigma = mean_eigenvalue > 0 ? -share * mean_eigenvalue : -1;
-        SparseFactor factor = SparseFactor::ldlt(shifted(A, M, sigma));
-        negative = factor.negative_pivots();
-        if (negative == 0) return factor;
+    const double ordinary = ordinary_eigenvalue(A);
+    for (const double share : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
+        sigma = ordinary > 0 ? -share * ordinary : -share;
+        try {
+            SparseFactor factor = SparseFactor::ldlt(shifted(A, M, sigma));
+            if (factor.negative_pivots() == 0) return factor;
+        } catch (const SolverError&) {   // a pivot lost in rounding
+        }
     }
-    throw SolverError("−C has " + std::to_string(negative) + " negative eigenvalues, so it is no Laplacian",
+    throw SolverError("−C has negative eigenvalues, so it is no Laplacian",
                       "sum the opposite cotangents of an edge instead of averaging them");
 }
 

@@ -14,7 +14,7 @@ enum class FactorLibrary { automatic, eigen };
 class SparseFactor {
 public:
     /// LDLᵀ of a symmetric matrix (lower triangle read), indefinite allowed as long as no pivot vanishes.
-    /// @throws SolverError if a pivot is zero to rounding or not finite
+    /// @throws SolverError if a pivot is zero, within a few roundings of it, or not finite
     static SparseFactor ldlt(const SparseMatrix& A, FactorLibrary library = FactorLibrary::automatic);
     /// Cholesky LLᵀ, supernodal where that is faster.
     /// @throws SolverError if A is not positive definite

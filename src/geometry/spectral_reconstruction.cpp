@@ -53,7 +53,8 @@ Positions reconstruct(const Spectrum& spectrum, const Vector& M, const Positions
     const Centred about = centred(M, X);
     const auto Phi = spectrum.eigenvectors.leftCols(k);
     const auto Z = Phi.leftCols(zero_modes(spectrum, k));
-    const Vector constant = Z * (Z.transpose() * M);   // 1 on every component whose zero mode is among the k
+    // Z Zᵀ M 1 is 1 on every component whose zero mode is among the k, else 0; rounded to be exactly that.
+    const Vector constant = (Z * (Z.transpose() * M)).array().round();
     Positions result = Phi * (Phi.transpose() * (M.asDiagonal() * about.X)) + constant * about.centroid;
     for (Eigen::Index v = 0; v < M.size(); ++v) {
         if (!(M[v] > 0)) result.row(v) = X.row(v);
