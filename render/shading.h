@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <span>
 
@@ -22,7 +23,7 @@ struct Palette {
 
     explicit Palette(const DrawOptions& options);
     const LinearColor& at(float map_position) const {
-        return ramp[static_cast<std::size_t>(std::clamp(map_position, 0.0F, 1.0F) * steps + 0.5F)];
+        return ramp[static_cast<std::size_t>(std::lrint(std::clamp(map_position, 0.0F, 1.0F) * steps))];
     }
 };
 
