@@ -1,0 +1,180 @@
+#include "mesh/mesh_checks.h"
+
+#include <gtest/gtest.h>
+
+#include "errors.h"
+#include "mesh/rejections.h"
+#include "mesh/small_meshes.h"
+#include "mesh/triangle_measures.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing;
+
+namespace {
+
+/// As if read from a file with one face a line, from line 101 on.
+LoadedMesh loaded(const TriangleMesh& mesh) {
+    LoadedMesh result{mesh, "m.obj", {}, {}};
+    for (int t = 0; t < mesh.face_count(); ++t) result.face_lines.push_back(101 + t);
+    return result;
+}
+
+PreparedMesh prepared(const TriangleMesh& mesh) { return prepare_mesh(loaded(mesh)); }
+
+std::string warnings_of(const PreparedMesh& mesh) { return meshfolio::testing::warnings_of(LoadedMesh{{}, "", {}, mesh.warnings}); }
+
+TriangleMesh with_face(TriangleMesh mesh, int a, int b, int c) {
+    mesh.F.conservativeResize(mesh.F.rows() + 1, 3);
+    mesh.F.bottomRows(1) << a, b, c;
+    return mesh;
+}
+
+void flip(TriangleMesh& mesh, int t) { std::swap(mesh.F(t, 0), mesh.F(t, 1)); }
+
+}   // namespace
+
+TEST(MeshChecks, SoundMeshesPassUnchanged) {
+    for (const TriangleMesh& mesh : {tetrahedron(), unit_cube(), torus(9, 7), flat_grid(4, 5)}) {
+        const PreparedMesh result = prepared(mesh);
+        EXPECT_EQ(result.mesh.F, mesh.F);
+        EXPECT_EQ(warnings_of(result), "");
+        EXPECT_TRUE(result.preflight.manifold());
+        EXPECT_TRUE(result.preflight.orientable);
+    }
+}
+
+TEST(MeshChecks, CountsOfATorus) {
+    const Preflight p = prepared(torus(12, 8)).preflight;
+    EXPECT_EQ(p.vertices, 96);
+    EXPECT_EQ(p.triangles, 192);
+    EXPECT_EQ(p.edges, 288);
+    EXPECT_EQ(p.euler_characteristic, 0);
+    EXPECT_EQ(p.genus, 1);
+    EXPECT_TRUE(p.closed());
+    EXPECT_NEAR(p.area, surface_area(torus(12, 8)), 1e-12);
+    EXPECT_NEAR(p.mean_edge, mean_edge_length(torus(12, 8)), 1e-14);
+    EXPECT_EQ(p.box_high.x(), 2.5);
+}
+
+TEST(MeshChecks, CountsOfOpenMeshes) {
+    const Preflight grid = prepared(flat_grid(4, 6)).preflight;
+    EXPECT_EQ(grid.euler_characteristic, 1);
+    EXPECT_EQ(grid.boundary_edges, 2 * 3 + 2 * 5);
+    EXPECT_EQ(grid.boundary_loops, 1);
+    EXPECT_EQ(grid.genus, 0);
+    EXPECT_FALSE(grid.closed());
+}
+
+TEST(MeshChecks, DropsDegenerateAndDuplicateFacesWithTheirLines) {
+    TriangleMesh mesh = with_face(with_face(with_face(tetrahedron(), 3, 3, 3), 1, 0, 1), 2, 1, 0);
+    mesh = with_face(mesh, 0, 2, 1);
+    const PreparedMesh result = prepared(mesh);
+    EXPECT_EQ(result.mesh.F, tetrahedron().F);
+    EXPECT_EQ(result.preflight.dropped_degenerate_faces, 2);
+    EXPECT_EQ(result.preflight.dropped_duplicate_faces, 2);
+    EXPECT_EQ(warnings_of(result), "105: 2 degenerate faces (a corner named twice) ignored\n107: 2 duplicate faces ignored\n");
+}
+
+TEST(MeshChecks, TurnsTheMinorityAndKeepsTheLines) {
+    TriangleMesh mesh = with_face(torus(9, 7), 0, 0, 1);
+    mesh.F.row(0).swap(mesh.F.row(mesh.F.rows() - 1));   // dropped first: later lines must not shift
+    const Faces right = mesh.F.bottomRows(mesh.F.rows() - 1);
+    for (const int t : {20, 5, 77}) flip(mesh, t);
+    const PreparedMesh result = prepared(mesh);
+    EXPECT_EQ(result.preflight.flipped_faces, 3);
+    EXPECT_EQ(result.preflight.inside_out_components, 0);
+    EXPECT_GT(result.preflight.volume, 0);
+    EXPECT_NE(warnings_of(result).find("106: 3 faces turned"), std::string::npos) << warnings_of(result);
+    EXPECT_LT((face_normals(result.mesh) - face_normals({mesh.X, right})).norm(), 1e-12);
+}
+
+TEST(MeshChecks, OpenSurfacesKeepTheMajorityOfTheFile) {
+    TriangleMesh mesh = flat_grid(5, 5);   // normals +z
+    for (int t = 0; t < 20; ++t) flip(mesh, t);
+    const PreparedMesh result = prepared(mesh);   // 20 of 32 said −z
+    EXPECT_EQ(result.preflight.flipped_faces, 12);
+    EXPECT_EQ(face_normals(result.mesh).col(2).maxCoeff(), -1);
+}
+
+TEST(MeshChecks, ClosedPiecesAreTurnedOutwardsEachOnItsOwn) {
+    TriangleMesh inner = unit_cube();
+    for (int t = 0; t < inner.face_count(); ++t) flip(inner, t);
+    inner.X = moved(inner.X, {0.25, 0.25, 0.25}, 0.5);
+    const PreparedMesh result = prepared(joined(unit_cube(), inner));
+    EXPECT_EQ(result.preflight.inside_out_components, 1);
+    EXPECT_EQ(result.preflight.flipped_faces, 0);
+    EXPECT_EQ(result.preflight.components, 2);
+    EXPECT_EQ(result.preflight.genus, -1);
+    EXPECT_NEAR(result.preflight.volume, 1.125, 1e-14);
+    EXPECT_EQ(warnings_of(result), "113: 1 closed component was inside out (negative volume), reoriented\n");
+}
+
+TEST(MeshChecks, OrientationHoldsFarFromTheOriginAndAtAnyScale) {
+    TriangleMesh mesh = unit_cube();
+    for (int t = 0; t < mesh.face_count(); ++t) flip(mesh, t);
+    for (const auto& [shift, scale] : {std::pair(1e15, 1.0), std::pair(-1e7, 1.0 / 64), std::pair(0.0, 1e-30), std::pair(0.0, 1e99)}) {
+        TriangleMesh other = moved_to(mesh, moved(mesh.X, Vector3::Constant(shift), scale));
+        EXPECT_GT(prepared(other).preflight.volume, 0) << shift;
+        flip(other, 3);
+        EXPECT_EQ(prepared(other).preflight.flipped_faces, 1);
+    }
+}
+
+TEST(MeshChecks, AMoebiusStripIsLeftAloneAndSaidSo) {
+    const PreparedMesh result = prepared(moebius_strip(12));
+    EXPECT_FALSE(result.preflight.orientable);
+    EXPECT_EQ(result.mesh.F, moebius_strip(12).F);
+    EXPECT_EQ(result.preflight.genus, -1);
+    EXPECT_NE(warnings_of(result).find("no consistent orientation"), std::string::npos);
+}
+
+TEST(MeshChecks, NonManifoldPlacesAreCountedAndNamed) {
+    const TriangleMesh pages = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+    const PreparedMesh book = prepared(pages);
+    EXPECT_EQ(book.preflight.nonmanifold_edges, 1);
+    EXPECT_EQ(book.preflight.nonmanifold_vertices, 2);
+    EXPECT_EQ(warnings_of(book),
+              "0: 1 non-manifold edge (first: 3 faces on vertices 0 and 1, counted from 0); curvature is undefined there\n");
+    const PreparedMesh bow_tie = prepared(mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}));
+    EXPECT_EQ(bow_tie.preflight.nonmanifold_vertices, 1);
+    EXPECT_NE(warnings_of(bow_tie).find("1 non-manifold vertex (first: 0"), std::string::npos);
+}
+
+TEST(MeshChecks, CountsUnusedAndCoincidentVertices) {
+    TriangleMesh mesh = joined(tetrahedron(), mesh_of({{9, 9, 9}, {-0.0, 0, 0}}, {}));
+    mesh = with_face(with_face(mesh, 1, 3, 5), 5, 3, 2);
+    const PreparedMesh result = prepared(mesh);
+    EXPECT_EQ(result.preflight.vertices, 6);
+    EXPECT_EQ(result.preflight.vertices_in_use, 5);
+    EXPECT_EQ(result.preflight.duplicated_positions, 1);
+    EXPECT_NE(warnings_of(result).find("1 isolated vertex ignored"), std::string::npos);
+    EXPECT_EQ(result.mesh.vertex_count(), 6);
+}
+
+TEST(MeshChecks, KeepsAndCountsBadShapes) {
+    const TriangleMesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1e-3, 0}}, {{0, 1, 3}, {0, 2, 1}, {0, 4, 2}});
+    for (const double scale : {1e-40, 1.0, 1e40}) {
+        const PreparedMesh result = prepared(moved_to(mesh, moved(mesh.X, Vector3::Zero(), scale)));
+        EXPECT_EQ(result.preflight.zero_area_faces, 1);
+        EXPECT_EQ(result.preflight.needle_faces, 1);
+        EXPECT_EQ(result.preflight.triangles, 3);
+        EXPECT_NE(warnings_of(result).find("102: 1 face of no area kept"), std::string::npos);
+    }
+}
+
+TEST(MeshChecks, RefusesWhatCannotBeWorkedWith) {
+    TriangleMesh mesh = tetrahedron();
+    EXPECT_THROW(prepared(moved_to(mesh, Positions::Ones(4, 3))), InputError);
+    mesh.X(3, 2) = 1.1e100;
+    EXPECT_THROW(prepared(mesh), InputError);
+    mesh.X(3, 2) = std::nan("");
+    EXPECT_THROW(prepared(mesh), InputError);
+    EXPECT_THROW(prepared(mesh_of({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}})), InputError);
+    EXPECT_THROW(prepared(mesh_of({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}})), InputError);
+}
+
+TEST(MeshChecks, ReadersWarningsComeFirst) {
+    LoadedMesh mesh = loaded(with_face(tetrahedron(), 1, 1, 2));
+    mesh.warnings.push_back({"of the reader", 7});
+    EXPECT_EQ(warnings_of(prepare_mesh(mesh)), "7: of the reader\n105: 1 degenerate face (a corner named twice) ignored\n");
+}
