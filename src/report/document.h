@@ -39,7 +39,7 @@ using Cell = std::variant<std::monostate, double, std::string>;
 
 struct Column {
     std::string name;                                                // "L2 error of H"
-    std::string unit;                                                // "1/length"; empty: none
+    std::string unit = {};                                           // "1/length"; empty: none
     int digits = 3;                                                  // significant digits for people; files get all
     enum class Best { none, smallest, largest } best = Best::none;   // which value is marked
 };
@@ -53,8 +53,8 @@ struct Table {
 
 struct Series {
     std::string name;
-    std::vector<double> x, y;            // equally long; NaN leaves a gap
-    std::vector<double> y_low, y_high;   // error band; empty: none
+    std::vector<double> x, y;                      // equally long; NaN leaves a gap
+    std::vector<double> y_low = {}, y_high = {};   // error band; empty: none
     enum class Style { line, points, line_and_points, dashed } style = Style::line;
 };
 

@@ -19,9 +19,13 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 /// At the beginning of a block these characters would make a heading, a list, a rule or an underlined title of it.
 bool begins_block(const std::string& text, std::size_t i) {
     const char c = text[i];
-    if (i == 0) return c == '#' || c == '-' || c == '+' || c == '=';
-    const bool after_number = text.find_first_not_of("0123456789") == i;
-    return after_number && (c == '.' || c == ')');
+    if (i == 0 && (c == '#' || c == '-' || c == '+' || c == '=')) {
+        const std::size_t end = text.find_first_not_of(c);
+        return end == std::string::npos || text[end] == ' ';
+    }
+    const bool after_number = i > 0 && text.find_first_not_of("0123456789") == i;
+    const bool before_space = i + 1 == text.size() || text[i + 1] == ' ';
+    return after_number && before_space && (c == '.' || c == ')');
 }
 
 bool is_within_word(const std::string& text, std::size_t i) {

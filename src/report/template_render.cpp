@@ -73,7 +73,7 @@ public:
         TagUse use;
         for (const auto& [component, tag] : tags_) {
             if (tag.state == State::known) continue;
-            const Tag named{tag.file, line_of(templates_[tag.file], component->position), component->tag.name};
+            const Tag named{tag.file, line_of(templates_[tag.file], component->position), component->position, component->tag.name};
             (tag.state == State::unknown ? use.unknown : use.unreached).push_back(named);
         }
         std::sort(use.unknown.begin(), use.unknown.end());   // the map is ordered by addresses

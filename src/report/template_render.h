@@ -20,10 +20,11 @@ struct SyntaxProblem {
 /// What is wrong with the syntax of a template, if anything.
 std::optional<SyntaxProblem> syntax_problem(const std::string& text);
 
-/// A tag of a template, counted as one wherever it occurs.
+/// A tag where it stands in a template.
 struct Tag {
     std::string file;
     long line = 0;
+    std::size_t position = 0;   // in the file
     std::string name;
     auto operator<=>(const Tag&) const = default;
 };

@@ -1,0 +1,43 @@
+#include "report/document.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace meshfolio::report {
+namespace {
+
+TEST(Check, NearIsWithinTheTolerance) {
+    EXPECT_TRUE(check_near("", 1, 1.09, 0.1).passed);
+    EXPECT_TRUE(check_near("", 1, 1, 0).passed);
+    EXPECT_FALSE(check_near("", 1, 1.11, 0.1).passed);
+    EXPECT_FALSE(check_near("", 1, 0.89, 0.1).passed);
+}
+
+TEST(Check, LimitsHoldOnOneSide) {
+    EXPECT_TRUE(check_at_most("", 1, -5).passed);
+    EXPECT_TRUE(check_at_most("", 1, 1.05, 0.1).passed);
+    EXPECT_FALSE(check_at_most("", 1, 1.05).passed);
+    EXPECT_TRUE(check_at_least("", 1, 5).passed);
+    EXPECT_TRUE(check_at_least("", 1, 0.95, 0.1).passed);
+    EXPECT_FALSE(check_at_least("", 1, 0.95).passed);
+}
+
+TEST(Check, UndefinedNeverPasses) {
+    const double undefined = std::nan("");
+    for (const auto& make : {check_near, check_at_most, check_at_least}) {
+        EXPECT_FALSE(make("", 1, undefined, 1e300, "").passed);
+        EXPECT_FALSE(make("", undefined, 1, 1e300, "").passed);
+        EXPECT_FALSE(make("", 1, 1, undefined, "").passed);
+    }
+}
+
+TEST(Text, JoinsAndExtends) {
+    Text t = text("a ", strong("b"), std::string(" c"));
+    extend(t, " d", text(ref("q1")));
+    EXPECT_EQ(t.size(), 5u);
+    EXPECT_EQ(plain(t), "a b c dq1");
+}
+
+}   // namespace
+}   // namespace meshfolio::report

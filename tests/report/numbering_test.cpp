@@ -1,0 +1,65 @@
+#include "report/numbering.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "report/sample_document.h"
+
+namespace meshfolio::report {
+namespace {
+
+Numbering sample_numbering() { return Numbering(sample_document(), bibliography_of(Templates())); }
+
+/// What a logic_error says; empty when none is thrown.
+template <class Action>
+std::string complaint(Action action) {
+    try {
+        action();
+    } catch (const std::logic_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Numbering, PlotsAndFiguresShareOneCount) {
+    const Numbering numbering = sample_numbering();
+    EXPECT_EQ(numbering.resolve("q1_plane_h").label, "Figure 1.1");
+    EXPECT_EQ(numbering.resolve("q1_missing").label, "Figure 1.2");
+    EXPECT_EQ(numbering.resolve("q1_error_versus_k").label, "Figure 1.3");
+    EXPECT_EQ(numbering.resolve("q1_errors").label, "Table 1.1");
+    EXPECT_EQ(numbering.resolve("q1_long").label, "Table 1.2");
+    EXPECT_EQ(numbering.resolve("q1_eq").label, "Equation (1.1)");
+    EXPECT_EQ(numbering.resolve("q1").label, "Question 1");
+    EXPECT_EQ(numbering.resolve("ground_truth").label, "Section A");
+}
+
+TEST(Numbering, CitedWorksAreNumberedInTheirOrder) {
+    const auto works = bibliography_of(Templates());
+    EXPECT_EQ(sample_numbering().resolve(works.front().id).label, "[1]");
+    EXPECT_EQ(sample_numbering().resolve(works.back().id).label, "[" + std::to_string(works.size()) + "]");
+}
+
+TEST(Numbering, APrefixSaysOnlyOfWhatKindItIs) { EXPECT_EQ(sample_numbering().resolve("t:q1_errors").label, "Table 1.1"); }
+
+// q2 failed and q9 was not asked for: a reference to them must not take the report down.
+TEST(Numbering, PartsOfUnansweredQuestionsAreCalledByTheQuestion) {
+    EXPECT_EQ(sample_numbering().resolve("q2_plot").label, "Question 2");
+    EXPECT_EQ(sample_numbering().resolve("q2_plot").anchor, "q2");
+    EXPECT_EQ(sample_numbering().resolve("q9_plot").label, "Question 9");
+    EXPECT_EQ(sample_numbering().resolve("q9_plot").anchor, "");
+}
+
+TEST(Numbering, UnknownIdIsNamed) {
+    EXPECT_NE(complaint([] { (void)sample_numbering().resolve("q1_nothing"); }).find("q1_nothing"), std::string::npos);
+    EXPECT_NE(complaint([] { (void)sample_numbering().resolve("qx"); }).find("qx"), std::string::npos);
+}
+
+TEST(Numbering, IdUsedTwiceIsNamed) {
+    Document document = sample_document();
+    document.sections[3].blocks.push_back(Figure{"q1_errors", "", ""});
+    EXPECT_NE(complaint([&] { Numbering(document, {}); }).find("q1_errors"), std::string::npos);
+}
+
+}   // namespace
+}   // namespace meshfolio::report

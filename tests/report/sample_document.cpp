@@ -1,0 +1,173 @@
+#include "report/sample_document.h"
+
+#include <cmath>
+
+namespace meshfolio::report {
+
+namespace {
+
+const double undefined = std::nan("");
+
+Table error_table() {
+    Table table{"q1_errors",
+                "Relative errors of H against the closed form.",
+                {{"mesh"},
+                 {"vertices", "", 6},
+                 {"L2 error", "%", 3, Column::Best::smallest},
+                 {"order", "", 2, Column::Best::largest},
+                 {"H", "1/length", 4}},
+                {}};
+    table.rows = {{std::string("sphere"), 642.0, 0.88, 1.02, 1.0},
+                  {std::string("torus"), 2048.0, 0.0352, 2.0, 1e-9},
+                  {std::string("ellipsoid"), 10242.0, 28.1, Cell(), 123456789.0},
+                  {std::string("plane"), 121.0, undefined, INFINITY, Cell()}};
+    return table;
+}
+
+Table long_table() {
+    Table table{"q1_long", "One row a vertex.", {{"vertex", "", 6}, {"value", "length", 5}}, {}};
+    for (int i = 0; i < 450; ++i) table.rows.push_back({double(i), std::sin(0.01 * i)});
+    return table;
+}
+
+Plot error_plot() {
+    Plot plot{"q1_error_versus_k",
+              "Error against k with its minimum.",
+              "The error falls from 8.5 % at k = 5 to 0.58 % at k = 150.",
+              "number of eigenvectors k",
+              "rms error [% of box diagonal]",
+              true,
+              true,
+              {},
+              {},
+              {}};
+    Series measured{"measured", {}, {}, {}, {}, Series::Style::line_and_points},
+        predicted{"predicted (Parseval)", {}, {}, {}, {}, Series::Style::dashed};
+    for (const double k : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 150.0, 361.0}) {
+        const double y = 18 / std::pow(k, 0.66);
+        predicted.x.push_back(k);
+        predicted.y.push_back(y);
+        measured.x.push_back(k);
+        measured.y.push_back(k == 30 ? undefined : y * 1.04);
+        measured.y_low.push_back(0.8 * y);
+        measured.y_high.push_back(1.25 * y);
+    }
+    plot.series = {measured, predicted};
+    plot.markers = {{15, 18 / std::pow(15, 0.66), "3.5 % at k = 15"}, {150, 18 / std::pow(150, 0.66), "minimum"}};
+    plot.vertical_lines = {{50, "k = n/7"}};
+    return plot;
+}
+
+Section answered() {
+    Section s;
+    s.id = "q1";
+    s.title = "Uniform Laplace curvature";
+    s.asked = "Are they good approximations?";
+    s.extent = "H and K on 4 meshes, errors on 3";
+    s.inputs = {{"plane", "curvatures/plane.obj", "plane.obj", true, std::string(64, 'a'), 121, 200},
+                {"sphere", "", "sphere.ply", false, std::string(64, 'b'), 40962, 81920}};
+    s.parameters = {{"area form", "barycentric"}, {"clip", "2 %"}};
+    s.code = {{"uniform_laplacian", "src/geometry/uniform_laplacian.cpp", "Δ with uniform weights"}};
+    s.blocks = {Heading{"Method"},
+                Paragraph{text("Plain, ", strong("strong"), ", ", emphasis("emphasis"), ", ", code("answer_q1"), ", ",
+                               math("λ_crit = 2/μ_max, x^{2}, Δx"), "; see ", ref("q1_eq"), ", ", ref("q1_plane_h"), ", ", ref("q1_errors"),
+                               ", ", ref("q1_error_versus_k"), ", ", ref("q2"), ", ", ref("q2_anything"), ", ", ref("q9"), " and ",
+                               ref("desbrun_1999"), ".")},
+                BulletList{{text("one"), text("two, ", math("h^−2"))}},
+                Formula{"uniform_laplacian", "q1_eq"},
+                Formula{"ellipsoid_EFG", ""},
+                Heading{"Results"},
+                Figure{"q1_plane_h", "Mean curvature of the plane.", "A plane from six directions, values from 0 to 1."},
+                Figure{"q1_missing", "A figure without a picture.", "Nothing."},
+                error_table(),
+                long_table(),
+                error_plot()};
+    s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
+                check_at_most("L2 error of H on sphere", 0.01, 0.0088),
+                check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1)};
+    s.findings = {{text("H of the sphere is ", strong("0.88 %"), " off (", ref("q1_errors"), ")."), 50}, {text("small"), 1}};
+    s.warnings = {"plane.obj: 3 duplicate faces were left out"};
+    s.output_meshes = {"meshes/q1_plane.ply"};
+    s.timings = {{"Laplacian", 0.0123}, {"curvature", 1.5}};
+    return s;
+}
+
+}   // namespace
+
+Document sample_document() {
+    Document document;
+    document.title = "Curvature and smoothing";
+    document.author = "A. Student";
+    document.course = "Acquisition and Processing of 3D Geometry";
+    document.provenance = {"0.1.0", "1a2b3c4", "GCC 12.2.0", "Release", {{"Eigen", "3.4.0"}}, {{"size", "512"}}, 18446744073709551615ull};
+    Section failed;
+    failed.id = "q2";
+    failed.title = "Fundamental forms";
+    failed.status = Status::failed;
+    failed.failure = "ellipsoid.obj:3: not a number";
+    failed.findings = {{text("second"), 30}, {text("third"), 20}, {text("fourth"), 10}, {text("fifth"), 5}};
+    failed.checks = {check_near("all well", 1, 1, 0)};
+    Section skipped;
+    skipped.id = "q3";
+    skipped.title = "Cotangent curvature";
+    skipped.status = Status::skipped;
+    Section appendix;
+    appendix.id = "ground_truth";
+    appendix.title = "Ground truth";
+    document.sections = {answered(), failed, skipped, appendix};
+    document.timings = {{"everything", 12.3}};
+    return document;
+}
+
+DrawnFigures sample_figures() {
+    DrawnFigure drawn{"images/q1_plane_h_sheet.png", std::string("\xff\xd8\xff\0jpeg", 8), 1200, 800, {}};
+    for (const char* panel : {"λ = 0.1", "λ = 1"}) {
+        for (const char* view : {"+x", "-x"})
+            drawn.views.emplace_back(std::string(panel) + ", " + view, std::string("images/q1_plane_h_") + view + ".png");
+    }
+    return {{"q1_plane_h", drawn}};
+}
+
+const std::string hostile =
+    "<script>alert(1)</script>|\"'`*_x_*](y)$&amp;\\ \xff\xc0\x80 \x1b[31m\x01\r\n\t# {{title}} ]]> \xEF\xBF\xBF \u202E --> é∞";
+
+Document hostile_document() {
+    Document d = sample_document();
+    d.title = d.author = d.course = hostile;
+    d.provenance = {hostile, hostile, hostile, hostile, {{hostile, hostile}}, {{hostile, hostile}}, 0};
+    Section& s = d.sections[0];
+    s.title = s.asked = s.extent = hostile;
+    s.inputs[0] = {hostile, hostile, hostile, true, hostile, 1, 1};
+    s.parameters = {{hostile, hostile}};
+    s.code = {{hostile, hostile, hostile}};
+    s.warnings = {hostile};
+    s.output_meshes = {"meshes/" + hostile};
+    s.timings = d.timings = {{hostile, 1}};
+    for (Check& check : s.checks) check.name = check.note = hostile;
+    s.findings = {{text(hostile, strong(hostile)), 9}};
+    s.blocks.push_back(Heading{hostile});
+    s.blocks.push_back(Paragraph{text(hostile, strong(hostile), emphasis(hostile), code(hostile), math(hostile))});
+    s.blocks.push_back(BulletList{{text(hostile)}});
+    s.blocks.push_back(Figure{"q1_hostile", hostile, hostile});
+    s.blocks.push_back(Table{"q1_hostile_table", hostile, {{hostile, hostile}, {"x", "", 3}}, {{hostile, 1.0}}});
+    s.blocks.push_back(Plot{"q1_hostile_plot",
+                            hostile,
+                            hostile,
+                            hostile,
+                            hostile,
+                            false,
+                            false,
+                            {{hostile, {1, 2}, {1, 2}, {}, {}}},
+                            {{1, 1, hostile}},
+                            {{1.5, hostile}}});
+    d.sections[1].failure = hostile;
+    return d;
+}
+
+DrawnFigures hostile_figures() {
+    DrawnFigures drawn = sample_figures();
+    drawn["q1_hostile"] = {"images/" + hostile, "", 0, 0, {{hostile, "images/" + hostile}}};
+    return drawn;
+}
+
+}   // namespace meshfolio::report

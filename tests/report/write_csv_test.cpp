@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "report/escape.h"
+#include "report/sample_document.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+namespace {
+
+/// A reader of RFC 4180, written apart from the writer.
+std::vector<std::vector<std::string>> parsed(const std::string& csv) {
+    std::vector<std::vector<std::string>> rows;
+    std::vector<std::string> row(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < csv.size(); ++i) {
+        const char c = csv[i];
+        if (quoted) {
+            if (c == '"' && i + 1 < csv.size() && csv[i + 1] == '"') {
+                row.back() += csv[++i];
+            } else if (c == '"') {
+                quoted = false;
+            } else {
+                row.back() += c;
+            }
+        } else if (c == '"') {
+            quoted = true;
+        } else if (c == ',') {
+            row.emplace_back();
+        } else if (c == '\n') {
+            rows.push_back(row);
+            row.assign(1, "");
+        } else {
+            row.back() += c;
+        }
+    }
+    EXPECT_FALSE(quoted);
+    return rows;
+}
+
+TEST(WriteCsv, NumbersReadBackExactlyAndUndefinedIsEmpty) {
+    const double x = 0.1 + 0.2;
+    const Table table{"t", "", {{"a", "1/length"}, {"b"}}, {{x, std::string("s")}, {Cell(), std::nan("")}, {-1e-300, INFINITY}}};
+    const auto rows = parsed(write_csv(table));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"a [1/length]", "b"}));
+    EXPECT_EQ(std::stod(rows[1][0]), x);
+    EXPECT_EQ(rows[2], (std::vector<std::string>{"", ""}));
+    EXPECT_EQ(std::stod(rows[3][0]), -1e-300);
+    EXPECT_EQ(rows[3][1], "");
+}
+
+TEST(WriteCsv, AnyTextComesBack) {
+    const Table table{"t", "", {{"a,\"b\"\nc"}, {"x"}}, {{hostile, std::string("plain")}}};
+    const auto rows = parsed(write_csv(table));
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0][0], "a,\"b\"\nc");
+    EXPECT_EQ(rows[1][0], valid_utf8(hostile));
+    EXPECT_EQ(rows[1][1], "plain");
+}
+
+TEST(WriteCsv, ShortRowsAreFilledUp) {
+    const Table table{"t", "", {{"a"}, {"b"}}, {{1.0}}};
+    EXPECT_EQ(write_csv(table), "a,b\n1,\n");
+}
+
+TEST(WriteCsv, PlotHasOneRowAPoint) {
+    Plot plot;
+    plot.x_label = "k";
+    plot.y_label = "error, rms [%]";
+    plot.series = {{"one", {1, 2}, {3, std::nan("")}, {2.5, 4}, {3.5, 6}}, {"two", {5}, {6}, {}, {}}};
+    const auto rows = parsed(write_csv(plot));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"series", "k", "error, rms [%]", "low", "high"}));
+    EXPECT_EQ(rows[1], (std::vector<std::string>{"one", "1", "3", "2.5", "3.5"}));
+    EXPECT_EQ(rows[2], (std::vector<std::string>{"one", "2", "", "4", "6"}));
+    EXPECT_EQ(rows[3], (std::vector<std::string>{"two", "5", "6", "", ""}));
+}
+
+}   // namespace
+}   // namespace meshfolio::report

@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "report/escape.h"
+#include "report/sample_document.h"
+#include "report/sha256.h"
+#include "report/test_tools.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+namespace {
+
+std::string sample_page() { return write_html(sample_document(), sample_figures(), Templates()); }
+std::string hostile_page() { return write_html(hostile_document(), hostile_figures(), Templates()); }
+
+/// Judged by a reader that is not ours.
+bool is_well_formed(const std::string& html) {
+    const TemporaryFolder folder;
+    return succeeds("xmllint --noout '" + folder.write("page.html", html).string() + "'");
+}
+
+std::vector<std::size_t> positions_of(const std::string& text, const std::vector<std::string>& parts) {
+    std::vector<std::size_t> positions;
+    for (const std::string& part : parts) {
+        positions.push_back(text.find(part));
+        EXPECT_NE(positions.back(), std::string::npos) << part;
+    }
+    return positions;
+}
+
+TEST(WriteHtml, IsWellFormedXml) {
+    if (!has_program("xmllint")) GTEST_SKIP() << "xmllint is not installed";
+    EXPECT_TRUE(is_well_formed(sample_page()));
+    EXPECT_TRUE(is_well_formed(hostile_page()));
+    EXPECT_TRUE(is_well_formed(write_html({}, {}, Templates())));
+}
+
+TEST(WriteHtml, TellsInTheOrderTheCourseworkAsksFor) {
+    const auto positions = positions_of(body_of(sample_page()).substr(body_of(sample_page()).find("<main")),
+                                        {"<h1>", "class=\"provenance\"", "Questions attempted and how far", "Key findings", ">Checks</h2>",
+                                         "id=\"q1\"", "id=\"q2\"", "id=\"q3\"", ">References</h2>", ">Provenance</h2>", ">Timings</h2>"});
+    EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
+}
+
+TEST(WriteHtml, EveryLinkWithinThePageHasItsTarget) {
+    const std::string page = body_of(sample_page());
+    std::set<std::string> ids;
+    for (const std::string& id : matches(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id << " twice";
+    const auto links = matches(page, "href=\"#([^\"]*)\"");
+    EXPECT_GT(links.size(), 20u);
+    for (const std::string& link : links) EXPECT_TRUE(ids.contains(link)) << link;
+    for (const std::string& label : matches(page, "aria-labelledby=\"([^\" ]*)")) EXPECT_TRUE(ids.contains(label)) << label;
+}
+
+TEST(WriteHtml, NeedsNoNetworkAndNoOtherFileToBeRead) {
+    const std::string page = sample_page();
+    for (const std::string& source : matches(page, " src=\"([^\"]{0,40})")) EXPECT_EQ(source.rfind("data:image/jpeg;base64,", 0), 0u);
+    for (const std::string& target : matches(page, " href=\"([^\"]*)\"")) EXPECT_EQ(target.find("//"), std::string::npos) << target;
+    EXPECT_EQ(page.find("<link"), std::string::npos);
+    EXPECT_EQ(page.find("@import"), std::string::npos);
+    EXPECT_EQ(page.find(" style=\""), std::string::npos);   // the policy would block it
+}
+
+TEST(WriteHtml, PolicyAllowsExactlyTheInlineStyleAndScript) {
+    const std::string page = sample_page();
+    const std::string policy =
+        page.substr(page.find("default-src"), page.find("\"/>", page.find("default-src")) - page.find("default-src"));
+    EXPECT_EQ(policy.rfind("default-src &#39;none&#39;; img-src &#39;self&#39; data:;", 0), 0u);
+    EXPECT_EQ(policy.find("unsafe"), std::string::npos);
+    for (const char* element : {"style", "script"}) {
+        const std::size_t begin = page.find(std::string("<") + element + ">") + std::string(element).size() + 2;
+        const std::string content = page.substr(begin, page.find(std::string("</") + element + ">") - begin);
+        EXPECT_NE(policy.find(std::string(element) + "-src &#39;sha256-" + base64(sha256(content)) + "&#39;"), std::string::npos)
+            << element;
+    }
+}
+
+TEST(WriteHtml, HostileNamesStayText) {
+    const std::string page = body_of(hostile_page());
+    EXPECT_EQ(count_of(page, "<script"), 1u);   // our own
+    EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
+    EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;"), std::string::npos);
+    EXPECT_NE(page.find("{{title}}"), std::string::npos);   // not a tag again
+    for (const char c : page) EXPECT_FALSE(static_cast<unsigned char>(c) < 0x20 && c != '\n') << int(c);
+}
+
+TEST(WriteHtml, FailedQuestionIsARedBoxWithItsMessage) {
+    const std::string page = body_of(sample_page());
+    EXPECT_NE(page.find("<strong>This question failed.</strong> ellipsoid.obj:3: not a number"), std::string::npos);
+    EXPECT_NE(page.find("This question was not asked for"), std::string::npos);
+}
+
+TEST(WriteHtml, SaysWhichMeshStandsInForAnother) {
+    EXPECT_NE(sample_page().find("<code>plane.obj</code> <span class=\"badge warn\">bundled stand-in</span>"), std::string::npos);
+    EXPECT_EQ(sample_page().find("<code>sphere.ply</code> <span"), std::string::npos);
+}
+
+TEST(WriteHtml, ScoresCountPassedChecks) {
+    EXPECT_NE(sample_page().find("3 of 5 checks passed"), std::string::npos);
+    EXPECT_NE(sample_page().find(">2/4</a>"), std::string::npos);
+    EXPECT_NE(sample_page().find(">1/1</a>"), std::string::npos);
+}
+
+TEST(WriteHtml, ShowsTheFiveWeightiestFindings) {
+    const std::string page = body_of(sample_page());
+    EXPECT_EQ(count_of(page, "<li><p>"), 5u);
+    const auto positions = positions_of(page, {"0.88 %", "<p>second", "<p>third", "<p>fourth", "<p>fifth"});
+    EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
+    EXPECT_EQ(page.find("<p>small"), std::string::npos);
+}
+
+TEST(WriteHtml, ReferencesAreLinksWithTheirNumbers) {
+    const std::string page = sample_page();
+    EXPECT_NE(page.find("<a href=\"#q1_plane_h\">Figure 1.1</a>"), std::string::npos);
+    EXPECT_NE(page.find("<a href=\"#q1_errors\">Table 1.1</a>"), std::string::npos);
+    EXPECT_NE(page.find("<a href=\"#q1_eq\">Equation (1.1)</a>"), std::string::npos);
+    EXPECT_NE(page.find("<a href=\"#ref-desbrun_1999\">[4]</a>"), std::string::npos);
+}
+
+TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
+    const std::string page = sample_page();
+    EXPECT_NE(page.find("alt=\"A plane from six directions, values from 0 to 1.\" width=\"1200\" height=\"800\"/>"), std::string::npos);
+    EXPECT_NE(page.find("data:image/jpeg;base64," + base64(std::string("\xff\xd8\xff\0jpeg", 8))), std::string::npos);
+    EXPECT_EQ(count_of(page, "href=\"images/q1_plane_h_sheet.png\""), 2u);
+    EXPECT_NE(page.find("<a href=\"images/q1_plane_h_%2Bx.png\">+x</a>"), std::string::npos);
+}
+
+TEST(WriteHtml, TimingsCanBeLeftOut) {
+    const WriteOptions without{.timings = false};
+    EXPECT_EQ(write_html(sample_document(), {}, Templates(), without).find("Timings"), std::string::npos);
+    Document slower = sample_document();
+    slower.timings = {{"everything", 99}};
+    EXPECT_EQ(write_html(sample_document(), {}, Templates(), without), write_html(slower, {}, Templates(), without));
+}
+
+TEST(WriteHtml, ManyLargePicturesAreQuick) {
+    Document document = sample_document();
+    DrawnFigures figures;
+    for (int i = 0; i < 150; ++i) {
+        const std::string id = "q1_many_" + std::to_string(i);
+        document.sections[0].blocks.push_back(Figure{id, "caption", "alt"});
+        figures[id] = {"images/" + id + ".png", std::string(120000, char(i)), 1200, 800, {{"+x", "images/x.png"}}};
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const std::string page = write_html(document, figures, Templates());
+    EXPECT_GT(page.size(), 23000000u);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));   // 0.3 s when nothing else runs
+}
+
+}   // namespace
+}   // namespace meshfolio::report

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "report/sample_document.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+namespace {
+
+using nlohmann::json;
+
+bool is_valid(const json& document) {
+    static const json text = json::parse(Templates()["results.schema.json"]);
+    valijson::Schema schema;
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
+    valijson::Validator validator;
+    return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), nullptr);
+}
+
+json written(const Document& document, const DrawnFigures& figures, const WriteOptions& options = {}) {
+    return json::parse(write_json(document, figures, options));
+}
+
+json sample() { return written(sample_document(), sample_figures()); }
+
+TEST(WriteJson, SampleFollowsTheSchema) { EXPECT_TRUE(is_valid(sample())); }
+
+TEST(WriteJson, EmptyDocumentFollowsTheSchema) { EXPECT_TRUE(is_valid(written({}, {}))); }
+
+TEST(WriteJson, HostileNamesFollowTheSchemaAndComeBack) {
+    const json document = written(hostile_document(), hostile_figures());
+    EXPECT_TRUE(is_valid(document));
+    EXPECT_NE(document["title"].get<std::string>().find("<script>alert(1)</script>|\"'`*_x_*"), std::string::npos);
+}
+
+TEST(WriteJson, SchemaRefusesWhatIsBroken) {
+    const auto broken = [](auto change) {
+        json document = sample();
+        change(document);
+        return document;
+    };
+    EXPECT_FALSE(is_valid(broken([](json& d) { d.erase("schema_version"); })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["schema_version"] = 2; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["surplus"] = 1; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["provenance"].erase("inputs"); })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["status"] = "fine"; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][0]["expected"] = "2"; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][0]["passed"] = 1; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["tables"][0]["rows"][0][0] = true; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["plots"][0]["series"][0].erase("y_high"); })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["output_meshes"][0] = "/absolute.ply"; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][1].erase("failure"); })));
+}
+
+TEST(WriteJson, QuestionsKeepTheirOrderAndStatus) {
+    const json questions = sample()["questions"];
+    ASSERT_EQ(questions.size(), 4u);
+    EXPECT_EQ(questions[0]["id"], "q1");
+    EXPECT_EQ(questions[0]["status"], "ok");
+    EXPECT_EQ(questions[1]["status"], "failed");
+    EXPECT_EQ(questions[1]["failure"], "ellipsoid.obj:3: not a number");
+    EXPECT_EQ(questions[2]["status"], "skipped");
+}
+
+TEST(WriteJson, ChecksHoldNumbers) {
+    const json check = sample()["questions"][0]["checks"][0];
+    EXPECT_EQ(check["expected"].get<double>(), 2);
+    EXPECT_EQ(check["measured"].get<double>(), 2 + 1e-13);   // every bit
+    EXPECT_EQ(check["tolerance"].get<double>(), 1e-10);
+    EXPECT_EQ(check["passed"], true);
+}
+
+TEST(WriteJson, WhatIsNotFiniteIsNull) {
+    const json question = sample()["questions"][0];
+    EXPECT_TRUE(question["checks"][3]["measured"].is_null());
+    const json rows = question["tables"][0]["rows"];
+    EXPECT_TRUE(rows[3][2].is_null());   // NaN
+    EXPECT_TRUE(rows[3][3].is_null());   // infinity
+    EXPECT_TRUE(rows[2][3].is_null());   // no value
+    EXPECT_TRUE(question["plots"][0]["series"][0]["y"][5].is_null());
+}
+
+TEST(WriteJson, FiguresNameTheirPicturesOrNone) {
+    const json figures = sample()["questions"][0]["figures"];
+    EXPECT_EQ(figures[0]["sheet"], "images/q1_plane_h_sheet.png");
+    EXPECT_EQ(figures[0]["views"].size(), 4u);
+    EXPECT_TRUE(figures[1]["sheet"].is_null());
+}
+
+TEST(WriteJson, SeedKeepsAll64Bits) { EXPECT_EQ(sample()["provenance"]["seed"].get<std::uint64_t>(), 18446744073709551615ull); }
+
+TEST(WriteJson, EveryInputMeshIsNamedOnceWithItsHash) {
+    Document document = sample_document();
+    document.sections[1].inputs = document.sections[0].inputs;
+    EXPECT_EQ(written(document, {})["provenance"]["inputs"].size(), 2u);
+}
+
+// Nothing but what lies under "timings" may differ from run to run.
+TEST(WriteJson, TimingsCanBeLeftOut) {
+    EXPECT_TRUE(sample().contains("timings"));
+    EXPECT_TRUE(sample()["questions"][0].contains("timings"));
+    const WriteOptions without{.timings = false};
+    EXPECT_EQ(write_json(sample_document(), {}, without).find("timings"), std::string::npos);
+    Document slower = sample_document();
+    slower.timings = {{"everything", 99}};
+    slower.sections[0].timings = {};
+    EXPECT_EQ(write_json(sample_document(), {}, without), write_json(slower, {}, without));
+    EXPECT_TRUE(is_valid(written(sample_document(), {}, without)));
+}
+
+}   // namespace
+}   // namespace meshfolio::report

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include "report/escape.h"
+#include "report/sample_document.h"
+#include "report/test_tools.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+namespace {
+
+std::string sample_text(const WriteOptions& options = {}) {
+    return write_markdown(sample_document(), sample_figures(), Templates(), options);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines(1);
+    for (const char c : text) {
+        if (c == '\n') {
+            lines.emplace_back();
+        } else {
+            lines.back() += c;
+        }
+    }
+    return lines;
+}
+
+/// Bars that separate cells: those without a backslash in front.
+std::size_t cell_bars(const std::string& line) {
+    std::size_t bars = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) bars += line[i] == '|' && (i == 0 || line[i - 1] != '\\');
+    return bars;
+}
+
+/// In every table all lines have as many cells as its head; a line of one cell says that rows are left out.
+void expect_whole_tables(const std::string& text) {
+    std::size_t width = 0, tables = 0;
+    for (const std::string& line : lines_of(text)) {
+        if (line.empty() || line.front() != '|') {
+            width = 0;
+            continue;
+        }
+        if (width == 0) {
+            width = cell_bars(line);
+            ++tables;
+        }
+        if (line.find("rows more in the CSV file") == std::string::npos) {
+            EXPECT_EQ(cell_bars(line), width) << line;
+        }
+    }
+    EXPECT_GE(tables, 6u);
+}
+
+TEST(WriteMarkdown, TablesKeepTheirCells) {
+    expect_whole_tables(sample_text());
+    expect_whole_tables(write_markdown(hostile_document(), hostile_figures(), Templates()));
+}
+
+TEST(WriteMarkdown, PicturesAreRelativeAndFormulasAreTex) {
+    const std::string text = sample_text();
+    EXPECT_NE(text.find("![A plane from six directions, values from 0 to 1.](images/q1_plane_h_sheet.png)"), std::string::npos);
+    EXPECT_NE(text.find("$$\n(\\Delta_{\\text{uni}}"), std::string::npos);
+    EXPECT_NE(text.find("\\tag*{ (1.1) }"), std::string::npos);
+    EXPECT_EQ(text.find("data:"), std::string::npos);
+    EXPECT_EQ(text.find("<math"), std::string::npos);
+}
+
+TEST(WriteMarkdown, LinksWithinHaveTheirTargets) {
+    const std::string text = sample_text();
+    const auto anchors = matches(text, "<a id=\"([^\"]*)\"></a>");
+    const std::set<std::string> ids(anchors.begin(), anchors.end());
+    EXPECT_EQ(ids.size(), anchors.size());
+    const auto links = matches(text, "\\]\\(#([^)]*)\\)");
+    EXPECT_GT(links.size(), 10u);
+    for (const std::string& link : links) EXPECT_TRUE(ids.contains(link)) << link;
+}
+
+TEST(WriteMarkdown, HostileNamesStayText) {
+    const std::string text = write_markdown(hostile_document(), hostile_figures(), Templates());
+    EXPECT_EQ(text.find("<script"), std::string::npos);
+    EXPECT_NE(text.find("&lt;script&gt;alert(1)"), std::string::npos);
+    for (const char c : text) EXPECT_FALSE(static_cast<unsigned char>(c) < 0x20 && c != '\n') << int(c);
+}
+
+TEST(WriteMarkdown, LongTablesPointToTheirCsv) {
+    EXPECT_NE(sample_text().find("… 410 rows more in the CSV file"), std::string::npos);
+    EXPECT_NE(sample_text().find("([CSV](tables/q1_long.csv))"), std::string::npos);
+}
+
+TEST(WriteMarkdown, PlotsAreLinkedOnlyWhenTheirFilesAreThere) {
+    EXPECT_EQ(sample_text().find("images/q1_error_versus_k.svg"), std::string::npos);
+    EXPECT_NE(sample_text({.timings = true, .plot_files = true}).find("](images/q1_error_versus_k.svg)"), std::string::npos);
+}
+
+TEST(WriteMarkdown, NeverExceedsItsLimit) {
+    constexpr std::size_t limit = 256 << 10;
+    Document document = sample_document();
+    DrawnFigures figures;
+    for (int i = 0; i < 150; ++i) {
+        const std::string id = "q1_many_" + std::to_string(i);
+        document.sections[0].blocks.push_back(Figure{id, "caption", "alt"});
+        DrawnFigure& drawn = figures[id];
+        for (int v = 0; v < 42; ++v)
+            drawn.views.emplace_back("λ = 0." + std::to_string(v / 6) + ", +x",
+                                     "images/" + id + "_" + std::string(40, 'n') + std::to_string(v) + ".png");
+    }
+    const std::string without_views = write_markdown(document, figures, Templates());
+    EXPECT_LE(without_views.size(), limit);
+    EXPECT_EQ(without_views.find("Single views"), std::string::npos);
+    EXPECT_NE(without_views.find("## References"), std::string::npos);   // whole apart from that
+    for (int i = 0; i < 300; ++i) document.sections[0].blocks.push_back(Paragraph{text(std::string(2000, 'x'))});
+    const std::string cut = write_markdown(document, figures, Templates());
+    EXPECT_LE(cut.size(), limit);
+    EXPECT_NE(cut.find("see* `index.html`"), std::string::npos);
+}
+
+}   // namespace
+}   // namespace meshfolio::report
