@@ -31,9 +31,10 @@ std::size_t cell_bars(const std::string& line) {
     return bars;
 }
 
-/// In every table all lines have as many cells as its head; a line of one cell says that rows are left out.
+/// Every table has a head, and all its lines have as many cells; a line of one cell says that rows are left out.
 void expect_whole_tables(const std::string& text) {
     std::size_t width = 0, tables = 0;
+    bool below_head = false;
     for (const std::string& line : lines_of(text)) {
         if (line.empty() || line.front() != '|') {
             width = 0;
@@ -42,6 +43,10 @@ void expect_whole_tables(const std::string& text) {
         if (width == 0) {
             width = cell_bars(line);
             ++tables;
+            below_head = true;
+        } else if (below_head) {
+            EXPECT_EQ(line.find_first_not_of("|:- "), std::string::npos) << "no head above " << line;
+            below_head = false;
         }
         if (line.find("rows more in the CSV file") == std::string::npos) {
             EXPECT_EQ(cell_bars(line), width) << line;
@@ -53,6 +58,9 @@ void expect_whole_tables(const std::string& text) {
 TEST(WriteMarkdown, TablesKeepTheirCells) {
     expect_whole_tables(sample_text());
     expect_whole_tables(write_markdown(hostile_document(), hostile_figures(), Templates()));
+    Document little_known = sample_document();
+    little_known.provenance = {};
+    expect_whole_tables(write_markdown(little_known, sample_figures(), Templates()));
 }
 
 TEST(WriteMarkdown, PicturesAreRelativeAndFormulasAreTex) {
