@@ -136,11 +136,14 @@ PlaneTest irregular_plane(std::uint64_t seed) {
     const double edge = mean_edge_length(mesh);
     const LaplaceBeltrami exact = laplace_beltrami(mesh), clamped = laplace_beltrami(mesh, AreaForm::barycentric, {.clamp_negative = true});
     PlaneTest test;
-    test.vertices = mesh.vertex_count();
+    test.uniform_H = edge * uniform_mean_curvature_scaled(mesh, topology);
+    test.cotangent_H = edge * cotangent_mean_curvature(mesh, topology, exact);
+    test.clamped_H = edge * cotangent_mean_curvature(mesh, topology, clamped);
     test.negative_weights = share(negative_weights(exact.C, topology).inside, topology.edges.size());
-    test.cotangent = edge * largest_magnitude(cotangent_mean_curvature(mesh, topology, exact));
-    test.clamped = edge * largest_magnitude(cotangent_mean_curvature(mesh, topology, clamped));
-    test.uniform = edge * largest_magnitude(uniform_mean_curvature_scaled(mesh, topology));
+    test.uniform = largest_magnitude(test.uniform_H);
+    test.cotangent = largest_magnitude(test.cotangent_H);
+    test.clamped = largest_magnitude(test.clamped_H);
+    test.mesh = std::move(mesh);
     return test;
 }
 

@@ -56,7 +56,8 @@ CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source)
 
 /// A flat square whose inner vertices were moved within it: every curvature is zero, whatever the triangles.
 struct PlaneTest {
-    int vertices = 0;
+    TriangleMesh mesh;
+    Vector uniform_H, cotangent_H, clamped_H;         // times the mean edge
     double negative_weights = 0;                      // share of the edges
     double cotangent = 0, clamped = 0, uniform = 0;   // largest |H| × mean edge inside
 };

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "geometry/uniform_laplacian.h"
@@ -54,6 +55,21 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh) {
 
 double largest_magnitude(const Vector& values) {
     return largest_magnitude(values, [](int) { return true; });
+}
+
+std::vector<output::Panel> equally_weighted(const std::vector<output::Panel>& panels) {
+    constexpr Eigen::Index quantiles = 1000;
+    std::vector<output::Panel> weighted = panels;
+    for (output::Panel& panel : weighted) {
+        std::vector<double> finite;
+        std::copy_if(panel.values.begin(), panel.values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
+        std::sort(finite.begin(), finite.end());
+        panel.values.resize(finite.empty() ? 0 : quantiles);
+        for (Eigen::Index q = 0; q < panel.values.size(); ++q) {
+            panel.values[q] = finite[static_cast<std::size_t>(q) * (finite.size() - 1) / (quantiles - 1)];
+        }
+    }
+    return weighted;
 }
 
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels) {

@@ -49,6 +49,9 @@ double largest_magnitude(const Vector& values, Predicate chosen) {
 }
 double largest_magnitude(const Vector& values);
 
+/// A thousand quantiles of each panel's finite values: in a range over them every mesh weighs the same, however many vertices it has.
+std::vector<output::Panel> equally_weighted(const std::vector<output::Panel>& panels);
+
 /// `shared` with the clipped shares of these panels alone: several figures have one range, each says what it clips.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
 

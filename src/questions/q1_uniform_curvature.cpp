@@ -51,7 +51,7 @@ Quantity gaussian_curvature_by_size(const std::vector<MeshCurvature>& meshes) {
 
 void add_figures(Answer& answer, const std::vector<MeshCurvature>& meshes) {
     for (const Quantity& q : {mean_curvature_length(meshes), gaussian_curvature_by_size(meshes)}) {
-        const output::ColorRange shared = output::robust_range(q.panels, "diverging", q.title, q.unit, q.floor, 0.04);
+        const output::ColorRange shared = output::robust_range(equally_weighted(q.panels), "diverging", q.title, q.unit, q.floor);
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             const CurvatureSubject& subject = meshes[i].subject;
             SixViewFigure figure;
@@ -181,13 +181,14 @@ void check_flat_mesh(report::Section& section, const FlatMesh& f) {
     section.checks.push_back(check_at_most("angle deficit" + on, 0, f.deficit, 1e-5, "the mesh is flat to 1e-6 of its box"));
 }
 
+std::string at_most(double x, const std::string& unit) { return x == 0 ? "exactly 0" : "at most " + readable(x, 2) + " " + unit; }
+
 report::Text flat_mesh_words(const FlatMesh& f) {
     const CurvatureSubject& s = f.curvature->subject;
     report::Text t = report::text("The mesh ", s.name(), " is flat, so H and K are zero on it");
     if (s.interior > 0) {
-        report::extend(t, "; at its ", counted(s.interior, "inner vertex", "inner vertices"), " the angle deficit is at most ",
-                       readable(f.deficit, 2), " rad and the normal part of ", math("Δx"), " at most ", readable(f.normal_part, 2),
-                       " mean edges");
+        report::extend(t, "; at its ", counted(s.interior, "inner vertex", "inner vertices"), " the angle deficit is ",
+                       at_most(f.deficit, "rad"), " and the normal part of ", math("Δx"), " ", at_most(f.normal_part, "mean edges"));
         if (f.drift < 1e-6) {
             report::extend(t, ", and as every inner ring is symmetric, ", math("½‖Δx‖"), " vanishes too (", readable(f.drift, 2),
                            " mean edges)");
@@ -469,10 +470,11 @@ Answer answer_q1(const MeshLibrary& library, const QuestionSettings& settings, c
     add_discussion(section, meshes, refinements, sums, flat);
     add_findings(section, refinements, sums);
 
-    section.parameters = {{"area form", "barycentric"},
-                          {"colour range", "one a quantity, 4th to 96th percentile over all meshes, symmetric"},
-                          {"levels of refinement", std::to_string(refinements.front().levels.size())},
-                          {"seed of the jitter", std::to_string(settings.seed)}};
+    section.parameters = {
+        {"area form", "barycentric"},
+        {"colour range", "one a quantity, 2nd to 98th percentile over all meshes (each weighing the same), symmetric about 0"},
+        {"levels of refinement", std::to_string(refinements.front().levels.size())},
+        {"seed of the jitter", std::to_string(settings.seed)}};
     section.extent = "H and K on " + listed(names) + " in six views; errors on 3 surfaces with closed form, regular and jittered, " +
                      counted(static_cast<int>(refinements.front().levels.size()), "level") + " each; Gauss–Bonnet on " +
                      counted(static_cast<int>(sums.size()), "mesh", "meshes");

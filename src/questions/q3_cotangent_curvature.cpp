@@ -47,6 +47,27 @@ void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
     add_figure(answer, std::move(figure));
 }
 
+/// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
+void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap) {
+    SixViewFigure figure;
+    figure.id = "q3_irregular_plane_h";
+    figure.title = "False curvature |H| × mean edge of an irregular flat square";
+    figure.subtitle = counted(plane.mesh.vertex_count(), "vertex", "vertices") + ", inner ones moved within the plane";
+    figure.panels = {panel_of(plane.mesh, "q3_irregular_plane_uniform", "uniform, × 4/h²", plane.uniform_H.cwiseAbs()),
+                     panel_of(plane.mesh, "q3_irregular_plane_cotangent", "cotangent", plane.cotangent_H.cwiseAbs()),
+                     panel_of(plane.mesh, "q3_irregular_plane_clamped", "cotangent, clamped", plane.clamped_H.cwiseAbs())};
+    figure.range = output::robust_range(figure.panels, colormap, "|H| × mean edge", "", 0.01);
+    figure.range->low = 0;
+    figure.range = range_for(*figure.range, figure.panels);
+    figure.edges = true;
+    figure.caption =
+        "What the operators read on a flat square whose inner vertices were moved within it; every value but 0 is an error. Largest: "
+        "uniform " +
+        readable(plane.uniform) + ", cotangent " + readable(plane.cotangent, 2) + ", cotangent with negative weights clamped " +
+        readable(plane.clamped) + ".";
+    add_figure(answer, std::move(figure));
+}
+
 Cell number(double x) { return std::isfinite(x) ? Cell(x) : Cell(); }
 
 void add_difference_table(report::Section& section, const std::vector<CotangentComparison>& meshes) {
@@ -257,10 +278,11 @@ report::Text sphere_words(const CotangentRefinement& regular, const CotangentRef
 }
 
 report::Text plane_words(const PlaneTest& plane) {
-    report::Text t = report::text(
-        "Inside an irregular flat square of ", std::to_string(plane.vertices), " vertices, ", readable_percent(plane.negative_weights, 2),
-        " of whose edges have negative weights, the cotangent operator leaves |H| × mean edge at ", readable(plane.cotangent, 2),
-        ", rounding; the uniform one reads ", readable(plane.uniform), " where there is no curvature");
+    report::Text t = report::text("Inside an irregular flat square of ", std::to_string(plane.mesh.vertex_count()), " vertices, ",
+                                  readable_percent(plane.negative_weights, 2),
+                                  " of whose edges have negative weights, the cotangent operator leaves |H| × mean edge at ",
+                                  readable(plane.cotangent, 2), ", rounding; the uniform one reads ", readable(plane.uniform),
+                                  " where there is no curvature");
     if (plane.clamped > 1e3 * plane.cotangent) {
         report::extend(t, ", and clamping the negative weights makes that ", readable(plane.clamped),
                        " for the cotangent operator too: it gives up linear precision");
@@ -431,6 +453,7 @@ Answer answer_q3(const MeshLibrary& library, const QuestionSettings& settings, c
     add_variant_table(section, meshes);
     const auto refinements = refine_known_surfaces(settings, progress, "cotangent curvature", cotangent_errors);
     const PlaneTest plane = irregular_plane(settings.seed);
+    add_plane_figure(answer, plane, settings.colormap);
     add_error_table(section, refinements, &FieldError::l2, "l2", "L2");
     add_error_table(section, refinements, &FieldError::linf, "linf", "L∞");
     add_order_table(section, refinements);
