@@ -1,0 +1,84 @@
+#include "cli/cli.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "build_info.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "nearest_word.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+constexpr std::array makers{report_command, render_command,  inspect_command, curvature_command, spectrum_command, smooth_command,
+                            noise_command,  compare_command, sample_command,  list_command,      doctor_command};
+
+/// `meshfolio` alone, or with options only, means `meshfolio report`.
+std::vector<std::string> with_command(int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool asks_about_itself = !words.empty() && (words[0] == "-h" || words[0] == "--help" || words[0] == "--version");
+    if (words.empty() || (words[0].starts_with('-') && !asks_about_itself)) words.insert(words.begin(), "report");
+    return words;
+}
+
+void refuse_unknown_command(const std::string& word, const std::vector<Command>& commands) {
+    std::vector<std::string> known;
+    for (const Command& command : commands) known.push_back(command.app->get_name());
+    if (word.starts_with('-') || std::find(known.begin(), known.end(), word) != known.end()) return;
+    throw UsageError("unknown command '" + word + "'", "did you mean '" + nearest_word(word, known) + "'? See meshfolio --help");
+}
+
+ExitCode parse_and_run(int argc, const char* const* argv) {
+    CLI::App app("Answers the questions of the curvature-and-smoothing coursework on real meshes and writes the report.", "meshfolio");
+    app.set_version_flag("--version", std::string("meshfolio ") + build_info::version);
+    app.require_subcommand(0, 1);
+    app.footer("`meshfolio` alone is `meshfolio report`. Each command explains itself: meshfolio render --help");
+    std::vector<Command> commands;
+    for (const auto make : makers) commands.push_back(make(app));
+
+    std::vector<std::string> words = with_command(argc, argv);
+    refuse_unknown_command(words.front(), commands);
+    std::reverse(words.begin(), words.end());   // CLI11 takes the words from the back
+    try {
+        app.parse(words);
+    } catch (const CLI::CallForAllHelp&) {
+        print(app.help("", CLI::AppFormatMode::All));
+        return ExitCode::ok;
+    } catch (const CLI::CallForHelp&) {
+        const auto chosen = app.get_subcommands();
+        print(chosen.empty() ? app.help() : chosen.front()->help());
+        return ExitCode::ok;
+    } catch (const CLI::CallForVersion& version) {
+        print(std::string(version.what()) + "\n");
+        return ExitCode::ok;
+    } catch (const CLI::ParseError& error) {
+        const auto chosen = app.get_subcommands();
+        throw UsageError(error.what(), "see meshfolio " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
+    }
+    const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& command) { return command.app->parsed(); });
+    return chosen->run();
+}
+
+}   // namespace
+
+int run(int argc, const char* const* argv) {
+    try {
+        return static_cast<int>(parse_and_run(argc, argv));
+    } catch (const Error& error) {
+        complain(error.what());
+        return static_cast<int>(error.exit_code());
+    } catch (const std::bad_alloc&) {
+        complain("out of memory; use a smaller mesh, fewer modes or smaller pictures");
+        return static_cast<int>(ExitCode::failed);
+    } catch (const std::exception& error) {
+        complain(std::string("internal error: ") + error.what());
+        return static_cast<int>(ExitCode::failed);
+    }
+}
+
+}   // namespace meshfolio::cli

@@ -15,7 +15,6 @@ namespace meshfolio {
 
 namespace {
 
-using report::Cell;
 using report::check_at_most;
 using report::check_near;
 using report::math;
@@ -130,8 +129,7 @@ void add_error_table(report::Section& section, const Study& study) {
         const double percent = 100 / study.diagonal;
         const MeshDifference& d = r.difference;
         table.rows.push_back({double(r.k), study.spectrum.eigenvalues[r.k - 1], d.rms, percent * d.rms, percent * d.max,
-                              percent * d.hausdorff, d.mean_normal_angle * 180 / M_PI,
-                              std::isfinite(d.volume_ratio) ? Cell(100 * d.volume_ratio) : Cell()});
+                              percent * d.hausdorff, d.mean_normal_angle * 180 / M_PI, cell_of(100 * d.volume_ratio)});
     }
     section.blocks.push_back(std::move(table));
 }
@@ -179,7 +177,7 @@ void add_eigenvalue_table(report::Section& section, const Study& study) {
         const bool shown =
             i <= 10 || std::any_of(study.reconstructions.begin(), study.reconstructions.end(), [&](const auto& r) { return r.k == i; });
         const double mu = study.spectrum.eigenvalues[i - 1];
-        if (shown) table.rows.push_back({double(i), mu, study.spectrum.residuals[i - 1], mu > 0 ? Cell(2 * M_PI / std::sqrt(mu)) : Cell()});
+        if (shown) table.rows.push_back({double(i), mu, study.spectrum.residuals[i - 1], cell_of(2 * M_PI / std::sqrt(mu), mu > 0)});
     }
     section.blocks.push_back(std::move(table));
 }

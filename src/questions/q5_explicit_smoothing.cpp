@@ -12,7 +12,6 @@ namespace meshfolio {
 
 namespace {
 
-using report::Cell;
 using report::check_at_least;
 using report::check_at_most;
 using report::check_near;
@@ -132,9 +131,8 @@ void add_sweep_table(report::Section& section, const Study& study) {
                                                            : "stable";
         table.rows.push_back({run.lambda, run.lambda / study.subject.critical, run.lambda / h2, double(run.result.iterations),
                               study.amplification[i].predicted, study.amplification[i].measured, run.energy.back(),
-                              100 * run.moved.rms / study.subject.diagonal,
-                              std::isfinite(run.volume_ratio) ? Cell(100 * run.volume_ratio) : Cell(), run.smallest_angle * 180 / M_PI,
-                              double(run.moved.inverted_faces), outcome});
+                              100 * run.moved.rms / study.subject.diagonal, cell_of(100 * run.volume_ratio),
+                              run.smallest_angle * 180 / M_PI, double(run.moved.inverted_faces), outcome});
     }
     section.blocks.push_back(std::move(table));
 }

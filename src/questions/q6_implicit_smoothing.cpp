@@ -14,7 +14,6 @@ namespace meshfolio {
 
 namespace {
 
-using report::Cell;
 using report::check_at_most;
 using report::check_near;
 using report::math;
@@ -213,11 +212,11 @@ void add_grid_table(report::Section& section, const Study& study) {
     for (const GridCell& cell : study.grid) {
         const double percent = 100 / study.subject.diagonal;
         const bool both = cell.explicit_X.size() > 0;
+        const report::Cell gap = both ? cell_of(percent * vertex_rms(cell.implicit_X, cell.explicit_X)) : report::Cell();
         table.rows.push_back({cell.lambda, cell.lambda / study.subject.critical, double(cell.iterations), cell.implicit_energy,
-                              both ? Cell(cell.explicit_energy) : Cell(), percent * vertex_rms(study.subject.mesh().X, cell.implicit_X),
-                              both ? Cell(percent * vertex_rms(cell.implicit_X, cell.explicit_X)) : Cell(),
-                              std::isfinite(cell.volume_ratio) ? Cell(100 * cell.volume_ratio) : Cell(), double(cell.inverted_faces),
-                              cell.explicit_blow_up > 0 ? Cell(double(cell.explicit_blow_up)) : Cell()});
+                              cell_of(cell.explicit_energy, both), percent * vertex_rms(study.subject.mesh().X, cell.implicit_X), gap,
+                              cell_of(100 * cell.volume_ratio), double(cell.inverted_faces),
+                              cell_of(cell.explicit_blow_up, cell.explicit_blow_up > 0)});
     }
     section.blocks.push_back(std::move(table));
 }
@@ -292,8 +291,8 @@ void add_cost_table(report::Section& section, const std::vector<Study>& studies,
         const Cost& c = costs[i];
         const bool reached = c.explicit_steps > 0;
         table.rows.push_back({studies[i].subject.name(), c.energy, c.implicit_lambda / studies[i].subject.critical,
-                              double(c.implicit_steps), reached ? Cell(double(c.explicit_steps)) : Cell(), double(c.factor_nonzeros),
-                              double(c.operator_nonzeros), c.implicit_operations, reached ? Cell(c.explicit_operations) : Cell()});
+                              double(c.implicit_steps), cell_of(c.explicit_steps, reached), double(c.factor_nonzeros),
+                              double(c.operator_nonzeros), c.implicit_operations, cell_of(c.explicit_operations, reached)});
     }
     section.blocks.push_back(std::move(table));
 }

@@ -1,4 +1,5 @@
 // Question 7: what Laplacian smoothing can do against noise, measured against the clean mesh.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,6 @@ namespace meshfolio {
 
 namespace {
 
-using report::Cell;
 using report::check_at_most;
 using report::check_near;
 using report::math;
@@ -247,8 +247,8 @@ void add_result_table(report::Section& section, const std::vector<Study>& studie
             table.rows.push_back({study.name(), 100 * trial.relative, trial.sigma / study.mean_edge, percent * trial.rms.front(),
                                   double(trial.best_rms), percent * trial.rms[static_cast<std::size_t>(trial.best_rms)], trial.gain(),
                                   degrees * trial.angle.front(), double(trial.best_angle),
-                                  degrees * trial.angle[static_cast<std::size_t>(trial.best_angle)],
-                                  std::isfinite(ratio) ? Cell(ratio) : Cell(), percent * trial.rms.back(), outcome_of(trial)});
+                                  degrees * trial.angle[static_cast<std::size_t>(trial.best_angle)], cell_of(ratio),
+                                  percent * trial.rms.back(), outcome_of(trial)});
         }
     }
     section.blocks.push_back(std::move(table));

@@ -82,6 +82,11 @@ FieldError relative_error(const Vector& f, const Vector& g, const Vector& areas)
     return {std::sqrt(squared / reference), largest / scale};
 }
 
+report::Cell cell_of(double x, bool defined) {
+    if (defined && std::isfinite(x)) return x;
+    return std::monostate{};
+}
+
 std::string listed(const std::vector<std::string>& names) {
     std::string joined;
     for (std::size_t i = 0; i < names.size(); ++i) joined += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];

@@ -48,6 +48,9 @@ struct FieldError {
 /// Relative errors of `f` against the truth `g`, weighted by the areas.
 FieldError relative_error(const Vector& f, const Vector& g, const Vector& areas);
 
+/// A number in a table, or an empty cell where it is not defined (NaN, or `defined` is false).
+report::Cell cell_of(double x, bool defined = true);
+
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& names);
 

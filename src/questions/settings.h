@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meshfolio {
@@ -22,5 +23,20 @@ struct QuestionSettings {
     bool quick = false;                 // small settings for a first look
     std::string colormap = "viridis";   // for unsigned quantities
 };
+
+/// What settings may hold; each limit is named in the message about a value beyond it.
+namespace limits {
+inline constexpr long long smallest_size = 16, largest_size = 4096;   // pixels of one view
+inline constexpr long long largest_k = 100000;                        // modes
+inline constexpr long long largest_iterations = 100000;
+inline constexpr double largest_lambda = 1e100;      // [length²]
+inline constexpr double largest_noise = 10;          // box diagonals
+inline constexpr long long largest_threads = 1024;   // 0: all
+inline constexpr long long largest_list = 100;       // values of one list
+inline constexpr long long longest_text = 200;       // bytes of a title or author
+}   // namespace limits
+
+/// data/report.toml as compiled in: the default settings.
+std::string_view default_settings_text();
 
 }   // namespace meshfolio

@@ -1,0 +1,29 @@
+/// @file
+/// The subcommands, one file each (<name>_command.cpp). A new one is a function here and a line in the table of cli.cpp.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "errors.h"
+
+namespace meshfolio::cli {
+
+struct Command {
+    CLI::App* app;                   // its options; parsed() tells whether it was asked for
+    std::function<ExitCode()> run;   // throws an Error, or returns ok or failed
+};
+
+Command report_command(CLI::App& parent);
+Command render_command(CLI::App& parent);
+Command inspect_command(CLI::App& parent);
+Command curvature_command(CLI::App& parent);
+Command spectrum_command(CLI::App& parent);
+Command smooth_command(CLI::App& parent);
+Command noise_command(CLI::App& parent);
+Command compare_command(CLI::App& parent);
+Command sample_command(CLI::App& parent);
+Command list_command(CLI::App& parent);
+Command doctor_command(CLI::App& parent);
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,74 @@
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "geometry/mesh_error.h"
+#include "number_text.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+struct Line {
+    const char* key;
+    double value;
+    const char* meaning;
+};
+
+std::vector<Line> lines_of(const MeshDifference& d) {
+    const double degrees = 180 / std::numbers::pi;
+    return {{"rms", d.rms, "sqrt(sum d^2 / n) over vertices"},
+            {"max", d.max, "largest vertex distance"},
+            {"hausdorff", d.hausdorff, "two-sided, vertices to surface"},
+            {"mean_normal_angle_deg", degrees * d.mean_normal_angle, "between corresponding faces"},
+            {"volume_ratio", d.volume_ratio, "B over A"},
+            {"area_ratio", d.area_ratio, "B over A"},
+            {"area_weighted_rms", d.area_weighted_rms, "with the vertex areas of A"},
+            {"mean_squared_normal_angle_deg2", degrees * degrees * d.mean_squared_normal_angle, ""},
+            {"box_diagonal", d.box_diagonal, "of A"},
+            {"inverted_faces", static_cast<double>(d.inverted_faces), "normal turned by more than 90 degrees"}};
+}
+
+std::string as_json(const MeshDifference& difference) {
+    nlohmann::ordered_json json;
+    for (const Line& line : lines_of(difference))
+        json[line.key] = std::isfinite(line.value) ? nlohmann::ordered_json(line.value) : nlohmann::ordered_json();
+    json["inverted_faces"] = difference.inverted_faces;
+    return json.dump(2) + "\n";
+}
+
+std::string told(const MeshDifference& difference) {
+    std::string text;
+    for (const Line& line : lines_of(difference)) {
+        const std::string value = std::isfinite(line.value) ? plain_text(line.value) : "undefined", key = line.key;
+        text += key + std::string(34 - key.size(), ' ') + value;
+        if (*line.meaning != '\0') text += std::string(value.size() < 14 ? 14 - value.size() : 1, ' ') + line.meaning;
+        text += "\n";
+    }
+    return text;
+}
+
+}   // namespace
+
+Command compare_command(CLI::App& parent) {
+    struct Options {
+        std::string a, b;
+        bool json = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* app = parent.add_subcommand("compare", "Errors between two meshes with the same triangles, in model units");
+    app->add_option("A", options->a, "the reference")->required();
+    app->add_option("B", options->b, "the other")->required();
+    app->add_flag("--json", options->json, "for programs");
+    app->footer("Example: meshfolio compare clean.ply denoised.ply --json");
+    return {app, [options] {
+                const MeshDifference difference = compare_meshes(load_mesh(options->a).mesh, load_mesh(options->b).mesh);
+                print(options->json ? as_json(difference) : told(difference));
+                return ExitCode::ok;
+            }};
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,42 @@
+#include "cli/console.h"
+
+#include <unistd.h>
+
+#include "errors.h"
+#include "file_bytes.h"
+#include "mesh/mesh_files.h"
+
+namespace meshfolio::cli {
+
+void print(std::string_view text) { write_all(STDOUT_FILENO, text, "standard output"); }
+
+void print_to(const std::string& file, std::string_view text) {
+    if (file == "-") {
+        print(text);
+    } else {
+        write_file(file, text);
+    }
+}
+
+void complain(const std::string& message) {
+    try {
+        write_all(STDERR_FILENO, "meshfolio: " + printable(message) + "\n", "standard error");
+    } catch (const OutputError&) {
+        // There is nobody left to tell.
+    }
+}
+
+void warn(const std::string& message) { complain("warning: " + message); }
+
+PreparedMesh load_mesh(const std::string& file) {
+    constexpr std::size_t most = 20;
+    PreparedMesh prepared = prepare_mesh(read_mesh(file));
+    for (std::size_t i = 0; i < std::min(most, prepared.warnings.size()); ++i) {
+        const MeshWarning& warning = prepared.warnings[i];
+        warn(file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);
+    }
+    if (prepared.warnings.size() > most) warn(file + ": " + std::to_string(prepared.warnings.size() - most) + " more warnings");
+    return prepared;
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,27 @@
+/// @file
+/// What goes to the terminal: results for programs on stdout, everything for people on stderr.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesh/mesh_checks.h"
+
+namespace meshfolio::cli {
+
+/// To stdout, checked. @throws OutputError when it is closed or full
+void print(std::string_view text);
+
+/// To a file, or to stdout for "-". @throws OutputError
+void print_to(const std::string& file, std::string_view text);
+
+/// One line on stderr: "meshfolio: …". Nothing is thrown when stderr is gone.
+void complain(const std::string& message);
+/// One line on stderr: "meshfolio: warning: …".
+void warn(const std::string& message);
+
+/// Reads and prepares a mesh and prints its warnings, at most 20 lines of them.
+/// @throws InputError
+PreparedMesh load_mesh(const std::string& file);
+
+}   // namespace meshfolio::cli

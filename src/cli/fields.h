@@ -1,0 +1,27 @@
+/// @file
+/// Per-vertex quantities by name, for `render --field`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_checks.h"
+
+namespace meshfolio::cli {
+
+struct Field {
+    Vector values;                // n; empty: none
+    std::string quantity, unit;   // for the colour bar
+    bool is_signed = false;       // drawn with a diverging map
+    double floor = 0;             // narrowest range that is worth colours
+};
+
+std::vector<std::string> field_names();   // none, h-uniform, h-cotan, gauss, area, x, y, z, id
+/// @throws UsageError for an unknown name
+Field field_of(const PreparedMesh& mesh, const std::string& name);
+
+/// A column of a CSV file with one row a vertex; empty cells are NaN.
+/// @throws InputError for a file that does not fit, UsageError for a missing ":COLUMN"
+Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_column);
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,60 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "colormap.h"
+#include "mesh/sample_shapes.h"
+#include "questions/question.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+nlohmann::ordered_json everything() {
+    nlohmann::ordered_json json{{"questions", nlohmann::ordered_json::array()},
+                                {"meshes", nlohmann::ordered_json::array()},
+                                {"colormaps", nlohmann::ordered_json::array()},
+                                {"samples", nlohmann::ordered_json::array()}};
+    for (const Question& q : question_list())
+        json["questions"].push_back({{"name", q.id}, {"description", std::string(q.title) + ": " + std::string(q.asked)}});
+    for (const MeshRole& role : mesh_role_list()) {
+        json["meshes"].push_back(
+            {{"name", role.role},
+             {"description", role.asked.empty() ? std::string(role.bundled)
+                                                : std::string(role.asked) + ", bundled stand-in " + std::string(role.bundled)}});
+    }
+    for (const render::Colormap& map : render::colormap_list())
+        json["colormaps"].push_back({{"name", map.name}, {"description", std::string(map.kind) + ", " + std::string(map.description)}});
+    for (const Sample& sample : sample_list()) json["samples"].push_back({{"name", sample.name}, {"description", sample.description}});
+    return json;
+}
+
+std::string told(const nlohmann::ordered_json& json) {
+    std::string text;
+    for (const auto& [kind, entries] : json.items()) {
+        text += kind + "\n";
+        for (const auto& entry : entries) {
+            const auto name = entry["name"].get<std::string>();
+            text +=
+                "  " + name + std::string(name.size() < 16 ? 16 - name.size() : 1, ' ') + entry["description"].get<std::string>() + "\n";
+        }
+    }
+    return text;
+}
+
+}   // namespace
+
+Command list_command(CLI::App& parent) {
+    const auto json = std::make_shared<bool>(false);
+    CLI::App* app = parent.add_subcommand("list", "Questions, meshes, colour maps, samples");
+    app->add_flag("--json", *json, "for programs");
+    app->footer("Example: meshfolio list --json");
+    return {app, [json] {
+                const auto all = everything();
+                print(*json ? all.dump(2) + "\n" : told(all));
+                return ExitCode::ok;
+            }};
+}
+
+}   // namespace meshfolio::cli

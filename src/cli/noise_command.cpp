@@ -1,0 +1,39 @@
+#include <cmath>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "mesh/mesh_files.h"
+#include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
+
+namespace meshfolio::cli {
+
+Command noise_command(CLI::App& parent) {
+    struct Options {
+        std::string mesh, output, unit = "raw";
+        double sigma = 0;
+        std::uint64_t seed = 1;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* app = parent.add_subcommand("noise", "Seeded Gaussian noise on every vertex");
+    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
+    app->add_option("-o,--output", options->output, "OBJ, OFF or PLY")->required();
+    app->add_option("--sigma", options->sigma, "standard deviation of each coordinate")->required();
+    app->add_option("--unit", options->unit, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)")
+        ->capture_default_str();
+    app->add_option("--seed", options->seed, "the same seed gives the same noise")->capture_default_str();
+    app->footer("Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
+    return {app, [options] {
+                if (!std::isfinite(options->sigma) || options->sigma < 0) throw UsageError("--sigma must be a finite number ≥ 0");
+                if (options->unit != "raw" && options->unit != "bbox")
+                    throw UsageError("unknown unit '" + options->unit + "'", "raw or bbox");
+                const PreparedMesh prepared = load_mesh(options->mesh);
+                const Vector3 scale = options->unit == "bbox" ? bounding_box(prepared.mesh).extent() : Vector3::Ones();
+                write_mesh(options->output,
+                           moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, options->sigma * scale, options->seed)));
+                return ExitCode::ok;
+            }};
+}
+
+}   // namespace meshfolio::cli

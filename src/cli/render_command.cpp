@@ -1,0 +1,176 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/fields.h"
+#include "contact_sheet.h"
+#include "draw_mesh.h"
+#include "file_bytes.h"
+#include "number_text.h"
+#include "output/label_view.h"
+#include "output/surface_of.h"
+#include "png.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+constexpr int largest_side = 8192;
+
+struct Options {
+    std::string mesh, out = ".", size = "1024", field = "none", values, colormap, range;
+    std::vector<std::string> views;
+    bool edges = false, plain = false;
+};
+
+/// "1024" or "800x600".
+std::pair<int, int> picture_size(const std::string& text) {
+    const std::size_t x = text.find('x');
+    const auto width = parse_integer(text.substr(0, x));
+    const auto height = x == std::string::npos ? width : parse_integer(text.substr(x + 1));
+    const auto fits = [](const std::optional<long long>& side) { return side && *side >= 1 && *side <= largest_side; };
+    if (!fits(width) || !fits(height)) {
+        throw UsageError("--size '" + text + "' is not N or WxH", "both between 1 and " + std::to_string(largest_side));
+    }
+    return {static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+/// "lo,hi".
+std::pair<double, double> value_limits(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const auto low = parse_number(std::string_view(text).substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(comma + 1));
+    if (!low || !high || !(*low < *high)) throw UsageError("--range '" + text + "' is not lo,hi with lo < hi");
+    return {*low, *high};
+}
+
+std::vector<render::View> chosen_views(const std::vector<std::string>& names) {
+    std::vector<render::View> views;
+    for (const std::string& name : names) {
+        try {
+            views.push_back(render::view_named(name));
+        } catch (const std::invalid_argument& error) {
+            throw UsageError(error.what());
+        }
+    }
+    if (views.empty()) views.assign(render::six_views.begin(), render::six_views.end());
+    return views;
+}
+
+output::ColorRange color_range(const Options& options, const PreparedMesh& prepared, const Field& field) {
+    const std::string colormap = !options.colormap.empty() ? options.colormap : field.is_signed ? "diverging" : "viridis";
+    const output::Panel panel{"", "", std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &prepared.mesh), field.values};
+    output::ColorRange range = output::robust_range({panel}, colormap, field.quantity, field.unit, field.floor);
+    if (options.range.empty()) return range;
+    std::tie(range.low, range.high) = value_limits(options.range);
+    const auto share = [&](auto outside) {
+        const double finite = static_cast<double>(field.values.array().isFinite().count());
+        return finite > 0 ? static_cast<double>(std::count_if(field.values.begin(), field.values.end(), outside)) / finite : 0;
+    };
+    range.clipped_below = share([&](double v) { return v < range.low; });
+    range.clipped_above = share([&](double v) { return v > range.high; });
+    return range;
+}
+
+render::DrawOptions draw_options(const Options& options) {
+    render::DrawOptions draw;
+    std::tie(draw.width, draw.height) = picture_size(options.size);
+    draw.edges = options.edges;
+    draw.face_colors_from_id = options.field == "id";
+    if (options.plain) {
+        draw.fill = 0.95;
+        draw.shading = draw.backface_tint = false;
+        draw.samples = 1;
+    }
+    return draw;
+}
+
+/// The pictures side by side without anything added, three in a row.
+render::Image bare_sheet(const std::vector<render::Image>& pictures) {
+    const int columns = std::min<int>(3, static_cast<int>(pictures.size()));
+    const int rows = (static_cast<int>(pictures.size()) + columns - 1) / columns;
+    render::Image sheet(columns * pictures.front().width, rows * pictures.front().height);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        render::paste(sheet, pictures[i], static_cast<int>(i) % columns * pictures[i].width,
+                      static_cast<int>(i) / columns * pictures[i].height);
+    }
+    return sheet;
+}
+
+render::Image labelled_sheet(const Options& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
+                             const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views,
+                             const std::vector<render::Image>& pictures) {
+    render::ContactSheet sheet;
+    sheet.title = std::filesystem::path(options.mesh).filename().string();
+    sheet.subtitle =
+        std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
+    for (const render::View& view : views) sheet.view_names.emplace_back(view.name);
+    sheet.rows = {{"", pictures}};
+    if (range) sheet.color_bar = output::color_bar_of(*range, field.values.array().isNaN().any(), draw.undefined_color);
+    return render::compose(sheet);
+}
+
+ExitCode run_render(const Options& options) {
+    const render::DrawOptions given = draw_options(options);
+    const std::vector<render::View> views = chosen_views(options.views);
+    if (!options.range.empty()) value_limits(options.range);
+    const PreparedMesh prepared = load_mesh(options.mesh);
+    const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_csv(prepared, options.values);
+
+    render::DrawOptions draw = given;
+    std::optional<output::ColorRange> range;
+    if (field.values.size() > 0) {
+        range = color_range(options, prepared, field);
+        draw.range = output::value_range(*range);
+    }
+    std::vector<render::Image> pictures =
+        render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
+
+    std::error_code error;
+    std::filesystem::create_directories(options.out, error);
+    if (error) throw OutputError(options.out, "cannot create the folder (" + error.message() + ")");
+    const std::filesystem::path folder = options.out;
+    const bool bare = options.plain || draw.face_colors_from_id;
+    tbb::parallel_for(std::size_t{0}, views.size() + 1, [&](std::size_t i) {
+        if (i == views.size()) {
+            const render::Image sheet =
+                bare ? bare_sheet(pictures) : labelled_sheet(options, prepared, range, field, draw, views, pictures);
+            write_file(folder / "sheet.png", render::encode_png(sheet));
+            return;
+        }
+        render::Image picture = pictures[i];
+        if (!bare) output::label_view(picture, views[i].name);
+        write_file(folder / (std::string(views[i].name) + ".png"), render::encode_png(picture));
+    });
+    return ExitCode::ok;
+}
+
+}   // namespace
+
+Command render_command(CLI::App& parent) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* app = parent.add_subcommand("render", "Pictures of a mesh from six directions, and a contact sheet");
+    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
+    app->add_option("--out", options->out, "folder for +x.png … -z.png and sheet.png")->capture_default_str();
+    app->add_option("--views", options->views, "some of +x,-x,+y,-y,+z,-z; default: all")->delimiter(',');
+    app->add_option("--size", options->size, "pixels of one view: N or WxH")->capture_default_str();
+    app->add_option("--field", options->field, "none, h-uniform, h-cotan, gauss, area, x, y, z, id")->capture_default_str();
+    app->add_option("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
+    app->add_option("--colormap", options->colormap, "see meshfolio list; default: diverging for signed values, viridis otherwise");
+    app->add_option("--range", options->range, "lo,hi of the colours; default: robust");
+    app->add_flag("--edges", options->edges, "draw triangle edges");
+    app->add_flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");
+    app->footer(
+        "Example: meshfolio render bunny.off --field h-cotan --range=-20,20 --out views\n"
+        "Views that begin with a minus need the equals sign: --views=-x,+z");
+    return {app, [options] { return run_render(*options); }};
+}
+
+}   // namespace meshfolio::cli

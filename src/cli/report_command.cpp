@@ -1,0 +1,134 @@
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <memory>
+#include <set>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/report_files.h"
+#include "cli/report_settings.h"
+#include "cli/run_questions.h"
+#include "number_text.h"
+#include "output/draw_figures.h"
+#include "output/publish.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+constexpr int most_lines = 8;   // of the summary, a kind
+
+class Stopwatch {
+public:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
+
+private:
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+report::Document document_of(const ReportSettings& settings, const std::vector<Answer>& answers) {
+    report::Document document;
+    document.title = settings.title;
+    document.author = settings.author;
+    document.course = settings.course;
+    document.provenance = provenance_of(described(settings), settings.seed);
+    for (const Answer& answer : answers) document.sections.push_back(answer.section);
+    return document;
+}
+
+report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<Answer>& answers, const std::filesystem::path& folder,
+                                   ProgressDisplay& display) {
+    std::vector<output::FigureRequest> requests;
+    for (const Answer& answer : answers) requests.insert(requests.end(), answer.figures.begin(), answer.figures.end());
+    output::DrawSettings draw;
+    draw.width = settings.width;
+    draw.height = settings.height;
+    display.step("drawing");
+    auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
+    display.milestone(std::to_string(requests.size()) + " figures drawn");
+    return figures;
+}
+
+/// At most `most_lines` of them, then how many more.
+void complain_about(const std::vector<std::string>& lines) {
+    for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) complain(lines[i]);
+    if (lines.size() > most_lines) complain("… and " + std::to_string(lines.size() - most_lines) + " more, see the report");
+}
+
+/// What went wrong, on stderr. @return failed when anything did
+ExitCode summary(const report::Document& document) {
+    std::vector<std::string> failures, checks;
+    std::set<std::string> warnings;
+    for (const report::Section& section : document.sections) {
+        if (section.status == report::Status::failed) failures.push_back(section.id + " failed: " + section.failure);
+        for (const report::Check& check : section.checks) {
+            if (check.passed) continue;
+            checks.push_back(section.id + ": check failed: " + check.name + ": expected " + plain_text(check.expected) + ", measured " +
+                             plain_text(check.measured) + ", tolerance " + plain_text(check.tolerance));
+        }
+        for (const std::string& warning : section.warnings) warnings.insert("warning: " + warning);
+    }
+    complain_about({warnings.begin(), warnings.end()});
+    complain_about(failures);
+    complain_about(checks);
+    return failures.empty() && checks.empty() ? ExitCode::ok : ExitCode::failed;
+}
+
+ExitCode run_report(const ReportFlags& flags) {
+    const ReportSettings settings = report_settings(flags);
+    report::Templates templates(settings.templates);
+    if (settings.page_template) templates.replace("report.html", *settings.page_template);
+    const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
+    std::optional<tbb::global_control> threads;
+    if (settings.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
+    output::Publication publication(settings.out);
+
+    report::Document document;
+    std::string note;
+    {
+        ProgressDisplay display(stderr_is_terminal());
+        const Stopwatch whole;
+        const std::vector<Answer> answers = run_questions(meshes, settings, display);
+        document = document_of(settings, answers);
+        document.timings.push_back({"all questions", whole.seconds()});
+        const Stopwatch drawing;
+        const report::DrawnFigures figures = drawn_figures(settings, answers, publication.folder(), display);
+        document.timings.push_back({"drawing", drawing.seconds()});
+        document.timings.push_back({"up to writing", whole.seconds()});
+        display.step("writing");
+        write_report_files(document, figures, templates, {.timings = settings.timings, .plot_files = true}, answers, publication.folder());
+        note = publication.publish();
+        display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
+    }
+    if (!note.empty()) warn(note);
+    const ExitCode result = summary(document);
+    print((settings.out / "index.html").string() + "\n");
+    return result;
+}
+
+}   // namespace
+
+Command report_command(CLI::App& parent) {
+    const auto flags = std::make_shared<ReportFlags>();
+    CLI::App* app = parent.add_subcommand("report", "All seven questions: the full report");
+    app->add_option("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
+    app->add_option("--only", flags->only, "some of the questions: q1,q4");
+    app->add_option("--data", flags->data,
+                    "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)")
+        ->allow_extra_args(false);
+    app->add_option("--out", flags->out, "folder of the report, replaced as a whole; default: out");
+    app->add_option("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
+    app->add_option("--threads", flags->threads, "at most so many threads; default: all");
+    app->add_option("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
+    app->add_option("--templates", flags->templates, "folder of templates that replace those of the same name");
+    app->add_flag("--quick", flags->quick, "small settings for a first look");
+    app->add_flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
+    app->add_flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
+    app->footer("Example: meshfolio report --data meshes/coursework --out out\n         meshfolio report my.obj --only q1,q3 --quick");
+    return {app, [flags] { return run_report(*flags); }};
+}
+
+}   // namespace meshfolio::cli

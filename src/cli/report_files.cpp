@@ -1,0 +1,53 @@
+#include "cli/report_files.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include "file_bytes.h"
+#include "output/folder_system.h"
+
+namespace meshfolio::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_tables_and_plots(const report::Document& document, const fs::path& folder) {
+    for (const report::Section& section : document.sections) {
+        for (const report::Block& block : section.blocks) {
+            if (const auto* table = std::get_if<report::Table>(&block))
+                write_file(folder / "tables" / (table->id + ".csv"), report::write_csv(*table));
+            if (const auto* plot = std::get_if<report::Plot>(&block)) {
+                write_file(folder / "tables" / (plot->id + ".csv"), report::write_csv(*plot));
+                write_file(folder / "images" / (plot->id + ".svg"), report::svg_file_of(*plot));
+            }
+        }
+    }
+}
+
+/// The section says in which folder its meshes lie: "meshes/q4_torus_k5.ply".
+void write_meshes(const Answer& answer, const fs::path& folder) {
+    for (const output::MeshOutput& mesh : answer.meshes) {
+        fs::path path = fs::path("meshes") / mesh.name;
+        for (const std::string& named : answer.section.output_meshes) {
+            if (fs::path(named).filename() == mesh.name) path = named;
+        }
+        output::make_folder((folder / path).parent_path());
+        write_mesh(folder / path, *mesh.mesh);
+    }
+}
+
+}   // namespace
+
+void write_report_files(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                        const report::WriteOptions& options, const std::vector<Answer>& answers, const fs::path& folder) {
+    for (const char* name : {"images", "meshes", "tables"}) output::make_folder(folder / name);
+    tbb::parallel_invoke(
+        [&] { write_file(folder / "index.html", report::write_html(document, figures, templates, options)); },
+        [&] { write_file(folder / "report.md", report::write_markdown(document, figures, templates, options)); },
+        [&] { write_file(folder / "results.json", report::write_json(document, figures, options)); },
+        [&] { write_tables_and_plots(document, folder); },
+        [&] { tbb::parallel_for(std::size_t{0}, answers.size(), [&](std::size_t i) { write_meshes(answers[i], folder); }); });
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,160 @@
+#include "cli/report_settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "nearest_word.h"
+#include "number_text.h"
+#include "questions/question.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+constexpr int quick_size = 400;   // pixels of one view when --quick and no size is given
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(separator), text.size());
+        if (end > 0) parts.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return parts;
+}
+
+int integer_between(const std::string& name, const std::string& text, long long low, long long high) {
+    const auto value = parse_integer(text);
+    if (!value || *value < low || *value > high) {
+        throw UsageError(name + " '" + text + "' is not an integer from " + std::to_string(low) + " to " + std::to_string(high));
+    }
+    return static_cast<int>(*value);
+}
+
+template <class Value, class Given>
+void take(Value& value, const std::optional<Given>& given) {
+    if (given) value = *given;
+}
+
+void take_file(ReportSettings& settings, const SettingsFile& file) {
+    take(settings.title, file.title);
+    take(settings.author, file.author);
+    take(settings.course, file.course);
+    take(settings.colormap, file.colormap);
+    take(settings.width, file.width);
+    take(settings.height, file.height);
+    take(settings.threads, file.threads);
+    take(settings.seed, file.seed);
+    take(settings.page_template, file.page_template);
+    settings.questions = file.questions;
+    settings.base = file.folder;
+}
+
+void take_size(ReportSettings& settings, const std::string& name, const std::string& text) {
+    if (!text.empty()) settings.width = settings.height = integer_between(name, text, limits::smallest_size, limits::largest_size);
+}
+
+void take_threads(ReportSettings& settings, const std::string& name, const std::string& text) {
+    if (!text.empty()) settings.threads = integer_between(name, text, 0, limits::largest_threads);
+}
+
+void take_data(ReportSettings& settings, const std::vector<std::string>& folders) {
+    if (!folders.empty()) settings.data.assign(folders.begin(), folders.end());
+}
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+void take_environment(ReportSettings& settings) {
+    take_size(settings, "MESHFOLIO_SIZE", environment("MESHFOLIO_SIZE"));
+    take_threads(settings, "MESHFOLIO_THREADS", environment("MESHFOLIO_THREADS"));
+    take_data(settings, split(environment("MESHFOLIO_DATA"), ':'));
+    if (const std::string out = environment("MESHFOLIO_OUT"); !out.empty()) settings.out = out;
+}
+
+std::vector<std::string> chosen_questions(const std::string& text) {
+    std::vector<std::string> known;
+    for (const Question& question : question_list()) known.emplace_back(question.id);
+    const std::vector<std::string> chosen = split(text, ',');
+    for (const std::string& id : chosen) {
+        if (std::find(known.begin(), known.end(), id) == known.end()) {
+            throw UsageError("--only: no question '" + id + "'", "did you mean '" + nearest_word(id, known) + "'?");
+        }
+    }
+    return chosen;
+}
+
+template <class Number>
+std::string listed(const std::vector<Number>& values) {
+    std::string text;
+    for (const Number value : values) text += (text.empty() ? "" : ", ") + exact_text(static_cast<double>(value));
+    return text;
+}
+
+}   // namespace
+
+ReportSettings report_settings(const ReportFlags& flags) {
+    ReportSettings settings;
+    take_file(settings, parse_settings(default_settings_text(), "report.toml"));
+    if (flags.quick) settings.width = settings.height = quick_size;
+    take_environment(settings);
+    if (!flags.config.empty()) take_file(settings, read_settings(flags.config));
+    take_size(settings, "--size", flags.size);
+    take_threads(settings, "--threads", flags.threads);
+    take_data(settings, flags.data);
+    if (!flags.out.empty()) settings.out = flags.out;
+    settings.templates = flags.templates;
+    settings.meshes.assign(flags.meshes.begin(), flags.meshes.end());
+    settings.only = chosen_questions(flags.only);
+    settings.quick = flags.quick;
+    settings.fail_fast = flags.fail_fast;
+    settings.timings = !flags.no_timings;
+    return settings;
+}
+
+QuestionSettings question_settings(const ReportSettings& settings, const std::string& id) {
+    QuestionSettings question;
+    question.base = settings.base;
+    question.seed = settings.seed;
+    question.quick = settings.quick;
+    question.colormap = settings.colormap;
+    const auto it = settings.questions.find(id);
+    if (it == settings.questions.end()) return question;
+    const QuestionTable& table = it->second;
+    // Meshes on the command line take every role, also those of the file.
+    if (settings.meshes.empty()) question.meshes = table.meshes;
+    question.k = table.k;
+    question.lambda = table.lambda;
+    question.iterations = table.iterations;
+    question.noise = table.noise;
+    take(question.seed, table.seed);
+    return question;
+}
+
+std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings) {
+    std::vector<std::filesystem::path> meshes;
+    for (const auto& [id, table] : settings.questions) meshes.insert(meshes.end(), table.meshes.begin(), table.meshes.end());
+    return meshes;
+}
+
+std::map<std::string, std::string> described(const ReportSettings& settings) {
+    std::map<std::string, std::string> values{{"quick", settings.quick ? "yes" : "no"}, {"colormap", settings.colormap}};
+    values["size"] = std::to_string(settings.width) + " × " + std::to_string(settings.height);
+    for (const std::string& id : settings.only) values["only"] += (values["only"].empty() ? "" : ", ") + id;
+    for (const auto& [id, table] : settings.questions) {
+        const auto enter = [&values, &question = id](const std::string& key, const std::string& value) {
+            if (!value.empty()) values[question + " " + key] = value;
+        };
+        enter("k", listed(table.k));
+        enter("lambda", listed(table.lambda));
+        enter("iterations", listed(table.iterations));
+        enter("noise", listed(table.noise));
+        if (table.seed) enter("seed", std::to_string(*table.seed));
+    }
+    return values;
+}
+
+}   // namespace meshfolio::cli

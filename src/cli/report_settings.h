@@ -1,0 +1,49 @@
+/// @file
+/// What `meshfolio report` was asked for: flags over settings file over environment over defaults.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/settings_file.h"
+#include "questions/settings.h"
+
+namespace meshfolio::cli {
+
+/// As given on the command line; what is empty was not.
+struct ReportFlags {
+    std::vector<std::string> meshes, data;
+    std::string only, out, config, threads, size, templates;
+    bool quick = false, fail_fast = false, no_timings = false;
+};
+
+struct ReportSettings {
+    std::vector<std::filesystem::path> meshes, data;
+    std::filesystem::path out = "out", templates;
+    std::optional<std::filesystem::path> page_template;
+    std::string title, author, course, colormap;
+    int width = 0, height = 0;   // of one view [pixels]
+    int threads = 0;             // 0: all
+    std::uint64_t seed = 0;
+    bool quick = false, fail_fast = false, timings = true;
+    std::vector<std::string> only;                    // ids; empty: all
+    std::map<std::string, QuestionTable> questions;   // by id
+    std::filesystem::path base;                       // what the meshes of `questions` are relative to
+};
+
+/// @throws SettingsErrors, UsageError
+ReportSettings report_settings(const ReportFlags& flags);
+
+/// Those of one question.
+QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);
+
+/// The meshes of all questions, in order: their names must not depend on which question reads first.
+std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings);
+
+/// For the provenance: everything that shapes the results, without threads and paths.
+std::map<std::string, std::string> described(const ReportSettings& settings);
+
+}   // namespace meshfolio::cli

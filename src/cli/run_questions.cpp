@@ -1,0 +1,153 @@
+#include "cli/run_questions.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+
+#include "number_text.h"
+#include "output/safe_name.h"
+#include "questions/section_tools.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+/// Thrown through a question that --fail-fast stops.
+struct Stopped {};
+
+bool is_listed(const std::string& list, std::string_view id) {
+    const std::string padded = "," + list + ",";
+    return padded.find("," + std::string(id) + ",") != std::string::npos;
+}
+
+/// Names become files: they begin with the question, so that no two questions write the same one.
+void require_own_names(const Answer& answer) {
+    const std::string prefix = answer.section.id + "_";
+    const auto require = [&](const std::string& name) {
+        if (!name.starts_with(prefix) || !output::is_safe_name(name))
+            throw std::logic_error("'" + name + "' is no file name of " + answer.section.id);
+    };
+    for (const output::FigureRequest& figure : answer.figures) {
+        require(figure.id);
+        for (const output::Panel& panel : figure.panels) require(panel.name);
+    }
+    for (const output::MeshOutput& mesh : answer.meshes) require(mesh.name);
+}
+
+Answer failed(std::string_view id, const std::string& message) {
+    Answer answer;
+    answer.section = section_of(id);
+    answer.section.status = report::Status::failed;
+    answer.section.failure = printable(message);
+    return answer;
+}
+
+Answer skipped(std::string_view id, const std::string& why) {
+    Answer answer;
+    answer.section = section_of(id);
+    answer.section.status = report::Status::skipped;
+    answer.section.extent = why;
+    return answer;
+}
+
+class Runner {
+public:
+    Runner(const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display)
+        : meshes_(meshes), settings_(settings), display_(display) {}
+
+    Answer answer(const Question& question) {
+        const bool asked =
+            settings_.only.empty() || std::find(settings_.only.begin(), settings_.only.end(), question.id) != settings_.only.end();
+        if (!asked) return skipped(question.id, "not asked for");
+        const auto began = std::chrono::steady_clock::now();
+        Answer answer = attempted(question);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+        answer.section.timings.push_back({"whole question", took.count()});
+        tell(answer.section, took.count());
+        return answer;
+    }
+
+private:
+    const MeshLibrary& meshes_;
+    const ReportSettings& settings_;
+    ProgressDisplay& display_;
+    std::atomic<bool> stop_ = false;
+    std::atomic<int> done_ = 0;
+
+    Answer attempted(const Question& question) try {
+        const auto progress = [&](std::string_view step) {
+            if (stop_) throw Stopped();
+            display_.step(std::string(question.id) + ": " + std::string(step));
+        };
+        progress("begins");
+        const char* fail = std::getenv("MESHFOLIO_FAIL");
+        if (fail != nullptr && is_listed(fail, question.id)) throw std::runtime_error("made to fail by MESHFOLIO_FAIL");
+        Answer answer = on_its_threads(
+            question, [&] { return question.answer(meshes_, question_settings(settings_, std::string(question.id)), progress); });
+        require_own_names(answer);
+        place_meshes(answer);
+        return answer;
+    } catch (const Stopped&) {
+        return skipped(question.id, "stopped, because another question had failed");
+    } catch (const std::bad_alloc&) {
+        stop_ = stop_ || settings_.fail_fast;
+        return failed(question.id, "out of memory");
+    } catch (const std::exception& error) {
+        stop_ = stop_ || settings_.fail_fast;
+        return failed(question.id, error.what());
+    }
+
+    template <class Work>
+    Answer on_its_threads(const Question& question, Work work) {
+        const auto table = settings_.questions.find(std::string(question.id));
+        const int threads = table != settings_.questions.end() ? table->second.threads.value_or(0) : 0;
+        if (threads > 0) return tbb::task_arena(threads).execute(work);
+        // Isolated: while it waits for work of its own, a thread does not begin another question, whose time would count as its own.
+        Answer answer;
+        tbb::this_task_arena::isolate([&] { answer = work(); });
+        return answer;
+    }
+
+    /// meshes/<name>, unless the settings name another folder for this question.
+    void place_meshes(Answer& answer) {
+        const auto table = settings_.questions.find(answer.section.id);
+        if (table == settings_.questions.end() || !table->second.output) return;
+        for (std::string& path : answer.section.output_meshes) {
+            if (path.starts_with("meshes/")) path = *table->second.output + path.substr(6);
+        }
+    }
+
+    void tell(const report::Section& section, double seconds) {
+        const bool ok = section.status == report::Status::ok;
+        display_.milestone(section.id + (ok                                         ? ": answered in " + plain_text(seconds, 2) + " s"
+                                         : section.status == report::Status::failed ? ": failed"
+                                                                                    : ": stopped"));
+        display_.advance(0.7 * ++done_ / static_cast<double>(question_list().size()));
+    }
+};
+
+}   // namespace
+
+std::vector<Answer> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display) {
+    const auto questions = question_list();
+    std::vector<Answer> answers(questions.size());
+    Runner runner(meshes, settings, display);
+    // Handed out one by one and from the last: the later questions take longest.
+    std::atomic<std::size_t> left = questions.size();
+    tbb::parallel_for(
+        std::size_t{0}, questions.size(),
+        [&](std::size_t) {
+            const std::size_t i = --left;
+            answers[i] = runner.answer(questions[i]);
+        },
+        tbb::simple_partitioner());
+    return answers;
+}
+
+}   // namespace meshfolio::cli

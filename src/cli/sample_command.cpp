@@ -1,0 +1,39 @@
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "mesh/mesh_files.h"
+#include "mesh/sample_shapes.h"
+
+namespace meshfolio::cli {
+
+Command sample_command(CLI::App& parent) {
+    struct Options {
+        std::string name, output;
+        int subdivide = 0;
+        bool list = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* app = parent.add_subcommand("sample", "A bundled procedural mesh");
+    app->add_option("NAME", options->name, "see --list");
+    app->add_option("-o,--output", options->output, "OBJ, OFF or PLY");
+    app->add_option("--subdivide", options->subdivide, "extra 1-to-4 subdivisions")->capture_default_str()->check(CLI::Range(0, 8));
+    app->add_flag("--list", options->list, "names and what they are");
+    app->footer("Example: meshfolio sample creature -o creature.ply --subdivide 1");
+    return {app, [options] {
+                if (options->list) {
+                    std::string text;
+                    for (const Sample& sample : sample_list()) {
+                        const std::string name(sample.name);
+                        text += name + std::string(18 - name.size(), ' ') + std::string(sample.description) + "\n";
+                    }
+                    print(text);
+                    return ExitCode::ok;
+                }
+                if (options->name.empty() || options->output.empty()) throw UsageError("sample needs NAME and -o FILE", "or --list");
+                write_mesh(options->output, make_sample(options->name, options->subdivide));
+                return ExitCode::ok;
+            }};
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,217 @@
+#include "cli/settings_file.h"
+
+#include <limits>
+
+#include "cli/settings_reader.h"
+#include "colormap.h"
+#include "file_bytes.h"
+#include "nearest_word.h"
+#include "output/safe_name.h"
+#include "questions/question.h"
+
+namespace meshfolio::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr long long largest_seed = std::numeric_limits<std::int64_t>::max();   // TOML's integers
+constexpr std::uintmax_t largest_file = 1 << 20;
+
+/// Names in the report's folder that a question's output may not take.
+const std::vector<std::string> taken_names{"images",  "tables",       "index.html", "report.md",     "report.pdf",
+                                           "src.txt", "results.json", "SHA256SUMS", "submission.zip"};
+
+std::vector<std::string> question_ids() {
+    std::vector<std::string> ids;
+    for (const Question& question : question_list()) ids.emplace_back(question.id);
+    return ids;
+}
+
+std::vector<std::string> colormap_names() {
+    std::vector<std::string> names;
+    for (const render::Colormap& map : render::colormap_list()) names.emplace_back(map.name);
+    return names;
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Reads one settings file.
+class Reader {
+public:
+    Reader(const toml::table& root, const std::string& file, Problems& problems) : root_(root), file_(file), problems_(problems) {}
+
+    SettingsFile read() {
+        settings_.folder = fs::path(file_).parent_path();
+        const TableReader top(root_, "", {"report", "render", "question", "seed", "threads"}, problems_);
+        settings_.seed = seed_of(top);
+        settings_.threads = threads_of(top);
+        if (const toml::table* table = table_named("report")) read_report(*table);
+        if (const toml::table* table = table_named("render")) read_render(*table);
+        read_questions();
+        return std::move(settings_);
+    }
+
+private:
+    const toml::table& root_;
+    const std::string& file_;
+    Problems& problems_;
+    SettingsFile settings_;
+    std::map<std::string, long> output_lines_;   // where each output name was given
+
+    const toml::table* table_named(std::string_view name) {
+        const toml::node* node = root_.get(name);
+        if (node != nullptr && !node->is_table())
+            problems_.add(*node, std::string(name) + " is not a table", "write [" + std::string(name) + "]");
+        return node != nullptr ? node->as_table() : nullptr;
+    }
+
+    static std::optional<std::uint64_t> seed_of(const TableReader& table) {
+        const auto seed = table.integer("seed", 0, largest_seed);
+        return seed ? std::optional(static_cast<std::uint64_t>(*seed)) : std::nullopt;
+    }
+
+    static std::optional<int> threads_of(const TableReader& table) {
+        const auto threads = table.integer("threads", 0, limits::largest_threads);
+        return threads ? std::optional(static_cast<int>(*threads)) : std::nullopt;
+    }
+
+    std::optional<std::string> short_text(const TableReader& table, std::string_view key) {
+        auto text = table.text(key);
+        if (text && text->size() > static_cast<std::size_t>(limits::longest_text)) {
+            problems_.add(*table.node(key), table.called(key) + " has " + std::to_string(text->size()) + " bytes",
+                          "at most " + std::to_string(limits::longest_text) + " are allowed");
+        }
+        return text;
+    }
+
+    void read_report(const toml::table& table) {
+        const TableReader report(table, "[report]", {"title", "author", "course", "template"}, problems_);
+        settings_.title = short_text(report, "title");
+        settings_.author = short_text(report, "author");
+        settings_.course = short_text(report, "course");
+        if (const auto file = report.text("template")) {
+            settings_.page_template = settings_.folder / *file;
+            try {
+                read_file(*settings_.page_template, largest_file);
+            } catch (const InputError& error) {
+                problems_.add(*report.node("template"), "[report] template cannot be read: " + std::string(error.what()));
+            }
+        }
+    }
+
+    void read_render(const toml::table& table) {
+        const TableReader render(table, "[render]", {"size", "colormap"}, problems_);
+        const std::vector<int> size = render.integers("size", limits::smallest_size, limits::largest_size);
+        if (size.size() > 2)
+            problems_.add(*render.node("size"), "[render] size has " + std::to_string(size.size()) + " values", "write N or [W, H]");
+        if (size.size() == 1 && render.node("size")->is_array())
+            problems_.add(*render.node("size"), "[render] size has one value in a list", "write N or [W, H]");
+        if (!size.empty()) {
+            settings_.width = size.front();
+            settings_.height = size.back();
+        }
+        settings_.colormap = render.text("colormap");
+        if (settings_.colormap && !contains(colormap_names(), *settings_.colormap)) {
+            problems_.add(*render.node("colormap"), "unknown colour map '" + *settings_.colormap + "'",
+                          "did you mean '" + nearest_word(*settings_.colormap, colormap_names()) + "'?");
+        }
+    }
+
+    void read_questions() {
+        const toml::node* node = root_.get("question");
+        if (node == nullptr) return;
+        const toml::array* tables = node->as_array();
+        if (tables == nullptr || !node->is_array_of_tables()) {
+            problems_.add(*node, "question is not a list of tables", "write [[question]] above each");
+            return;
+        }
+        for (const toml::node& element : *tables) read_question(*element.as_table());
+    }
+
+    void read_question(const toml::table& table) {
+        const TableReader question(table, "[[question]]", {"id", "mesh", "k", "lambda", "iterations", "noise", "output", "seed", "threads"},
+                                   problems_);
+        QuestionTable read;
+        read.meshes = question.texts("mesh");
+        read.k = question.integers("k", 1, limits::largest_k);
+        read.lambda = question.numbers("lambda", 0, limits::largest_lambda, true);
+        read.iterations = question.integers("iterations", 1, limits::largest_iterations);
+        read.noise = question.numbers("noise", 0, limits::largest_noise, false);
+        read.seed = seed_of(question);
+        read.threads = threads_of(question);
+        read.output = output_of(question);
+        check_meshes(question, read.meshes);
+        enter(table, question, std::move(read));
+    }
+
+    void check_meshes(const TableReader& question, const std::vector<std::string>& meshes) {
+        std::map<std::string, int> times;
+        for (const std::string& mesh : meshes) {
+            if (mesh.empty()) problems_.add(*question.node("mesh"), "[[question]] mesh is an empty path");
+            if (mesh.find('\0') != std::string::npos) problems_.add(*question.node("mesh"), "[[question]] mesh contains a NUL");
+            if (++times[mesh] == 2)
+                problems_.add(*question.node("mesh"), "[[question]] mesh '" + mesh + "' is given twice", "its outputs would collide");
+        }
+    }
+
+    /// A plain name that neither leaves the report's folder nor is taken there.
+    std::optional<std::string> output_of(const TableReader& question) {
+        const auto name = question.text("output");
+        if (!name) return {};
+        const toml::node& node = *question.node("output");
+        const auto line = static_cast<long>(node.source().begin.line);
+        if (!output::is_safe_name(*name)) {
+            problems_.add(node, "[[question]] output '" + *name + "' is not a plain name inside the output folder",
+                          "use letters, digits, '_', '-' and '.', at most 120 of them");
+        } else if (contains(taken_names, *name)) {
+            problems_.add(node, "[[question]] output '" + *name + "' collides with a part of the report", "choose another name");
+        } else if (const auto [first, fresh] = output_lines_.emplace(*name, line); !fresh) {
+            problems_.add(node, "[[question]] output '" + *name + "' collides with that of line " + std::to_string(first->second),
+                          "choose another name");
+        }
+        return name;
+    }
+
+    void enter(const toml::table& table, const TableReader& question, QuestionTable read) {
+        if (question.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\" … \"q7\"");
+        const auto id = question.text("id");
+        if (!id) return;
+        const std::vector<std::string> known = question_ids();
+        if (!contains(known, *id)) {
+            problems_.add(*question.node("id"), "unknown question '" + *id + "'", "did you mean '" + nearest_word(*id, known) + "'?");
+        } else if (!settings_.questions.emplace(*id, std::move(read)).second) {
+            problems_.add(*question.node("id"), "question '" + *id + "' is given twice", "merge the two tables");
+        }
+    }
+};
+
+}   // namespace
+
+SettingsFile parse_settings(std::string_view text, const std::string& file) {
+    Problems problems(file);
+    try {
+        const toml::table root = toml::parse(text, file);
+        SettingsFile settings = Reader(root, file, problems).read();
+        problems.raise();
+        return settings;
+    } catch (const toml::parse_error& error) {
+        problems.add(static_cast<long>(error.source().begin.line), std::string(error.description()), "correct the TOML");
+        problems.raise();
+        throw;   // not reached: there is a problem
+    }
+}
+
+SettingsFile read_settings(const fs::path& path) {
+    std::string text;
+    try {
+        text = read_file(path, largest_file);
+    } catch (const InputError& error) {
+        throw SettingsErrors({UsageError(error.what())});
+    }
+    return parse_settings(text, path.string());
+}
+
+}   // namespace meshfolio::cli

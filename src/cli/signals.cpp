@@ -1,0 +1,64 @@
+#include "cli/signals.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include "output/publish.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+void fill_closed_descriptors() {
+    for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+        if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
+        // The lowest free number is taken, which is this one. For reading only: what is written there must be found out.
+        if (::open("/dev/null", O_RDONLY) < 0) return;
+    }
+}
+
+sigset_t ending_signals() {
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
+    return set;
+}
+
+/// Runs in a thread of its own, where everything may be called that a signal handler may not.
+[[noreturn]] void wait_for_the_end(sigset_t signals) {
+    int signal = 0;
+    while (sigwait(&signals, &signal) != 0) {
+    }
+    output::abandon_publications();
+    constexpr std::string_view message = "\nmeshfolio: interrupted; the earlier output is as it was\n";
+    // On a terminal the line of progress is left first.
+    const std::string_view told = ::isatty(STDERR_FILENO) ? message : message.substr(1);
+    if (::write(STDERR_FILENO, told.data(), told.size()) < 0) {
+        // There is nobody left to tell.
+    }
+    ::_exit(128 + signal);
+}
+
+}   // namespace
+
+void prepare_process() {
+    fill_closed_descriptors();
+    ::signal(SIGPIPE, SIG_IGN);
+    ::signal(SIGXFSZ, SIG_IGN);
+    const sigset_t signals = ending_signals();
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    try {
+        std::thread(wait_for_the_end, signals).detach();
+    } catch (const std::system_error&) {   // no room for a thread: signals then end the process the plain way
+        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    }
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace meshfolio::cli {
+
+/// To be called first, before any thread begins:
+/// - standard descriptors that are closed are filled, so that no file of ours is opened in their place; writing to standard output
+///   still fails then;
+/// - SIGPIPE and SIGXFSZ no longer kill: the write fails and is reported;
+/// - SIGINT, SIGTERM and SIGHUP remove everything unpublished and end the process with 128 + signal (130, 143, 129).
+void prepare_process();
+
+}   // namespace meshfolio::cli

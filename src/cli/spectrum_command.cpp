@@ -1,0 +1,101 @@
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "file_bytes.h"
+#include "geometry/spectral_reconstruction.h"
+#include "number_text.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+/// NumPy's .npy format 1.0: a padded text header, then the entries row by row.
+std::string npy_of(const DenseMatrix& matrix) {
+    static_assert(std::endian::native == std::endian::little, "the header says '<f8'");
+    std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(matrix.rows()) + ", " +
+                         std::to_string(matrix.cols()) + "), }";
+    header.append(63 - (10 + header.size()) % 64, ' ');
+    header += '\n';
+    std::string bytes("\x93NUMPY\x01\x00", 8);
+    bytes += static_cast<char>(header.size() & 0xff);
+    bytes += static_cast<char>(header.size() >> 8);
+    bytes += header;
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = matrix;
+    const std::size_t start = bytes.size();
+    bytes.resize(start + static_cast<std::size_t>(rows.size()) * sizeof(double));
+    std::memcpy(bytes.data() + start, rows.data(), bytes.size() - start);
+    return bytes;
+}
+
+std::string eigenvalue_table(const Spectrum& spectrum) {
+    std::string csv = "index,eigenvalue,residual\n";
+    for (Eigen::Index i = 0; i < spectrum.eigenvalues.size(); ++i) {
+        csv += std::to_string(i + 1) + ',' + exact_text(spectrum.eigenvalues[i]) + ',' + exact_text(spectrum.residuals[i]) + '\n';
+    }
+    return csv;
+}
+
+struct Options {
+    std::string mesh, area = "barycentric", csv, vectors, out;
+    int k = 0;
+    std::vector<int> reconstruct;
+};
+
+void write_reconstructions(const Options& options, const TriangleMesh& mesh, const Spectrum& spectrum, const Vector& M) {
+    const std::string stem = std::filesystem::path(options.mesh).stem().string();
+    std::error_code error;
+    std::filesystem::create_directories(options.out, error);
+    if (error) throw OutputError(options.out, "cannot create the folder (" + error.message() + ")");
+    for (const int k : options.reconstruct) {
+        const auto file = std::filesystem::path(options.out) / (stem + "_k" + std::to_string(k) + ".ply");
+        write_mesh(file, moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)));
+    }
+}
+
+ExitCode run_spectrum(const Options& options) {
+    const AreaForm form = area_form_named(options.area);
+    if (options.reconstruct.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
+    for (const int k : options.reconstruct) {
+        if (k < 1 || k > options.k)
+            throw UsageError("--reconstruct " + std::to_string(k) + " is not between 1 and -k " + std::to_string(options.k));
+    }
+    const PreparedMesh prepared = load_mesh(options.mesh);
+    const LaplaceBeltrami laplacian = laplace_beltrami(prepared.mesh, form);
+    const Spectrum spectrum = smallest_eigenpairs(laplacian, options.k);
+    const auto found = static_cast<int>(spectrum.eigenvalues.size());
+    if (found < options.k)
+        warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(options.k) +
+             " asked for");
+    if (!options.reconstruct.empty()) {
+        Options possible = options;
+        std::erase_if(possible.reconstruct, [&](int k) { return k > found; });
+        write_reconstructions(possible, prepared.mesh, spectrum, laplacian.M);
+    }
+    if (!options.vectors.empty()) write_file(options.vectors, npy_of(spectrum.eigenvectors));
+    if (!options.csv.empty() || (options.vectors.empty() && options.out.empty())) {
+        print_to(options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
+    }
+    return ExitCode::ok;
+}
+
+}   // namespace
+
+Command spectrum_command(CLI::App& parent) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* app = parent.add_subcommand("spectrum", "The smallest eigenpairs of the cotangent Laplace-Beltrami operator");
+    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
+    app->add_option("-k", options->k, "how many eigenpairs")->required()->check(CLI::Range(1, 100000));
+    app->add_option("--area", options->area, "barycentric, voronoi or mixed")->capture_default_str();
+    app->add_option("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
+    app->add_option("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
+    app->add_option("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30")->delimiter(',');
+    app->add_option("--out", options->out, "folder for <mesh>_k<k>.ply");
+    app->footer("Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
+    return {app, [options] { return run_spectrum(*options); }};
+}
+
+}   // namespace meshfolio::cli
