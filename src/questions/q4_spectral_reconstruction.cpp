@@ -101,7 +101,7 @@ void add_reconstruction_figure(Answer& answer, const Study& study) {
     }
     // The first k would use up the whole range, the last has only rounding: the range is that of all panels together.
     figure.range = output::robust_range(coloured, "viridis", "distance to the original", "% of the box diagonal", 0.1);
-    figure.range->low = 0;
+    figure.range->low = figure.range->clipped_below = 0;   // a distance begins at 0
     figure.panels.push_back(panel_of(*study.mesh, id_of(study, "original"), "original"));
     figure.panels.insert(figure.panels.end(), coloured.begin(), coloured.end());
     figure.caption =

@@ -144,7 +144,7 @@ void add_energy_plot(report::Section& section, const Study& study) {
     plot.y_label = "Dirichlet energy / that of the input";
     plot.log_y = true;
     for (const SmoothingRun& run : study.runs) {
-        report::Series series{readable(run.lambda / study.subject.critical, 2) + " λ_crit", {}, {}, {}, {}, report::Series::Style::line};
+        report::Series series{plain_text(run.lambda / study.subject.critical, 3) + " λ_crit", {}, {}, {}, {}, report::Series::Style::line};
         // Beyond a million the curve has made its point and would flatten all others.
         for (std::size_t t = 0; t < run.energy.size() && run.energy[t] < 1e6; ++t) {
             series.x.push_back(double(t));
@@ -265,24 +265,24 @@ report::Text too_large(const Study& study) {
         if (study.stable(i)) continue;
         const double factor = std::abs(1 - run.lambda * study.subject.top.value);
         report::Text t =
-            report::text("Too large a step amplifies what it should remove. At ", readable(run.lambda / study.subject.critical, 3),
+            report::text("Too large a step amplifies what it should remove. At ", plain_text(run.lambda / study.subject.critical, 3),
                          "\u202fλ_crit the top mode of ", study.subject.name(), " is multiplied by ", math("1 − λμ_max"), " = \u2212",
                          readable(factor, 3), " a step: it flips and grows, ", readable(study.amplification[i].measured, 3),
                          "-fold in 20 steps as measured (", readable(study.amplification[i].predicted, 3), " predicted).");
         const SmoothingRun& last = study.runs.back();
         if (last.result.blew_up) {
-            report::extend(t, " At ", readable(last.lambda / study.subject.critical, 3),
+            report::extend(t, " At ", plain_text(last.lambda / study.subject.critical, 3),
                            "\u202fλ_crit the mesh leaves a thousand box diagonals in iteration ",
                            std::to_string(last.result.blow_up_iteration), ", first at vertex ", std::to_string(last.result.blow_up_vertex),
                            ".");
         } else if (last.moved.inverted_faces > 0) {
-            report::extend(t, " At ", readable(last.lambda / study.subject.critical, 3), "\u202fλ_crit ",
+            report::extend(t, " At ", plain_text(last.lambda / study.subject.critical, 3), "\u202fλ_crit ",
                            counted(last.moved.inverted_faces, "face"), " of ", std::to_string(study.subject.mesh().face_count()),
                            " are turned over after ", counted(last.result.iterations, "iteration"), ".");
         }
         const double start = run.energy.front(), end = run.energy.back();
         if (end < start) {
-            report::extend(t, " Just beyond the limit this is invisible at first: at ", readable(run.lambda / study.subject.critical, 3),
+            report::extend(t, " Just beyond the limit this is invisible at first: at ", plain_text(run.lambda / study.subject.critical, 3),
                            "\u202fλ_crit the energy has still fallen to ", readable_percent(end), " after ",
                            counted(run.result.iterations, "iteration"), ".");
         }

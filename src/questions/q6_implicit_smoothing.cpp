@@ -344,11 +344,11 @@ report::Text beyond_the_limit(const Study& study) {
     const GridCell& far = study.cell(study.lambdas.size() - 1, middle_iteration(study));
     report::Text t;
     if (blown != nullptr) {
-        report::extend(t, "Beyond the limit they part: at ", readable(blown->lambda / study.subject.critical, 3),
+        report::extend(t, "Beyond the limit they part: at ", plain_text(blown->lambda / study.subject.critical, 3),
                        "\u202fλ_crit the explicit run on ", study.subject.name(), " blows up in iteration ",
                        std::to_string(blown->explicit_blow_up), ", the implicit one does not. ");
     }
-    report::extend(t, "At ", readable(far.lambda / study.subject.critical, 3), "\u202fλ_crit and ", counted(far.iterations, "iteration"),
+    report::extend(t, "At ", plain_text(far.lambda / study.subject.critical, 3), "\u202fλ_crit and ", counted(far.iterations, "iteration"),
                    " it leaves ", readable_percent(far.implicit_energy, 2), " of the Dirichlet energy of ", study.subject.name());
     if (std::isfinite(far.volume_ratio)) {
         report::extend(t, " and ", readable_percent(far.volume_ratio, 2), " of its volume",
@@ -371,8 +371,8 @@ report::Text iterations_against_steps(const Study& study) {
                                 : share < 0.4 ? "roughly, but not quite,"
                                               : "not",
                                 " interchangeable on ", study.subject.name(), ": ", std::to_string(b.iterations), " steps of ",
-                                readable(b.lambda / study.subject.critical, 3), "\u202fλ_crit and ", std::to_string(a.iterations), " of ",
-                                readable(a.lambda / study.subject.critical, 3), "\u202fλ_crit end ", readable_percent(share, 2),
+                                plain_text(b.lambda / study.subject.critical, 3), "\u202fλ_crit and ", std::to_string(a.iterations), " of ",
+                                plain_text(a.lambda / study.subject.critical, 3), "\u202fλ_crit end ", readable_percent(share, 2),
                                 " of the motion apart. Many small steps damp the high modes exponentially, one large "
                                 "step only like ",
                                 math("1/(1 + λμ)"), ".");
@@ -457,7 +457,7 @@ Answer answer_q6(const MeshLibrary& library, const QuestionSettings& settings, c
                      ", each beside the explicit method at equal λ and iterations; cost of both";
     section.findings.push_back(
         {report::text("Q6: implicit smoothing of ", last.subject.name(), " stays stable at ",
-                      readable(last.lambdas.back() / last.subject.critical, 3), " times the explicit limit, and damps every mode as ",
+                      plain_text(last.lambdas.back() / last.subject.critical, 3), " times the explicit limit, and damps every mode as ",
                       math("(1 + λμ)^−t"), " predicts (largest deviation ", readable(last.worst_damping, 1), ")."),
          70});
     return answer;

@@ -174,7 +174,7 @@ void add_figure_of(Answer& answer, const Study& study, const Trial& trial) {
                                             coloured(trial.best, "best", "best, t = " + std::to_string(trial.best_rms)),
                                             coloured(trial.last, "over", "over-smoothed, t = " + std::to_string(study.iterations))};
     figure.range = output::robust_range(panels, "viridis", "distance to the clean mesh", "% of the box diagonal", 0.01);
-    figure.range->low = 0;
+    figure.range->low = figure.range->clipped_below = 0;   // a distance begins at 0
     figure.panels.push_back(panel_of(*study.clean, id_of(study, name + "_clean"), "clean"));
     figure.panels.insert(figure.panels.end(), panels.begin(), panels.end());
     figure.caption =
@@ -291,10 +291,13 @@ report::Text what_happened(const Study& study) {
     const bool at_end =
         std::any_of(study.trials.begin(), study.trials.end(), [&](const Trial& trial) { return trial.best_rms == study.iterations; });
     if (at_end) report::extend(t, " At the highest level the minimum was not reached within ", counted(study.iterations, "iteration"), ".");
-    const Trial& middle = study.trials[study.trials.size() / 2];
-    const double regret = middle.rms.back() / middle.rms[static_cast<std::size_t>(middle.best_rms)];
-    report::extend(t, " Going on to iteration ", std::to_string(study.iterations), " at σ = ", readable_percent(middle.relative, 2),
-                   " leaves ", readable(regret, 2), " times the smallest error.");
+    for (const Trial& trial : study.trials) {
+        if (trial.best_rms == 0 || 2 * trial.best_rms > study.iterations) continue;
+        report::extend(t, " Going on to iteration ", std::to_string(study.iterations), " at σ = ", readable_percent(trial.relative, 2),
+                       " leaves ", readable(trial.rms.back() / trial.rms[static_cast<std::size_t>(trial.best_rms)], 2),
+                       " times the smallest error.");
+        break;
+    }
     return t;
 }
 
@@ -303,7 +306,9 @@ report::Text features_pay(const Study& study) {
         return report::text(study.name(), " has no edge sharper than 40°, so there is no feature to lose there.");
     }
     if (study.feature_vertices == study.clean->mesh().vertex_count()) return {};
-    const Trial& trial = study.trials.front();
+    const auto smoothed = std::find_if(study.trials.begin(), study.trials.end(), [](const Trial& trial) { return trial.best_rms > 0; });
+    if (smoothed == study.trials.end()) return {};
+    const Trial& trial = *smoothed;
     const double ratio = trial.feature_rms / trial.smooth_rms;
     report::Text t =
         report::text("Of its ", std::to_string(study.clean->mesh().vertex_count()), " vertices ", std::to_string(study.feature_vertices),

@@ -70,7 +70,7 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
 }
 
 std::string step_label(const SmoothingSubject& subject, double lambda) {
-    return readable(lambda) + " = " + readable(lambda / subject.critical, 2) + "\u202fλ_crit";
+    return readable(lambda) + " = " + plain_text(lambda / subject.critical, 3) + "\u202fλ_crit";
 }
 
 std::string step_name(double lambda) { return "lambda" + plain_text(lambda, 3); }
