@@ -9,6 +9,7 @@
 #include "build_info.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/settings_file.h"
 #include "nearest_word.h"
 
 namespace meshfolio::cli {
@@ -69,6 +70,9 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
 int run(int argc, const char* const* argv) {
     try {
         return static_cast<int>(parse_and_run(argc, argv));
+    } catch (const SettingsErrors& errors) {
+        for (const UsageError& problem : errors.problems()) complain(problem.what());
+        return static_cast<int>(errors.exit_code());
     } catch (const Error& error) {
         complain(error.what());
         return static_cast<int>(error.exit_code());

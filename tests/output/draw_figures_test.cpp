@@ -1,0 +1,147 @@
+#include "output/draw_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "camera.h"
+#include "file_bytes.h"
+#include "mesh/sample_shapes.h"
+#include "output/temporary_folder.h"
+
+using namespace meshfolio;
+using namespace meshfolio::output;
+using testing_tools::TemporaryFolder;
+namespace fs = std::filesystem;
+
+namespace {
+
+Panel panel_of(TriangleMesh mesh, std::string name, bool with_values) {
+    Panel panel;
+    panel.name = std::move(name);
+    panel.label = panel.name;
+    if (with_values) panel.values = mesh.X.col(2);
+    panel.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+    return panel;
+}
+
+std::vector<FigureRequest> requests() {
+    FigureRequest single{"q1_ball_h", "One", "icosphere", {panel_of(icosphere(2), "q1_ball_h", true)}, {}, false, 0};
+    single.range = robust_range(single.panels, "viridis", "z", "length", 0);
+    FigureRequest strip{
+        "q5_cube", "Several", "cubes", {panel_of(cube_mesh(3), "q5_cube_a", false), panel_of(cube_mesh(3, 0.8), "q5_cube_b", true)},
+        {},        true,      -1};
+    strip.range = robust_range(strip.panels, "diverging", "z", "length", 0);
+    return {single, strip};
+}
+
+DrawSettings small_pictures(int threads = 0) {
+    DrawSettings settings;
+    settings.width = 120;
+    settings.height = 120;
+    settings.sheet_cell = 60;
+    settings.strip_cell = 40;
+    settings.preview_width = 200;
+    settings.threads = threads;
+    return settings;
+}
+
+std::map<std::string, std::string> files_below(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files[entry.path().lexically_relative(folder).generic_string()] = read_file(entry.path());
+    }
+    return files;
+}
+
+int big_endian(const std::string& bytes, std::size_t at) {
+    int value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+}   // namespace
+
+TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
+    const TemporaryFolder folder;
+    const auto drawn = draw_figures(requests(), folder.path(), small_pictures());
+    std::set<std::string> named;
+    for (const auto& [id, figure] : drawn) {
+        named.insert(figure.sheet);
+        for (const auto& [label, path] : figure.views) named.insert(path);
+    }
+    std::set<std::string> written;
+    for (const auto& [name, bytes] : files_below(folder.path())) written.insert(name);
+    EXPECT_EQ(named, written);
+    EXPECT_EQ(written.size(), 2u + 3u * 6u);
+    EXPECT_TRUE(written.contains("images/q1_ball_h_+x.png"));
+    EXPECT_TRUE(written.contains("images/q5_cube_sheet.png"));
+}
+
+TEST(DrawFigures, PicturesHaveTheirSize) {
+    const TemporaryFolder folder;
+    const auto drawn = draw_figures(requests(), folder.path(), small_pictures());
+    for (const auto& [label, path] : drawn.at("q5_cube").views) {
+        const std::string png = read_file(folder.path() / path);
+        EXPECT_EQ(big_endian(png, 16), 120) << path;
+        EXPECT_EQ(big_endian(png, 20), 120) << path;
+    }
+    for (const auto& [id, figure] : drawn) {
+        EXPECT_GT(figure.width, 0);
+        EXPECT_LE(figure.width, 200);
+        EXPECT_GT(figure.height, 0);
+        EXPECT_TRUE(figure.preview_jpeg.starts_with("\xff\xd8\xff"));
+    }
+}
+
+TEST(DrawFigures, LabelsSayPanelAndView) {
+    const TemporaryFolder folder;
+    const auto drawn = draw_figures(requests(), folder.path(), small_pictures());
+    EXPECT_EQ(drawn.at("q1_ball_h").views.front().first, "+x");
+    EXPECT_EQ(drawn.at("q5_cube").views.front().first, "q5_cube_a, +x");
+    EXPECT_EQ(drawn.at("q5_cube").views.size(), 12u);
+}
+
+TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
+    const TemporaryFolder one, two;
+    const auto first = draw_figures(requests(), one.path(), small_pictures(1));
+    const auto second = draw_figures(requests(), two.path(), small_pictures(2));
+    EXPECT_EQ(files_below(one.path()), files_below(two.path()));
+    for (const auto& [id, figure] : first) EXPECT_EQ(figure.preview_jpeg, second.at(id).preview_jpeg) << id;
+}
+
+TEST(DrawFigures, TellsHowFarItIs) {
+    const TemporaryFolder folder;
+    std::vector<double> told;
+    draw_figures(requests(), folder.path(), small_pictures(), [&](double fraction) { told.push_back(fraction); });
+    EXPECT_EQ(told.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_DOUBLE_EQ(told.back(), 1);
+}
+
+// A panel drawn on the box of a mesh ten times as large covers a tenth of the width.
+TEST(DrawFigures, TheFramingPanelSetsTheScaleOfAll) {
+    const auto bytes_of = [](int frame_panel) {
+        const TemporaryFolder folder;
+        FigureRequest request{
+            "q5_a", "",    "",         {panel_of(cube_mesh(1), "q5_small", false), panel_of(cube_mesh(1, 5), "q5_large", false)},
+            {},     false, frame_panel};
+        draw_figures(std::vector{request}, folder.path(), small_pictures());
+        return files_below(folder.path());
+    };
+    const auto on_small = bytes_of(0), on_large = bytes_of(1), on_union = bytes_of(-1);
+    EXPECT_NE(on_small.at("images/q5_small_+x.png"), on_large.at("images/q5_small_+x.png"));
+    EXPECT_EQ(on_large, on_union) << "the larger cube contains the smaller";
+}
+
+TEST(DrawFigures, RefusesNamesThatCollideOrLeaveTheFolder) {
+    const TemporaryFolder folder;
+    auto twice = requests();
+    twice[1].panels[0].name = "q1_ball_h";
+    EXPECT_THROW(draw_figures(twice, folder.path(), small_pictures()), std::logic_error);
+    auto outside = requests();
+    outside[0].panels[0].name = "../x";
+    EXPECT_THROW(draw_figures(outside, folder.path(), small_pictures()), std::logic_error);
+    EXPECT_TRUE(files_below(folder.path()).empty());
+}

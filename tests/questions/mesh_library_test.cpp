@@ -1,0 +1,137 @@
+#include "questions/mesh_library.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "errors.h"
+#include "file_bytes.h"
+#include "mesh/mesh_files.h"
+#include "mesh/sample_shapes.h"
+#include "output/sha256.h"
+#include "output/temporary_folder.h"
+
+using namespace meshfolio;
+using testing_tools::TemporaryFolder;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path put(const fs::path& path, const TriangleMesh& mesh) {
+    fs::create_directories(path.parent_path());
+    write_mesh(path, mesh);
+    return path;
+}
+
+}   // namespace
+
+TEST(MeshLibrary, EveryRoleHasABundledMesh) {
+    const MeshLibrary library({}, {});
+    std::set<std::string> names;
+    for (const MeshRole& role : mesh_role_list()) {
+        const auto mesh = library.role(std::string(role.role));
+        EXPECT_GT(mesh->mesh().face_count(), 0);
+        EXPECT_EQ(mesh->input.role, role.role);
+        EXPECT_EQ(mesh->input.asked, role.asked);
+        EXPECT_EQ(mesh->input.file, role.bundled);
+        EXPECT_EQ(mesh->input.stand_in, !role.asked.empty());
+        EXPECT_EQ(mesh->input.vertices, mesh->mesh().vertex_count());
+        EXPECT_TRUE(mesh->prepared->warnings.empty()) << role.role;
+        EXPECT_TRUE(names.insert(mesh->name).second) << mesh->name;
+        EXPECT_EQ(mesh->input.sha256, output::sha256(read_file(fs::path(MESHFOLIO_SOURCE_DIR) / "data" / role.bundled)));
+    }
+}
+
+TEST(MeshLibrary, UnknownRole) { EXPECT_THROW(MeshLibrary({}, {}).role("teapot"), UsageError); }
+
+TEST(MeshLibrary, TheFirstDataFolderThatHasAMeshWins) {
+    const TemporaryFolder folder;
+    put(folder.path() / "a" / "curvatures" / "plane.obj", cube_mesh(1));
+    put(folder.path() / "b" / "curvatures" / "plane.obj", cube_mesh(2));
+    put(folder.path() / "b" / "armadillo.obj", cube_mesh(3));   // by its bare name
+    const MeshLibrary library({folder.path() / "a", folder.path() / "b"}, {});
+    EXPECT_EQ(library.role("plane")->mesh().vertex_count(), 8);
+    EXPECT_FALSE(library.role("plane")->input.stand_in);
+    EXPECT_EQ(library.role("plane")->input.file, "plane.obj");
+    EXPECT_EQ(library.role("armadillo")->mesh().vertex_count(), cube_mesh(3).vertex_count());
+    EXPECT_EQ(library.role("armadillo")->name, "armadillo");
+    EXPECT_TRUE(library.role("lilium")->input.stand_in);
+}
+
+TEST(MeshLibrary, AMissingDataFolderIsAnInputError) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(MeshLibrary({folder.path() / "none"}, {}), InputError);
+}
+
+TEST(MeshLibrary, OwnMeshesTakeEveryRoleAndGetNamesOfTheirOwn) {
+    const TemporaryFolder folder;
+    const auto a = put(folder.path() / "a" / "My Mesh.obj", cube_mesh(1)), b = put(folder.path() / "b" / "my-mesh.ply", cube_mesh(2));
+    const MeshLibrary library({}, {a, b});
+    const auto meshes = library.own_meshes();
+    ASSERT_EQ(meshes.size(), 2u);
+    EXPECT_EQ(meshes[0]->name, "my_mesh");
+    EXPECT_EQ(meshes[1]->name, "my_mesh_2");
+    EXPECT_EQ(library.role("plane"), meshes[0]);
+}
+
+TEST(MeshLibrary, FilesAreFoundBesideTheSettingsThenInDataThenBundled) {
+    const TemporaryFolder folder;
+    put(folder.path() / "here" / "one.obj", cube_mesh(1));
+    put(folder.path() / "data" / "one.obj", cube_mesh(2));
+    put(folder.path() / "data" / "sub" / "two.obj", cube_mesh(2));
+    const MeshLibrary library({folder.path() / "data"}, {});
+    const fs::path base = folder.path() / "here";
+    EXPECT_EQ(library.file("one.obj", base)->mesh().vertex_count(), 8);
+    EXPECT_EQ(library.file("sub/two.obj", base)->mesh().vertex_count(), cube_mesh(2).vertex_count());
+    EXPECT_EQ(library.file("torus", base)->mesh().X, library.role("torus")->mesh().X);
+    EXPECT_FALSE(library.file("torus.obj", base)->input.stand_in);
+    EXPECT_TRUE(library.file("decompose/armadillo.obj", base)->input.stand_in);
+    EXPECT_THROW(library.file("teapot.obj", base), InputError);
+}
+
+TEST(MeshLibrary, ListedFilesOfOneStemHaveNamesInTheOrderListed) {
+    const TemporaryFolder folder;
+    put(folder.path() / "a" / "x.obj", cube_mesh(1));
+    put(folder.path() / "b" / "x.obj", cube_mesh(2));
+    const MeshLibrary library({}, {}, {"a/x.obj", "b/x.obj"});
+    EXPECT_EQ(library.file("b/x.obj", folder.path())->name, "x_2") << "whoever is read first";
+    EXPECT_EQ(library.file("a/x.obj", folder.path())->name, "x");
+}
+
+// The report must not tell where on this machine a mesh lies.
+TEST(MeshLibrary, MessagesNameTheFileAsItWasAskedFor) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "curvatures");
+    write_file(folder.path() / "curvatures" / "plane.obj", "v 0 0 nonsense\n");
+    fs::create_directories(folder.path() / "decompose" / "armadillo.obj");
+    const MeshLibrary library({folder.path()}, {});
+    for (const char* role : {"plane", "armadillo"}) {
+        try {
+            library.role(role);
+            FAIL() << role;
+        } catch (const InputError& error) {
+            EXPECT_EQ(std::string(error.what()).find(folder.path().string()), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find(".obj"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(MeshLibrary, IsReadOnceWhoeverAsks) {
+    const MeshLibrary library({}, {});
+    std::vector<std::shared_ptr<const LibraryMesh>> seen(4);
+    {
+        std::vector<std::jthread> threads;
+        for (auto& mesh : seen) threads.emplace_back([&library, &mesh] { mesh = library.role("torus"); });
+    }
+    for (const auto& mesh : seen) EXPECT_EQ(mesh, seen[0]);
+}
+
+TEST(ShortName, IsAnIdWhateverTheFileIsCalled) {
+    EXPECT_EQ(short_name("x/Bumpy-Cube (2).obj"), "bumpy_cube_2");
+    EXPECT_EQ(short_name("armadillo.obj"), "armadillo");
+    EXPECT_EQ(short_name("__.obj"), "mesh");
+    EXPECT_EQ(short_name("日本.obj"), "mesh");
+    EXPECT_EQ(short_name("<script>.obj"), "script");
+    EXPECT_EQ(short_name(std::string(300, 'a') + ".obj"), std::string(40, 'a'));
+}
