@@ -145,7 +145,7 @@ MeshLibrary::Found MeshLibrary::found_file(const fs::path& path, const fs::path&
         found.path = in_data;
     } else if (const MeshRole* role = role_of_path(path.string())) {
         found.bundled_file = role->bundled;
-        found.input.file = role->bundled;
+        found.label = found.input.file = role->bundled;
         found.input.stand_in = path.filename() != role->bundled && path.string() + ".obj" != role->bundled;
         found.input.asked = found.input.stand_in ? path.string() : "";
     } else {
