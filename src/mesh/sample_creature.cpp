@@ -51,22 +51,22 @@ double head(const Vector3& p) {
     static const std::vector<Ball> cheeks{{{-0.14, 0.5, 0.22}, 0.15}, {{0.24, 0.5, 0.2}, 0.15}};
     static const Ball nose{{0.085, 0.58, 0.575}, 0.07};
     static const std::vector<Ball> eyes{{{-0.11, 0.72, 0.3}, 0.1}, {{0.205, 0.72, 0.29}, 0.1}};
-    double d = smooth_union(signed_distance(skull, p), signed_distance(snout, p), 0.1);
-    d = smooth_union(d, nearest(cheeks, p), 0.1);
-    d = smooth_union(d, signed_distance(nose, p), 0.03);
-    return smooth_union(d, nearest(eyes, p), 0.03);
+    double d = smooth_union(signed_distance(skull, p), signed_distance(snout, p), 0.14);
+    d = smooth_union(d, nearest(cheeks, p), 0.14);
+    d = smooth_union(d, signed_distance(nose, p), 0.05);
+    return smooth_union(d, nearest(eyes, p), 0.05);
 }
 
 /// An ellipsoid with a hollow towards the front; the ear stands along `up` from its middle.
 struct Ear {
     EllipsoidBody outer, hollow;
     Ear(const Vector3& middle, const Vector3& up, const Vector3& front)
-        : outer{middle, {0.36, 0.105, 0.17}, frame_along(up, front)},
-          hollow{middle + 0.03 * up + 0.11 * front.normalized(), {0.25, 0.09, 0.095}, frame_along(up, front)} {}
+        : outer{middle, {0.36, 0.12, 0.185}, frame_along(up, front)},
+          hollow{middle + 0.03 * up + 0.155 * front.normalized(), {0.25, 0.12, 0.11}, frame_along(up, front)} {}
 };
 
 double signed_distance(const Ear& ear, const Vector3& p) {
-    return smooth_difference(signed_distance(ear.outer, p), signed_distance(ear.hollow, p), 0.05);
+    return smooth_difference(signed_distance(ear.outer, p), signed_distance(ear.hollow, p), 0.1);
 }
 
 double ears(const Vector3& p) {
@@ -77,7 +77,7 @@ double ears(const Vector3& p) {
 
 double hand(const std::vector<RoundCone>& arm, const Ball& palm, const std::vector<RoundCone>& fingers, const Vector3& p) {
     const double d = smooth_union(nearest(arm, p), signed_distance(palm, p), 0.05);
-    return smooth_union(d, nearest(fingers, p), 0.04);
+    return smooth_union(d, nearest(fingers, p), 0.07);
 }
 
 double right_arm(const Vector3& p) {   // waves
@@ -105,7 +105,7 @@ double legs(const Vector3& p) {
                                               {{-0.25, -0.9, 0.08}, {-0.34, -0.92, 0.32}, 0.12, 0.14}};
     static const std::vector<Ball> toes{{{0.2, -0.92, 0.38}, 0.085},   {{0.325, -0.92, 0.44}, 0.09}, {{0.45, -0.92, 0.37}, 0.085},
                                         {{-0.24, -0.92, 0.45}, 0.085}, {{-0.37, -0.92, 0.49}, 0.09}, {{-0.49, -0.92, 0.4}, 0.085}};
-    return smooth_union(nearest(shanks, p), smooth_union(nearest(soles, p), nearest(toes, p), 0.05), 0.08);
+    return smooth_union(nearest(shanks, p), smooth_union(nearest(soles, p), nearest(toes, p), 0.08), 0.1);
 }
 
 double tail(const Vector3& p) {
@@ -136,9 +136,9 @@ struct Part {
 
 double creature(const Vector3& p) {
     static const std::vector<Part> parts{
-        {legs, 0.1, {{0, -0.78, 0.2}, 0.75}},         {head, 0.08, {{0.05, 0.62, 0.2}, 0.6}},       {ears, 0.06, {{0, 1, 0}, 0.8}},
+        {legs, 0.1, {{0, -0.78, 0.2}, 0.75}},         {head, 0.14, {{0.05, 0.62, 0.2}, 0.6}},       {ears, 0.09, {{0, 1, 0}, 0.8}},
         {right_arm, 0.07, {{-0.55, 0.3, 0.1}, 0.62}}, {left_arm, 0.07, {{0.48, -0.12, 0.2}, 0.62}}, {tail, 0.1, {{0.4, -0.55, -0.6}, 0.85}},
-        {spines, 0.06, {{0.02, 0.25, -0.3}, 0.95}}};
+        {spines, 0.09, {{0.02, 0.25, -0.3}, 0.95}}};
     double d = trunk(p);
     for (const Part& part : parts) {
         if (signed_distance(part.around, p) < d + part.blend) d = smooth_union(d, part.distance(p), part.blend);

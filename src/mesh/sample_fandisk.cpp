@@ -44,7 +44,7 @@ Vector3 bent(const Vector3& block) {
     constexpr std::array<double, 5> radii{0.8, 1.08, 1.7, 1.95, 2.2};
     constexpr std::array<double, 4> angles{-0.72, -0.25, 0.25, 0.72}, heights{-0.5, -0.15, 0.2, 0.55};
     const double hub = 1 - within(block[0], 0), web = within(block[0], 1), rim = within(block[0], 2), outer_rim = within(block[0], 3);
-    const double base = within(block[2], 0), top = within(block[2], 2);
+    const double base = within(block[2], 0), middle = within(block[2], 1), top = within(block[2], 2);
     const double turned = block[1] / 3, turned_below = 1 - within(block[1], 0), turned_above = within(block[1] / 2, 0.5);
 
     double r = piecewise(radii, block[0]), angle = piecewise(angles, block[1]), z = piecewise(heights, block[2]);
@@ -53,6 +53,8 @@ Vector3 bent(const Vector3& block) {
     angle += 0.16 * (1 - turned) * arc(block[0] / 4);                                    // one end is curved
     z -= 0.17 * arc(web) * base;                                                         // the web is hollow
     z -= 0.15 * turned_below * turned_below * hub * top;                                 // the hub falls off
+    z += 0.1 * hub * top;                                                                // and leans
+    z -= 0.14 * (rim + outer_rim) / 2 * middle * (1 - top);                              // the low rim is a cone
     z += 0.18 * smooth_step(turned_above) * (1 - std::abs(rim + outer_rim - 1)) * top;   // a crease along the rim rises from nothing
     return {-r * std::sin(angle), r * std::cos(angle), z};
 }
