@@ -52,7 +52,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 /// Triangles of a polygon given by its corner positions in order: the fan around its first corner where that is right (always
 /// when convex), ear clipping in the plane of the Newell normal otherwise. Indices are into `corners`. Independent of where
 /// the polygon lies and how large it is.
-/// @throws MeshError with fewer than 3 corners or more than 65536
+/// @throws MeshError with fewer than 3 corners or more than 32768
 Faces triangulate_polygon(const Positions& corners);
 
 }   // namespace meshfolio

@@ -66,14 +66,14 @@ Faces fan(int corners) {
     return triangles;
 }
 
-/// Points in the square cells of a grid, about one a cell, to find those in a box.
+/// The chosen points in the cells of a grid over them, about one a cell, to find those in a box.
 class PointGrid {
 public:
     PointGrid(const std::vector<Point>& points, const std::vector<int>& chosen) {
-        low_ = high_ = points.front();
-        for (const Point& p : points) {
-            low_ = low_.cwiseMin(p);
-            high_ = high_.cwiseMax(p);
+        low_ = high_ = chosen.empty() ? points.front() : points[at(chosen.front())];
+        for (const int i : chosen) {
+            low_ = low_.cwiseMin(points[at(i)]);
+            high_ = high_.cwiseMax(points[at(i)]);
         }
         cells_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(chosen.size()))));
         start_.assign(at(cells_ * cells_) + 1, 0);
@@ -101,7 +101,7 @@ private:
     int place(const Point& p, int axis) const {
         const double extent = high_[axis] - low_[axis];
         if (!(extent > 0)) return 0;
-        return std::clamp(static_cast<int>((p[axis] - low_[axis]) / extent * cells_), 0, cells_ - 1);
+        return static_cast<int>(std::clamp((p[axis] - low_[axis]) / extent * cells_, 0.0, cells_ - 1.0));
     }
     int cell(const Point& p) const { return place(p, 1) * cells_ + place(p, 0); }
 

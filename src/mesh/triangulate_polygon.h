@@ -7,7 +7,7 @@
 namespace meshfolio {
 
 /// Largest polygon that is triangulated. Ear clipping is quadratic in the worst case; this many corners stay within seconds.
-inline constexpr int max_polygon_corners = 65536;
+inline constexpr int max_polygon_corners = 32768;
 
 struct PolygonTriangles {
     Faces triangles;      // (n − 2) × 3 indices into the corners, turning as the polygon does
