@@ -54,6 +54,14 @@ double rms(const Vector& values) {
     return n == 0 ? 0 : std::sqrt(sum / n);
 }
 
+/// rms difference between the ends of edges, where both are defined: how rough a field is.
+double rms_jump(const Vector& values, const MeshTopology& topology) {
+    Vector jumps(static_cast<Eigen::Index>(topology.edges.size()));
+    Eigen::Index e = 0;
+    for (const Edge& edge : topology.edges) jumps[e++] = values[edge.a] - values[edge.b];
+    return rms(jumps);
+}
+
 /// Rounding in ½‖Lx‖ leaves about this much curvature × mean edge on a flat mesh; less is not told from 0.
 constexpr double curvature_noise = 1e-9;
 
@@ -116,6 +124,8 @@ CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source)
     c.precision = c.subject.mean_edge * largest_magnitude(c.cotangent);
     c.rms_uniform = rms(c.uniform);
     c.rms_difference = rms(c.difference);
+    c.jump_uniform = rms_jump(c.uniform, topology);
+    c.jump_cotangent = rms_jump(c.cotangent, topology);
     int opposite = 0, both = 0;
     for (Eigen::Index i = 0; i < c.difference.size(); ++i) {
         if (!std::isfinite(c.difference[i])) continue;

@@ -45,12 +45,13 @@ struct OperatorVariant {
 /// Both estimates on one mesh, barycentric areas.
 struct CotangentComparison {
     CurvatureSubject subject;
-    Vector uniform, cotangent, difference;        // scaled uniform H, cotangent H, cotangent − uniform [1/length]
-    double drift = 0;                             // largest ½‖Δ_uniform x‖ · 4/h² inside, as mean curvature × mean edge
-    double precision = 0;                         // largest |cotangent H| × mean edge inside
-    double rms_uniform = 0, rms_difference = 0;   // over the inside [1/length]
-    double sign_change = 0;                       // share of vertices where the two differ in sign
-    std::vector<OperatorVariant> variants;        // half sum (the default), mean of opposite vertices, clamped
+    Vector uniform, cotangent, difference;         // scaled uniform H, cotangent H, cotangent − uniform [1/length]
+    double drift = 0;                              // largest ½‖Δ_uniform x‖ · 4/h² inside, as mean curvature × mean edge
+    double precision = 0;                          // largest |cotangent H| × mean edge inside
+    double rms_uniform = 0, rms_difference = 0;    // over the inside [1/length]
+    double jump_uniform = 0, jump_cotangent = 0;   // rms difference of H between neighbours [1/length]
+    double sign_change = 0;                        // share of vertices where the two differ in sign
+    std::vector<OperatorVariant> variants;         // half sum (the default), mean of opposite vertices, clamped
 };
 CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source);
 

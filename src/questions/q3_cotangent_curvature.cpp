@@ -74,13 +74,16 @@ void add_difference_table(report::Section& section, const std::vector<CotangentC
     report::Table table;
     table.id = "q3_differences";
     table.caption =
-        "Both estimates of H and their difference over the inner vertices; the last column counts vertices where they disagree about the "
+        "Both estimates of H and their difference over the inner vertices; a jump is the rms difference of H between neighbours; the last "
+        "column counts vertices where they disagree about the "
         "sign.";
     table.columns = {{"mesh", ""},
                      {"uniform, median", "1/length", 4},
                      {"uniform, std", "1/length", 3},
                      {"cotangent, median", "1/length", 4},
                      {"cotangent, std", "1/length", 3},
+                     {"uniform, jump", "1/length", 3},
+                     {"cotangent, jump", "1/length", 3},
                      {"difference, rms", "1/length", 3},
                      {"difference, largest", "1/length", 3},
                      {"difference, rms", "% of uniform rms", 3},
@@ -89,7 +92,8 @@ void add_difference_table(report::Section& section, const std::vector<CotangentC
         const ValueSummary uniform = summary_of(c.uniform), cotangent = summary_of(c.cotangent);
         const bool curved = c.drift > 1e-9 || c.precision > 1e-9;
         table.rows.push_back({c.subject.name(), number(uniform.median), number(uniform.standard_deviation), number(cotangent.median),
-                              number(cotangent.standard_deviation), c.rms_difference, largest_magnitude(c.difference),
+                              number(cotangent.standard_deviation), c.jump_uniform, c.jump_cotangent, c.rms_difference,
+                              largest_magnitude(c.difference),
                               curved && c.rms_uniform > 0 ? Cell(100 * c.rms_difference / c.rms_uniform) : Cell(), 100 * c.sign_change});
     }
     section.blocks.push_back(std::move(table));
@@ -302,7 +306,7 @@ report::Text flat_words(const CotangentComparison& c) {
     }
     report::extend(t, "Inside, |H| × mean edge is at most ", readable(c.precision, 2), " by the cotangent and ", readable(c.drift, 2),
                    " by the uniform operator");
-    if (c.drift < 1e-6 && c.precision < 1e-6) {
+    if (std::max(c.drift, c.precision) < 1e-4) {   // what six digits of the coordinates leave
         report::extend(t, ": its triangles are so regular that the cotangent weights improve nothing here. ");
     } else if (c.drift > 10 * c.precision) {
         report::extend(t, ", ", readable(c.drift / std::max(c.precision, 1e-300), 2),
@@ -325,6 +329,12 @@ report::Text curved_words(const CotangentComparison& c) {
     const OperatorVariant& clamped = c.variants[2];
     report::Text t = report::text("On ", s.name(), " the two estimates differ by ", readable_percent(c.rms_difference / c.rms_uniform),
                                   " of the uniform one (rms) and in sign at ", readable_percent(c.sign_change, 2), " of the vertices. ");
+    if (c.jump_uniform > 0 && c.jump_cotangent > 0) {
+        const double ratio = c.jump_uniform / c.jump_cotangent;
+        report::extend(t, "From a vertex to its neighbour H changes by ", readable(c.jump_cotangent), " (rms) with cotangent and by ",
+                       readable(c.jump_uniform), " with uniform weights: the cotangent estimate is ",
+                       readable(ratio >= 1 ? ratio : 1 / ratio, 2), " times ", ratio >= 1 ? "smoother. " : "rougher. ");
+    }
     if (used.negative_inside + used.negative_boundary == 0) {
         report::extend(t, "None of its ", std::to_string(s.topology().edges.size()),
                        " edges has a negative weight, so clamping changes nothing.");
@@ -416,7 +426,8 @@ void add_method(report::Section& section) {
                     {"answer_q3", "src/questions/q3_cotangent_curvature.cpp", "this section"}};
 }
 
-void add_findings(report::Section& section, const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane) {
+void add_findings(report::Section& section, const std::vector<CotangentComparison>& meshes,
+                  const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane) {
     const CotangentErrors& regular = refinement_on(refinements, "torus", Triangulation::regular).finest();
     const CotangentRefinement& jittered = refinement_on(refinements, "torus", Triangulation::jittered);
     section.findings.push_back(
@@ -429,6 +440,14 @@ void add_findings(report::Section& section, const std::vector<CotangentRefinemen
         {report::text("Q3: inside an irregular flat square |H| × mean edge is ", readable(plane.cotangent, 2), " (cotangent), ",
                       readable(plane.uniform, 2), " (uniform) and ", readable(plane.clamped, 2), " (cotangent, clamped)."),
          45});
+    const auto curved = std::find_if(meshes.begin(), meshes.end(), [](const CotangentComparison& c) {
+        return !c.subject.plane_normal && c.jump_uniform > 0 && c.jump_cotangent > 0;
+    });
+    if (curved == meshes.end()) return;
+    section.findings.push_back(
+        {report::text("Q3: on ", curved->subject.name(), " H changes from a vertex to its neighbour by ", readable(curved->jump_cotangent),
+                      " (rms) with cotangent and by ", readable(curved->jump_uniform), " with uniform weights."),
+         55});
 }
 
 }   // namespace
@@ -461,7 +480,7 @@ Answer answer_q3(const MeshLibrary& library, const QuestionSettings& settings, c
     add_convergence_plot(section, refinements, Triangulation::jittered);
     add_checks(section, refinements, plane, meshes);
     add_discussion(section, meshes, refinements, plane);
-    add_findings(section, refinements, plane);
+    add_findings(section, meshes, refinements, plane);
 
     const int levels = static_cast<int>(refinements.front().levels.size());
     section.parameters = {{"area form", "barycentric; Voronoi and mixed compared"},
