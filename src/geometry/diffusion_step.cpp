@@ -2,7 +2,10 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <string>
 #include <utility>
+
+#include "errors.h"
 
 namespace meshfolio {
 
@@ -41,10 +44,15 @@ void ImplicitDiffusion::prepare(OperatorWithMass whole, double lambda) {
     SparseMatrix mass(whole_.A.rows(), whole_.A.cols());
     mass = whole_.M.asDiagonal();
     const SparseMatrix system = mass + lambda * whole_.A;
-    if (same_vertices) {
-        factor_->refactor(system);
-    } else {
-        factor_ = SparseFactor::cholesky(system);
+    try {
+        if (same_vertices) {
+            factor_->refactor(system);
+        } else {
+            factor_ = SparseFactor::cholesky(system);
+        }
+    } catch (const SolverError& error) {
+        throw SolverError("M − λC cannot be factored at this lambda: " + std::string(error.what()),
+                          "take a smaller lambda, or repair triangles of zero area");
     }
 }
 

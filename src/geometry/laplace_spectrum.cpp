@@ -17,7 +17,7 @@ struct InertiaCount {
     int counted = -1, found = -1;
 };
 
-/// Pairs in symmetric form, zero modes first; at least as many as asked for.
+/// The k pairs asked for, in symmetric form, zero modes first.
 struct Modes {
     SymmetricPairs pairs;
     InertiaCount inertia;
@@ -36,12 +36,18 @@ std::optional<double> shift_in_gap_behind(const Vector& mu, int k) {
 
 int entries_below(const Vector& mu, double sigma) { return static_cast<int>((mu.array() < sigma).count()); }
 
-SymmetricPairs with_zero_modes(const ZeroModes& zero_modes, const SymmetricPairs& others) {
-    const int zeros = zero_modes.count();
-    SymmetricPairs all{Vector(zeros + others.count()), DenseMatrix(others.Y.rows(), zeros + others.count())};
-    all.mu << Vector::Zero(zeros), others.mu;
-    all.Y << zero_modes.first(zeros), others.Y;
+Vector with_zeros(int zeros, const Vector& mu) {
+    Vector all(zeros + mu.size());
+    all << Vector::Zero(zeros), mu;
     return all;
+}
+
+/// The first k pairs of zero modes and others together.
+SymmetricPairs first_pairs(const ZeroModes& zero_modes, const SymmetricPairs& others, int k) {
+    const int zeros = std::min(zero_modes.count(), k);
+    SymmetricPairs first{with_zeros(zeros, others.mu.head(k - zeros)), DenseMatrix(others.Y.rows(), k)};
+    first.Y << zero_modes.first(zeros), others.Y.leftCols(k - zeros);
+    return first;
 }
 
 Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
@@ -51,15 +57,15 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
     const Eigen::Index n = A.rows(), others = n - zero_modes.count();
     if (solver.eigenvalues()[0] < -1e-10 * std::abs(solver.eigenvalues()[n - 1])) {
         throw SolverError("−C has negative eigenvalues, so it is no Laplacian",
-                          "sum the opposite cotangents of an edge instead of averaging them");
+                          "repair triangles of zero area, and sum the opposite cotangents of an edge instead of averaging them");
     }
     SymmetricPairs nonzero{solver.eigenvalues().tail(others), solver.eigenvectors().rightCols(others)};
     for (Eigen::Index j = 0; j < others; ++j) {
         zero_modes.project_out(nonzero.Y.col(j));
         nonzero.Y.col(j).normalize();
     }
-    Modes modes{with_zero_modes(zero_modes, nonzero), {}, true};
-    const Vector& mu = modes.pairs.mu;
+    Modes modes{first_pairs(zero_modes, nonzero, k), {}, true};
+    const Vector mu = with_zeros(zero_modes.count(), nonzero.mu);
     const double above_all = mu[n - 1] > 0 ? 1.001 * mu[n - 1] : 1;
     modes.inertia.sigma = shift_in_gap_behind(mu, k).value_or(above_all);
     modes.inertia.counted = inertia_below(A, M, modes.inertia.sigma);
@@ -77,14 +83,17 @@ Modes lanczos_modes(const SparseMatrix& A, const Vector& M, int k, const Spectru
     int wanted = k - zeros + beyond + k / 30;
     for (int pass = 0; pass < most_passes; ++pass) {
         if (wanted > 0) lanczos.find_more(wanted);
-        const SymmetricPairs pairs = with_zero_modes(lanczos.zero_modes(), lanczos.known());
+        const Vector mu = with_zeros(zeros, lanczos.known().mu);
         if (inertia.counted < 0) {
-            if (const auto sigma = shift_in_gap_behind(pairs.mu, k)) inertia = {*sigma, lanczos.count_below(*sigma), -1};
+            if (const auto sigma = shift_in_gap_behind(mu, k)) inertia = {*sigma, lanczos.count_below(*sigma), -1};
         }
-        inertia.found = entries_below(pairs.mu, inertia.sigma);
-        if (inertia.found == inertia.counted && lanczos.converged(std::max(0, k - zeros))) return {pairs, inertia, false};
-        const bool no_gap_yet = inertia.counted < 0;
-        wanted = no_gap_yet ? std::max(0, k - pairs.count()) + (beyond << pass) : std::max(1, inertia.counted - inertia.found);
+        inertia.found = entries_below(mu, inertia.sigma);
+        if (inertia.found == inertia.counted && lanczos.converged(std::max(0, k - zeros))) {
+            return {first_pairs(lanczos.zero_modes(), lanczos.known(), k), inertia, false};
+        }
+        const int missing = inertia.counted - inertia.found;
+        const int to_the_next_gap = std::max(0, k - static_cast<int>(mu.size())) + (beyond << pass);
+        wanted = inertia.counted < 0 ? to_the_next_gap : std::max(1, missing);
     }
     throw SolverError("the " + std::to_string(k) + " smallest eigenpairs did not converge: inertia counts " +
                           std::to_string(inertia.counted) + " eigenvalues below the shift, " + std::to_string(inertia.found) +
@@ -106,9 +115,8 @@ Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const Spec
     const double total = whole.M.sum();
     const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
     k = std::min(k, whole.size());
-    Modes modes = modes_of(whole.A, M, k, options);
+    const Modes modes = modes_of(whole.A, M, k, options);
 
-    modes.pairs = {modes.pairs.mu.head(k), modes.pairs.Y.leftCols(k)};
     const Vector root = M.cwiseSqrt();
     Spectrum spectrum;
     spectrum.residuals = relative_residuals(symmetric_form(whole.A, M), root, modes.pairs);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "errors.h"
@@ -36,16 +37,19 @@ double ordinary_eigenvalue(const SparseMatrix& A) {
 /// needles or specks make rounding larger.
 SparseFactor factor_below_zero(const SparseMatrix& A, const Vector& M, double& sigma) {
     const double ordinary = ordinary_eigenvalue(A);
+    std::string reason;
     for (const double share : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
         sigma = ordinary > 0 ? -share * ordinary : -share;
         try {
             SparseFactor factor = SparseFactor::ldlt(shifted(A, M, sigma));
             if (factor.negative_pivots() == 0) return factor;
-        } catch (const SolverError&) {   // a pivot lost in rounding
+            reason = std::to_string(factor.negative_pivots()) + " eigenvalues are negative";
+        } catch (const SolverError& error) {   // a pivot lost in rounding, or no memory
+            reason = error.what();
         }
     }
-    throw SolverError("−C has negative eigenvalues, so it is no Laplacian",
-                      "sum the opposite cotangents of an edge instead of averaging them");
+    throw SolverError("−C is not positive semidefinite: " + reason,
+                      "repair triangles of zero area, and sum the opposite cotangents of an edge instead of averaging them");
 }
 
 /// Uniform in (−½, ½), the same on every machine (splitmix64, Steele et al. 2014).
