@@ -129,7 +129,7 @@ private:
 
     /// v x y z, and behind it a weight, a colour, or both.
     void vertex(std::string_view rest) {
-        std::array<double, 7> value;
+        std::array<double, 7> value{};
         std::size_t count = 0;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
             const double x = checked_coordinate(word, file_, line_);

@@ -83,7 +83,7 @@ private:
         expect("loop");
         for (int k = 0; k < 3; ++k) {
             expect("vertex");
-            std::array<double, 3> corner;
+            std::array<double, 3> corner{};
             for (double& x : corner) x = coordinate();
             corners_.push_back(corner);
         }

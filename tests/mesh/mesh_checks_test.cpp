@@ -94,6 +94,10 @@ TEST(MeshChecks, OpenSurfacesKeepTheMajorityOfTheFile) {
     const PreparedMesh result = prepared(mesh);   // 20 of 32 said −z
     EXPECT_EQ(result.preflight.flipped_faces, 12);
     EXPECT_EQ(face_normals(result.mesh).col(2).maxCoeff(), -1);
+    TriangleMesh other = flat_grid(5, 5);
+    for (int t = 0; t < 5; ++t) flip(other, t);
+    EXPECT_EQ(prepared(other).mesh.F.row(31), flat_grid(5, 5).F.row(31));
+    EXPECT_EQ(prepared(other).preflight.flipped_faces, 5);
 }
 
 TEST(MeshChecks, ClosedPiecesAreTurnedOutwardsEachOnItsOwn) {

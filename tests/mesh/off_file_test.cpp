@@ -68,6 +68,7 @@ TEST(OffFile, RefusesMissingAndBadData) {
     EXPECT_TRUE(refused("OFF\n5 4 6\n" + points + faces, "m.off:2", "4 faces announced, file ends after 3"));
     EXPECT_TRUE(refused("OFF\n4 4 6\n" + points + "3 0 2 1\n3 0 1 3\n3 0 3 2\n4 1 2 3\n", "m.off:10", "face of 4 corners has 3"));
     EXPECT_TRUE(refused("OFF\n4 4 6\n" + points + "3 0 2 1\n4 0 1 3\n3 0 3 2\n3 1 2 3\n", "m.off:8", "fewer corners"));
+    EXPECT_TRUE(refused("OFF\n4 4 6\n" + points + "4 0 2 1\n3 0 1 3\n3 0 3 2\n4 1 2 3\n", "m.off:7", "face of 4 corners"));
     EXPECT_TRUE(refused("OFF\n4 1 6\n0 0 0\n1 0 0\n0 1 0\n   0       0 ", "m.off:6", "ends early"));
     EXPECT_TRUE(refused("NOFF\n4 4 6\n" + points + faces, "m.off:3", "needs 6 numbers, has 3"));
     for (const char* index : {"4", "-1", "3.0", "4294967298", "x"}) {
