@@ -13,8 +13,8 @@
 #include "file_bytes.h"
 #include "output/folder_system.h"
 #include "output/leftovers.h"
-#include "output/sha256.h"
 #include "output/temporaries.h"
+#include "sha256.h"
 
 namespace meshfolio::output {
 

@@ -8,7 +8,7 @@
 #include "embedded_data.h"
 #include "errors.h"
 #include "file_bytes.h"
-#include "output/sha256.h"
+#include "sha256.h"
 
 namespace meshfolio {
 
@@ -173,7 +173,7 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const std::string& key, c
     // The ending of the file decides the format; the label may be a role's path.
     mesh->prepared = std::make_shared<const PreparedMesh>(prepare_mesh(parse_mesh(bytes, found.label)));
     mesh->input = found.input;
-    mesh->input.sha256 = output::sha256(bytes);
+    mesh->input.sha256 = sha256(bytes);
     mesh->input.vertices = mesh->prepared->mesh.vertex_count();
     mesh->input.triangles = mesh->prepared->mesh.face_count();
     mesh->name = found.name;

@@ -68,8 +68,6 @@ void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string&
     add_figure(answer, std::move(figure));
 }
 
-Cell number(double x) { return std::isfinite(x) ? Cell(x) : Cell(); }
-
 void add_difference_table(report::Section& section, const std::vector<CotangentComparison>& meshes) {
     report::Table table;
     table.id = "q3_differences";
@@ -91,8 +89,8 @@ void add_difference_table(report::Section& section, const std::vector<CotangentC
     for (const CotangentComparison& c : meshes) {
         const ValueSummary uniform = summary_of(c.uniform), cotangent = summary_of(c.cotangent);
         const bool curved = c.drift > 1e-9 || c.precision > 1e-9;
-        table.rows.push_back({c.subject.name(), number(uniform.median), number(uniform.standard_deviation), number(cotangent.median),
-                              number(cotangent.standard_deviation), c.jump_uniform, c.jump_cotangent, c.rms_difference,
+        table.rows.push_back({c.subject.name(), cell_of(uniform.median), cell_of(uniform.standard_deviation), cell_of(cotangent.median),
+                              cell_of(cotangent.standard_deviation), c.jump_uniform, c.jump_cotangent, c.rms_difference,
                               largest_magnitude(c.difference),
                               curved && c.rms_uniform > 0 ? Cell(100 * c.rms_difference / c.rms_uniform) : Cell(), 100 * c.sign_change});
     }
@@ -117,7 +115,7 @@ void add_variant_table(report::Section& section, const std::vector<CotangentComp
     for (const CotangentComparison& c : meshes) {
         for (const OperatorVariant& v : c.variants) {
             table.rows.push_back({c.subject.name(), v.name, double(v.negative_inside), double(v.negative_boundary), v.smallest_weight,
-                                  v.inside, number(100 * v.change), v.boundary});
+                                  v.inside, cell_of(100 * v.change), v.boundary});
         }
     }
     section.blocks.push_back(std::move(table));
@@ -178,9 +176,9 @@ void add_order_table(report::Section& section, const std::vector<CotangentRefine
     for (const CotangentRefinement& r : refinements) {
         table.rows.push_back({r.surface.name, name_of(r.triangulation), double(r.levels.front().vertices), double(r.finest().vertices),
                               r.finest().smallest_angle * 180 / M_PI, 100 * r.finest().negative_weights,
-                              number(scaled_uniform_H(r).order()), number(cotangent_H(r, barycentric).order()),
-                              number(cotangent_H(r, barycentric, &FieldError::linf).order()), number(cotangent_H(r, voronoi).order()),
-                              number(cotangent_H(r, mixed).order())});
+                              cell_of(scaled_uniform_H(r).order()), cell_of(cotangent_H(r, barycentric).order()),
+                              cell_of(cotangent_H(r, barycentric, &FieldError::linf).order()), cell_of(cotangent_H(r, voronoi).order()),
+                              cell_of(cotangent_H(r, mixed).order())});
     }
     section.blocks.push_back(std::move(table));
 }

@@ -3,10 +3,10 @@
 
 #include "errors.h"
 #include "report/escape.h"
-#include "report/sha256.h"
 #include "report/template_render.h"
 #include "report/view_model.h"
 #include "report/writers.h"
+#include "sha256.h"
 
 namespace meshfolio::report {
 
@@ -22,7 +22,7 @@ std::string raw_element(const Templates& templates, const std::string& name) {
 }
 
 /// What the policy allows is exactly this text.
-std::string policy_source(const std::string& text) { return "'sha256-" + base64(sha256(text)) + "'"; }
+std::string policy_source(const std::string& text) { return "'sha256-" + base64(sha256_bytes(text)) + "'"; }
 
 }   // namespace
 

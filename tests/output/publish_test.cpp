@@ -12,7 +12,7 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "output/leftovers.h"
-#include "output/sha256.h"
+#include "sha256.h"
 #include "output/temporary_folder.h"
 
 using namespace meshfolio;

@@ -9,7 +9,7 @@
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
 #include "mesh/sample_shapes.h"
-#include "output/sha256.h"
+#include "sha256.h"
 #include "output/temporary_folder.h"
 
 using namespace meshfolio;
@@ -39,7 +39,7 @@ TEST(MeshLibrary, EveryRoleHasABundledMesh) {
         EXPECT_EQ(mesh->input.vertices, mesh->mesh().vertex_count());
         EXPECT_TRUE(mesh->prepared->warnings.empty()) << role.role;
         EXPECT_TRUE(names.insert(mesh->name).second) << mesh->name;
-        EXPECT_EQ(mesh->input.sha256, output::sha256(read_file(fs::path(MESHFOLIO_SOURCE_DIR) / "data" / role.bundled)));
+        EXPECT_EQ(mesh->input.sha256, sha256(read_file(fs::path(MESHFOLIO_SOURCE_DIR) / "data" / role.bundled)));
     }
 }
 

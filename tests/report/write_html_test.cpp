@@ -5,7 +5,7 @@
 
 #include "report/escape.h"
 #include "report/sample_document.h"
-#include "report/sha256.h"
+#include "sha256.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
 
@@ -72,7 +72,7 @@ TEST(WriteHtml, PolicyAllowsExactlyTheInlineStyleAndScript) {
     for (const char* element : {"style", "script"}) {
         const std::size_t begin = page.find(std::string("<") + element + ">") + std::string(element).size() + 2;
         const std::string content = page.substr(begin, page.find(std::string("</") + element + ">") - begin);
-        EXPECT_NE(policy.find(std::string(element) + "-src &#39;sha256-" + base64(sha256(content)) + "&#39;"), std::string::npos)
+        EXPECT_NE(policy.find(std::string(element) + "-src &#39;sha256-" + base64(sha256_bytes(content)) + "&#39;"), std::string::npos)
             << element;
     }
 }

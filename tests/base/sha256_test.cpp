@@ -1,8 +1,8 @@
-#include "output/sha256.h"
+#include "sha256.h"
 
 #include <gtest/gtest.h>
 
-using meshfolio::output::sha256;
+using meshfolio::sha256;
 
 // The examples of FIPS 180-4 and of NIST's test vectors.
 TEST(Sha256, KnownVectors) {
