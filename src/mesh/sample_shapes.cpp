@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "errors.h"
 #include "mesh/sample_parts.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
+#include "nearest_word.h"
 
 namespace meshfolio {
 
@@ -51,21 +50,6 @@ constexpr std::array samples{
 };
 // clang-format on
 
-/// Levenshtein's distance: insertions, deletions and replacements of one character.
-int edit_distance(std::string_view a, std::string_view b) {
-    std::vector<int> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        int diagonal = std::exchange(row[0], static_cast<int>(i) + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
 }   // namespace
 
 TriangleMesh subdivided_onto(TriangleMesh mesh, int times, const std::function<Vector3(const Vector3&)>& onto_surface) {
@@ -82,9 +66,10 @@ TriangleMesh make_sample(const std::string& name, int subdivide) {
     constexpr int most_subdivisions = 6;   // already 4096 times as many triangles
     const auto sample = std::ranges::find(samples, name, &Sample::name);
     if (sample == samples.end()) {
-        const auto nearest = std::ranges::min_element(samples, {}, [&](const Sample& s) { return edit_distance(name, s.name); });
+        std::vector<std::string> known;
+        for (const Sample& s : samples) known.emplace_back(s.name);
         throw UsageError("there is no sample \"" + printable(name) + "\"",
-                         "did you mean \"" + std::string(nearest->name) + "\"? `meshfolio sample --list` names them all");
+                         "did you mean \"" + nearest_word(name, known) + "\"? `meshfolio sample --list` names them all");
     }
     if (subdivide < 0 || subdivide > most_subdivisions) {
         throw UsageError("a sample cannot be subdivided " + std::to_string(subdivide) + " times",

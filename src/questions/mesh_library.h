@@ -21,7 +21,7 @@ namespace meshfolio {
 struct MeshRole {
     std::string_view role;      // "armadillo"
     std::string_view asked;     // "decompose/armadillo.obj"; empty: not of the assignment
-    std::string_view bundled;   // "creature.ply" in data/
+    std::string_view bundled;   // "creature.obj" in data/
 };
 std::span<const MeshRole> mesh_role_list();
 

@@ -1,0 +1,17 @@
+#include "nearest_word.h"
+
+#include <gtest/gtest.h>
+
+using meshfolio::nearest_word;
+
+TEST(NearestWord, FewestEditsWin) {
+    const std::vector<std::string> known{"title", "author", "template", "size"};
+    EXPECT_EQ(nearest_word("titel", known), "title");
+    EXPECT_EQ(nearest_word("tmplate", known), "template");
+    EXPECT_EQ(nearest_word("sizes", known), "size");
+    EXPECT_EQ(nearest_word("title", known), "title");
+}
+
+TEST(NearestWord, TheFirstOnATie) { EXPECT_EQ(nearest_word("c", {"a", "b"}), "a"); }
+
+TEST(NearestWord, NothingKnownGivesNothing) { EXPECT_EQ(nearest_word("word", {}), ""); }

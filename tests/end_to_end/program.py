@@ -1,0 +1,32 @@
+"""Runs the built program. Its path comes from the environment variable MESHFOLIO."""
+
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+PROGRAM = os.environ["MESHFOLIO"]
+SOURCE = Path(__file__).resolve().parents[2]
+
+
+def run(*arguments, cwd=None, **environment):
+    """One run; environment variables by name. Returns the finished process with text streams."""
+    words = [PROGRAM, *map(str, arguments)]
+    return subprocess.run(
+        words, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, timeout=280, stdin=subprocess.DEVNULL
+    )
+
+
+def temporary_folder(test):
+    """A folder that goes with the test case."""
+    folder = tempfile.TemporaryDirectory(prefix="meshfolio-test-")
+    test.addCleanup(folder.cleanup)
+    return Path(folder.name)
+
+
+def sample(folder, name, ending="obj", subdivide=0):
+    """A bundled mesh as a file in the folder."""
+    path = folder / f"{name}.{ending}"
+    process = run("sample", name, "-o", path, "--subdivide", subdivide)
+    assert process.returncode == 0, process.stderr
+    return path

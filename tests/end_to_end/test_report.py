@@ -1,0 +1,241 @@
+"""A quick report, end to end: every promised file, well-formed, linked, the same bytes again; failures shown and told."""
+
+import csv
+import hashlib
+import html.parser
+import json
+import re
+import struct
+import unittest
+import urllib.parse
+import xml.etree.ElementTree
+import zlib
+
+from program import SOURCE, run, sample, temporary_folder
+
+QUESTIONS = ["q1", "q2", "q3", "q4", "q5", "q6", "q7"]
+
+
+class Page(html.parser.HTMLParser):
+    """Links, pictures and ids of an HTML page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.targets, self.ids, self.pictures = [], [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        attribute = dict(attributes)
+        if "id" in attribute:
+            self.ids.append(attribute["id"])
+        if tag == "a" and "href" in attribute:
+            self.targets.append(attribute["href"])
+        if tag == "img":
+            self.pictures.append(attribute)
+
+
+def digest(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def tree(folder):
+    return {str(p.relative_to(folder)): digest(p) for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def png_size(path):
+    """Checks every chunk's CRC and that the pixels inflate to what the header says."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", path
+    at, pixels, header = 8, b"", None
+    while at < len(data):
+        (length,), kind = struct.unpack(">I", data[at : at + 4]), data[at + 4 : at + 8]
+        body, crc = data[at + 8 : at + 8 + length], struct.unpack(">I", data[at + 8 + length : at + 12 + length])[0]
+        assert zlib.crc32(kind + body) == crc, path
+        if kind == b"IHDR":
+            header = struct.unpack(">IIBB", body[:10])
+        if kind == b"IDAT":
+            pixels += body
+        at += 12 + length
+    width, height, depth, kind = header
+    channels = {2: 3, 6: 4}[kind]
+    assert depth == 8 and len(zlib.decompress(pixels)) == height * (1 + width * channels), path
+    return width, height
+
+
+class QuickReport(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = cls("test_all_questions_are_complete")
+        cls.folder = temporary_folder(cls.case)
+        cls.out = cls.folder / "out"
+        cls.process = run("report", "--quick", "--size", 200, "--out", cls.out, "--no-timings", "--threads", 2)
+        cls.results = json.loads((cls.out / "results.json").read_text())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.case.doCleanups()
+
+    def test_ends_well_and_names_the_page_on_stdout(self):
+        self.assertEqual(self.process.returncode, 0, self.process.stderr)
+        self.assertEqual(self.process.stdout.strip(), str(self.out / "index.html"))
+
+    def test_all_questions_are_complete(self):
+        self.assertEqual([q["id"] for q in self.results["questions"]], QUESTIONS)
+        for question in self.results["questions"]:
+            self.assertEqual(question["status"], "ok", question["id"])
+            self.assertTrue(question["checks"], question["id"])
+            for check in question["checks"]:
+                self.assertTrue(check["passed"], check)
+                self.assertEqual({type(check[k]) in (int, float) for k in ("expected", "measured", "tolerance")}, {True}, check)
+
+    def test_every_promised_file_is_there(self):
+        for name in ["index.html", "report.md", "results.json", "SHA256SUMS"]:
+            self.assertGreater((self.out / name).stat().st_size, 0, name)
+        for folder in ["tables", "images", "meshes"]:
+            self.assertTrue(any((self.out / folder).iterdir()), folder)
+        self.assertTrue(list((self.out / "meshes").glob("q4_*_k5.ply")))
+
+    def test_the_page_is_well_formed_and_offline(self):
+        text = (self.out / "index.html").read_text()
+        xml.etree.ElementTree.fromstring(text.split("?>", 1)[-1] if text.startswith("<?xml") else text.replace("<!DOCTYPE html>", "", 1))
+        self.assertIn("default-src 'none'", text.replace("&#39;", "'"))
+        page = Page(text)
+        self.assertEqual(len(page.ids), len(set(page.ids)), "ids are unique")
+        for picture in page.pictures:
+            self.assertTrue(picture["src"].startswith("data:image/"), picture["src"][:60])
+            self.assertTrue(picture.get("alt"), "every picture has words")
+        for target in page.targets:
+            self.assertFalse(re.match(r"(https?:)?//", target) and "doi.org" not in target, target)
+
+    def test_every_link_leads_somewhere(self):
+        page = Page((self.out / "index.html").read_text())
+        markdown = (self.out / "report.md").read_text()
+        anchors = set(page.ids) | set(re.findall(r'id="([^"]+)"', markdown))
+        targets = page.targets + re.findall(r"\]\(([^)\s]+)\)", markdown) + re.findall(r'(?:src|href)="([^"]+)"', markdown)
+        self.assertGreater(len(targets), 100)
+        for target in targets:
+            target = urllib.parse.unquote(target.replace("\\", ""))
+            if target.startswith(("http:", "https:", "data:")):
+                continue
+            if target.startswith("#"):
+                self.assertIn(target[1:], anchors)
+            else:
+                self.assertTrue((self.out / target).is_file(), target)
+
+    def test_nothing_undefined_is_written_as_a_number(self):
+        for path in [*self.out.glob("tables/*.csv"), self.out / "results.json"]:
+            self.assertIsNone(re.search(r"(?<![a-z])-?(nan|inf|infinity)(?![a-z])", path.read_text(), re.I), path)
+
+    def test_tables_are_rectangular(self):
+        for path in self.out.glob("tables/*.csv"):
+            with path.open(newline="") as file:
+                rows = list(csv.reader(file))
+            self.assertGreater(len(rows), 1, path)
+            self.assertEqual({len(row) for row in rows}, {len(rows[0])}, path)
+
+    def test_every_picture_can_be_read(self):
+        pictures = list(self.out.glob("images/*.png"))
+        views = [p for p in pictures if not p.name.endswith("_sheet.png")]
+        for path in pictures:
+            png_size(path)
+        for path in views:
+            self.assertEqual(png_size(path), (200, 200), path)
+        sheets = {f["id"] for q in self.results["questions"] for f in q["figures"]}
+        for sheet in sheets:
+            self.assertTrue((self.out / "images" / f"{sheet}_sheet.png").is_file(), sheet)
+
+    def test_sums_are_right(self):
+        listed = {}
+        for line in (self.out / "SHA256SUMS").read_text().splitlines():
+            value, name = line.split("  ", 1)
+            listed[name] = value
+        found = {name: value for name, value in tree(self.out).items() if name != "SHA256SUMS" and not name.startswith(".")}
+        self.assertEqual({k: v for k, v in listed.items() if not k.startswith(".")}, found)
+
+    def test_the_same_bytes_again_with_one_thread_elsewhere(self):
+        again = self.folder / "elsewhere" / "again"
+        again.parent.mkdir(exist_ok=True)
+        process = run("report", "--quick", "--size", 200, "--out", again, "--no-timings", "--threads", 1, cwd=self.folder, LC_ALL="C", TZ="Asia/Tokyo")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertEqual(tree(self.out), tree(again))
+
+    def test_results_fit_their_schema(self):
+        schema = json.loads((SOURCE / "templates" / "results.schema.json").read_text())
+        for key in schema["required"]:
+            self.assertIn(key, self.results)
+
+    def test_no_path_of_this_machine_leaks(self):
+        for name in ["index.html", "report.md", "results.json"]:
+            self.assertNotIn(str(self.folder), (self.out / name).read_text(), name)
+
+
+class Failures(unittest.TestCase):
+    def test_one_failing_question_leaves_six_complete(self):
+        out = temporary_folder(self) / "out"
+        process = run("report", "--quick", "--size", 64, "--out", out, MESHFOLIO_FAIL="q4")
+        self.assertEqual(process.returncode, 1)
+        status = {q["id"]: q["status"] for q in json.loads((out / "results.json").read_text())["questions"]}
+        self.assertEqual(status, {q: "failed" if q == "q4" else "ok" for q in QUESTIONS})
+        self.assertIn("q4", process.stderr)
+
+    def test_a_bad_mesh_is_shown_in_the_report(self):
+        folder = temporary_folder(self)
+        (folder / "bad.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
+        process = run("report", "--quick", "--size", 64, "--only", "q1,q2", "--out", folder / "out", folder / "bad.obj")
+        self.assertEqual(process.returncode, 1)
+        results = json.loads((folder / "out" / "results.json").read_text())
+        status = {q["id"]: q["status"] for q in results["questions"]}
+        self.assertEqual((status["q1"], status["q2"]), ("failed", "ok"))
+        self.assertIn("bad.obj:4", (folder / "out" / "index.html").read_text())
+
+    def test_a_foreign_folder_is_not_replaced(self):
+        folder = temporary_folder(self)
+        (folder / "mine").mkdir()
+        (folder / "mine" / "thesis.tex").write_text("precious")
+        process = run("report", "--quick", "--only", "q2", "--size", 64, "--out", folder / "mine")
+        self.assertEqual(process.returncode, 4, process.stderr)
+        self.assertEqual((folder / "mine" / "thesis.tex").read_text(), "precious")
+        self.assertEqual([p.name for p in folder.iterdir()], ["mine"])
+
+    def test_a_missing_data_folder_is_an_input_error(self):
+        folder = temporary_folder(self)
+        process = run("report", "--quick", "--out", folder / "out", "--data", folder / "nowhere")
+        self.assertEqual(process.returncode, 3)
+        self.assertFalse((folder / "out").exists())
+
+    def test_wrong_settings_write_nothing(self):
+        folder = temporary_folder(self)
+        (folder / "report.toml").write_text('[report]\ntitel = "x"\n[[question]]\nid = "q4"\nk = -1\n')
+        process = run("report", "--config", folder / "report.toml", "--out", folder / "out")
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("report.toml:2", process.stderr)
+        self.assertIn("title", process.stderr)
+        self.assertIn("report.toml:5", process.stderr)
+        self.assertFalse((folder / "out").exists())
+
+
+class OwnMesh(unittest.TestCase):
+    def test_an_own_mesh_takes_every_role(self):
+        folder = temporary_folder(self)
+        mesh = sample(folder, "torus", "ply")
+        process = run("report", "--quick", "--size", 64, "--out", folder / "out", mesh)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        results = json.loads((folder / "out" / "results.json").read_text())
+        for question in results["questions"]:
+            for entry in question["inputs"]:
+                self.assertEqual((entry["file"], entry["stand_in"]), ("torus.ply", False), question["id"])
+
+    def test_the_assignments_own_meshes(self):
+        data = SOURCE.parent / "shared" / "meshes" / "coursework"
+        if not data.is_dir():
+            self.skipTest("the assignment's meshes are not beside the project")
+        out = temporary_folder(self) / "out"
+        process = run("report", "--quick", "--size", 64, "--out", out, "--data", data)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        inputs = {i["asked"]: i for q in json.loads((out / "results.json").read_text())["questions"] for i in q["inputs"] if i["asked"]}
+        self.assertFalse(inputs["decompose/armadillo.obj"]["stand_in"])
+        self.assertEqual(inputs["decompose/armadillo.obj"]["vertices"], 361)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
