@@ -81,8 +81,8 @@ void add_statistics(report::Section& section, const std::vector<MeshCurvature>& 
     for (const MeshCurvature& c : meshes) {
         const auto row = [&](const char* quantity, const char* unit, const Vector& values) {
             const ValueSummary s = summary_of(values);
-            table.rows.push_back({c.subject.name(), quantity, unit, cell_of(s.minimum), cell_of(s.median), cell_of(s.mean), cell_of(s.maximum),
-                                  cell_of(s.standard_deviation), double(s.count), double(s.undefined)});
+            table.rows.push_back({c.subject.name(), quantity, unit, cell_of(s.minimum), cell_of(s.median), cell_of(s.mean),
+                                  cell_of(s.maximum), cell_of(s.standard_deviation), double(s.count), double(s.undefined)});
         };
         row("½‖Δx‖", "length", c.length);
         row("H scaled", "1/length", c.H);

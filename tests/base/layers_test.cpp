@@ -36,7 +36,7 @@ std::set<std::string> included_by(const fs::path& file) {
 
 bool is_source(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
-}  // namespace
+}   // namespace
 
 TEST(Layers, EachIncludesOnlyWhatLiesBelow) {
     for (const auto& [layer, below] : allowed) {

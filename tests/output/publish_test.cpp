@@ -12,8 +12,8 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "output/leftovers.h"
-#include "sha256.h"
 #include "output/temporary_folder.h"
+#include "sha256.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;

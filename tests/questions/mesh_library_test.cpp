@@ -9,8 +9,8 @@
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
 #include "mesh/sample_shapes.h"
-#include "sha256.h"
 #include "output/temporary_folder.h"
+#include "sha256.h"
 
 using namespace meshfolio;
 using testing_tools::TemporaryFolder;

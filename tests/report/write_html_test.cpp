@@ -5,9 +5,9 @@
 
 #include "report/escape.h"
 #include "report/sample_document.h"
-#include "sha256.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
+#include "sha256.h"
 
 namespace meshfolio::report {
 namespace {
