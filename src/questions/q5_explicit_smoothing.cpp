@@ -248,9 +248,12 @@ report::Text why_that_limit(const Study& study) {
     const double ratio = subject.critical / (subject.mean_edge * subject.mean_edge);
     report::Text t = report::text("The top mode is shared by about ", readable(std::max(1.0, subject.top.support), 2), " of ",
                                   std::to_string(subject.source->prepared->preflight.vertices_in_use), " vertices");
-    if (subject.top.support < 10) {
+    const int vertices = subject.source->prepared->preflight.vertices_in_use;
+    if (subject.top.support < 10 && subject.top.support < 0.5 * vertices) {
         report::extend(t, ": a single spot around vertex ", std::to_string(subject.top.vertex),
                        ", with small area or large cotangents, sets the limit for all");
+    } else if (subject.top.support < 0.05 * vertices) {
+        report::extend(t, ": a small region around vertex ", std::to_string(subject.top.vertex), " sets the limit for all");
     } else {
         report::extend(t, ": the limit is set by the triangulation as a whole, not by one bad vertex");
     }

@@ -31,6 +31,8 @@ struct GridCell {
     int explicit_blow_up = 0;   // iteration; 0: none
     double volume_ratio = 0;    // of the implicit result; NaN when open
     int inverted_faces = 0;     // of the implicit result
+
+    bool collapsed() const { return implicit_energy < 1e-12; }   // to a point
 };
 
 struct Study {
@@ -70,6 +72,11 @@ void fill_grid(Study& study) {
                 cell.explicit_energy = explicit_run.energy[step];
             } else {
                 cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
+            }
+            if (cell.collapsed()) {   // a point to rounding: neither its volume nor its normals mean anything
+                cell.volume_ratio = closed ? 0 : std::nan("");
+                study.grid.push_back(std::move(cell));
+                continue;
             }
             cell.volume_ratio = closed ? signed_volume(moved_to(study.subject.mesh(), cell.implicit_X)) / volume : std::nan("");
             cell.inverted_faces = inverted_faces(study.subject.mesh(), cell.implicit_X);
@@ -198,7 +205,8 @@ void add_grid_table(report::Section& section, const Study& study) {
     table.id = id_of(study, "grid");
     table.caption = "Step size × iterations on " + study.subject.name() +
                     ", implicit beside explicit. Energy: Dirichlet energy over that of the input. Gap: rms "
-                    "distance between the two results. Empty explicit cells: the run had blown up (iteration in the last column).";
+                    "distance between the two results. A mesh below 10⁻¹² of its energy has collapsed to a point and has no normals. Empty "
+                    "explicit cells: the run had blown up (iteration in the last column).";
     table.columns = {{"λ", "length²", 3},
                      {"λ/λ_crit", "", 3},
                      {"iterations", "", 4},
@@ -215,7 +223,7 @@ void add_grid_table(report::Section& section, const Study& study) {
         const report::Cell gap = both ? cell_of(percent * vertex_rms(cell.implicit_X, cell.explicit_X)) : report::Cell();
         table.rows.push_back({cell.lambda, cell.lambda / study.subject.critical, double(cell.iterations), cell.implicit_energy,
                               cell_of(cell.explicit_energy, both), percent * vertex_rms(study.subject.mesh().X, cell.implicit_X), gap,
-                              cell_of(100 * cell.volume_ratio), double(cell.inverted_faces),
+                              cell_of(100 * cell.volume_ratio), cell_of(cell.inverted_faces, !cell.collapsed()),
                               cell_of(cell.explicit_blow_up, cell.explicit_blow_up > 0)});
     }
     section.blocks.push_back(std::move(table));
@@ -347,6 +355,12 @@ report::Text beyond_the_limit(const Study& study) {
         report::extend(t, "Beyond the limit they part: at ", plain_text(blown->lambda / study.subject.critical, 3),
                        "\u202fλ_crit the explicit run on ", study.subject.name(), " blows up in iteration ",
                        std::to_string(blown->explicit_blow_up), ", the implicit one does not. ");
+    }
+    if (far.collapsed()) {
+        report::extend(t, "At ", plain_text(far.lambda / study.subject.critical, 3), "\u202fλ_crit and ",
+                       counted(far.iterations, "iteration"), " ", study.subject.name(),
+                       " has collapsed to a point: stable is not the same as useful.");
+        return t;
     }
     report::extend(t, "At ", plain_text(far.lambda / study.subject.critical, 3), "\u202fλ_crit and ", counted(far.iterations, "iteration"),
                    " it leaves ", readable_percent(far.implicit_energy, 2), " of the Dirichlet energy of ", study.subject.name());

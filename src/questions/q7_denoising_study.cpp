@@ -335,6 +335,28 @@ report::Text position_against_normals(const Study& study) {
     return {};
 }
 
+/// Above which noise, measured in mean edges, the gain reaches 1.2: a clean split of the cases or none.
+report::Text limit_in_mean_edges(const std::vector<Study>& studies) {
+    double smallest_helped = INFINITY, largest_failed = 0;
+    for (const Study& study : studies) {
+        for (const Trial& trial : study.trials) {
+            const double edges = trial.sigma / study.mean_edge;
+            if (trial.gain() >= 1.2) {
+                smallest_helped = std::min(smallest_helped, edges);
+            } else {
+                largest_failed = std::max(largest_failed, edges);
+            }
+        }
+    }
+    if (!std::isfinite(smallest_helped) || largest_failed == 0) return {};
+    if (largest_failed < smallest_helped) {
+        return report::text(" Measured in mean edges the cases split cleanly: every σ up to ", readable(largest_failed, 2),
+                            " gains less than 1.2, every one from ", readable(smallest_helped, 2), " on gains more.");
+    }
+    return report::text(" Noise in mean edges does not decide alone: a gain of 1.2 was reached from ", readable(smallest_helped, 2),
+                        " mean edges on, but missed at up to ", readable(largest_failed, 2), ".");
+}
+
 report::Text verdict(const std::vector<Study>& studies) {
     std::vector<std::string> works, fails;
     for (const Study& study : studies) {
@@ -356,6 +378,7 @@ report::Text verdict(const std::vector<Study>& studies) {
     } else {
         report::extend(t, " It gains less than a fifth, or nothing, on ", listed(fails), ".");
     }
+    report::extend(t, limit_in_mean_edges(studies));
     report::extend(t, " The two curves of ", math("bias"), " and ", math("noise"),
                    " explain it: smoothing removes noise at a rate set by λ and the operator, and shape at a "
                    "rate set by the shape; it pays as long as the noise is larger than what the same iterations take from the clean mesh (",
