@@ -36,11 +36,15 @@ void refuse_unknown_command(const std::string& word, const std::vector<Command>&
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
     CLI::App app("Answers the questions of the curvature-and-smoothing coursework on real meshes and writes the report.", "meshfolio");
-    app.set_version_flag("--version", std::string("meshfolio ") + build_info::version);
+    const std::string version = std::string("meshfolio ") + build_info::version;
+    app.set_version_flag("--version", version);
     app.require_subcommand(0, 1);
     app.footer("`meshfolio` alone is `meshfolio report`. Each command explains itself: meshfolio render --help");
     std::vector<Command> commands;
-    for (const auto make : makers) commands.push_back(make(app));
+    for (const auto make : makers) {
+        commands.push_back(make(app));
+        commands.back().app->set_version_flag("--version", version);
+    }
 
     std::vector<std::string> words = with_command(argc, argv);
     refuse_unknown_command(words.front(), commands);
@@ -54,8 +58,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         const auto chosen = app.get_subcommands();
         print(chosen.empty() ? app.help() : chosen.front()->help());
         return ExitCode::ok;
-    } catch (const CLI::CallForVersion& version) {
-        print(std::string(version.what()) + "\n");
+    } catch (const CLI::CallForVersion& asked) {
+        print(std::string(asked.what()) + "\n");
         return ExitCode::ok;
     } catch (const CLI::ParseError& error) {
         const auto chosen = app.get_subcommands();

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "geometry/mesh_error.h"
+#include "mesh/mesh_files.h"
 #include "number_text.h"
 
 namespace meshfolio::cli {
@@ -51,6 +52,18 @@ std::string told(const MeshDifference& difference) {
     return text;
 }
 
+/// Repairs may turn the triangles of one mesh and not of the other (a smoothed surface can end inside out): when the files agree on the
+/// triangles, those of A count for both.
+MeshDifference difference_of(const std::string& a, const std::string& b) {
+    const TriangleMesh reference = load_mesh(a).mesh, other = load_mesh(b).mesh;
+    const auto same_triangles = [](const TriangleMesh& p, const TriangleMesh& q) {
+        return p.vertex_count() == q.vertex_count() && p.face_count() == q.face_count() && p.F == q.F;
+    };
+    if (!same_triangles(reference, other) && same_triangles(read_mesh(a).mesh, read_mesh(b).mesh))
+        return compare_meshes(reference, moved_to(reference, other.X));
+    return compare_meshes(reference, other);
+}
+
 }   // namespace
 
 Command compare_command(CLI::App& parent) {
@@ -65,7 +78,7 @@ Command compare_command(CLI::App& parent) {
     app->add_flag("--json", options->json, "for programs");
     app->footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] {
-                const MeshDifference difference = compare_meshes(load_mesh(options->a).mesh, load_mesh(options->b).mesh);
+                const MeshDifference difference = difference_of(options->a, options->b);
                 print(options->json ? as_json(difference) : told(difference));
                 return ExitCode::ok;
             }};

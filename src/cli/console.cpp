@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
+#include "output/publish.h"
 
 namespace meshfolio::cli {
 
@@ -14,9 +15,11 @@ void print_to(const std::string& file, std::string_view text) {
     if (file == "-") {
         print(text);
     } else {
-        write_file(file, text);
+        output::replace_file(file, text);
     }
 }
+
+void write_mesh_to(const std::string& file, const TriangleMesh& mesh) { output::replace_file(file, encode_mesh(mesh, file)); }
 
 void complain(const std::string& message) {
     try {

@@ -12,8 +12,11 @@ namespace meshfolio::cli {
 /// To stdout, checked. @throws OutputError when it is closed or full
 void print(std::string_view text);
 
-/// To a file, or to stdout for "-". @throws OutputError
+/// To a file, which is replaced as a whole, or to stdout for "-". @throws OutputError
 void print_to(const std::string& file, std::string_view text);
+
+/// A mesh into a file, which is replaced as a whole. @throws OutputError, UsageError for an ending that is not written
+void write_mesh_to(const std::string& file, const TriangleMesh& mesh);
 
 /// One line on stderr: "meshfolio: …". Nothing is thrown when stderr is gone.
 void complain(const std::string& message);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 
 #include "cli/commands.h"
@@ -21,7 +22,8 @@ std::string curvature_table(const PreparedMesh& prepared, AreaForm form) {
         csv += std::to_string(v);
         for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(mesh.X(v, axis));
         csv += prepared.topology.on_boundary[static_cast<std::size_t>(v)] ? ",1" : ",0";
-        for (const double value : {laplacian.M[v], h_uniform[v], k_gauss[v], h_cotan[v], h_scaled[v]}) csv += ',' + exact_text(value);
+        const double area = laplacian.M[v] > 0 ? laplacian.M[v] : std::nan("");
+        for (const double value : {area, h_uniform[v], k_gauss[v], h_cotan[v], h_scaled[v]}) csv += ',' + exact_text(value);
         csv += '\n';
     }
     return csv;
@@ -33,8 +35,7 @@ void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, 
     int empty = 0;
     for (int v = 0; v < areas.size(); ++v) empty += prepared.topology.vertex_faces.size(v) > 0 && areas[v] <= 0 ? 1 : 0;
     if (empty > 0)
-        warn(file + ": " + std::to_string(empty) + " vertices have no " + std::string(name_of(form)) +
-             " area > 0; their curvature cells are empty");
+        warn(file + ": " + std::to_string(empty) + " vertices have no " + std::string(name_of(form)) + " area > 0; their cells are empty");
 }
 
 }   // namespace

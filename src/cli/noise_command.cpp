@@ -1,9 +1,10 @@
-#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "mesh/mesh_files.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 
@@ -11,9 +12,7 @@ namespace meshfolio::cli {
 
 Command noise_command(CLI::App& parent) {
     struct Options {
-        std::string mesh, output, unit = "raw";
-        double sigma = 0;
-        std::uint64_t seed = 1;
+        std::string mesh, output, sigma, unit = "raw", seed = "1";
     };
     const auto options = std::make_shared<Options>();
     CLI::App* app = parent.add_subcommand("noise", "Seeded Gaussian noise on every vertex");
@@ -25,13 +24,14 @@ Command noise_command(CLI::App& parent) {
     app->add_option("--seed", options->seed, "the same seed gives the same noise")->capture_default_str();
     app->footer("Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {
-                if (!std::isfinite(options->sigma) || options->sigma < 0) throw UsageError("--sigma must be a finite number ≥ 0");
+                const double sigma = number_not_negative("--sigma", options->sigma);
+                const auto seed =
+                    static_cast<std::uint64_t>(integer_between("--seed", options->seed, 0, std::numeric_limits<std::int64_t>::max()));
                 if (options->unit != "raw" && options->unit != "bbox")
                     throw UsageError("unknown unit '" + options->unit + "'", "raw or bbox");
                 const PreparedMesh prepared = load_mesh(options->mesh);
                 const Vector3 scale = options->unit == "bbox" ? bounding_box(prepared.mesh).extent() : Vector3::Ones();
-                write_mesh(options->output,
-                           moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, options->sigma * scale, options->seed)));
+                write_mesh_to(options->output, moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, sigma * scale, seed)));
                 return ExitCode::ok;
             }};
 }

@@ -7,14 +7,16 @@
 #include <optional>
 #include <utility>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/fields.h"
 #include "contact_sheet.h"
 #include "draw_mesh.h"
-#include "file_bytes.h"
 #include "number_text.h"
+#include "output/folder_system.h"
 #include "output/label_view.h"
+#include "output/publish.h"
 #include "output/surface_of.h"
 #include "png.h"
 
@@ -25,8 +27,7 @@ namespace {
 constexpr int largest_side = 8192;
 
 struct Options {
-    std::string mesh, out = ".", size = "1024", field = "none", values, colormap, range;
-    std::vector<std::string> views;
+    std::string mesh, out = ".", size = "1024", views, field = "none", values, colormap, range;
     bool edges = false, plain = false;
 };
 
@@ -51,9 +52,9 @@ std::pair<double, double> value_limits(const std::string& text) {
     return {*low, *high};
 }
 
-std::vector<render::View> chosen_views(const std::vector<std::string>& names) {
+std::vector<render::View> chosen_views(const std::string& names) {
     std::vector<render::View> views;
-    for (const std::string& name : names) {
+    for (const std::string& name : split(names, ',')) {
         try {
             views.push_back(render::view_named(name));
         } catch (const std::invalid_argument& error) {
@@ -121,6 +122,7 @@ ExitCode run_render(const Options& options) {
     const render::DrawOptions given = draw_options(options);
     const std::vector<render::View> views = chosen_views(options.views);
     if (!options.range.empty()) value_limits(options.range);
+    if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
     const PreparedMesh prepared = load_mesh(options.mesh);
     const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_csv(prepared, options.values);
 
@@ -133,21 +135,19 @@ ExitCode run_render(const Options& options) {
     std::vector<render::Image> pictures =
         render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
 
-    std::error_code error;
-    std::filesystem::create_directories(options.out, error);
-    if (error) throw OutputError(options.out, "cannot create the folder (" + error.message() + ")");
+    output::make_folder(options.out);
     const std::filesystem::path folder = options.out;
     const bool bare = options.plain || draw.face_colors_from_id;
     tbb::parallel_for(std::size_t{0}, views.size() + 1, [&](std::size_t i) {
         if (i == views.size()) {
             const render::Image sheet =
                 bare ? bare_sheet(pictures) : labelled_sheet(options, prepared, range, field, draw, views, pictures);
-            write_file(folder / "sheet.png", render::encode_png(sheet));
+            output::replace_file(folder / "sheet.png", render::encode_png(sheet));
             return;
         }
         render::Image picture = pictures[i];
         if (!bare) output::label_view(picture, views[i].name);
-        write_file(folder / (std::string(views[i].name) + ".png"), render::encode_png(picture));
+        output::replace_file(folder / (std::string(views[i].name) + ".png"), render::encode_png(picture));
     });
     return ExitCode::ok;
 }
@@ -159,7 +159,7 @@ Command render_command(CLI::App& parent) {
     CLI::App* app = parent.add_subcommand("render", "Pictures of a mesh from six directions, and a contact sheet");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("--out", options->out, "folder for +x.png … -z.png and sheet.png")->capture_default_str();
-    app->add_option("--views", options->views, "some of +x,-x,+y,-y,+z,-z; default: all")->delimiter(',');
+    app->add_option("--views", options->views, "some of +x,-x,+y,-y,+z,-z; default: all");
     app->add_option("--size", options->size, "pixels of one view: N or WxH")->capture_default_str();
     app->add_option("--field", options->field, "none, h-uniform, h-cotan, gauss, area, x, y, z, id")->capture_default_str();
     app->add_option("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
@@ -167,9 +167,7 @@ Command render_command(CLI::App& parent) {
     app->add_option("--range", options->range, "lo,hi of the colours; default: robust");
     app->add_flag("--edges", options->edges, "draw triangle edges");
     app->add_flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");
-    app->footer(
-        "Example: meshfolio render bunny.off --field h-cotan --range=-20,20 --out views\n"
-        "Views that begin with a minus need the equals sign: --views=-x,+z");
+    app->footer("Example: meshfolio render bunny.off --field h-cotan --range -20,20 --views +z,-z --out views");
     return {app, [options] { return run_render(*options); }};
 }
 

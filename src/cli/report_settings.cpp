@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "cli/arguments.h"
 #include "nearest_word.h"
 #include "number_text.h"
 #include "questions/question.h"
@@ -13,24 +14,6 @@ namespace meshfolio::cli {
 namespace {
 
 constexpr int quick_size = 400;   // pixels of one view when --quick and no size is given
-
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(separator), text.size());
-        if (end > 0) parts.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return parts;
-}
-
-int integer_between(const std::string& name, const std::string& text, long long low, long long high) {
-    const auto value = parse_integer(text);
-    if (!value || *value < low || *value > high) {
-        throw UsageError(name + " '" + text + "' is not an integer from " + std::to_string(low) + " to " + std::to_string(high));
-    }
-    return static_cast<int>(*value);
-}
 
 template <class Value, class Given>
 void take(Value& value, const std::optional<Given>& given) {
@@ -52,11 +35,12 @@ void take_file(ReportSettings& settings, const SettingsFile& file) {
 }
 
 void take_size(ReportSettings& settings, const std::string& name, const std::string& text) {
-    if (!text.empty()) settings.width = settings.height = integer_between(name, text, limits::smallest_size, limits::largest_size);
+    if (!text.empty())
+        settings.width = settings.height = static_cast<int>(integer_between(name, text, limits::smallest_size, limits::largest_size));
 }
 
 void take_threads(ReportSettings& settings, const std::string& name, const std::string& text) {
-    if (!text.empty()) settings.threads = integer_between(name, text, 0, limits::largest_threads);
+    if (!text.empty()) settings.threads = static_cast<int>(integer_between(name, text, 0, limits::largest_threads));
 }
 
 void take_data(ReportSettings& settings, const std::vector<std::string>& folders) {

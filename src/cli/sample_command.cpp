@@ -2,7 +2,6 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "mesh/mesh_files.h"
 #include "mesh/sample_shapes.h"
 
 namespace meshfolio::cli {
@@ -31,7 +30,7 @@ Command sample_command(CLI::App& parent) {
                     return ExitCode::ok;
                 }
                 if (options->name.empty() || options->output.empty()) throw UsageError("sample needs NAME and -o FILE", "or --list");
-                write_mesh(options->output, make_sample(options->name, options->subdivide));
+                write_mesh_to(options->output, make_sample(options->name, options->subdivide));
                 return ExitCode::ok;
             }};
 }

@@ -1,12 +1,11 @@
-#include <cmath>
 #include <memory>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/stability.h"
 #include "geometry/uniform_laplacian.h"
-#include "mesh/mesh_files.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
 
@@ -15,10 +14,8 @@ namespace meshfolio::cli {
 namespace {
 
 struct Options {
-    std::string mesh, output, scheme = "explicit", laplacian = "cotan", unit = "raw";
-    double lambda = 0, mu = 0;
-    bool has_lambda = false, rebuild = false;
-    int iterations = 1;
+    std::string mesh, output, scheme = "explicit", laplacian = "cotan", lambda, unit = "raw", mu, iterations = "1";
+    bool rebuild = false;
 };
 
 double critical_step(const PreparedMesh& prepared, SmoothingOperator laplacian) {
@@ -28,36 +25,45 @@ double critical_step(const PreparedMesh& prepared, SmoothingOperator laplacian) 
     return largest_stable_step(largest_eigenvalue_uniform(uniform_laplacian(prepared.topology), valence));
 }
 
-SmoothingOptions smoothing_options(const Options& options, const PreparedMesh& prepared) {
+/// All but the step, which needs the mesh.
+SmoothingOptions smoothing_options(const Options& options) {
     SmoothingOptions smoothing;
     smoothing.scheme = smoothing_scheme_named(options.scheme);
     smoothing.laplacian = smoothing_operator_named(options.laplacian);
-    smoothing.iterations = options.iterations;
+    smoothing.iterations = static_cast<int>(integer_between("--iterations", options.iterations, 0, 1000000));
     smoothing.rebuild = options.rebuild;
-    smoothing.taubin_mu = options.mu;
-    const StepUnit unit = step_unit_named(options.unit);
-    if (smoothing.laplacian == SmoothingOperator::uniform && unit == StepUnit::h2) {
+    if (!options.mu.empty()) smoothing.taubin_mu = finite_number("--mu", options.mu);
+    if (!options.lambda.empty()) smoothing.lambda = number_above_zero("--lambda", options.lambda);
+    if (smoothing.laplacian == SmoothingOperator::uniform && step_unit_named(options.unit) == StepUnit::h2) {
         throw UsageError("--unit h2 makes no sense with --operator uniform, whose lambda has no unit", "use raw or tau");
-    }
-    const double critical = critical_step(prepared, smoothing.laplacian);
-    if (options.has_lambda) {
-        smoothing.lambda = step_in_model_units(options.lambda, unit, critical, mean_edge_length(prepared.mesh));
-    } else {
-        smoothing.lambda = 0.5 * critical;
-        warn("no --lambda given; half the largest stable step is taken, " + plain_text(smoothing.lambda));
-    }
-    if (smoothing.scheme == SmoothingScheme::explicit_euler && smoothing.lambda > critical) {
-        warn("lambda = " + plain_text(smoothing.lambda) + " is beyond the largest stable step of " + plain_text(critical) +
-             "; the highest modes will grow");
     }
     return smoothing;
 }
 
+/// The step in model units. The largest stable one is computed only where it is needed.
+double step_of(const Options& options, const SmoothingOptions& smoothing, const PreparedMesh& prepared) {
+    const StepUnit unit = step_unit_named(options.unit);
+    const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
+    const bool needs_limit = is_explicit || unit == StepUnit::tau || options.lambda.empty();
+    const double critical = needs_limit ? critical_step(prepared, smoothing.laplacian) : 0;
+    if (options.lambda.empty()) {
+        warn("no --lambda given; half the largest stable step is taken, " + plain_text(0.5 * critical));
+        return 0.5 * critical;
+    }
+    const double step = step_in_model_units(smoothing.lambda, unit, critical, mean_edge_length(prepared.mesh));
+    if (is_explicit && step > critical) {
+        warn("lambda = " + plain_text(step) + " is beyond the largest stable step of " + plain_text(critical) +
+             "; the highest modes will grow");
+    }
+    return step;
+}
+
 ExitCode run_smooth(const Options& options) {
+    SmoothingOptions smoothing = smoothing_options(options);
     const PreparedMesh prepared = load_mesh(options.mesh);
-    const SmoothingOptions smoothing = smoothing_options(options, prepared);
+    smoothing.lambda = step_of(options, smoothing, prepared);
     const Smoothed result = smooth(prepared.mesh, smoothing);
-    write_mesh(options.output, moved_to(prepared.mesh, result.X));
+    write_mesh_to(options.output, moved_to(prepared.mesh, result.X));
     if (!result.blew_up) return ExitCode::ok;
     complain(options.mesh + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
              std::to_string(result.blow_up_vertex) + "; " + options.output +
@@ -74,17 +80,14 @@ Command smooth_command(CLI::App& parent) {
     app->add_option("-o,--output", options->output, "OBJ, OFF or PLY")->required();
     app->add_option("--scheme", options->scheme, "explicit, implicit or taubin")->capture_default_str();
     app->add_option("--operator", options->laplacian, "cotan or uniform")->capture_default_str();
-    CLI::Option* lambda = app->add_option("--lambda", options->lambda, "step; default: half the largest stable one");
+    app->add_option("--lambda", options->lambda, "step; default: half the largest stable one");
     app->add_option("--unit", options->unit, "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)")
         ->capture_default_str();
     app->add_option("--mu", options->mu, "Taubin's negative step, in model units; default: from pass-band 0.1");
-    app->add_option("--iterations", options->iterations, "how many")->capture_default_str()->check(CLI::Range(0, 1000000));
+    app->add_option("--iterations", options->iterations, "how many")->capture_default_str();
     app->add_flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");
     app->footer("Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
-    return {app, [options, lambda] {
-                options->has_lambda = lambda->count() > 0;
-                return run_smooth(*options);
-            }};
+    return {app, [options] { return run_smooth(*options); }};
 }
 
 }   // namespace meshfolio::cli

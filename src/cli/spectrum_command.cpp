@@ -3,11 +3,12 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "file_bytes.h"
 #include "geometry/spectral_reconstruction.h"
 #include "number_text.h"
+#include "output/folder_system.h"
 
 namespace meshfolio::cli {
 
@@ -40,42 +41,36 @@ std::string eigenvalue_table(const Spectrum& spectrum) {
 }
 
 struct Options {
-    std::string mesh, area = "barycentric", csv, vectors, out;
-    int k = 0;
-    std::vector<int> reconstruct;
+    std::string mesh, area = "barycentric", k, csv, vectors, reconstruct, out;
 };
 
-void write_reconstructions(const Options& options, const TriangleMesh& mesh, const Spectrum& spectrum, const Vector& M) {
+constexpr int largest_k = 100000;
+
+void write_reconstructions(const Options& options, const std::vector<int>& counts, const TriangleMesh& mesh, const Spectrum& spectrum,
+                           const Vector& M) {
     const std::string stem = std::filesystem::path(options.mesh).stem().string();
-    std::error_code error;
-    std::filesystem::create_directories(options.out, error);
-    if (error) throw OutputError(options.out, "cannot create the folder (" + error.message() + ")");
-    for (const int k : options.reconstruct) {
+    output::make_folder(options.out);
+    for (const int k : counts) {
+        if (k > spectrum.eigenvalues.size()) continue;
         const auto file = std::filesystem::path(options.out) / (stem + "_k" + std::to_string(k) + ".ply");
-        write_mesh(file, moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)));
+        write_mesh_to(file.string(), moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)));
     }
 }
 
 ExitCode run_spectrum(const Options& options) {
     const AreaForm form = area_form_named(options.area);
-    if (options.reconstruct.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
-    for (const int k : options.reconstruct) {
-        if (k < 1 || k > options.k)
-            throw UsageError("--reconstruct " + std::to_string(k) + " is not between 1 and -k " + std::to_string(options.k));
-    }
+    const int k = static_cast<int>(integer_between("-k", options.k, 1, largest_k));
+    const std::vector<int> counts = integers_between("--reconstruct", options.reconstruct, 1, k);
+    if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
     const PreparedMesh prepared = load_mesh(options.mesh);
     const LaplaceBeltrami laplacian = laplace_beltrami(prepared.mesh, form);
-    const Spectrum spectrum = smallest_eigenpairs(laplacian, options.k);
+    const Spectrum spectrum = smallest_eigenpairs(laplacian, k);
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
-    if (found < options.k)
-        warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(options.k) +
-             " asked for");
-    if (!options.reconstruct.empty()) {
-        Options possible = options;
-        std::erase_if(possible.reconstruct, [&](int k) { return k > found; });
-        write_reconstructions(possible, prepared.mesh, spectrum, laplacian.M);
+    if (found < k) {
+        warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) + " asked for");
     }
-    if (!options.vectors.empty()) write_file(options.vectors, npy_of(spectrum.eigenvectors));
+    if (!counts.empty()) write_reconstructions(options, counts, prepared.mesh, spectrum, laplacian.M);
+    if (!options.vectors.empty()) print_to(options.vectors, npy_of(spectrum.eigenvectors));
     if (!options.csv.empty() || (options.vectors.empty() && options.out.empty())) {
         print_to(options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     }
@@ -88,11 +83,11 @@ Command spectrum_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CLI::App* app = parent.add_subcommand("spectrum", "The smallest eigenpairs of the cotangent Laplace-Beltrami operator");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
-    app->add_option("-k", options->k, "how many eigenpairs")->required()->check(CLI::Range(1, 100000));
+    app->add_option("-k", options->k, "how many eigenpairs, 1 to 100000")->required();
     app->add_option("--area", options->area, "barycentric, voronoi or mixed")->capture_default_str();
     app->add_option("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
     app->add_option("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
-    app->add_option("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30")->delimiter(',');
+    app->add_option("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
     app->add_option("--out", options->out, "folder for <mesh>_k<k>.ply");
     app->footer("Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
     return {app, [options] { return run_spectrum(*options); }};

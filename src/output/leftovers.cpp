@@ -24,6 +24,7 @@ bool is_our_folder(const fs::directory_entry& entry) {
                        [](const fs::directory_entry& inside) { return inside.path().filename() == ".gitignore"; });
 }
 
+/// Of a process that has ended, or of one that had our number before us.
 bool is_leftover_of(const std::string& name, const std::string& stem) {
     const long pid = process_in_name(name, stem);
     return pid > 0 && (is_dead(pid) || pid == ::getpid());
@@ -72,8 +73,9 @@ void sweep_leftovers(const fs::path& target) noexcept try {
 void sweep_file_leftovers(const fs::path& folder) noexcept try {
     for (const fs::directory_entry& entry : entries_of(folder)) {
         std::error_code ignored;
-        if (is_leftover_of(entry.path().filename().string(), ".meshfolio.part-") && entry.is_regular_file() && !entry.is_symlink())
-            fs::remove(entry.path(), ignored);
+        // Not those with our own number: another thread may be writing one.
+        const long pid = process_in_name(entry.path().filename().string(), ".meshfolio.part-");
+        if (pid > 0 && is_dead(pid) && entry.is_regular_file() && !entry.is_symlink()) fs::remove(entry.path(), ignored);
     }
 } catch (const std::exception&) {
     // As above.

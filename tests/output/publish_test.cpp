@@ -8,6 +8,8 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <thread>
+#include <vector>
 
 #include "errors.h"
 #include "file_bytes.h"
@@ -229,6 +231,27 @@ TEST(ReplaceFile, CreatesAndReplacesAndLeavesNothingElse) {
     replace_file(file, "one");
     replace_file(file, "two");
     EXPECT_EQ(read_file(file), "two");
+    EXPECT_EQ(entries_in(folder.path()), 1);
+}
+
+TEST(ReplaceFile, SeveralThreadsInOneFolder) {
+    const TemporaryFolder folder;
+    {
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < 4; ++t) {
+            threads.emplace_back([&folder, t] {
+                for (int i = 0; i < 20; ++i) replace_file(folder.path() / std::to_string(t), std::to_string(i));
+            });
+        }
+    }
+    for (int t = 0; t < 4; ++t) EXPECT_EQ(read_file(folder.path() / std::to_string(t)), "19");
+    EXPECT_EQ(entries_in(folder.path()), 4);
+}
+
+TEST(ReplaceFile, SweepsPartsOfDeadRuns) {
+    const TemporaryFolder folder;
+    write_file(folder.path() / (".meshfolio.part-" + std::to_string(dead_process()) + "-0"), "half");
+    replace_file(folder.path() / "x", "x");
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 

@@ -1,0 +1,60 @@
+#include "cli/arguments.h"
+
+#include <algorithm>
+
+#include "errors.h"
+#include "number_text.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, std::string_view text, const std::string& wanted) {
+    throw UsageError(option + " '" + std::string(text) + "' is not " + wanted);
+}
+
+}   // namespace
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(separator), text.size());
+        if (end > 0) parts.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return parts;
+}
+
+long long integer_between(const std::string& option, std::string_view text, long long low, long long high) {
+    const auto value = parse_integer(text);
+    if (!value || *value < low || *value > high)
+        refuse(option, text, "an integer from " + std::to_string(low) + " to " + std::to_string(high));
+    return *value;
+}
+
+std::vector<int> integers_between(const std::string& option, std::string_view text, int low, int high) {
+    std::vector<int> values;
+    for (const std::string& part : split(text, ',')) values.push_back(static_cast<int>(integer_between(option, part, low, high)));
+    if (values.empty() && !text.empty()) refuse(option, text, "a list of integers");
+    return values;
+}
+
+double finite_number(const std::string& option, std::string_view text) {
+    const auto value = parse_number(text);
+    if (!value) refuse(option, text, "a finite number");
+    return *value;
+}
+
+double number_not_negative(const std::string& option, std::string_view text) {
+    const auto value = parse_number(text);
+    if (!value || *value < 0) refuse(option, text, "a finite number ≥ 0");
+    return *value;
+}
+
+double number_above_zero(const std::string& option, std::string_view text) {
+    const auto value = parse_number(text);
+    if (!value || *value <= 0) refuse(option, text, "a finite number > 0");
+    return *value;
+}
+
+}   // namespace meshfolio::cli

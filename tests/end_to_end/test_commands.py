@@ -1,0 +1,402 @@
+"""The single commands, as scripts use them: exit codes, columns, round trips, errors."""
+
+import csv
+import io
+import json
+import math
+import os
+import struct
+import subprocess
+import unittest
+
+from file_readers import obj, ply, png, read
+from in_folder import InFolder
+from program import PROGRAM
+
+COMMANDS = ['report', 'render', 'inspect', 'curvature', 'spectrum', 'smooth', 'noise', 'compare', 'sample', 'list', 'doctor']
+VIEWS = ['+x', '-x', '+y', '-y', '+z', '-z']
+
+# A box of 2 x 4 x 6 about the origin, its sides split by vertex order so that each triangle is told apart by its number.
+BOX = ''.join(f'v {x} {y} {z}\n' for x in (-1, 1) for y in (-2, 2) for z in (-3, 3)) + '\n'.join(
+    'f %d %d %d' % corners for corners in [
+        (1, 2, 4), (1, 4, 3),  # -x
+        (5, 7, 8), (5, 8, 6),  # +x
+        (1, 5, 6), (1, 6, 2),  # -y
+        (3, 4, 8), (3, 8, 7),  # +y
+        (1, 3, 7), (1, 7, 5),  # -z
+        (2, 6, 8), (2, 8, 4),  # +z
+    ]) + '\n'
+
+
+def table(text):
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+class Usage(InFolder):
+
+    def test_help_and_version_everywhere(self):
+        for command in [[]] + [[c] for c in COMMANDS]:
+            self.assertIn('Example' if command else 'report', self.succeed(*command, '--help'))
+            self.assertRegex(self.succeed(*command, '--version'), r'^meshfolio \d+\.\d+\.\d+\n$')
+        for command in COMMANDS:
+            self.assertIn(command, self.succeed('--help'))
+
+    def test_wrong_usage(self):
+        self.assertIn('inspect', self.refuse(2, 'inspct'))
+        for arguments in (['inspect'], ['inspect', '--no-such', 'x.obj'], ['smooth', 'a.obj'], ['spectrum', 'a.obj'],
+                          ['sample'], ['noise', 'a.obj', '-o', 'b.obj'], ['compare', 'a.obj'], ['report', '--only', 'q9'],
+                          ['report', '--size', '0'], ['report', '--threads', 'x'], ['report', '--config', 'none.toml']):
+            self.refuse(2, *arguments)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_numbers_out_of_range_or_not_finite(self):
+        mesh = self.sample('cube8')
+        for value in ('nan', 'inf', '1e999', '0x10', '1,5', '', '-1', '0'):
+            self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda=' + value)
+        for value in ('nan', '-1', 'much'):
+            self.refuse(2, 'noise', mesh, '-o', 'x.ply', '--sigma', value)
+        for value in ('0', '-3', '1.5', '100001', 'all'):
+            self.refuse(2, 'spectrum', mesh, '-k', value)
+        for value in ('0', '-5', '10x', 'x10', '99999', '1e2'):
+            self.refuse(2, 'render', mesh, '--size', value)
+        for value in ('1', '2,1', '1,1', 'a,b', 'nan,1'):
+            self.refuse(2, 'render', mesh, '--field', 'x', '--range', value)
+        self.refuse(2, 'noise', mesh, '-o', 'x.ply', '--sigma', '1', '--seed', '-1')
+        self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda', '1', '--iterations', '-1')
+        self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda', '1', '--operator', 'uniform', '--unit', 'h2')
+        self.assertEqual(os.listdir(self.folder), [mesh])
+
+    def test_unknown_names(self):
+        mesh = self.sample('cube8')
+        self.assertIn('bumpy_cube', self.refuse(2, 'sample', 'bumpy_cub', '-o', 'x.obj'))
+        self.refuse(2, 'render', mesh, '--views', '+w')
+        self.refuse(2, 'render', mesh, '--colormap', 'rainbow')
+        self.assertIn('h-cotan', self.refuse(2, 'render', mesh, '--field', 'h-cotn'))
+        for option, value in (('--scheme', 'x'), ('--operator', 'x'), ('--unit', 'x')):
+            self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda', '1', option, value)
+        self.refuse(2, 'curvature', mesh, '--area', 'x')
+        self.refuse(2, 'sample', 'cube', '-o', 'x.xyz')
+
+    def test_bad_meshes(self):
+        bad = self.write('bad.obj', 'v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n')
+        for arguments in (['inspect', bad], ['render', bad], ['curvature', bad], ['spectrum', bad, '-k', '1'],
+                          ['smooth', bad, '-o', 'x.ply', '--lambda', '1'], ['noise', bad, '-o', 'x.ply', '--sigma', '1'],
+                          ['compare', bad, bad]):
+            self.assertIn('bad.obj:3: ', self.refuse(3, *arguments), arguments)
+        self.assertIn('none.obj', self.refuse(3, 'inspect', 'none.obj'))
+        self.assertEqual(os.listdir(self.folder), ['bad.obj'])
+
+    def test_file_names_cannot_steer_the_terminal(self):
+        self.assertIn('\\x1b', self.refuse(3, 'inspect', 'a\x1b[2J\n.obj'))
+
+    def test_outputs_that_cannot_be_written(self):
+        mesh = self.sample('cube8')
+        self.write('file', 'kept')
+        for arguments in (['smooth', mesh, '-o', 'none/x.ply', '--lambda', '1e-3'], ['curvature', mesh, '--csv', 'none/x.csv'],
+                          ['render', mesh, '--size', '32', '--out', 'file'], ['report', '--out', 'file']):
+            self.refuse(4, *arguments)
+        self.assertEqual(read(self.path('file')), b'kept')
+
+    def test_standard_output_full_or_closed(self):
+        mesh = self.sample('cube8')
+        with open('/dev/full', 'wb') as full:
+            for arguments in (['curvature', mesh], ['list'], ['--help'], ['inspect', mesh, '--json']):
+                done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, stdout=full, stderr=subprocess.PIPE)
+                self.assertEqual(done.returncode, 4, arguments)
+                self.assertEqual(done.stderr.count(b'\n'), 1)
+        shell = lambda line: subprocess.run(['sh', '-c', line, PROGRAM, mesh], cwd=self.folder, capture_output=True)
+        self.assertEqual(shell('"$0" inspect "$1" >&-').returncode, 4)
+        self.assertEqual(shell('"$0" sample cube -o made.obj >&- 2>&- <&-').returncode, 0, 'nothing was lost')
+        self.assertEqual(shell('"$0" inspect "$1" 2>&-').returncode, 0)
+        self.assertEqual(len(obj(self.path('made.obj'))[1]) % 12, 0)
+
+
+class Inspect(InFolder):
+
+    def test_first_line_and_json_agree(self):
+        mesh = self.write('box.obj', BOX)
+        first = self.succeed('inspect', mesh).splitlines()[0]
+        self.assertRegex(first, r'^V=8 F=12 chi=2 comps=1 bedges=0 area=88(\.0*)?$')
+        facts = json.loads(self.succeed('inspect', mesh, '--json'))
+        self.assertEqual((facts['vertices_in_use'], facts['triangles'], facts['euler_characteristic']), (8, 12, 2))
+        self.assertAlmostEqual(facts['volume'], 48)
+        self.assertTrue(facts['closed'] and facts['manifold'] and facts['orientable'])
+        self.assertLess(facts['gauss_bonnet']['residual'], 1e-12)
+        self.assertGreater(facts['lambda_crit'], 0)
+
+    def test_repairs_are_said_once_and_counted(self):
+        mesh = self.write('twice.obj', BOX + 'f 1 2 4\nf 1 1 2\n')
+        code, out, err = self.run_here('inspect', mesh)
+        self.assertEqual(code, 0)
+        self.assertIn('F=12 ', out)
+        self.assertTrue(err and all(line.startswith('meshfolio: warning: ') for line in err.splitlines()), err)
+        facts = json.loads(self.run_here('inspect', mesh, '--json')[1])
+        self.assertEqual((facts['dropped_duplicate_faces'], facts['dropped_degenerate_faces']), (1, 1))
+
+
+class Curvature(InFolder):
+
+    def test_columns_and_laws(self):
+        mesh = self.sample('sphere')
+        vertices, _ = obj(self.path(mesh))
+        for area in ('barycentric', 'voronoi', 'mixed'):
+            rows = table(self.succeed('curvature', mesh, '--area', area))
+            self.assertEqual(list(rows[0])[:9], 'vertex,x,y,z,boundary,area,h_uniform,k_gauss,h_cotan'.split(','))
+            self.assertEqual([int(r['vertex']) for r in rows], list(range(len(vertices))))
+            self.assertEqual([tuple(float(r[c]) for c in 'xyz') for r in rows], vertices, 'row i is vertex i of the file')
+            total = sum(float(r['k_gauss']) * float(r['area']) for r in rows)
+            self.assertAlmostEqual(total, 4 * math.pi, places=9)
+            self.assertTrue(all(float(r['h_cotan']) > 0 and r['boundary'] == '0' for r in rows))
+
+    def test_undefined_cells_are_empty(self):
+        rows = table(self.succeed('curvature', self.sample('plane')))
+        boundary = [r for r in rows if r['boundary'] == '1']
+        self.assertTrue(0 < len(boundary) < len(rows))
+        for row in rows:
+            for column in ('h_uniform', 'k_gauss', 'h_cotan'):
+                self.assertEqual(row[column] == '', row['boundary'] == '1', row)
+        self.assertNotRegex(self.succeed('curvature', 'plane.obj'), '(?i)nan|inf')
+
+    def test_to_a_file(self):
+        mesh = self.sample('cube8')
+        self.assertEqual(self.succeed('curvature', mesh, '--csv', 'c.csv'), '')
+        self.assertEqual(read(self.path('c.csv')).decode(), self.succeed('curvature', mesh, '--csv', '-'))
+
+
+class Spectrum(InFolder):
+
+    def test_table_vectors_and_reconstructions(self):
+        mesh = self.sample('sphere')
+        vertices, triangles = obj(self.path(mesh))
+        self.succeed('spectrum', mesh, '-k', '9', '--csv', 's.csv', '--vectors', 'v.npy', '--reconstruct', '4,9', '--out', 'modes')
+        rows = table(read(self.path('s.csv')).decode())
+        self.assertEqual(list(rows[0]), ['index', 'eigenvalue', 'residual'])
+        mu = [float(r['eigenvalue']) for r in rows]
+        self.assertEqual(len(mu), 9)
+        self.assertEqual(mu, sorted(mu))
+        self.assertAlmostEqual(mu[0], 0, places=9)
+        for value, exact in zip(mu[1:], [2] * 3 + [6] * 5):  # l(l + 1), each 2l + 1 times
+            self.assertAlmostEqual(value / exact, 1, delta=0.02)
+        self.assertLess(max(float(r['residual']) for r in rows), 1e-6)
+
+        data = read(self.path('v.npy'))
+        self.assertEqual(data[:8], b'\x93NUMPY\x01\x00')
+        length = struct.unpack_from('<H', data, 8)[0]
+        header = data[10:10 + length].decode()
+        self.assertEqual((10 + length) % 64, 0)
+        self.assertIn("'descr': '<f8'", header)
+        self.assertIn(f"'shape': ({len(vertices)}, 9)", header)
+        self.assertEqual(len(data), 10 + length + 8 * 9 * len(vertices))
+        constant = struct.unpack_from('<%dd' % (9 * len(vertices)), data, 10 + length)[::9]
+        self.assertAlmostEqual(min(constant), max(constant), places=6, msg='the first mode is constant')
+
+        self.assertEqual(sorted(os.listdir(self.path('modes'))), ['sphere_k4.ply', 'sphere_k9.ply'])
+        four, faces = ply(self.path('modes', 'sphere_k4.ply'))
+        self.assertEqual(faces, triangles)
+        # The coordinates of a sphere are its first three modes that are not constant.
+        self.assertLess(max(math.dist(p, q) for p, q in zip(four, vertices)), 0.02)
+
+    def test_more_modes_than_vertices_is_said(self):
+        code, out, err = self.run_here('spectrum', self.sample('cube8'), '-k', '50')
+        self.assertEqual(code, 0)
+        self.assertEqual(len(table(out)), 8)
+        self.assertIn('warning', err)
+
+    def test_reconstructions_need_their_modes_and_a_folder(self):
+        mesh = self.sample('cube8')
+        self.refuse(2, 'spectrum', mesh, '-k', '4', '--reconstruct', '5', '--out', 'x')
+        self.refuse(2, 'spectrum', mesh, '-k', '4', '--reconstruct', '3')
+
+
+class MeshesOut(InFolder):
+
+    def test_formats_agree_and_keep_the_order(self):
+        for name in ('torus', 'lily'):
+            first = obj(self.path(self.sample(name)))
+            self.assertEqual(ply(self.path(self.sample(name, 'ply'))), first)
+            self.sample(name, 'off')
+            self.assertEqual(json.loads(self.succeed('compare', f'{name}.obj', f'{name}.off', '--json'))['max'], 0)
+
+    def test_subdivision_multiplies_triangles_by_four(self):
+        coarse = obj(self.path(self.sample('torus')))[1]
+        self.assertEqual(len(obj(self.path(self.sample('torus', 'obj', '--subdivide', '1')))[1]), 4 * len(coarse))
+
+    def test_every_listed_sample_can_be_made(self):
+        names = [line.split()[0] for line in self.succeed('sample', '--list').splitlines()]
+        self.assertIn('creature', names)
+        for name in names:
+            self.assertIn(' F=', self.succeed('inspect', self.sample(name, 'ply')))
+
+    def test_noise_is_seeded_and_has_its_size(self):
+        mesh = self.sample('sphere')
+        for file, seed in (('a.ply', '7'), ('b.ply', '7'), ('c.ply', '8')):
+            self.succeed('noise', mesh, '-o', file, '--sigma', '0.01', '--unit', 'bbox', '--seed', seed)
+        self.assertEqual(read(self.path('a.ply')), read(self.path('b.ply')))
+        self.assertNotEqual(read(self.path('a.ply')), read(self.path('c.ply')))
+        rms = json.loads(self.succeed('compare', mesh, 'a.ply', '--json'))['rms']
+        self.assertAlmostEqual(rms / (0.02 * math.sqrt(3)), 1, delta=0.1)  # a box of side 2
+
+    def test_compare_knows_a_translation(self):
+        self.write('a.obj', BOX)
+        vertices, triangles = obj(self.path('a.obj'))
+        self.write('b.obj', ''.join('v %r %r %r\n' % (x + 3, y, z + 4) for x, y, z in vertices) +
+                   ''.join('f %d %d %d\n' % tuple(i + 1 for i in t) for t in triangles))
+        facts = json.loads(self.succeed('compare', 'a.obj', 'b.obj', '--json'))
+        self.assertAlmostEqual(facts['rms'], 5)
+        self.assertAlmostEqual(facts['max'], 5)
+        self.assertAlmostEqual(facts['volume_ratio'], 1)
+        self.assertAlmostEqual(facts['area_ratio'], 1)
+        self.assertAlmostEqual(facts['mean_normal_angle_deg'], 0)
+        self.assertIn('hausdorff', facts)
+        self.refuse(3, 'compare', 'a.obj', self.sample('torus'))
+
+    def test_compare_sees_past_a_surface_that_turned_inside_out(self):
+        self.write('a.obj', BOX)
+        vertices, triangles = obj(self.path('a.obj'))
+        self.write('mirrored.obj', ''.join('v %r %r %r\n' % (-x, y, z) for x, y, z in vertices) +
+                   ''.join('f %d %d %d\n' % tuple(i + 1 for i in t) for t in triangles))
+        code, out, _ = self.run_here('compare', 'a.obj', 'mirrored.obj', '--json')
+        self.assertEqual(code, 0)
+        self.assertAlmostEqual(json.loads(out)['volume_ratio'], -1)
+
+
+class Smooth(InFolder):
+
+    def error_after(self, *options):
+        """Of the smoothed mesh against the clean one."""
+        self.succeed('smooth', 'noisy.ply', '-o', 'out.ply', *options)
+        return json.loads(self.succeed('compare', 'bumpy_cube.obj', 'out.ply', '--json'))
+
+    def setUp(self):
+        super().setUp()
+        self.succeed('noise', self.sample('bumpy_cube'), '-o', 'noisy.ply', '--sigma', '0.005', '--unit', 'bbox')
+
+    def test_every_scheme_and_operator_brings_normals_nearer_the_clean_ones(self):
+        noisy = json.loads(self.succeed('compare', 'bumpy_cube.obj', 'noisy.ply', '--json'))['mean_normal_angle_deg']
+        for scheme, operator in [('explicit', 'cotan'), ('explicit', 'uniform'), ('implicit', 'cotan'), ('implicit', 'uniform'), ('taubin', 'uniform')]:
+            facts = self.error_after('--scheme', scheme, '--operator', operator, '--unit', 'tau', '--lambda', '0.4', '--iterations', '10')
+            self.assertLess(facts['mean_normal_angle_deg'], noisy, (scheme, operator))
+
+    def test_taubin_keeps_the_volume(self):
+        options = ['--operator', 'uniform', '--unit', 'tau', '--lambda', '0.4', '--iterations', '20']
+        shrunk = self.error_after('--scheme', 'explicit', *options)['volume_ratio']
+        kept = self.error_after('--scheme', 'taubin', *options)['volume_ratio']
+        self.assertLess(abs(kept - 1), 0.2 * abs(shrunk - 1))
+
+    def test_units_are_conversions_of_one_step(self):
+        critical = json.loads(self.succeed('inspect', 'noisy.ply', '--json'))
+        raw = 0.25 * critical['lambda_crit']
+        self.succeed('smooth', 'noisy.ply', '-o', 'raw.ply', '--lambda', repr(raw))
+        self.succeed('smooth', 'noisy.ply', '-o', 'tau.ply', '--lambda', '0.25', '--unit', 'tau')
+        self.succeed('smooth', 'noisy.ply', '-o', 'h2.ply', '--lambda', repr(raw / critical['mean_edge']**2), '--unit', 'h2')
+        for other in ('tau.ply', 'h2.ply'):
+            difference = json.loads(self.succeed('compare', 'raw.ply', other, '--json'))
+            self.assertLess(difference['max'], 1e-9 * difference['box_diagonal'])
+
+    def test_no_iterations_change_nothing(self):
+        self.succeed('smooth', 'noisy.ply', '-o', 'out.ply', '--lambda', '1', '--iterations', '0', '--scheme', 'implicit')
+        self.assertEqual(read(self.path('out.ply')), read(self.path('noisy.ply')))
+
+    def test_beyond_the_limit_it_blows_up_in_the_open_and_implicit_does_not(self):
+        options = ['--lambda', '3', '--unit', 'tau', '--iterations', '200']
+        self.assertIn('blew up', self.refuse(1, 'smooth', 'noisy.ply', '-o', 'out.ply', *options))
+        self.assertTrue(all(math.isfinite(c) for p in ply(self.path('out.ply'))[0] for c in p))
+        self.succeed('smooth', 'noisy.ply', '-o', 'fair.ply', '--scheme', 'implicit', *options)
+
+    def test_rebuild_is_another_flow(self):
+        self.succeed('smooth', 'noisy.ply', '-o', 'frozen.ply', '--lambda', '0.4', '--unit', 'tau', '--iterations', '5')
+        self.succeed('smooth', 'noisy.ply', '-o', 'rebuilt.ply', '--lambda', '0.4', '--unit', 'tau', '--iterations', '5', '--rebuild')
+        self.assertNotEqual(read(self.path('frozen.ply')), read(self.path('rebuilt.ply')))
+
+
+class Render(InFolder):
+
+    def test_files_and_sizes(self):
+        mesh = self.write('box.obj', BOX)
+        self.succeed('render', mesh, '--size', '64x48', '--out', 'all')
+        self.assertEqual(sorted(os.listdir(self.path('all'))), sorted([v + '.png' for v in VIEWS] + ['sheet.png']))
+        for view in VIEWS:
+            self.assertEqual(png(self.path('all', view + '.png'))[:2], (64, 48))
+        self.succeed('render', mesh, '--size', '32', '--views', '-x,+z', '--out', 'two')
+        self.assertEqual(sorted(os.listdir(self.path('two'))), ['+z.png', '-x.png', 'sheet.png'])
+        self.assertEqual(png(self.path('two', '-x.png'))[:2], (32, 32))
+
+    def test_options_before_the_mesh(self):
+        mesh = self.write('box.obj', BOX)
+        self.succeed('render', '--size', '32', '--views', '+x', '--out', 'one', mesh)
+        self.assertEqual(sorted(os.listdir(self.path('one'))), ['+x.png', 'sheet.png'])
+
+    # Which two triangles each view sees, and how wide and high the box appears: 0.95 of 120 pixels for the 6 of its longest side.
+    def test_plain_views_of_a_box(self):
+        mesh = self.write('box.obj', BOX)
+        self.succeed('render', mesh, '--plain', '--field', 'id', '--size', '120', '--out', 'plain')
+        seen = {'-x': ({1, 2}, 6, 4), '+x': ({3, 4}, 6, 4), '-y': ({5, 6}, 2, 6), '+y': ({7, 8}, 2, 6), '-z': ({9, 10}, 2, 4), '+z': ({11, 12}, 2, 4)}
+        for view, (triangles, wide, high) in seen.items():
+            _, _, rows = png(self.path('plain', view + '.png'))
+            ids = {65536 * r + 256 * g + b for row in rows for r, g, b in row} - {0xffffff}
+            self.assertEqual(ids, triangles, view)
+            columns = {x for row in rows for x, pixel in enumerate(row) if pixel != (255, 255, 255)}
+            lines = [y for y, row in enumerate(rows) if any(pixel != (255, 255, 255) for pixel in row)]
+            self.assertAlmostEqual(len(columns), 0.95 * 120 * wide / 6, delta=1, msg=view)
+            self.assertAlmostEqual(len(lines), 0.95 * 120 * high / 6, delta=1, msg=view)
+
+    def test_plain_without_a_field_is_one_grey(self):
+        self.succeed('render', self.write('box.obj', BOX), '--plain', '--size', '40', '--out', 'plain')
+        colors = {pixel for row in png(self.path('plain', '+x.png'))[2] for pixel in row}
+        self.assertEqual(len(colors), 2)
+        self.assertIn((255, 255, 255), colors)
+
+    # The value z from -3 to 3: in the +x view -z points right, so colours at the right are those of the low end.
+    def test_values_and_their_direction(self):
+        mesh = self.write('box.obj', BOX)
+        vertices, _ = obj(mesh)
+        self.write('v.csv', 'vertex,height\n' + ''.join(f'{i},{p[2]}\n' for i, p in enumerate(vertices)))
+        options = ['--plain', '--size', '64', '--range', '-3,3', '--colormap', 'viridis']
+        self.succeed('render', mesh, '--field', 'z', '--out', 'field', *options)
+        self.succeed('render', mesh, '--values', 'v.csv:height', '--out', 'values', *options)
+        for view in VIEWS:
+            self.assertEqual(read(self.path('field', view + '.png')), read(self.path('values', view + '.png')))
+        row = [p for p in png(self.path('field', '+x.png'))[2][32] if p != (255, 255, 255)]
+        self.assertGreater(row[0][1], row[-1][1] + 100, 'viridis is dark purple below and yellow above')
+        self.assertNotIn('height ', self.refuse(3, 'render', mesh, '--values', 'v.csv:width', '--out', 'x'))
+        self.write('short.csv', 'h\n1\n')
+        self.refuse(3, 'render', mesh, '--values', 'short.csv:h', '--out', 'x')
+        self.refuse(2, 'render', mesh, '--values', 'v.csv', '--out', 'x')
+
+    def test_same_bytes_whatever_the_threads(self):
+        mesh = self.sample('lily')
+        self.succeed('render', mesh, '--field', 'h-cotan', '--size', '80', '--edges', '--out', 'all')
+        subprocess.run(['taskset', '-c', '0', PROGRAM, 'render', mesh, '--field', 'h-cotan', '--size', '80', '--edges', '--out', 'one'],
+                       cwd=self.folder, check=True)
+        for name in os.listdir(self.path('all')):
+            self.assertEqual(read(self.path('all', name)), read(self.path('one', name)), name)
+
+    def test_other_files_of_the_folder_stay(self):
+        self.write('pictures/mine.txt', 'mine')
+        self.succeed('render', self.write('box.obj', BOX), '--size', '32', '--out', 'pictures')
+        self.assertEqual(read(self.path('pictures', 'mine.txt')), b'mine')
+
+
+class ListAndDoctor(InFolder):
+
+    def test_list(self):
+        lists = json.loads(self.succeed('list', '--json'))
+        self.assertEqual([q['name'] for q in lists['questions']], [f'q{i}' for i in range(1, 8)])
+        for kind in ('meshes', 'colormaps', 'samples'):
+            self.assertTrue(lists[kind])
+            for entry in lists[kind]:
+                self.assertIn(entry['name'], self.succeed('list'))
+
+    def test_doctor(self):
+        found = json.loads(self.succeed('doctor', '--json'))
+        self.assertGreaterEqual(found['threads'], 1)
+        for library in ('Eigen', 'oneTBB'):
+            self.assertRegex(found['libraries'][library], r'^\d+\.\d+')
+        self.assertIn('fonts', self.succeed('doctor'))
+        without = json.loads(self.succeed('doctor', '--json', PATH=self.folder))
+        self.assertEqual(without['pdf_engines'], {})
+        self.assertTrue(without['missing'])
+
+
+if __name__ == '__main__':
+    unittest.main()
