@@ -77,7 +77,14 @@ ExitCode summary(const report::Document& document) {
     return failures.empty() && checks.empty() ? ExitCode::ok : ExitCode::failed;
 }
 
+/// This version prints no PDF itself: whoever can do without one may go on, whoever requires one is told before any work.
+void refuse_required_pdf(const std::string& pdf) {
+    if (pdf == "require") throw EngineError("this version has no PDF engine", "print index.html from a browser, or take --pdf=auto");
+    if (pdf == "auto") warn("this version has no PDF engine; the report has HTML and Markdown");
+}
+
 ExitCode run_report(const ReportFlags& flags) {
+    refuse_required_pdf(flags.pdf);
     const ReportSettings settings = report_settings(flags);
     report::Templates templates(settings.templates);
     if (settings.page_template) templates.replace("report.html", *settings.page_template);
@@ -123,6 +130,9 @@ Command report_command(CLI::App& parent) {
     app->add_option("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
     app->add_option("--threads", flags->threads, "at most so many threads; default: all");
     app->add_option("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
+    app->add_option("--pdf", flags->pdf, "auto, require or off; this version prints no PDF itself")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "require", "off"}));
     app->add_option("--templates", flags->templates, "folder of templates that replace those of the same name");
     app->add_flag("--quick", flags->quick, "small settings for a first look");
     app->add_flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");

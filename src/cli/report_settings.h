@@ -16,7 +16,7 @@ namespace meshfolio::cli {
 /// As given on the command line; what is empty was not.
 struct ReportFlags {
     std::vector<std::string> meshes, data;
-    std::string only, out, config, threads, size, templates;
+    std::string only, out, config, threads, size, templates, pdf = "off";
     bool quick = false, fail_fast = false, no_timings = false;
 };
 
