@@ -4,6 +4,8 @@
 #include <array>
 #include <new>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "build_info.h"
@@ -69,6 +71,14 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     return chosen->run();
 }
 
+/// A thread that could not begin; oneTBB says so in words only.
+bool is_shortage(const std::exception& error) {
+    if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
+        return system->code() == std::errc::resource_unavailable_try_again || system->code() == std::errc::not_enough_memory;
+    }
+    return std::string_view(error.what()).starts_with("pthread_create");
+}
+
 }   // namespace
 
 int run(int argc, const char* const* argv) {
@@ -84,7 +94,7 @@ int run(int argc, const char* const* argv) {
         complain("out of memory; use a smaller mesh, fewer modes or smaller pictures");
         return static_cast<int>(ExitCode::failed);
     } catch (const std::exception& error) {
-        complain(std::string("internal error: ") + error.what());
+        complain(std::string(is_shortage(error) ? "out of memory: " : "internal error: ") + error.what());
         return static_cast<int>(ExitCode::failed);
     }
 }

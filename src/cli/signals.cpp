@@ -6,10 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <exception>
+#include <new>
 #include <string_view>
 #include <system_error>
 #include <thread>
 
+#include "errors.h"
 #include "output/publish.h"
 
 namespace meshfolio::cli {
@@ -31,6 +34,12 @@ sigset_t ending_signals() {
     return set;
 }
 
+void tell(std::string_view message) {
+    if (::write(STDERR_FILENO, message.data(), message.size()) < 0) {
+        // There is nobody left to tell.
+    }
+}
+
 /// Runs in a thread of its own, where everything may be called that a signal handler may not.
 [[noreturn]] void wait_for_the_end(sigset_t signals) {
     int signal = 0;
@@ -40,16 +49,29 @@ sigset_t ending_signals() {
     constexpr std::string_view message = "\nmeshfolio: interrupted; the earlier output is as it was\n";
     // On a terminal the line of progress is left first.
     const std::string_view told = ::isatty(STDERR_FILENO) ? message : message.substr(1);
-    if (::write(STDERR_FILENO, told.data(), told.size()) < 0) {
-        // There is nobody left to tell.
-    }
+    tell(told);
     ::_exit(128 + signal);
+}
+
+/// Some destructors of the packages allocate and may not throw.
+[[noreturn]] void end_after_uncaught() {
+    try {
+        if (const auto exception = std::current_exception()) std::rethrow_exception(exception);
+        tell("meshfolio: internal error: terminated\n");
+    } catch (const std::bad_alloc&) {
+        tell("meshfolio: out of memory\n");
+    } catch (...) {
+        tell("meshfolio: internal error: an exception was not caught\n");
+    }
+    output::abandon_publications();
+    ::_exit(static_cast<int>(ExitCode::failed));
 }
 
 }   // namespace
 
 void prepare_process() {
     fill_closed_descriptors();
+    std::set_terminate(end_after_uncaught);
     ::signal(SIGPIPE, SIG_IGN);
     ::signal(SIGXFSZ, SIG_IGN);
     const sigset_t signals = ending_signals();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
 #include <vector>
 
 #include "number_text.h"
@@ -39,7 +40,15 @@ std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
 
 }   // namespace
 
-bool is_dead(long pid) { return ::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH; }
+bool is_dead(long pid) {
+    if (::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH) return true;
+    // Killed, but not yet waited for: the state after the name in parentheses is Z. (Files of /proc have no size to read by.)
+    std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+    std::string status;
+    std::getline(file, status);
+    const std::size_t name_end = status.rfind(") ");
+    return name_end != std::string::npos && name_end + 2 < status.size() && (status[name_end + 2] == 'Z' || status[name_end + 2] == 'X');
+}
 
 long process_in_name(const std::string& name, const std::string& stem) {
     if (!name.starts_with(stem)) return 0;

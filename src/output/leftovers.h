@@ -5,7 +5,7 @@
 
 namespace meshfolio::output {
 
-/// True when no process has this number (any more).
+/// True when no process has this number (any more), or one that was killed and only waits to be collected.
 bool is_dead(long pid);
 
 /// The process number at the end of `name` when it reads `<stem><digits>`; else 0.

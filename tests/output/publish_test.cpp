@@ -215,6 +215,17 @@ TEST(Leftovers, OfDeadRunsAreSweptOthersStay) {
     EXPECT_TRUE(fs::exists(folder.path() / "out.tmp-999999999"));
 }
 
+TEST(Leftovers, AKilledProcessThatNobodyWaitedForIsDead) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    siginfo_t state{};
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &state, WEXITED | WNOWAIT), 0);
+    EXPECT_TRUE(is_dead(child));
+    ::waitpid(child, nullptr, 0);
+    EXPECT_FALSE(is_dead(::getpid()));
+    EXPECT_FALSE(is_dead(1));
+}
+
 TEST(Leftovers, WhatWasMovedAsideComesBackWhenItsSuccessorNeverCame) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
