@@ -6,7 +6,7 @@
 
 namespace meshfolio::output {
 
-/// Sets the name of the view ("+x", "-x" with a proper minus) in the lower left corner; small pictures stay as they are.
+/// Sets the name of the view and its axes in the lower left corner; pictures below 100 pixels stay as they are.
 void label_view(render::Image& picture, std::string_view view);
 
 }   // namespace meshfolio::output
