@@ -87,6 +87,7 @@ render::DrawOptions draw_options(const Options& options) {
     draw.face_colors_from_id = options.field == "id";
     if (options.plain) {
         draw.fill = 0.95;
+        draw.surface_color = {200, 200, 200, 255};
         draw.shading = draw.backface_tint = false;
         draw.samples = 1;
     }

@@ -122,7 +122,9 @@ Command report_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
     CLI::App* app = parent.add_subcommand("report", "All seven questions: the full report");
     app->add_option("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
-    app->add_option("--only", flags->only, "some of the questions: q1,q4");
+    app->add_option("--only", flags->only, "some of the questions: q1,q4")->check([](const std::string& ids) {
+        return std::string(ids.empty() ? "names no question" : "");
+    });
     app->add_option("--data", flags->data,
                     "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)")
         ->allow_extra_args(false);

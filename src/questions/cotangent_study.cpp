@@ -34,10 +34,12 @@ double share(int part, std::size_t whole) { return whole == 0 ? 0 : double(part)
 
 /// ½‖Lx‖ everywhere, boundary included; 0 where there is no area.
 Vector half_laplacian_length(const LaplaceBeltrami& laplacian, const Positions& X) {
-    const Positions CX = laplacian.C * X;
-    Vector length = Vector::Zero(CX.rows());
-    for (Eigen::Index i = 0; i < CX.rows(); ++i) {
-        if (laplacian.M[i] > 0) length[i] = 0.5 * CX.row(i).norm() / laplacian.M[i];
+    Vector length = Vector::Zero(X.rows());
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+        if (!(laplacian.M[i] > 0)) continue;
+        Eigen::RowVector3d pull = Eigen::RowVector3d::Zero();   // Σ C_ij (x_j − x_i): rows sum to 0, so the origin does not matter
+        for (SparseMatrix::InnerIterator entry(laplacian.C, i); entry; ++entry) pull += entry.value() * (X.row(entry.row()) - X.row(i));
+        length[i] = 0.5 * pull.norm() / laplacian.M[i];
     }
     return length;
 }

@@ -50,6 +50,12 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh) {
     const Eigen::Matrix3d covariance = P.transpose() * P;
     const Vector3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
     if (!((P * normal).cwiseAbs().maxCoeff() <= flat_within)) return std::nullopt;
+    // A thin strip lies near many planes; only one that its triangles lie in makes it flat.
+    const Positions normals = face_normals(mesh);
+    for (Eigen::Index t = 0; t < normals.rows(); ++t) {
+        const bool has_area = normals.row(t).squaredNorm() > 0;
+        if (has_area && std::abs(normals.row(t).dot(normal)) < 0.99) return std::nullopt;
+    }
     return normal;
 }
 

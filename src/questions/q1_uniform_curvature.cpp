@@ -139,7 +139,7 @@ void add_convergence_plot(report::Section& section, const std::vector<UniformRef
     report::Plot plot;
     plot.id = gaussian ? "q1_convergence_k" : "q1_convergence_h";
     const std::string quantity = gaussian ? "K (barycentric areas)" : "uniform H (scaled)";
-    plot.caption = "L2 error of " + quantity + " as the meshes are refined; dashed: jittered vertices.";
+    plot.caption = "L2 error of " + quantity + " as the meshes are refined, regular and with jittered vertices.";
     plot.x_label = "mean edge [length]";
     plot.y_label = "relative L2 error [%]";
     plot.log_x = plot.log_y = true;

@@ -91,11 +91,16 @@ void measure_damping(Study& study) {
     const int k = std::min(12, subject.source->prepared->preflight.vertices_in_use);
     const Spectrum low = smallest_eigenpairs(subject.laplacian, k);
     const double visible = 1e-6 * subject.diagonal * std::sqrt(subject.laplacian.M.sum());   // well above rounding
+    // About the barycentre, which does not move: far from the origin the offset would drown the modes in rounding.
+    const Vector& M = subject.laplacian.M;
+    const Eigen::RowVector3d near = subject.mesh().X.row(0);
+    const Eigen::RowVector3d barycentre = near + M.transpose() * (subject.mesh().X.rowwise() - near) / M.sum();
     for (const GridCell& cell : study.grid) {
+        const Positions start = subject.mesh().X.rowwise() - barycentre, end = cell.implicit_X.rowwise() - barycentre;
         for (int i = 0; i < low.eigenvalues.size(); ++i) {
             const Vector weights = subject.laplacian.M.cwiseProduct(low.eigenvectors.col(i));
-            const double before = (subject.mesh().X.transpose() * weights).norm();
-            const double after = (cell.implicit_X.transpose() * weights).norm();
+            const double before = (start.transpose() * weights).norm();
+            const double after = (end.transpose() * weights).norm();
             if (before < visible || after < visible) continue;
             const double predicted = std::pow(1 + cell.lambda * low.eigenvalues[i], -cell.iterations);
             study.worst_damping = std::max(study.worst_damping, std::abs(after / before / predicted - 1));
@@ -131,12 +136,19 @@ std::string label_of(const Study& study, const GridCell& cell, const std::string
     return scheme + ", λ = " + step_label(study.subject, cell.lambda) + ", t = " + std::to_string(cell.iterations);
 }
 
+/// ", shrunk to 3 %" where the box has lost more than four fifths of its diagonal, or nothing.
+std::string shrinkage(const Study& study, const Positions& X) {
+    const double share = bounding_box(moved_to(study.subject.mesh(), X)).diagonal() / study.subject.diagonal;
+    if (share > 0.2) return "";
+    return share < 1e-4 ? ", shrunk to a point" : ", shrunk to " + readable_percent(share, 2);
+}
+
 output::Panel panel_of_cell(const Study& study, const GridCell& cell, bool implicit) {
     const Positions& X = implicit ? cell.implicit_X : cell.explicit_X;
     const std::string scheme = implicit ? "implicit" : "explicit";
     return panel_of(moved_to(study.subject.mesh(), X),
                     id_of(study, scheme + "_" + step_name(cell.lambda) + "_t" + std::to_string(cell.iterations)),
-                    label_of(study, cell, scheme), curvature_colours(study.subject, X));
+                    label_of(study, cell, scheme) + shrinkage(study, X), curvature_colours(study.subject, X));
 }
 
 /// Index of the iteration count that the figures over λ use: the middle one.

@@ -37,6 +37,8 @@ struct Trial {
     int iterations() const { return static_cast<int>(rms.size()) - 1; }
     double feature_rms = 0, smooth_rms = 0;   // at the best iteration, on and off the feature edges [length]
 
+    bool minimum_reached() const { return best_rms < iterations(); }
+
     double gain() const { return rms.front() / rms[static_cast<std::size_t>(best_rms)]; }
     double angle_gain() const { return angle.front() / angle[static_cast<std::size_t>(best_angle)]; }
 };
@@ -132,7 +134,7 @@ Study study_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& 
     study.mean_edge = mean_edge_length(study.clean->mesh());
     study.lambda = settings.lambda.empty() ? step_in_squared_edges * study.mean_edge * study.mean_edge : settings.lambda.front();
     study.iterations = settings.iterations.empty() ? (settings.quick ? 20 : 40) : settings.iterations.back();
-    study.most_iterations = settings.iterations.empty() ? 6 * study.iterations : study.iterations;
+    study.most_iterations = settings.iterations.empty() ? 15 * study.iterations : study.iterations;
     study.on_feature = feature_vertices(*study.clean);
     study.feature_vertices = static_cast<int>(std::count(study.on_feature.begin(), study.on_feature.end(), 1));
 
@@ -173,17 +175,23 @@ void add_figure_of(Answer& answer, const Study& study, const Trial& trial) {
     figure.title = "Denoising " + study.name() + ", σ = " + readable_percent(trial.relative, 2) + " of the box diagonal";
     figure.subtitle = "implicit, λ = " + readable(study.lambda) + " = " + readable(study.lambda / (study.mean_edge * study.mean_edge), 2) +
                       " h̄², operator of the noisy mesh";
-    const std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy"),
-                                            coloured(trial.best, "best", "best, t = " + std::to_string(trial.best_rms)),
-                                            coloured(trial.last, "over", "over-smoothed, t = " + std::to_string(trial.iterations()))};
+    std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy")};
+    const std::string last = "t = " + std::to_string(trial.iterations());
+    if (trial.minimum_reached()) {
+        panels.push_back(coloured(trial.best, "best", "best, t = " + std::to_string(trial.best_rms)));
+        panels.push_back(coloured(trial.last, "over", "over-smoothed, " + last));
+    } else {
+        panels.push_back(coloured(trial.best, "best", last + ", error still falling"));
+    }
     figure.range = output::robust_range(panels, "viridis", "distance to the clean mesh", "% of the box diagonal", 0.01);
     figure.range->low = figure.range->clipped_below = 0;   // a distance begins at 0
     figure.panels.push_back(panel_of(*study.clean, id_of(study, name + "_clean"), "clean"));
     figure.panels.insert(figure.panels.end(), panels.begin(), panels.end());
+    figure.frame_panel = -1;   // noise may reach beyond the clean box
     figure.caption = study.name() + " with σ = " + readable_percent(trial.relative, 2) + " of the box diagonal (" +
-                     readable(trial.sigma / study.mean_edge, 2) +
-                     " mean edges): clean, noisy, at the iteration with the smallest error, and smoothed on to t = " +
-                     std::to_string(trial.iterations()) + "; coloured by the distance of each vertex to where it belongs.";
+                     readable(trial.sigma / study.mean_edge, 2) + " mean edges): clean, noisy, " +
+                     (trial.minimum_reached() ? "at the iteration with the smallest error, and smoothed on to " : "and smoothed to ") +
+                     last + "; coloured by the distance of each vertex to where it belongs.";
     add_figure(answer, std::move(figure));
 }
 
@@ -202,7 +210,7 @@ void add_error_plot(report::Section& section, const Study& study) {
         }
         plot.series.push_back(std::move(series));
         plot.markers.push_back({double(trial.best_rms), percent * trial.rms[static_cast<std::size_t>(trial.best_rms)],
-                                "minimum, t = " + std::to_string(trial.best_rms)});
+                                (trial.minimum_reached() ? "minimum, t = " : "still falling, t = ") + std::to_string(trial.best_rms)});
     }
     report::Series clean{"without noise", {}, {}, {}, {}, report::Series::Style::dashed};
     for (std::size_t t = 1; t < study.without_noise.size(); ++t) {
@@ -228,7 +236,8 @@ void add_result_table(report::Section& section, const std::vector<Study>& studie
     table.caption =
         "Denoising by implicit smoothing with the noisy mesh's own operator. Gain: error of the noisy mesh over the smallest error "
         "reached. Works: gain "
-        "≥ 2; helps: ≥ 1.2; fails: below; harms: no iteration is better than none.";
+        "≥ 2; helps: ≥ 1.2; fails: below; harms: no iteration is better than none. Last: at twice the best iteration, but at least t = " +
+        std::to_string(studies.front().iterations) + ".";
     table.columns = {{"mesh", "", 3},
                      {"σ", "% of box", 3},
                      {"σ", "mean edges", 3},
@@ -309,18 +318,25 @@ report::Text features_pay(const Study& study) {
     if (study.feature_vertices == 0) {
         return report::text(study.name(), " has no edge sharper than 40°, so there is no feature to lose there.");
     }
-    if (study.feature_vertices == study.clean->mesh().vertex_count()) return {};
-    const auto smoothed = std::find_if(study.trials.begin(), study.trials.end(), [](const Trial& trial) { return trial.best_rms > 0; });
-    if (smoothed == study.trials.end()) return {};
-    const Trial& trial = *smoothed;
-    const double ratio = trial.feature_rms / trial.smooth_rms;
-    report::Text t =
-        report::text("Of its ", std::to_string(study.clean->mesh().vertex_count()), " vertices ", std::to_string(study.feature_vertices),
-                     " lie on edges sharper than 40°; at σ = ", readable_percent(trial.relative, 2),
-                     " and the best iteration the error there is ", readable(ratio, 2), " times that elsewhere");
-    report::extend(t, ratio > 1.2   ? ": the filter cannot tell an edge from noise, and rounds it."
-                      : ratio > 0.9 ? ": edges fare no worse than the rest."
-                                    : ": edges fare better than the rest here.");
+    const int vertices = study.clean->mesh().vertex_count();
+    if (2 * study.feature_vertices > vertices) {
+        return report::text(std::to_string(study.feature_vertices), " of the ", std::to_string(vertices), " vertices of ", study.name(),
+                            " lie on edges sharper than 40°: on so coarse a mesh features and tessellation cannot be told apart.");
+    }
+    double lowest = INFINITY, highest = 0;
+    for (const Trial& trial : study.trials) {
+        if (trial.best_rms == 0) continue;
+        lowest = std::min(lowest, trial.feature_rms / trial.smooth_rms);
+        highest = std::max(highest, trial.feature_rms / trial.smooth_rms);
+    }
+    if (highest == 0) return {};
+    report::Text t = report::text("Of its ", std::to_string(vertices), " vertices ", std::to_string(study.feature_vertices),
+                                  " lie on edges sharper than 40°; at the best iterations the error there is ", readable(lowest, 3));
+    if (highest > lowest) report::extend(t, " to ", readable(highest, 3));
+    report::extend(t, " times that elsewhere",
+                   highest > 1.2  ? ": the filter cannot tell an edge from noise, and rounds it."
+                   : lowest > 0.9 ? ": edges fare no worse than the rest."
+                                  : ": edges fare better than the rest here.");
     return t;
 }
 

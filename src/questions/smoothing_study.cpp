@@ -13,7 +13,8 @@ namespace {
 
 /// |⟨X, φ⟩_M| over the three coordinates.
 double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
-    return (X.transpose() * subject.laplacian.M.cwiseProduct(subject.top.mode)).norm();
+    const Vector weights = subject.laplacian.M.cwiseProduct(subject.top.mode);   // sums to 0, so the origin may be chosen near
+    return ((X.rowwise() - subject.mesh().X.row(0)).transpose() * weights).norm();
 }
 
 }   // namespace
@@ -37,6 +38,11 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.lambda = lambda;
     run.iterations = iterations;
     run.energy = {1};
+    run.in_view = subject.mesh().X;
+    const bool closed = subject.source->prepared->preflight.closed();
+    const double first_volume = signed_volume(subject.mesh());
+    if (closed) run.volume = {1};
+    const Eigen::RowVector3d centre = bounding_box(subject.mesh()).centre();
 
     SmoothingOptions options;
     options.scheme = scheme;
@@ -44,6 +50,11 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     options.iterations = iterations;
     options.after_step = [&](int iteration, const Positions& X) {
         run.energy.push_back(dirichlet_energy(subject.laplacian.C, X) / subject.initial_energy);
+        if (closed) run.volume.push_back(signed_volume(moved_to(subject.mesh(), X)) / first_volume);
+        if (iteration == run.in_view_iteration + 1 && (X.rowwise() - centre).rowwise().norm().maxCoeff() <= 1.5 * subject.diagonal) {
+            run.in_view = X;
+            run.in_view_iteration = iteration;
+        }
         if (std::find(keep.begin(), keep.end(), iteration) != keep.end()) run.snapshots.push_back(X);
         return true;
     };
@@ -51,7 +62,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 
     const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
     run.moved = compare_meshes(subject.mesh(), smoothed);
-    run.volume_ratio = subject.source->prepared->preflight.closed() ? run.moved.volume_ratio : std::nan("");
+    run.volume_ratio = closed ? run.moved.volume_ratio : std::nan("");
     run.smallest_angle = smallest_angle(smoothed);
     return run;
 }
