@@ -51,7 +51,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     options.after_step = [&](int iteration, const Positions& X) {
         run.energy.push_back(dirichlet_energy(subject.laplacian.C, X) / subject.initial_energy);
         if (closed) run.volume.push_back(signed_volume(moved_to(subject.mesh(), X)) / first_volume);
-        if (iteration == run.in_view_iteration + 1 && (X.rowwise() - centre).rowwise().norm().maxCoeff() <= 1.5 * subject.diagonal) {
+        if (iteration == run.in_view_iteration + 1 && (X.rowwise() - centre).rowwise().norm().maxCoeff() <= 0.75 * subject.diagonal) {
             run.in_view = X;
             run.in_view_iteration = iteration;
         }
