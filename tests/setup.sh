@@ -14,10 +14,10 @@ install_packages() {
     [ -z "$missing" ] && return 0
     if [ "$(id -u)" = 0 ]; then
         as_root=""
-    elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
-        as_root="sudo"
+    elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
+        as_root="sudo"   # at a terminal it may ask for the password
     else
-        echo "meshfolio needs these Debian packages, and this is neither root nor sudo without a password. Please have installed:" >&2
+        echo "meshfolio needs these Debian packages, and this is neither root nor able to use sudo. Please have installed:" >&2
         echo "   $missing" >&2
         exit 5
     fi
