@@ -67,7 +67,8 @@ ExitCode summary(const report::Document& document) {
         for (const report::Check& check : section.checks) {
             if (check.passed) continue;
             checks.push_back(section.id + ": check failed: " + check.name + ": expected " + plain_text(check.expected) + ", measured " +
-                             plain_text(check.measured) + ", tolerance " + plain_text(check.tolerance));
+                             plain_text(check.measured) + ", tolerance " + plain_text(check.tolerance) +
+                             (check.note.empty() ? "" : " (" + check.note + ")"));
         }
         for (const std::string& warning : section.warnings) warnings.insert("warning: " + warning);
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "geometry/laplace_spectrum.h"
 #include "mesh/triangle_measures.h"
@@ -90,7 +91,9 @@ void measure_damping(Study& study) {
     const SmoothingSubject& subject = study.subject;
     const int k = std::min(12, subject.source->prepared->preflight.vertices_in_use);
     const Spectrum low = smallest_eigenpairs(subject.laplacian, k);
-    const double visible = 1e-6 * subject.diagonal * std::sqrt(subject.laplacian.M.sum());   // well above rounding
+    // Well above rounding, also that of coordinates far from the origin.
+    const double rounding = 1e7 * std::numeric_limits<double>::epsilon() * subject.mesh().X.cwiseAbs().maxCoeff();
+    const double visible = std::max(1e-6 * subject.diagonal, rounding) * std::sqrt(subject.laplacian.M.sum());
     // About the barycentre, which does not move: far from the origin the offset would drown the modes in rounding.
     const Vector& M = subject.laplacian.M;
     const Eigen::RowVector3d near = subject.mesh().X.row(0);
