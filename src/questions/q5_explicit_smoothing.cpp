@@ -68,7 +68,7 @@ Study study_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& 
     if (lambdas.empty()) {
         for (const double tau : default_taus) lambdas.push_back(tau * study.subject.critical);
     }
-    std::sort(lambdas.begin(), lambdas.end());
+    lambdas = each_once(lambdas);
     const int iterations = settings.iterations.empty() ? (settings.quick ? 20 : 50) : settings.iterations.back();
     for (const double lambda : lambdas) {
         study.runs.push_back(run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, iterations));

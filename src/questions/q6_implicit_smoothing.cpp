@@ -86,7 +86,7 @@ void fill_grid(Study& study) {
     }
 }
 
-/// Compares the damping of the lowest modes and of the top one with (1 + λμ)^−t, in the runs where they have not vanished.
+/// Compares the damping of the lowest modes with (1 + λμ)^−t, in the runs where they have not vanished.
 void measure_damping(Study& study) {
     const SmoothingSubject& subject = study.subject;
     const int k = std::min(12, subject.source->prepared->preflight.vertices_in_use);
@@ -121,8 +121,8 @@ Study study_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& 
     }
     study.iterations = settings.iterations;
     if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 10, 50};
-    std::sort(study.lambdas.begin(), study.lambdas.end());
-    std::sort(study.iterations.begin(), study.iterations.end());
+    study.lambdas = each_once(study.lambdas);
+    study.iterations = each_once(study.iterations);
     const int last = study.iterations.back();
     for (const double lambda : study.lambdas) {
         study.implicit_runs.push_back(run_smoothing(study.subject, SmoothingScheme::implicit_euler, lambda, last, study.iterations));

@@ -149,7 +149,7 @@ Study study_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& 
 
     std::vector<double> levels = settings.noise;
     if (levels.empty()) levels = settings.quick ? std::vector{0.003, 0.01} : default_noise;
-    std::sort(levels.begin(), levels.end());
+    levels = each_once(levels);
     for (const double level : levels) study.trials.push_back(trial_of(study, level, settings.seed));
     return study;
 }

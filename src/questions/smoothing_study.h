@@ -2,6 +2,7 @@
 /// One smoothing run and what is measured along the way; shared by the questions on smoothing.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@
 #include "questions/mesh_library.h"
 
 namespace meshfolio {
+
+/// Ascending, each value once: a step named twice in the settings is one run.
+template <class Number>
+std::vector<Number> each_once(std::vector<Number> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
 
 /// A mesh with its operator and the limit of explicit smoothing on it.
 struct SmoothingSubject {
