@@ -15,11 +15,15 @@ namespace {
 /// A map is given by a few colours, equally spaced; between them runs a Catmull–Rom spline in CIELAB.
 struct Definition {
     std::string_view name, kind, description;
-    std::vector<std::uint32_t> colors;   // 0xRRGGBB
+    std::vector<std::uint32_t> colors;   // 0xRRGGBB; those of a cyclic map do not repeat the first
+
+    bool is_cyclic() const { return kind == "cyclic"; }
 };
 
 /// viridis and magma: ten colours of the maps of van der Walt and Smith (2015, CC0); cividis: of Nuñez, Anderton and Renslow
-/// (2018). parula-like, diverging and grey: drawn up here in CIELAB, with equal steps of lightness.
+/// (2018). parula-like, diverging and grey: drawn up here in CIELAB, with equal steps of lightness. cyclic: a closed curve in CIELAB
+/// (three harmonics) found by climbing towards equal steps of CIEDE2000, equal lightness of t and 1 − t, and the largest distance
+/// between any two places in normal and each kind of colour-blind sight.
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> table{
         {"viridis",
@@ -43,6 +47,11 @@ const std::vector<Definition>& definitions() {
          "sequential",
          "blue, grey, yellow; looks the same with red-green blindness",
          {0x00204d, 0x00336f, 0x39486b, 0x575c6d, 0x707173, 0x8a8779, 0xa69d75, 0xc4b56c, 0xe4cf5b, 0xffea46}},
+        {"cyclic",
+         "cyclic",
+         "pale green, blue, dusk, orange and back; for angles and phases, safe for colour-blind readers",
+         {0xcde5bd, 0xb4e4d5, 0x98d7e5, 0x75bee7, 0x549cd6, 0x477bb6, 0x4f6193, 0x5f5274, 0x71495a, 0x854542, 0x9e4a2b, 0xbe5d1b, 0xde7e22,
+          0xf4a447, 0xf5c675, 0xe5db9d}},
         {"grey", "sequential", "dark to light grey; for print without colour", {0x1f1f1f, 0x777777, 0xdadada}},
     };
     return table;
@@ -57,17 +66,29 @@ glm::dvec3 spline(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& 
     return p1 + 0.5 * u * (p2 - p0 + u * (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3 + u * (3.0 * (p1 - p2) + p3 - p0)));
 }
 
-std::vector<Rgba> stops_of(const std::vector<std::uint32_t>& colors) {
-    constexpr int steps = 16;   // between two given colours: below what can be told apart
+/// The given colours in CIELAB with one more at either end: the neighbours round the circle, or straight on.
+std::vector<glm::dvec3> control_points(const Definition& d) {
     std::vector<glm::dvec3> lab;
-    lab.reserve(colors.size() + 2);
-    for (const std::uint32_t c : colors) lab.push_back(lab_of(unpacked(c)));
-    lab.insert(lab.begin(), 2.0 * lab[0] - lab[1]);   // straight ends
-    lab.push_back(2.0 * lab.back() - lab[lab.size() - 2]);
+    lab.reserve(d.colors.size() + 3);
+    for (const std::uint32_t c : d.colors) lab.push_back(lab_of(unpacked(c)));
+    if (d.is_cyclic()) {
+        const glm::dvec3 first = lab[0], second = lab[1], last = lab.back();
+        lab.insert(lab.begin(), last);
+        lab.insert(lab.end(), {first, second});
+    } else {
+        lab.insert(lab.begin(), 2.0 * lab[0] - lab[1]);
+        lab.push_back(2.0 * lab.back() - lab[lab.size() - 2]);
+    }
+    return lab;
+}
+
+std::vector<Rgba> stops_of(const Definition& d) {
+    constexpr int steps = 16;   // between two given colours: below what can be told apart
+    const std::vector<glm::dvec3> lab = control_points(d);
     std::vector<Rgba> stops;
     for (std::size_t i = 1; i + 2 < lab.size(); ++i)
         for (int s = 0; s < steps; ++s) stops.push_back(rgba_of_lab(spline(lab[i - 1], lab[i], lab[i + 1], lab[i + 2], double(s) / steps)));
-    stops.push_back(unpacked(colors.back()));
+    stops.push_back(unpacked(d.is_cyclic() ? d.colors.front() : d.colors.back()));
     return stops;
 }
 
@@ -76,7 +97,7 @@ struct Maps {
     std::vector<Colormap> list;
 
     Maps() {
-        for (const Definition& d : definitions()) stops.push_back(stops_of(d.colors));
+        for (const Definition& d : definitions()) stops.push_back(stops_of(d));
         for (std::size_t i = 0; i < stops.size(); ++i)
             list.push_back({definitions()[i].name, definitions()[i].kind, definitions()[i].description, stops[i]});
     }

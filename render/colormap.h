@@ -12,7 +12,7 @@ namespace render {
 
 struct Colormap {
     std::string_view name;
-    std::string_view kind;   // "sequential", "diverging"
+    std::string_view kind;   // "sequential", "diverging", "cyclic" (its ends are one colour)
     std::string_view description;
     std::span<const Rgba> stops;   // equally spaced in [0, 1], interpolated linearly
 };

@@ -40,8 +40,32 @@ TEST(Cielab, ThereAndBackIsTheSameColour) {
             }
 }
 
+// Pairs of the table of Sharma, Wu and Dalal (2005): each tries a branch of the formula.
+TEST(Cielab, Ciede2000AsPublished) {
+    struct Pair {
+        glm::dvec3 a, b;
+        double distance;
+    };
+    for (const Pair& p : {Pair{{50, 2.6772, -79.7751}, {50, 0, -82.7485}, 2.0425},
+                          {{50, -1.3802, -84.2814}, {50, 0, -82.7485}, 1.0},
+                          {{50, 0, 0}, {50, -1, 2}, 2.3669},
+                          {{50, 2.49, -0.001}, {50, -2.49, 0.0009}, 7.1792},
+                          {{50, 2.49, -0.001}, {50, -2.49, 0.0011}, 7.2195},
+                          {{50, -0.001, 2.49}, {50, 0.0011, -2.49}, 4.7461},
+                          {{50, 2.5, 0}, {73, 25, -18}, 27.1492},
+                          {{50, 2.5, 0}, {61, -5, 29}, 22.8977},
+                          {{50, 2.5, 0}, {58, 24, 15}, 19.4535},
+                          {{60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}, 1.2644},
+                          {{2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}, 0.9082}}) {
+        EXPECT_NEAR(render::delta_e_2000(p.a, p.b), p.distance, 5e-5);
+        EXPECT_NEAR(render::delta_e_2000(p.b, p.a), p.distance, 5e-5);
+    }
+    EXPECT_EQ(render::delta_e_2000({40, 10, -20}, {40, 10, -20}), 0);
+    EXPECT_DOUBLE_EQ(render::delta_e_1976({40, 10, -20}, {43, 6, -20}), 5);
+}
+
 TEST(Colormaps, TheOnesThatReportsNameAreThere) {
-    for (const char* name : {"viridis", "parula-like", "diverging", "magma", "cividis", "grey"})
+    for (const char* name : {"viridis", "parula-like", "diverging", "magma", "cividis", "grey", "cyclic"})
         EXPECT_EQ(render::colormap_named(name).name, name);
     EXPECT_EQ(render::colormap_named("diverging").kind, "diverging");
     EXPECT_THROW(render::colormap_named("jet"), std::invalid_argument);
@@ -77,6 +101,32 @@ TEST(Colormaps, DivergingOnesAreEquallyLightOnBothSidesOfANeutralMiddle) {
         }
         EXPECT_LT(lab_of(color_at(map, 0)).z, -30);   // blue
         EXPECT_GT(lab_of(color_at(map, 1)).y, 30);    // red
+    }
+}
+
+// Pale at 0, dark at ½, and t as light as 1 − t, so that no direction stands out.
+TEST(Colormaps, CyclicOnesCloseAndAreEquallyLightOnBothWaysRound) {
+    for (const Colormap& map : render::colormap_list()) {
+        if (map.kind != "cyclic") continue;
+        EXPECT_EQ(color_at(map, 0), color_at(map, 1));
+        for (int i = 0; i < 16; ++i) {
+            const double L = lab_of(color_at(map, i / 32.0)).x;
+            ASSERT_NEAR(L, lab_of(color_at(map, 1 - i / 32.0)).x, 1) << map.name << " at " << i / 32.0;
+            ASSERT_GT(L, lab_of(color_at(map, (i + 1) / 32.0)).x) << map.name << " at " << i / 32.0;
+        }
+        EXPECT_GT(lab_of(color_at(map, 0)).x - lab_of(color_at(map, 0.5)).x, 45);
+    }
+}
+
+// The largest of 16 steps over the smallest, by CIEDE2000. viridis, magma and cividis are even in another space (CAM02-UCS).
+TEST(Colormaps, StepsLookAlikeLarge) {
+    for (const Colormap& map : render::colormap_list()) {
+        double least = 1e9, most = 0;
+        for (int i = 0; i < 16; ++i) {
+            const double step = render::delta_e_2000(lab_of(color_at(map, i / 16.0)), lab_of(color_at(map, (i + 1) / 16.0)));
+            least = std::min(least, step), most = std::max(most, step);
+        }
+        EXPECT_LT(most / least, map.kind == "cyclic" ? 1.2 : map.kind == "diverging" ? 1.6 : 2.6) << map.name;
     }
 }
 
