@@ -17,11 +17,10 @@ import tempfile
 from pathlib import Path
 from statistics import median
 
-from six_views import VIEWS, display, f3d_command, ply_bounds, timed
+from six_views import PYTHON, VIEWS, display, f3d_command, ply_bounds, timed
 
 HERE = Path(__file__).resolve().parent
 BUILD = HERE.parent.parent / "build" / "release"
-PYTHON = "/usr/bin/python3"  # the one python3-vtk9 is for
 
 # triangles: least ratios to VTK's six renders, to Embree with its hierarchy, to the naive bound
 GOALS = {86e3: (12, 12, None), 1.4e6: (12, 9, None), 5.5e6: (15, 5, 1)}

@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import time
 
+PYTHON = "/usr/bin/python3"  # the one python3-vtk9 is for
 SIDE = 1024  # pixels
 FILL = 0.92  # share of the picture taken by the largest extent
 # name, from, up: as render/camera.h
