@@ -11,12 +11,17 @@ namespace render {
 
 namespace {
 
-/// Heights in em: the quantity, the bar, the ticks with their numbers, the notes.
-constexpr double title_height = 1.5, bar_height = 0.95, ticks_height = 1.75, notes_height = 1.35;
+/// Heights in em: the quantity, the histogram, the bar, the ticks with their numbers, the notes.
+constexpr double title_height = 1.5, histogram_height = 2.1, bar_height = 0.95, ticks_height = 1.75, notes_height = 1.35;
 
 bool has_notes(const ColorBar& bar) { return bar.clipped_below > 0 || bar.clipped_above > 0 || bar.has_undefined; }
 
+bool is_share(double s) { return s > 0 && std::isfinite(s); }
+bool has_histogram(const ColorBar& bar) { return std::any_of(bar.histogram.begin(), bar.histogram.end(), is_share); }
+
 int rounded(double x) { return static_cast<int>(std::lround(x)); }
+
+int histogram_rows(const ColorBar& bar, double em) { return has_histogram(bar) ? rounded(histogram_height * em) : 0; }
 
 /// The bar proper lies in [x0, x1); tips outside of it stand for values beyond the range.
 struct Extent {
@@ -45,6 +50,34 @@ void draw_colors(Image& image, const ColorBar& bar, const Extent& e) {
     for (int x = e.x0; x < e.x1; ++x) fill_rectangle(image, x, e.top, x + 1, e.bottom, color_at(map, (x + 0.5 - e.x0) / (e.x1 - e.x0)));
     if (bar.clipped_below > 0) draw_tip(image, e, e.x0, -1, color_at(map, 0));
     if (bar.clipped_above > 0) draw_tip(image, e, e.x1, 1, color_at(map, 1));
+}
+
+/// Square root of the share at t in [0, 1], linear between the middles of the bins.
+double root_share(const std::vector<double>& histogram, double t) {
+    const auto root = [&](double bin) {
+        const double share = histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(histogram.size()) - 1))];
+        return is_share(share) ? std::sqrt(share) : 0;
+    };
+    const double at = t * static_cast<double>(histogram.size()) - 0.5, below = std::floor(at);
+    return root(below) + (at - below) * (root(below + 1) - root(below));
+}
+
+/// A profile over the colours of its values: pale below a thin line. It stands on the row `bottom`.
+void draw_histogram(Image& image, const ColorBar& bar, const Extent& e, int bottom, double height, double thickness, Rgba ink) {
+    double highest = 0;
+    for (const double share : bar.histogram)
+        if (is_share(share)) highest = std::max(highest, std::sqrt(share));
+    const Rgba pale{ink.r, ink.g, ink.b, 48}, line{ink.r, ink.g, ink.b, 144};
+    const auto reach_at = [&](double x) { return height * root_share(bar.histogram, (x - e.x0) / (e.x1 - e.x0)) / highest; };
+    for (int x = std::max(0, e.x0); x < std::min(e.x1, image.width); ++x) {
+        const double reach = reach_at(x + 0.5), steepness = std::hypot(1, reach_at(x + 1) - reach_at(x));
+        for (int y = std::max(0, bottom - static_cast<int>(height + thickness)); y < std::min(bottom, image.height); ++y) {
+            const double above = bottom - (y + 0.5) - reach;
+            Rgba& pixel = image.at(x, y);
+            pixel = inked(pixel, pale, static_cast<float>(std::clamp(0.5 - above, 0.0, 1.0)));
+            pixel = inked(pixel, line, static_cast<float>(std::clamp(thickness / 2 + 0.5 - std::abs(above) / steepness, 0.0, 1.0)));
+        }
+    }
 }
 
 /// As many ticks as stand apart, seven at most.
@@ -96,18 +129,19 @@ void draw_notes(Image& image, const ColorBar& bar, const Extent& e, double em, R
 }   // namespace
 
 int color_bar_height(const ColorBar& bar, double em) {
-    return rounded((title_height + bar_height + ticks_height + (has_notes(bar) ? notes_height : 0)) * em);
+    return histogram_rows(bar, em) + rounded((title_height + bar_height + ticks_height + (has_notes(bar) ? notes_height : 0)) * em);
 }
 
 void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int width, double em, Rgba ink) {
     const int inset = std::min(rounded(2.5 * em), width / 8);
     const int length = std::min(width - 2 * inset, rounded(44 * em)), x0 = left + (width - length) / 2;
-    const int bar_top = top + rounded(title_height * em);
+    const int bar_top = top + rounded(title_height * em) + histogram_rows(bar, em);
     const Extent e{x0, x0 + length, bar_top, bar_top + rounded(bar_height * em)};
     const std::vector<double> ticks = readable_ticks(bar, e, {0.9 * em});
     const TickLabels labels = tick_labels(ticks);
     const TextStyle title{em, ink, Align::centre};
     draw_text(image, left + width / 2.0, top + 1.0 * em, fit_text(title_of(bar, labels.power), width, title), title);
+    if (has_histogram(bar)) draw_histogram(image, bar, e, bar_top - rounded(0.1 * em), 1.75 * em, em / 16, ink);
     draw_colors(image, bar, e);
     draw_ticks(image, bar, e, ticks, labels, em, ink);
     draw_notes(image, bar, e, em, ink);

@@ -20,6 +20,9 @@ struct ColorBar {
     double clipped_above = 0;
     bool has_undefined = false;   // adds a swatch for NaN in `undefined_color`
     Rgba undefined_color{225, 190, 231, 255};
+    /// Shares of the values in equal bins over [low, high], drawn above the bar with heights as their square roots, so that a rare
+    /// value stays visible beside a frequent one; empty: none.
+    std::vector<double> histogram = {};
 };
 
 /// One line of pictures. Sheets of one row put the six views 2 × 3 (three columns, two rows: +x +y +z over −x −y −z).

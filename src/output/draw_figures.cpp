@@ -17,6 +17,7 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "output/label_view.h"
+#include "output/robust_range.h"
 #include "output/safe_name.h"
 #include "output/surface_of.h"
 #include "png.h"
@@ -114,7 +115,11 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     sheet.subtitle = request.subtitle;
     for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
     sheet.rows = std::move(work.rows);
-    if (request.range) sheet.color_bar = color_bar_of(*request.range, has_undefined(request), work.options.undefined_color);
+    if (request.range) {
+        sheet.color_bar = color_bar_of(*request.range, has_undefined(request), work.options.undefined_color);
+        // of these panels: several figures may share a range
+        sheet.color_bar->histogram = histogram(finite_values(request.panels), request.range->low, request.range->high);
+    }
     const render::Image image = render::compose(sheet);
     work.drawn.sheet = "images/" + request.id + "_sheet.png";
     write_file(folder / work.drawn.sheet, render::encode_png(image));

@@ -24,6 +24,7 @@ struct ColorRange {
     double low = 0, high = 1;
     std::string quantity, unit;                    // for the colour bar
     double clipped_below = 0, clipped_above = 0;   // share of the finite values outside
+    std::vector<double> sample = {};               // of the finite values, evenly through their order, for the histogram
 };
 
 struct FigureRequest {
@@ -37,7 +38,7 @@ struct FigureRequest {
 };
 
 /// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, never
-/// narrower than `floor` (so that rounding noise is not stretched into colours); with the clipped shares filled in.
+/// narrower than `floor` (so that rounding noise is not stretched into colours); with the clipped shares and the sample filled in.
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip = 0.02);
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "errors.h"
+#include "output/robust_range.h"
 
 namespace meshfolio::output {
 
@@ -39,6 +40,7 @@ render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, rende
     bar.clipped_above = range.clipped_above;
     bar.has_undefined = has_undefined;
     bar.undefined_color = undefined_color;
+    bar.histogram = histogram(range.sample, range.low, range.high);
     return bar;
 }
 

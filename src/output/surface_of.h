@@ -17,6 +17,7 @@ render::Bounds bounds_of(const TriangleMesh& mesh);
 /// @throws UsageError for an unknown colour map, naming the known ones
 render::ValueRange value_range(const ColorRange& range);
 
+/// With the histogram of the range's own sample.
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
 
 }   // namespace meshfolio::output

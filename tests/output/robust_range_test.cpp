@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
-#include "output/figure_request.h"
+#include "output/robust_range.h"
+#include "output/surface_of.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;
@@ -75,4 +77,48 @@ TEST(RobustRange, ScalesWithTheValues) {
     EXPECT_NEAR(three.low, 3 * one.low, 1e-9);
     EXPECT_NEAR(three.high, 3 * one.high, 1e-9);
     EXPECT_EQ(three.clipped_above, one.clipped_above);
+}
+
+TEST(Histogram, CountsEveryValueOnceAndTheClippedOnesNot) {
+    Panel p = ramp(9600);
+    const ColorRange range = robust_range({p, panel({undefined, INFINITY})}, "viridis", "", "", 0, 0.02);
+    const std::vector<double> shares = histogram(finite_values({p}), range.low, range.high);
+    ASSERT_EQ(shares.size(), 96u);
+    EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1 - range.clipped_below - range.clipped_above, 1e-12);
+    for (const double share : shares) EXPECT_NEAR(share, 0.96 / 96, 2.0 / 9600);
+}
+
+TEST(Histogram, EndsBelongToTheFirstAndTheLastBin) {
+    const std::vector<double> shares = histogram(std::vector<double>{0, 0, 96, 48, -1, 97, 95.5, 0.5}, 0, 96);
+    EXPECT_EQ(shares.front(), 3.0 / 8);
+    EXPECT_EQ(shares.back(), 2.0 / 8);
+    EXPECT_EQ(shares[48], 1.0 / 8);
+}
+
+TEST(Histogram, OfNothingOrOverNothingIsEmptyAndOfHugeNumbersIsFinite) {
+    EXPECT_TRUE(histogram({}, 0, 1).empty());
+    EXPECT_TRUE(histogram(std::vector<double>{1}, 1, 1).empty());
+    EXPECT_TRUE(histogram(std::vector<double>{1}, undefined, 1).empty());
+    const double huge = std::numeric_limits<double>::max(), tiny = std::numeric_limits<double>::denorm_min();
+    EXPECT_EQ(histogram(std::vector<double>{-huge, 0, huge}, -huge, huge)[48], 1.0 / 3);
+    EXPECT_TRUE(histogram(std::vector<double>{0, tiny}, 0, tiny).empty());
+}
+
+// The sample is small however many values there are, does not depend on their order, and shows their spread to 1 % of the highest bin.
+TEST(Histogram, OfTheSampleIsThatOfAllValues) {
+    Panel p = ramp(100'003);
+    p.values = (p.values.array() / 20'000).sin().cube();
+    Panel reversed = p;
+    reversed.values.reverseInPlace();
+    ColorRange range = robust_range({p}, "diverging", "", "", 0);
+    EXPECT_LE(range.sample.size(), 8192u);
+    EXPECT_EQ(range.sample, robust_range({reversed}, "diverging", "", "", 0).sample);
+    for (const auto& [low, high] : {std::pair{range.low, range.high}, {-0.2, 0.7}}) {
+        range.low = low, range.high = high;   // as --range does
+        const std::vector<double> all = histogram(finite_values({p}), low, high);
+        const std::vector<double> shown = color_bar_of(range, false, {}).histogram;
+        ASSERT_EQ(shown.size(), all.size());
+        const double highest = *std::max_element(all.begin(), all.end());
+        for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(shown[i], all[i], 0.01 * highest + 1.0 / 8192) << i;
+    }
 }

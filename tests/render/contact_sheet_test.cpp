@@ -183,12 +183,54 @@ TEST(ColorBar, ClippedAndUndefinedSharesAreShown) {
     EXPECT_LT(box_of(below, render::color_at(*bar.range.colormap, 0)).x0, box_of(without, render::color_at(*bar.range.colormap, 0)).x0 - 3);
 }
 
+/// The rows of `image` from `first` on, as many as `rows`.
+std::vector<Rgba> rows_of(const Image& image, int first, int rows) {
+    const auto at = [&](int row) { return image.pixels.begin() + static_cast<std::ptrdiff_t>(row) * image.width; };
+    return {at(first), at(first + rows)};
+}
+
+TEST(ColorBar, TheHistogramPushesTheBarDownAndChangesNothingElse) {
+    render::ColorBar bar = long_bar();
+    const Image without = bar_image(bar, 700);
+    bar.histogram.assign(96, 0.01);
+    const Image with = bar_image(bar, 700);
+    const int higher = with.height - without.height, title = 5 + 22;
+    EXPECT_GT(higher, 16);
+    EXPECT_EQ(rows_of(with, 0, title), rows_of(without, 0, title));
+    EXPECT_EQ(rows_of(with, title + higher + 2, without.height - title - 2), rows_of(without, title + 2, without.height - title - 2));
+    for (const std::vector<double>& nothing : {std::vector<double>{}, std::vector<double>(96, 0.0), {std::nan(""), -1, INFINITY}}) {
+        bar.histogram = nothing;
+        EXPECT_EQ(bar_image(bar, 700).pixels, without.pixels);
+    }
+}
+
+// Ink above the bar in each column, in pixels.
+TEST(ColorBar, EachBinStandsOverItsValuesWithTheRootOfItsShare) {
+    render::ColorBar bar{{&render::colormap_named("grey"), 0, 1}, "", ""};
+    bar.histogram.assign(8, 0);
+    bar.histogram[2] = 0.25, bar.histogram[6] = 0.01;
+    const Image image = bar_image(bar, 700);
+    const Box colors = box_of(image, render::color_at(*bar.range.colormap, 0.5 / 600));
+    const auto height_over = [&](double t) {
+        const int x = colors.x0 + static_cast<int>(t * (700 - 2 * colors.x0));
+        int top = colors.y0;
+        for (int y = colors.y0 - 1; y > 24; --y)
+            if (image.at(x, y).r < 225) top = y;
+        return colors.y0 - top;
+    };
+    EXPECT_GT(height_over(2.5 / 8), 20);
+    EXPECT_NEAR(height_over(6.5 / 8), 0.2 * height_over(2.5 / 8), 3);
+    EXPECT_NEAR(height_over(2 / 8.0), 0.5 * height_over(2.5 / 8), 3);
+    for (const double t : {0.1, 0.45, 0.7, 0.99}) EXPECT_LE(height_over(t), 3) << t;
+}
+
 TEST(ColorBar, NarrowBarsAndStrangeRangesAreDrawn) {
     const double nan = std::nan(""), huge = 1.7e308;
     for (const int width : {40, 120, 900})
         for (const auto& [low, high] : {std::pair{0.0, 0.0}, {nan, nan}, {-huge, huge}, {1e15, 1e15 + 1}, {1e-300, 2e-300}, {1.0, 0.0}}) {
             render::ColorBar bar = long_bar();
             bar.range.low = low, bar.range.high = high;
+            bar.histogram = {0.1, 0.3, 0.2};
             EXPECT_EQ(bar_image(bar, width).width, width);
         }
 }
