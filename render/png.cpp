@@ -2,44 +2,27 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <vector>
 
-#include "srgb.h"
-
-namespace {
-
-/// stb's hook: zlib stream of `data`, allocated with malloc; nullptr when out of memory.
-unsigned char* deflate_for_stb(unsigned char* data, int size, int* compressed_size, int /*quality*/) {
-    constexpr int level = 6;   // 7 finds 1 % more and takes half as long again
-    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(libdeflate_alloc_compressor(level),
-                                                                                                   libdeflate_free_compressor);
-    if (!compressor) return nullptr;
-    const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), static_cast<std::size_t>(size));
-    auto* compressed = static_cast<unsigned char*>(std::malloc(bound));
-    if (compressed == nullptr) return nullptr;
-    *compressed_size =
-        static_cast<int>(libdeflate_zlib_compress(compressor.get(), data, static_cast<std::size_t>(size), compressed, bound));
-    return compressed;
-}
-
-}   // namespace
+#include "deflate_runs.h"
 
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
-#define STBIW_ZLIB_COMPRESS deflate_for_stb
 #include <stb_image_write.h>
 
 namespace render {
 
 namespace {
 
-constexpr int largest_side = 16384;   // stb counts the bytes of a picture in int
+using Byte = std::uint8_t;
+
+constexpr int largest_side = 16384;   // a picture's bytes fit one chunk of 2 GB
 
 void check_size(const Image& image, const char* caller) {
     if (image.width < 1 || image.height < 1) throw std::invalid_argument(std::string(caller) + ": the picture is empty");
@@ -48,15 +31,24 @@ void check_size(const Image& image, const char* caller) {
 }
 
 bool is_opaque(const Image& image) {
-    for (const Rgba& p : image.pixels)
-        if (p.a != 255) return false;
+    constexpr std::size_t stretch = 4096;
+    for (std::size_t begin = 0; begin < image.pixels.size(); begin += stretch) {
+        const std::size_t end = std::min(begin + stretch, image.pixels.size());
+        Byte common = 255;
+        for (std::size_t i = begin; i < end; ++i) common &= image.pixels[i].a;
+        if (common != 255) return false;
+    }
     return true;
 }
 
-std::vector<std::uint8_t> rgb_bytes(const Image& image) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * image.pixels.size());
-    for (const Rgba& p : image.pixels) bytes.insert(bytes.end(), {p.r, p.g, p.b});
+/// Three bytes a pixel. Writes one byte beyond.
+void copy_rgb(const Rgba* pixels, std::size_t count, Byte* rgb) {
+    for (std::size_t i = 0; i < count; ++i) std::memcpy(rgb + 3 * i, pixels + i, 4);
+}
+
+std::vector<Byte> rgb_bytes(const Image& image) {
+    std::vector<Byte> bytes(3 * image.pixels.size() + 1);
+    copy_rgb(image.pixels.data(), image.pixels.size(), bytes.data());
     return bytes;
 }
 
@@ -70,30 +62,105 @@ void append(void* text, void* data, int size) {
     static_cast<std::string*>(text)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
-/// Shaded surfaces and white ground compress best against the row above. Set once, before any thread encodes.
-[[maybe_unused]] const int filter_up = stbi_write_force_png_filter = 2;
+std::string big_endian(std::size_t v) {
+    return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8), static_cast<char>(v)};
+}
+
+/// A chunk: length, name, contents, checksum of name and contents. Returns where the name begins.
+std::size_t open_chunk(std::string& png, const char* name) {
+    png += big_endian(0) + name;
+    return png.size() - 4;
+}
+
+void close_chunk(std::string& png, std::size_t begin) {
+    png.replace(begin - 4, 4, big_endian(png.size() - begin - 4));
+    png += big_endian(libdeflate_crc32(0, png.data() + begin, png.size() - begin));
+}
+
+Byte lesser(Byte u, Byte v) { return u < v ? u : v; }
+Byte greater(Byte u, Byte v) { return u < v ? v : u; }
+Byte distance(Byte u, Byte v) { return static_cast<Byte>(greater(u, v) - lesser(u, v)); }
+
+/// A row less its Paeth prediction (PNG 1.2, 6.6): of the bytes a to the left, b above and c above to the left the one nearest to
+/// a + b − c. Its distances to a, b, c are |b − c|, |a − c| and, where c lies between a and b, the difference of these two; elsewhere
+/// their sum, which is never the least. All in bytes, so that sixteen are done at a time.
+void subtract_paeth(const Byte* row, const Byte* above, std::size_t size, std::size_t channels, Byte* __restrict rest) {
+    for (std::size_t i = 0; i < size; ++i) {
+        const Byte a = row[i - channels], b = above[i], c = above[i - channels];
+        const Byte to_a = distance(b, c), to_b = distance(a, c), least = lesser(to_a, to_b);
+        const Byte nearer = to_a == least ? a : b;
+        const Byte inside = greater(lesser(a, b), lesser(c, greater(a, b)));   // c if it lies between
+        rest[i] = static_cast<Byte>(row[i] - (inside == c && distance(to_a, to_b) < least ? c : nearer));
+    }
+}
+
+/// Rows of the picture on their way through the filter: this one and the one above, each with an empty pixel to its left.
+class RowFilter {
+public:
+    RowFilter(const Image& image, std::size_t channels)
+        : image_(image), channels_(channels), size_(channels * static_cast<std::size_t>(image.width)), row_(size_ + 8), above_(size_ + 8) {}
+
+    std::size_t line_size() const { return 1 + size_; }
+
+    /// The next row, after the number of the filter.
+    void next(Byte* line) {
+        const Rgba* pixels = &image_.at(0, y_++);
+        Byte* row = row_.data() + 4;
+        if (channels_ == 4)
+            std::memcpy(row, pixels, size_);
+        else
+            copy_rgb(pixels, static_cast<std::size_t>(image_.width), row);
+        line[0] = 4;
+        subtract_paeth(row, above_.data() + 4, size_, channels_, line + 1);
+        std::swap(row_, above_);
+    }
+
+private:
+    const Image& image_;
+    std::size_t channels_, size_;
+    int y_ = 0;
+    std::vector<Byte> row_, above_;
+};
+
+/// The zlib stream (RFC 1950) of the filtered rows, some 256 kB a block.
+void append_compressed(std::string& png, const Image& image, std::size_t channels) {
+    RowFilter filter(image, channels);
+    const std::size_t line = filter.line_size(), lines = static_cast<std::size_t>(image.height);
+    const std::size_t lines_in_block = std::min(lines, 1 + (std::size_t{1} << 18) / line);
+    std::vector<Byte> block(lines_in_block * line);
+    png += "\x78\x01";
+    RunDeflater deflater(png, channels);
+    std::uint32_t checksum = 1;
+    for (std::size_t y = 0; y < lines; y += lines_in_block) {
+        const std::size_t count = std::min(lines_in_block, lines - y);
+        for (std::size_t i = 0; i < count; ++i) filter.next(&block[i * line]);
+        checksum = libdeflate_adler32(checksum, block.data(), count * line);
+        deflater.add_block(block.data(), count * line, y + count == lines);
+    }
+    png += big_endian(checksum);
+}
 
 }   // namespace
 
 std::string encode_png(const Image& image) {
     check_size(image, "encode_png");
-    static_assert(sizeof(Rgba) == 4);
-    int size = 0;
-    const int channels = is_opaque(image) ? 3 : 4;
-    const std::vector<std::uint8_t> rgb = channels == 3 ? rgb_bytes(image) : std::vector<std::uint8_t>{};
-    const void* pixels = channels == 3 ? static_cast<const void*>(rgb.data()) : image.pixels.data();
-    const std::unique_ptr<unsigned char, decltype(&std::free)> png(
-        stbi_write_png_to_mem(static_cast<const unsigned char*>(pixels), channels * image.width, image.width, image.height, channels,
-                              &size),
-        std::free);
-    if (!png) throw std::bad_alloc();
-    return {reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(size)};
+    const std::size_t channels = is_opaque(image) ? 3 : 4;
+    std::string png = "\x89PNG\r\n\x1a\n";
+    std::size_t begin = open_chunk(png, "IHDR");
+    png += big_endian(static_cast<std::size_t>(image.width)) + big_endian(static_cast<std::size_t>(image.height));
+    png += {8, channels == 3 ? '\2' : '\6', 0, 0, 0};   // 8 bits, RGB or RGBA, the only compression and filters there are, not interlaced
+    close_chunk(png, begin);
+    begin = open_chunk(png, "IDAT");
+    append_compressed(png, image, channels);
+    close_chunk(png, begin);
+    close_chunk(png, open_chunk(png, "IEND"));
+    return png;
 }
 
 std::string encode_jpeg(const Image& image, int quality) {
     check_size(image, "encode_jpeg");
     if (quality < 1 || quality > 100) throw std::invalid_argument("encode_jpeg: quality must lie in 1 to 100");
-    const std::vector<std::uint8_t> rgb = rgb_bytes(is_opaque(image) ? image : on_white(image));
+    const std::vector<Byte> rgb = rgb_bytes(is_opaque(image) ? image : on_white(image));
     std::string jpeg;
     if (stbi_write_jpg_to_func(append, &jpeg, image.width, image.height, 3, rgb.data(), quality) == 0) throw std::bad_alloc();
     return jpeg;
