@@ -53,12 +53,11 @@ struct Leaf {
     size_t symbol = 0;
 };
 
-/// The symbols that occur, the rare ones first; at least two, for a code needs two words.
+/// The symbols that occur, the rare ones first. There are two at least: a block's first byte and its end.
 std::vector<Leaf> leaves_of(const Counts& counts) {
     std::vector<Leaf> leaves;
     for (size_t s = 0; s < symbols; ++s)
         if (counts[s] > 0) leaves.push_back({counts[s], s});
-    if (leaves.size() == 1) leaves.push_back({0, leaves[0].symbol == 0 ? size_t{1} : size_t{0}});
     std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.weight < b.weight; });
     return leaves;
 }

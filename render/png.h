@@ -1,5 +1,5 @@
 /// @file
-/// Pictures to bytes. PNG through stb_image_write with libdeflate as its compressor; RGB when the picture is opaque.
+/// Pictures to bytes. PNG by a Paeth filter and a coder of our own, RGB when the picture is opaque; JPEG by stb_image_write.
 #pragma once
 
 #include <string>
