@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
 #include "embedded_fonts.h"
+#include "grid_fit.h"
 #include "strokes.h"
 
 #define STBTT_STATIC
@@ -54,39 +56,140 @@ std::vector<int> code_points(std::string_view text) {
     return result;
 }
 
-stbtt_fontinfo loaded(std::string_view name) {
+struct Font {
+    stbtt_fontinfo info;
+    FontLines lines;
+};
+
+/// Lowest and highest point of a character.
+std::pair<int, int> heights_of(const stbtt_fontinfo& font, int character) {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    stbtt_GetCodepointBox(&font, character, &x0, &y0, &x1, &y1);
+    return {y0, y1};
+}
+
+FontLines lines_of(const stbtt_fontinfo& font) {
+    FontLines lines;
+    lines.descender = heights_of(font, 'p').first;
+    lines.x_height = heights_of(font, 'x').second;
+    lines.capital = heights_of(font, 'H').second;
+    lines.ascender = heights_of(font, 'd').second;
+    lines.overshoot = -heights_of(font, 'o').first;
+    return lines;
+}
+
+Font loaded(std::string_view name) {
     for (const auto& file : meshfolio_embedded::embedded_fonts()) {
-        stbtt_fontinfo font;
+        Font font;
         const auto* bytes = reinterpret_cast<const unsigned char*>(file.bytes.data());
-        if (file.name == name && stbtt_InitFont(&font, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)) != 0) return font;
+        if (file.name != name || stbtt_InitFont(&font.info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)) == 0) continue;
+        font.lines = lines_of(font.info);
+        return font;
     }
     throw std::runtime_error("text: the font " + std::string(name) + " is not embedded");
 }
 
-const stbtt_fontinfo& font_of(Weight weight) {
-    static const stbtt_fontinfo regular = loaded("DejaVuSans.ttf"), bold = loaded("DejaVuSans-Bold.ttf");
+const Font& font_of(Weight weight) {
+    static const Font regular = loaded("DejaVuSans.ttf"), bold = loaded("DejaVuSans-Bold.ttf");
     return weight == Weight::bold ? bold : regular;
 }
 
 /// A line of glyphs with their places from the left end, in pixels. Characters the font lacks become its box.
 struct Line {
-    const stbtt_fontinfo& font;
-    float scale;
+    const Font& font;
+    double size;
+    float scale;   // pixels per font unit
     std::vector<int> glyphs;
     std::vector<double> places;
     double width = 0;
 
     Line(std::string_view text, const TextStyle& style)
-        : font(font_of(style.weight)), scale(stbtt_ScaleForPixelHeight(&font, static_cast<float>(style.size))) {
+        : font(font_of(style.weight)), size(style.size), scale(stbtt_ScaleForPixelHeight(&font.info, static_cast<float>(style.size))) {
         for (const int c : code_points(text)) {
-            const int glyph = stbtt_FindGlyphIndex(&font, c);
-            if (!glyphs.empty()) width += static_cast<double>(scale) * stbtt_GetGlyphKernAdvance(&font, glyphs.back(), glyph);
+            const int glyph = stbtt_FindGlyphIndex(&font.info, c);
+            if (!glyphs.empty()) width += static_cast<double>(scale) * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back(), glyph);
             glyphs.push_back(glyph);
             places.push_back(width);
             int advance = 0, bearing = 0;
-            stbtt_GetGlyphHMetrics(&font, glyph, &advance, &bearing);
+            stbtt_GetGlyphHMetrics(&font.info, glyph, &advance, &bearing);
             width += static_cast<double>(scale) * advance;
         }
+    }
+};
+
+/// The lines and quadratic curves of a glyph, freed with it.
+struct Outline {
+    std::unique_ptr<stbtt_vertex, decltype(&std::free)> points{nullptr, std::free};
+    int count = 0;
+
+    Outline(const stbtt_fontinfo& font, int glyph) {
+        stbtt_vertex* vertices = nullptr;
+        count = stbtt_GetGlyphShape(&font, glyph, &vertices);
+        points.reset(vertices);
+    }
+    std::span<stbtt_vertex> all() const { return {points.get(), static_cast<std::size_t>(count)}; }
+};
+
+/// TrueType outlines have the ink on their right: an edge that runs to the right is a top. A curve has an edge where it ends level.
+std::vector<HorizontalEdge> horizontal_edges(const Outline& outline, int shortest) {
+    std::vector<HorizontalEdge> edges;
+    int x = 0, y = 0;
+    for (const stbtt_vertex& v : outline.all()) {
+        const int run = v.x - x;
+        const auto is_level = [&](int rise) { return 50 * std::abs(rise) <= std::abs(run); };
+        const bool level_start = is_level((v.type == STBTT_vcurve ? v.cy : v.y) - y);
+        const bool level_end = v.type == STBTT_vcurve && is_level(v.y - v.cy);
+        if (v.type != STBTT_vmove && std::abs(run) >= shortest) {
+            if (level_start) edges.push_back({double(y), run > 0});
+            if (level_end) edges.push_back({double(v.y), run > 0});
+        }
+        x = v.x, y = v.y;
+    }
+    return edges;
+}
+
+/// Fitted heights are kept in eighths of a font unit: whole units would let faint ink into the next row.
+constexpr int fine = 8;
+
+void fit_to_rows(const Outline& outline, const Font& font, double scale) {
+    const GridFit fit(font.lines, horizontal_edges(outline, static_cast<int>(0.1 * font.lines.x_height)), scale);
+    const auto fitted = [&](int y) { return static_cast<short>(std::clamp(std::lround(fine * fit(y) / scale), -32767L, 32767L)); };
+    for (stbtt_vertex& v : outline.all()) v.y = fitted(v.y), v.cy = fitted(v.cy);
+}
+
+/// Glyph coverage in [0, 1] at the pixels of a box.
+struct Coverage {
+    int x0 = 0, y0 = 0, width = 0, height = 0;   // of the box, y downwards from the baseline
+    std::vector<unsigned char> bytes;
+
+    Coverage(const Outline& outline, float scale, float shift, double size) {
+        double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+        const auto include = [&](int x, int y) {
+            left = std::min<double>(left, x), right = std::max<double>(right, x);
+            low = std::min<double>(low, y), high = std::max<double>(high, y);
+        };
+        for (const stbtt_vertex& v : outline.all()) {
+            include(v.x, v.y);
+            if (v.type == STBTT_vcurve) include(v.cx, v.cy);
+        }
+        if (!(left < right) || !(low < high)) return;
+        const auto s = static_cast<double>(scale), dx = static_cast<double>(shift);
+        x0 = static_cast<int>(std::floor(s * left + dx)), y0 = static_cast<int>(std::floor(1e-3 - s / fine * high));
+        width = static_cast<int>(std::ceil(s * right + dx)) - x0, height = static_cast<int>(std::ceil(-s / fine * low - 1e-3)) - y0;
+        bytes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        stbtt__bitmap bitmap{width, height, width, bytes.data()};
+        stbtt_Rasterize(&bitmap, 0.2F, outline.points.get(), outline.count, scale, scale / fine, shift, 0, x0, y0, 1, nullptr);
+        for (unsigned char& b : bytes) b = boosted(b, size);
+    }
+    float at(int u, int v) const {
+        return static_cast<float>(bytes[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)]) / 255;
+    }
+
+    /// A stem that lies across two columns of pixels would look paler than one that fills a column: at small sizes partial coverage
+    /// is raised, c + a c (1 − c).
+    static unsigned char boosted(unsigned char coverage, double size) {
+        const double c = coverage / 255.0, a = 0.4 * std::clamp((24 - size) / 12, 0.0, 1.0);
+        return static_cast<unsigned char>(std::lround(255 * (c + a * c * (1 - c))));
     }
 };
 
@@ -94,18 +197,13 @@ struct Line {
 void draw_glyph(Image& image, const Line& line, int glyph, double x, int baseline, Rgba color) {
     const double quarters = std::floor(4 * x + 0.5);
     const int column = static_cast<int>(std::floor(quarters / 4));
-    const float shift = static_cast<float>(quarters / 4 - column);
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    stbtt_GetGlyphBitmapBoxSubpixel(&line.font, glyph, line.scale, line.scale, shift, 0, &x0, &y0, &x1, &y1);
-    const int width = x1 - x0, height = y1 - y0;
-    if (width <= 0 || height <= 0) return;
-    std::vector<unsigned char> coverage(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    stbtt_MakeGlyphBitmapSubpixel(&line.font, coverage.data(), width, height, width, line.scale, line.scale, shift, 0, glyph);
-    for (int v = std::max(0, -(baseline + y0)); v < height && baseline + y0 + v < image.height; ++v)
-        for (int u = std::max(0, -(column + x0)); u < width && column + x0 + u < image.width; ++u) {
-            const auto c = coverage[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)];
-            Rgba& pixel = image.at(column + x0 + u, baseline + y0 + v);
-            pixel = inked(pixel, color, static_cast<float>(c) / 255);
+    const Outline outline(line.font.info, glyph);
+    fit_to_rows(outline, line.font, static_cast<double>(line.scale));
+    const Coverage ink(outline, line.scale, static_cast<float>(quarters / 4 - column), line.size);
+    for (int v = std::max(0, -(baseline + ink.y0)); v < ink.height && baseline + ink.y0 + v < image.height; ++v)
+        for (int u = std::max(0, -(column + ink.x0)); u < ink.width && column + ink.x0 + u < image.width; ++u) {
+            Rgba& pixel = image.at(column + ink.x0 + u, baseline + ink.y0 + v);
+            pixel = inked(pixel, color, ink.at(u, v));
         }
 }
 

@@ -66,6 +66,62 @@ TEST(Text, IsAlignedAtItsLeftMiddleOrRight) {
 
 TEST(Text, LettersStandOnTheBaseline) { EXPECT_EQ(extent_of(drawn("HEN", {20})).y1, 39); }
 
+// From the size of notes to that of titles, in both weights: flat and round letters begin and end with the same rows.
+TEST(Text, SmallLettersShareTheirRows) {
+    for (const Weight weight : {Weight::regular, Weight::bold})
+        for (double size = 10; size <= 24; size += 0.5) {
+            const TextStyle style{.size = size, .weight = weight};
+            const int x_height = extent_of(drawn("x", style)).y0, capital = extent_of(drawn("H", style)).y0;
+            for (const char* letter : {"z", "v", "o", "e", "s", "a", "c"}) {
+                EXPECT_EQ(extent_of(drawn(letter, style)).y0, x_height) << letter << size;
+                EXPECT_EQ(extent_of(drawn(letter, style)).y1, 39) << letter << size;
+            }
+            for (const char* letter : {"E", "O", "S", "0", "8"}) {
+                EXPECT_EQ(extent_of(drawn(letter, style)).y0, capital) << letter << size;
+                EXPECT_EQ(extent_of(drawn(letter, style)).y1, 39) << letter << size;
+            }
+        }
+}
+
+/// The longest run of full ink in a row.
+int longest_bar(const Image& image, Rgba ink) {
+    int longest = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0, run = 0; x < image.width; ++x) {
+            run = image.at(x, y) == ink ? run + 1 : 0;
+            longest = std::max(longest, run);
+        }
+    return longest;
+}
+
+// Thin horizontal bars fill a row of pixels instead of greying two.
+TEST(Text, HorizontalBarsAreFullyInked) {
+    for (double size = 10; size <= 20; size += 0.5)
+        for (const char* letter : {"z", "E", "H", "e", "=", "\u2212", "+", "t", "2", "["}) {
+            const TextStyle style{size};
+            const double least = *letter == 't' || *letter == '[' ? 0 : 0.12 * size;
+            EXPECT_GT(longest_bar(drawn(letter, style), style.color), least) << letter << " at " << size;
+        }
+}
+
+// Heights are rounded to rows, no more: capitals within half a pixel of 1493/2384 of the size (DejaVu Sans), small letters of 1120.
+TEST(Text, FittingMovesEdgesByHalfAPixelAtMost) {
+    for (double size = 10; size <= 50; size += 0.7) {
+        EXPECT_NEAR(40 - extent_of(drawn("H", {size})).y0, size * 1493 / 2384, 0.51) << size;
+        EXPECT_NEAR(40 - extent_of(drawn("x", {size})).y0, size * 1120 / 2384, 0.51) << size;
+    }
+}
+
+// Wherever a stem falls between two columns of pixels, one of them is dark.
+TEST(Text, StemsAreDarkAtAnyPlace) {
+    for (const double size : {11.0, 12.0, 13.0, 16.0})
+        for (double x = 100; x < 101; x += 0.125) {
+            const Image image = drawn("l", {.size = size, .color = {0, 0, 0, 255}}, x);
+            const int darkest = std::min_element(image.pixels.begin(), image.pixels.end(), [](Rgba a, Rgba b) { return a.r < b.r; })->r;
+            EXPECT_LT(darkest, 115) << size << " at " << x;
+        }
+}
+
 TEST(Text, SmallTextIsDark) {
     const Image image = drawn("lineill", {12});
     const int darkest = std::min_element(image.pixels.begin(), image.pixels.end(), [](Rgba a, Rgba b) { return a.r < b.r; })->r;
