@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 #include "cielab.h"
@@ -28,13 +29,22 @@ Inks inks_on(Rgba background) {
     return {{34, 34, 40, 255}, {92, 92, 102, 255}, {226, 226, 230, 255}};
 }
 
-/// `text` broken at spaces into lines of at most `width`, the last one shortened where there are too many.
-std::vector<std::string> wrapped(const std::string& text, double width, const TextStyle& style, std::size_t most_lines) {
+/// "20 iterations" and "λ = 0.1" read badly over two lines.
+bool holds_together(const std::string& text, std::size_t space) {
+    const auto is = [&](std::size_t i, const char* these) { return i < text.size() && std::strchr(these, text[i]) != nullptr; };
+    return space > 0 && (is(space - 1, "0123456789=") || is(space + 1, "=")) && !is(space + 1, "(");
+}
+
+/// `text` broken at spaces into lines of at most `width`, the last one longer where there are too many; `anywhere`: also at spaces
+/// that hold their words together.
+std::vector<std::string> broken(const std::string& text, double width, const TextStyle& style, std::size_t most_lines, bool anywhere) {
     std::vector<std::string> lines;
     std::string line;
     std::size_t begin = 0;
     while (begin < text.size()) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        std::size_t end = text.find(' ', begin);
+        while (!anywhere && end < text.size() && holds_together(text, end)) end = text.find(' ', end + 1);
+        end = std::min(end, text.size());
         const std::string word = text.substr(begin, end - begin), longer = line.empty() ? word : std::string(line).append(" ").append(word);
         if (!line.empty() && text_width(longer, style) > width && lines.size() + 1 < most_lines) {
             lines.push_back(line);
@@ -45,7 +55,26 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Te
         begin = end + 1;
     }
     if (!line.empty()) lines.push_back(line);
-    for (std::string& l : lines) l = fit_text(l, width, style);
+    return lines;
+}
+
+double widest_of(const std::vector<std::string>& lines, const TextStyle& style) {
+    double widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, text_width(line, style));
+    return widest;
+}
+
+/// Lines about equally long, not more of them than are needed; shortened to `width` where even these are too few.
+std::vector<std::string> wrapped(const std::string& text, double width, const TextStyle& style, std::size_t most_lines) {
+    std::vector<std::string> lines = broken(text, width, style, most_lines, false);
+    const bool anywhere = widest_of(lines, style) > width;
+    if (anywhere) lines = broken(text, width, style, most_lines, true);
+    for (double narrower = width - style.size / 2; narrower > style.size; narrower -= style.size / 2) {
+        std::vector<std::string> tried = broken(text, narrower, style, most_lines, anywhere);
+        if (tried.size() > lines.size() || widest_of(tried, style) > narrower) break;
+        lines = std::move(tried);
+    }
+    for (std::string& line : lines) line = fit_text(line, width, style);
     return lines;
 }
 
@@ -110,8 +139,7 @@ void set_cell(Layout& layout, const ContactSheet& sheet) {
 int label_width_of(const ContactSheet& sheet, double em, int grid_width) {
     double widest = 0;
     for (const SheetRow& row : sheet.rows)
-        for (const std::string& line : wrapped(row.label, std::max(9 * em, 0.11 * grid_width), {em}, 4))
-            widest = std::max(widest, text_width(line, {em}));
+        widest = std::max(widest, widest_of(wrapped(row.label, std::max(9 * em, 0.11 * grid_width), {em}, 4), {em}));
     return widest > 0 ? static_cast<int>(std::ceil(widest + em)) : 0;
 }
 

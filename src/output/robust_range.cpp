@@ -35,13 +35,14 @@ std::vector<double> finite_values(const std::vector<Panel>& panels) {
 }
 
 std::vector<double> histogram(std::span<const double> values, double low, double high) {
-    constexpr std::size_t bins = 96;
+    std::size_t bins = 96;
+    while (bins > 24 && values.size() < 32 * bins) bins /= 2;
     const double half = high / 2 - low / 2;   // finite even where high − low is not
     if (values.empty() || !(half > 0)) return {};
     std::vector<double> shares(bins, 0);
     for (const double v : values) {
         if (v < low || v > high) continue;
-        const auto bin = static_cast<std::size_t>(bins * ((v / 2 - low / 2) / half));
+        const auto bin = static_cast<std::size_t>(static_cast<double>(bins) * ((v / 2 - low / 2) / half));
         shares[std::min(bin, bins - 1)] += 1;
     }
     for (double& share : shares) share /= static_cast<double>(values.size());

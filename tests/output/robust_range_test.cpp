@@ -89,10 +89,16 @@ TEST(Histogram, CountsEveryValueOnceAndTheClippedOnesNot) {
 }
 
 TEST(Histogram, EndsBelongToTheFirstAndTheLastBin) {
-    const std::vector<double> shares = histogram(std::vector<double>{0, 0, 96, 48, -1, 97, 95.5, 0.5}, 0, 96);
+    const std::vector<double> shares = histogram(std::vector<double>{0, 0, 24, 12, -1, 25, 23.5, 0.5}, 0, 24);
+    ASSERT_EQ(shares.size(), 24u);
     EXPECT_EQ(shares.front(), 3.0 / 8);
     EXPECT_EQ(shares.back(), 2.0 / 8);
-    EXPECT_EQ(shares[48], 1.0 / 8);
+    EXPECT_EQ(shares[12], 1.0 / 8);
+}
+
+TEST(Histogram, HasFewerBinsForFewValues) {
+    for (const auto& [n, bins] : {std::pair{10, 24u}, {1535, 24u}, {1536, 48u}, {3071, 48u}, {3072, 96u}, {100'000, 96u}})
+        EXPECT_EQ(histogram(finite_values({ramp(n)}), 0, n).size(), bins) << n;
 }
 
 TEST(Histogram, OfNothingOrOverNothingIsEmptyAndOfHugeNumbersIsFinite) {
@@ -100,7 +106,7 @@ TEST(Histogram, OfNothingOrOverNothingIsEmptyAndOfHugeNumbersIsFinite) {
     EXPECT_TRUE(histogram(std::vector<double>{1}, 1, 1).empty());
     EXPECT_TRUE(histogram(std::vector<double>{1}, undefined, 1).empty());
     const double huge = std::numeric_limits<double>::max(), tiny = std::numeric_limits<double>::denorm_min();
-    EXPECT_EQ(histogram(std::vector<double>{-huge, 0, huge}, -huge, huge)[48], 1.0 / 3);
+    EXPECT_EQ(histogram(std::vector<double>{-huge, 0, huge}, -huge, huge)[12], 1.0 / 3);
     EXPECT_TRUE(histogram(std::vector<double>{0, tiny}, 0, tiny).empty());
 }
 

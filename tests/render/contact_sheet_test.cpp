@@ -8,6 +8,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "cielab.h"
 #include "color_bar.h"
 #include "ticks.h"
 
@@ -142,6 +143,45 @@ TEST(ContactSheet, OnADarkGroundTheTextIsLight) {
     const Image image = render::compose(sheet);
     const auto brightest = std::max_element(image.pixels.begin(), image.pixels.end(), [](Rgba a, Rgba b) { return a.g < b.g; });
     EXPECT_GT(brightest->g, 220);
+}
+
+// The axes keep to their hues and stand out from either ground.
+TEST(ContactSheet, TripodsAreSeenOnLightAndOnDarkGround) {
+    for (const Rgba ground : {white, Rgba{20, 20, 24, 255}}) {
+        ContactSheet sheet = sheet_of(1, 90, 90);
+        sheet.background = ground;
+        for (Image& picture : sheet.rows[0].pictures) picture = Image(90, 90, ground);
+        const Image image = render::compose(sheet);
+        std::map<char, double> farthest;   // lightness from the ground, of reddish, greenish and bluish pixels
+        for (const Rgba p : image.pixels) {
+            const char hue = p.r > p.g + 50 && p.r > p.b + 50 ? 'x' : p.g > p.r + 40 && p.g > p.b + 40 ? 'y' : p.b > p.r + 50 ? 'z' : ' ';
+            farthest[hue] = std::max(farthest[hue], std::abs(render::lab_of(p).x - render::lab_of(ground).x));
+        }
+        for (const char hue : {'x', 'y', 'z'}) EXPECT_GT(farthest[hue], 45) << hue;
+    }
+}
+
+TEST(ContactSheet, RowLabelsAreBrokenIntoLinesOfAboutOneLength) {
+    ContactSheet sheet = sheet_of(2, 90, 90);
+    sheet.view_names.clear();
+    sheet.rows[0].label = sheet.rows[1].label = "nnnnnn nnnnnn nn nnn";   // "nn" would fit into the first line of two
+    const Image image = render::compose(sheet);
+    const int first_picture = box_of(image, paints[0]).x0;
+    sheet.rows[0].label = sheet.rows[1].label = "nnnnnn nnnnnn";
+    EXPECT_EQ(first_picture, box_of(render::compose(sheet), paints[0]).x0);
+}
+
+// Wide enough for "λ = 0.1, 20" would do for the two lines, but not for the reader.
+TEST(ContactSheet, NumbersStayWithTheirWords) {
+    ContactSheet sheet = sheet_of(2, 90, 90);
+    sheet.view_names.clear();
+    const auto left_of_pictures = [&](const char* label) {
+        sheet.rows[0].label = sheet.rows[1].label = label;
+        return box_of(render::compose(sheet), paints[0]).x0;
+    };
+    EXPECT_EQ(left_of_pictures("λ = 0.1, 20 iterations"), left_of_pictures("20 iterations"));
+    EXPECT_EQ(left_of_pictures("uniformly λ = 0.0001"), std::max(left_of_pictures("uniformly"), left_of_pictures("λ = 0.0001")));
+    EXPECT_LT(left_of_pictures("20 quiteunbrokeniterations"), left_of_pictures("quiteunbrokeniterations") + 40);
 }
 
 // ---- colour bar -----------------------------------------------------------------------------------------------------
