@@ -138,5 +138,5 @@ void embree_medium(benchmark::State& state) { embree(state, RTC_BUILD_QUALITY_ME
 
 }   // namespace
 
-BENCHMARK(embree_low)->DenseRange(0, bench::levels - 1)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(embree_medium)->DenseRange(0, bench::levels - 1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(embree_low)->DenseRange(0, bench::levels - 1)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(embree_medium)->DenseRange(0, bench::levels - 1)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
