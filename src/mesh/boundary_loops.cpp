@@ -14,8 +14,11 @@ struct BoundaryEdge {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The boundary edges, sorted by their ends, each running as in its one triangle.
-std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh) {
-    const std::vector<Edge> edges = edges_of(mesh);
+std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh, const std::vector<Edge>& edges) {
+    std::vector<char> on_boundary(at(mesh.vertex_count()), 0);
+    for (const Edge& e : edges) {
+        if (e.faces == 1) on_boundary[at(e.a)] = on_boundary[at(e.b)] = 1;
+    }
     const auto faces_at = [&](int a, int b) {
         const auto before = [](const Edge& e, const Edge& f) { return e.a != f.a ? e.a < f.a : e.b < f.b; };
         return std::lower_bound(edges.begin(), edges.end(), Edge{std::min(a, b), std::max(a, b), 0}, before)->faces;
@@ -25,7 +28,7 @@ std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh) {
         for (int k = 0; k < 3; ++k) {
             const int a = mesh.F(t, k);
             const int b = mesh.F(t, (k + 1) % 3);
-            if (a != b && faces_at(a, b) == 1) boundary.push_back({a, b});
+            if (on_boundary[at(a)] != 0 && on_boundary[at(b)] != 0 && a != b && faces_at(a, b) == 1) boundary.push_back({a, b});
         }
     }
     std::sort(boundary.begin(), boundary.end(), [](auto& e, auto& f) { return e.from != f.from ? e.from < f.from : e.to < f.to; });
@@ -83,8 +86,10 @@ std::vector<int> from_smallest(std::vector<int> loop) {
 
 }   // namespace
 
-std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh) {
-    const std::vector<BoundaryEdge> edges = boundary_edges(mesh);
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh) { return boundary_loops(mesh, edges_of(mesh)); }
+
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const std::vector<Edge>& all_edges) {
+    const std::vector<BoundaryEdge> edges = boundary_edges(mesh, all_edges);
     BoundaryWalk walk(mesh.vertex_count(), edges);
     std::vector<std::vector<int>> loops;
     std::vector<int> path;

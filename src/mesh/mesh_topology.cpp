@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "errors.h"
+#include "large_pages.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/parallel.h"
+#include "mesh/vertex_fans.h"
 
 namespace meshfolio {
 
@@ -13,6 +18,11 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void check_faces(const TriangleMesh& mesh) {
+    const auto is_sound = [&](int t) {
+        const int a = mesh.F(t, 0), b = mesh.F(t, 1), c = mesh.F(t, 2);
+        return std::min({a, b, c}) >= 0 && std::max({a, b, c}) < mesh.vertex_count() && a != b && b != c && c != a;
+    };
+    if (all_of_range(mesh.face_count(), is_sound)) return;
     for (int t = 0; t < mesh.face_count(); ++t) {
         for (int k = 0; k < 3; ++k) {
             const int v = mesh.F(t, k);
@@ -48,87 +58,114 @@ std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& ver
     return edges;
 }
 
-/// Both ends of every edge. The edges are sorted by (a, b), so every row comes out ascending: first the a < v, then the b > v.
-Incidence one_rings(int vertices, const std::vector<Edge>& edges) {
-    Incidence ring;
-    ring.start.assign(at(vertices) + 1, 0);
-    for (const Edge& e : edges) {
-        ++ring.start[at(e.a) + 1];
-        ++ring.start[at(e.b) + 1];
-    }
-    std::partial_sum(ring.start.begin(), ring.start.end(), ring.start.begin());
-    ring.item.resize(edges.size() * 2);
-    std::vector<int> next(ring.start.begin(), ring.start.end() - 1);
-    for (const Edge& e : edges) {
-        ring.item[at(next[at(e.a)]++)] = e.b;
-        ring.item[at(next[at(e.b)]++)] = e.a;
-    }
-    return ring;
+/// Whether every edge at v has two triangles.
+bool is_inside(const MeshTopology& topology, int v) { return topology.on_boundary[at(v)] == 0 && topology.nonmanifold[at(v)] == 0; }
+
+/// Fills what can be told of each vertex alone, and the lengths of the one-rings.
+/// @return  the smallest vertex among each and its neighbours
+std::vector<int> look_at_fans(const TriangleMesh& mesh, MeshTopology& topology) {
+    const int vertices = mesh.vertex_count();
+    topology.on_boundary.resize(at(vertices));
+    topology.nonmanifold.resize(at(vertices));
+    topology.neighbours.start.assign(at(vertices) + 1, 0);
+    std::vector<int> smallest(at(vertices));
+    const auto regular = of_blocks(vertices, [&](int begin, int end) {
+        FanReader fans(mesh, topology.vertex_faces);
+        bool all = true;
+        for (int v = begin; v < end; ++v) {
+            const FanFacts facts = fans.facts(v);
+            topology.on_boundary[at(v)] = facts.on_boundary ? 1 : 0;
+            topology.nonmanifold[at(v)] = facts.nonmanifold ? 1 : 0;
+            topology.neighbours.start[at(v) + 1] = facts.ring_size;
+            smallest[at(v)] = facts.smallest_neighbour;
+            all &= facts.regular;
+        }
+        return all;
+    });
+    topology.oriented_manifold = std::all_of(regular.begin(), regular.end(), [](const auto& block) { return block.value; });
+    std::vector<int>& start = topology.neighbours.start;
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    return smallest;
 }
 
-/// Disjoint sets of the integers below n; the smallest member stands for its set.
-class DisjointSets {
-public:
-    void reset(int n) {
-        parent_.resize(at(n));
-        std::iota(parent_.begin(), parent_.end(), 0);
+/// The sets of vertices that triangles join. Each vertex hangs on its smallest neighbour, which leaves few sets; then only the
+/// triangles whose corners are still in different ones are joined.
+DisjointSets joined_vertices(const TriangleMesh& mesh, std::vector<int> smallest_neighbour) {
+    DisjointSets sets(std::move(smallest_neighbour));
+    const auto bridges = of_blocks(mesh.face_count(), [&](int begin, int end) {
+        std::vector<int> triangles;
+        for (int t = begin; t < end; ++t) {
+            const int set = sets.found(mesh.F(t, 0));
+            if (sets.found(mesh.F(t, 1)) != set || sets.found(mesh.F(t, 2)) != set) triangles.push_back(t);
+        }
+        return triangles;
+    });
+    for (const auto& block : bridges) {
+        for (const int t : block.value) {
+            sets.join(mesh.F(t, 0), mesh.F(t, 1));
+            sets.join(mesh.F(t, 1), mesh.F(t, 2));
+        }
     }
-    int find(int i) {
-        while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
-        return i;
-    }
-    bool join(int i, int j) {
-        const int a = find(i);
-        const int b = find(j);
-        parent_[at(std::max(a, b))] = std::min(a, b);
-        return a != b;
-    }
-
-private:
-    std::vector<int> parent_;
-};
-
-/// Whether the triangles around v, joined through the edges at v, fall apart: its link is not connected.
-bool several_fans(const TriangleMesh& mesh, const MeshTopology& topology, int v, DisjointSets& sets) {
-    const int* first = topology.neighbours.begin(v);
-    const int* last = topology.neighbours.end(v);
-    const auto place = [&](int w) { return static_cast<int>(std::lower_bound(first, last, w) - first); };
-    int parts = topology.neighbours.size(v);
-    sets.reset(parts);
-    for (const int* t = topology.vertex_faces.begin(v); t != topology.vertex_faces.end(v); ++t) {
-        const int k = mesh.F(*t, 0) == v ? 0 : mesh.F(*t, 1) == v ? 1 : 2;
-        parts -= sets.join(place(mesh.F(*t, (k + 1) % 3)), place(mesh.F(*t, (k + 2) % 3)));
-    }
-    return parts > 1;
+    sets.flatten();
+    return sets;
 }
 
-void flag_vertices(const TriangleMesh& mesh, MeshTopology& topology) {
-    topology.on_boundary.assign(at(mesh.vertex_count()), 0);
-    topology.nonmanifold.assign(at(mesh.vertex_count()), 0);
-    for (const Edge& e : topology.edges) {
-        if (e.faces == 1) topology.on_boundary[at(e.a)] = topology.on_boundary[at(e.b)] = 1;
-        if (e.faces > 2) topology.nonmanifold[at(e.a)] = topology.nonmanifold[at(e.b)] = 1;
-    }
-    DisjointSets sets;
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (several_fans(mesh, topology, v, sets)) topology.nonmanifold[at(v)] = 1;
-    }
-}
-
-void label_components(const TriangleMesh& mesh, MeshTopology& topology) {
-    DisjointSets sets;
-    sets.reset(mesh.vertex_count());
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        sets.join(mesh.F(t, 0), mesh.F(t, 1));
-        sets.join(mesh.F(t, 1), mesh.F(t, 2));
-    }
+/// Names the sets in the order of their first triangles: of each block only the places where the set changes are looked at.
+void label_components(const TriangleMesh& mesh, const DisjointSets& sets, MeshTopology& topology) {
+    const auto set_of = [&](int t) { return sets.found(mesh.F(t, 0)); };
+    const auto changes = of_blocks(mesh.face_count(), [&](int begin, int end) {
+        std::vector<int> runs;
+        for (int t = begin; t < end; ++t) {
+            if (runs.empty() || runs.back() != set_of(t)) runs.push_back(set_of(t));
+        }
+        return runs;
+    });
     std::vector<int> label(at(mesh.vertex_count()), -1);
-    topology.component.resize(at(mesh.face_count()));
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        int& name = label[at(sets.find(mesh.F(t, 0)))];
-        if (name < 0) name = topology.component_count++;
-        topology.component[at(t)] = name;
+    for (const auto& block : changes) {
+        for (const int set : block.value) {
+            if (label[at(set)] < 0) label[at(set)] = topology.component_count++;
+        }
     }
+    topology.component = large_vector<int>(at(mesh.face_count()));
+    for_each_index(mesh.face_count(), [&](int t) { topology.component[at(t)] = label[at(set_of(t))]; });
+}
+
+/// Fills the one-rings. @return  how many edges lead to a larger vertex, block by block
+std::vector<std::size_t> list_neighbours(const TriangleMesh& mesh, MeshTopology& topology) {
+    Incidence& ring = topology.neighbours;
+    ring.item = large_vector<int>(at(ring.start.back()));
+    const auto upwards = of_blocks(mesh.vertex_count(), [&](int begin, int end) {
+        FanReader fans(mesh, topology.vertex_faces);
+        std::size_t edges = 0;
+        for (int v = begin; v < end; ++v) {
+            const auto row = fans.ring(v, topology.oriented_manifold && is_inside(topology, v));
+            std::copy(row.begin(), row.end(), ring.item.begin() + ring.start[at(v)]);
+            edges += at(static_cast<int>(std::count_if(row.begin(), row.end(), [v](int w) { return w > v; })));
+        }
+        return edges;
+    });
+    std::vector<std::size_t> counts;
+    for (const auto& block : upwards) counts.push_back(block.value);
+    return counts;
+}
+
+/// Fills the edges: in the order of their smaller ends, which is that of the rows.
+void list_edges(const TriangleMesh& mesh, MeshTopology& topology, const std::vector<std::size_t>& edges_of_blocks) {
+    std::vector<std::size_t> first(edges_of_blocks.size());
+    std::exclusive_scan(edges_of_blocks.begin(), edges_of_blocks.end(), first.begin(), std::size_t{0});
+    topology.edges = large_vector<Edge>(edges_of_blocks.empty() ? 0 : first.back() + edges_of_blocks.back());
+    const auto names = [&](int t, int v) { return mesh.F(t, 0) == v || mesh.F(t, 1) == v || mesh.F(t, 2) == v; };
+    for_blocks(mesh.vertex_count(), [&](int block, int begin, int end) {
+        auto edge = topology.edges.begin() + static_cast<std::ptrdiff_t>(first[at(block)]);
+        for (int a = begin; a < end; ++a) {
+            const Incidence& around = topology.vertex_faces;
+            const auto faces = [&](int b) { return std::count_if(around.begin(a), around.end(a), [&](int t) { return names(t, b); }); };
+            const int* const last = topology.neighbours.end(a);
+            for (const int* b = std::upper_bound(topology.neighbours.begin(a), last, a); b != last; ++b) {
+                *edge++ = {a, *b, is_inside(topology, a) ? 2 : static_cast<int>(faces(*b))};
+            }
+        }
+    });
 }
 
 template <class Items, class Condition>
@@ -138,31 +175,22 @@ int count_where(const Items& items, Condition condition) {
 
 }   // namespace
 
-Incidence triangles_around(const TriangleMesh& mesh) {
-    Incidence around;
-    around.start.assign(at(mesh.vertex_count()) + 1, 0);
-    for (const int v : mesh.F.reshaped()) ++around.start[at(v) + 1];
-    std::partial_sum(around.start.begin(), around.start.end(), around.start.begin());
-    around.item.resize(at(mesh.face_count()) * 3);
-    std::vector<int> next(around.start.begin(), around.start.end() - 1);
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        for (int k = 0; k < 3; ++k) around.item[at(next[at(mesh.F(t, k))]++)] = t;
-    }
-    return around;
-}
-
 std::vector<Edge> edges_of(const TriangleMesh& mesh) { return collected_edges(mesh, triangles_around(mesh)); }
 
-MeshTopology topology_of(const TriangleMesh& mesh) {
+MeshTopology topology_without_edges(const TriangleMesh& mesh) {
     check_faces(mesh);
     MeshTopology topology;
     topology.vertex_faces = triangles_around(mesh);
-    topology.edges = collected_edges(mesh, topology.vertex_faces);
-    topology.neighbours = one_rings(mesh.vertex_count(), topology.edges);
-    flag_vertices(mesh, topology);
-    label_components(mesh, topology);
+    label_components(mesh, joined_vertices(mesh, look_at_fans(mesh, topology)), topology);
     return topology;
 }
+
+MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh) {
+    list_edges(mesh, topology, list_neighbours(mesh, topology));
+    return topology;
+}
+
+MeshTopology topology_of(const TriangleMesh& mesh) { return with_edges(topology_without_edges(mesh), mesh); }
 
 int MeshTopology::boundary_edge_count() const {
     return count_where(edges, [](const Edge& e) { return e.faces == 1; });

@@ -30,6 +30,9 @@ struct MeshTopology {
     std::vector<char> nonmanifold;   // n flags: v touches a non-manifold edge, or its triangles form more than one fan
     std::vector<int> component;      // m labels from 0, in order of first triangle; triangles are joined by shared vertices
     int component_count = 0;
+    /// Around each vertex lies one fan of different triangles that run round it the same way: a manifold, with or without boundary, in
+    /// which all triangles agree and none is there twice.
+    bool oriented_manifold = false;
 
     int boundary_edge_count() const;
     int nonmanifold_edge_count() const;
@@ -44,9 +47,14 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh);
 
 /// @throws MeshError if a triangle names a vertex twice or one that does not exist
 MeshTopology topology_of(const TriangleMesh& mesh);
+/// The same but for `edges` and `neighbours`, which take as long as all the rest and are filled by `with_edges`.
+MeshTopology topology_without_edges(const TriangleMesh& mesh);
+MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh);
 
 /// Boundary loops: vertices in order, the surface to their left, each loop starting at its smallest index. A vertex where
 /// several loops touch belongs to each. Where non-manifold edges break the boundary up, its open pieces count as loops.
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
+/// The same where the edges are known.
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const std::vector<Edge>& edges);
 
 }   // namespace meshfolio

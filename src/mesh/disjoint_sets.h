@@ -1,0 +1,46 @@
+/// @file
+/// Union and find.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace meshfolio {
+
+/// Disjoint sets of the integers below n; the smallest member stands for its set.
+class DisjointSets {
+public:
+    DisjointSets() = default;
+    /// Every i in one set with parent[i], which must not be larger than i.
+    explicit DisjointSets(std::vector<int> parent) : parent_(std::move(parent)) { flatten(); }
+
+    void reset(int n) {
+        parent_.resize(at(n));
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+    int find(int i) {
+        while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
+        return i;
+    }
+    bool join(int i, int j) {
+        const int a = find(i);
+        const int b = find(j);
+        parent_[at(std::max(a, b))] = std::min(a, b);
+        return a != b;
+    }
+
+    /// Makes `found` valid until the next join: parents are smaller, so the one of a parent is already right.
+    void flatten() {
+        for (int& parent : parent_) parent = parent_[at(parent)];
+    }
+    int found(int i) const { return parent_[at(i)]; }
+
+private:
+    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+    std::vector<int> parent_;
+};
+
+}   // namespace meshfolio
