@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
 
 #include "errors.h"
 #include "mesh/orientation.h"
-#include "mesh/point_table.h"
+#include "mesh/parallel.h"
 #include "mesh/polygon_list.h"
+#include "mesh/repeated_points.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -22,6 +24,9 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void check_coordinates(const LoadedMesh& loaded) {
     const TriangleMesh& mesh = loaded.mesh;
+    const auto good_point = [&](int v) { return (mesh.X.row(v).array().abs() <= largest_coordinate).all(); };   // false for NaN
+    const auto good_triangle = [&](int t) { return mesh.F.row(t).minCoeff() >= 0 && mesh.F.row(t).maxCoeff() < mesh.vertex_count(); };
+    if (all_of_range(mesh.vertex_count(), good_point) && all_of_range(mesh.face_count(), good_triangle)) return;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         for (int axis = 0; axis < 3; ++axis) {
             if (!std::isfinite(mesh.X(v, axis))) {
@@ -43,12 +48,11 @@ bool names_a_corner_twice(const TriangleMesh& mesh, int t) {
 }
 
 /// m flags: a triangle before has the same three corners, in whatever order. Compares only triangles with equal smallest corner.
-std::vector<char> repeated_faces(const TriangleMesh& mesh) {
+std::vector<char> repeated_faces(const TriangleMesh& mesh, const Incidence& around) {
     struct Corners {
         int middle, largest, face;
         bool operator<(const Corners& o) const { return std::tie(middle, largest, face) < std::tie(o.middle, o.largest, o.face); }
     };
-    const Incidence around = triangles_around(mesh);
     std::vector<char> repeated(at(mesh.face_count()), 0);
     std::vector<Corners> row;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
@@ -66,26 +70,66 @@ std::vector<char> repeated_faces(const TriangleMesh& mesh) {
     return repeated;
 }
 
-enum class FaceShape { sound, needle, zero_area };
-
-/// Needle: smallest angle below 1°. No area: the height is below the rounding of the longest edge.
-FaceShape shape_of(const TriangleMesh& mesh, int t) {
-    const Vector3 a = mesh.X.row(mesh.F(t, 0));
-    const Vector3 u = mesh.X.row(mesh.F(t, 1)).transpose() - a;
-    const Vector3 v = mesh.X.row(mesh.F(t, 2)).transpose() - a;
-    std::array<double, 3> edge{u.norm(), v.norm(), (v - u).norm()};
-    std::sort(edge.begin(), edge.end());
-    const Vector3 cross = u.cross(v);
-    const double twice_area = std::hypot(cross.x(), cross.y(), cross.z());
-    if (!(twice_area > 1e-15 * edge[2] * edge[2])) return FaceShape::zero_area;
-    // The smallest angle lies between the two longer edges.
-    return twice_area < std::sin(std::numbers::pi / 180) * edge[1] * edge[2] ? FaceShape::needle : FaceShape::sound;
+/// Smallest box of the vertices in use.
+Box box_in_use(const TriangleMesh& mesh, const Incidence& vertex_faces) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto boxes = of_blocks(mesh.vertex_count(), [&](int begin, int end) {
+        Box box{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
+        for (int v = begin; v < end; ++v) {
+            if (vertex_faces.size(v) == 0) continue;
+            box.low = box.low.cwiseMin(mesh.X.row(v).transpose());
+            box.high = box.high.cwiseMax(mesh.X.row(v).transpose());
+        }
+        return box;
+    });
+    Box box = boxes.front().value;
+    for (const auto& block : boxes) {
+        box.low = box.low.cwiseMin(block.value.low);
+        box.high = box.high.cwiseMax(block.value.high);
+    }
+    return box;
 }
+
+const double sin_of_needle = std::sin(std::numbers::pi / 180);
+
+/// A triangle by two of its edges.
+struct TriangleShape {
+    Vector3 u, v, cross;
+
+    TriangleShape(const TriangleMesh& mesh, int t) {
+        const Vector3 a = mesh.X.row(mesh.F(t, 0));
+        u = mesh.X.row(mesh.F(t, 1)).transpose() - a;
+        v = mesh.X.row(mesh.F(t, 2)).transpose() - a;
+        cross = u.cross(v);
+    }
+
+    double twice_area() const { return std::hypot(cross.x(), cross.y(), cross.z()); }
+
+    enum Kind { sound, needle, zero_area };
+
+    /// Needle: smallest angle below 1°. No area: the height is below the rounding of the longest edge.
+    Kind kind() const {
+        if (clearly_sound()) return sound;
+        std::array<double, 3> edge{u.norm(), v.norm(), (v - u).norm()};
+        std::sort(edge.begin(), edge.end());
+        if (!(twice_area() > 1e-15 * edge[2] * edge[2])) return zero_area;
+        // The smallest angle lies between the two longer edges.
+        return twice_area() < sin_of_needle * edge[1] * edge[2] ? needle : sound;
+    }
+
+private:
+    /// The same question in squares, without a root. Says no where rounding, or the range of a double, could make a difference.
+    bool clearly_sound() const {
+        const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = (v - u).squaredNorm();
+        const double longer_two = std::max({uu * vv, vv * ww, ww * uu});
+        return longer_two > 1e-200 && cross.squaredNorm() > (1 + 1e-9) * sin_of_needle * sin_of_needle * longer_two;
+    }
+};
 
 /// Takes a loaded mesh through repairs and counts, and keeps what there is to say.
 class Preparation {
 public:
-    explicit Preparation(LoadedMesh loaded) : lines_(std::move(loaded.face_lines)) {
+    Preparation(LoadedMesh loaded, Checks checks) : checks_(checks), lines_(std::move(loaded.face_lines)) {
         prepared_.mesh = std::move(loaded.mesh);
         prepared_.warnings = std::move(loaded.warnings);
         prepared_.file = std::move(loaded.file);
@@ -93,7 +137,7 @@ public:
 
     PreparedMesh run() {
         drop_faces();
-        const Box box = bounding_box(prepared_.mesh);
+        const Box box = box_in_use(mesh(), topology().vertex_faces);
         if (box.low == box.high) {
             throw InputError({prepared_.file, 0}, "all vertices coincide (the bounding box is a point)",
                              "the export may have lost the coordinates");
@@ -101,23 +145,37 @@ public:
         counts().box_low = box.low;
         counts().box_high = box.high;
         orient();
-        prepared_.topology = topology_of(prepared_.mesh);
+        if (checks_ == Checks::all || !topology().oriented_manifold) prepared_.topology = with_edges(std::move(topology()), mesh());
         count_connections();
-        count_positions();
-        measure();
+        count_vertices();
+        if (checks_ == Checks::all) {
+            measure();
+        } else {
+            measure_shapes();
+        }
         return std::move(prepared_);
     }
 
 private:
     Preflight& counts() { return prepared_.preflight; }
     TriangleMesh& mesh() { return prepared_.mesh; }
+    MeshTopology& topology() { return prepared_.topology; }
     long line_of(int face) const { return face >= 0 && at(face) < lines_.size() ? lines_[at(face)] : 0; }
     void warn_of(int count, const std::string& one, const std::string& many, long line = 0) {
         if (count > 0) prepared_.warnings.push_back({std::to_string(count) + " " + (count == 1 ? one : many), line});
     }
 
+    /// Leaves the topology of the mesh, but for its edges.
     void drop_faces() {
-        const std::vector<char> repeated = repeated_faces(mesh());
+        const bool some_degenerate = !all_of_range(mesh().face_count(), [&](int t) { return !names_a_corner_twice(mesh(), t); });
+        if (!some_degenerate) topology() = topology_without_edges(mesh());
+        if (!some_degenerate && topology().oriented_manifold && mesh().face_count() > 0) return;   // no triangle is there twice
+        const std::vector<char> repeated = repeated_faces(mesh(), some_degenerate ? triangles_around(mesh()) : topology().vertex_faces);
+        drop_degenerate_and(repeated);
+        if (counts().dropped_degenerate_faces + counts().dropped_duplicate_faces > 0) topology() = topology_without_edges(mesh());
+    }
+
+    void drop_degenerate_and(const std::vector<char>& repeated) {
         long degenerate_line = 0;
         long repeated_line = 0;
         int kept = 0;
@@ -141,10 +199,11 @@ private:
     }
 
     void orient() {
-        const Orientation orientation = consistent_orientation(mesh());
-        for (int t = 0; t < mesh().face_count(); ++t) {
+        const Orientation orientation = consistent_orientation(mesh(), topology());
+        for_each_index(mesh().face_count(), [&](int t) {
             if (orientation.flip[at(t)] != 0) std::swap(mesh().F(t, 1), mesh().F(t, 2));
-        }
+        });
+        if (orientation.disagreeing_faces > 0) topology() = topology_without_edges(mesh());   // may be an oriented manifold now
         counts().flipped_faces = orientation.disagreeing_faces;
         counts().inside_out_components = orientation.inside_out_components;
         counts().orientable = orientation.unorientable_components == 0;
@@ -159,25 +218,25 @@ private:
     }
 
     void count_connections() {
-        const MeshTopology& topology = prepared_.topology;
         counts().triangles = mesh().face_count();
-        counts().edges = static_cast<int>(topology.edges.size());
-        counts().components = topology.component_count;
-        counts().boundary_edges = topology.boundary_edge_count();
-        counts().boundary_loops = counts().boundary_edges > 0 ? static_cast<int>(boundary_loops(mesh()).size()) : 0;
-        counts().nonmanifold_edges = topology.nonmanifold_edge_count();
-        counts().nonmanifold_vertices = topology.nonmanifold_vertex_count();
-        warn_of_nonmanifold();
+        counts().components = topology().component_count;
+        if (topology().edges.empty()) return;   // an oriented manifold
+        counts().edges = static_cast<int>(topology().edges.size());
+        counts().boundary_edges = topology().boundary_edge_count();
+        counts().boundary_loops = counts().boundary_edges > 0 ? static_cast<int>(boundary_loops(mesh(), topology().edges).size()) : 0;
+        counts().nonmanifold_edges = topology().nonmanifold_edge_count();
+        counts().nonmanifold_vertices = topology().nonmanifold_vertex_count();
+        if (!topology().oriented_manifold) warn_of_nonmanifold();
     }
 
     void warn_of_nonmanifold() {
-        const MeshTopology& topology = prepared_.topology;
+        const std::vector<Edge>& edges = topology().edges;
         std::vector<char> explained(at(mesh().vertex_count()), 0);   // by a non-manifold edge
-        for (const Edge& e : topology.edges) {
+        for (const Edge& e : edges) {
             if (e.faces > 2) explained[at(e.a)] = explained[at(e.b)] = 1;
         }
-        const auto edge = std::find_if(topology.edges.begin(), topology.edges.end(), [](const Edge& e) { return e.faces > 2; });
-        if (edge != topology.edges.end()) {
+        const auto edge = std::find_if(edges.begin(), edges.end(), [](const Edge& e) { return e.faces > 2; });
+        if (edge != edges.end()) {
             const std::string first = " (first: " + std::to_string(edge->faces) + " faces on vertices " + std::to_string(edge->a) +
                                       " and " + std::to_string(edge->b) + ", counted from 0); curvature is undefined there";
             warn_of(counts().nonmanifold_edges, "non-manifold edge" + first, "non-manifold edges" + first);
@@ -185,54 +244,64 @@ private:
         int fans = 0;
         int first_vertex = -1;
         for (int v = 0; v < mesh().vertex_count(); ++v) {
-            if (topology.nonmanifold[at(v)] == 0 || explained[at(v)] != 0) continue;
+            if (topology().nonmanifold[at(v)] == 0 || explained[at(v)] != 0) continue;
             if (fans++ == 0) first_vertex = v;
         }
         const std::string first = " (first: " + std::to_string(first_vertex) + ", counted from 0), where sheets meet in a point only";
         warn_of(fans, "non-manifold vertex" + first, "non-manifold vertices" + first);
     }
 
-    void count_positions() {
+    void count_vertices() {
         counts().vertices = mesh().vertex_count();
-        PointTable positions(at(mesh().vertex_count()));
-        for (int v = 0; v < mesh().vertex_count(); ++v) {
-            if (prepared_.topology.vertex_faces.size(v) == 0) continue;
-            ++counts().vertices_in_use;
-            positions.number_of({mesh().X(v, 0), mesh().X(v, 1), mesh().X(v, 2)});
-        }
-        counts().duplicated_positions = counts().vertices_in_use - static_cast<int>(positions.points().size());
+        for (int v = 0; v < mesh().vertex_count(); ++v) counts().vertices_in_use += topology().vertex_faces.size(v) > 0 ? 1 : 0;
         warn_of(counts().vertices - counts().vertices_in_use, "isolated vertex ignored", "isolated vertices ignored");
-        Preflight& p = counts();
-        p.euler_characteristic = p.vertices_in_use - p.edges + p.triangles;
-        const int handles = 2 - p.euler_characteristic - p.boundary_loops;
-        if (p.components == 1 && p.manifold() && p.orientable) p.genus = handles / 2;
     }
 
     void measure() {
-        counts().area = surface_area(mesh());
-        counts().volume = signed_volume(mesh());
-        double sum = 0;
-        for (const Edge& e : prepared_.topology.edges) sum += (mesh().X.row(e.b) - mesh().X.row(e.a)).norm();
-        counts().mean_edge = sum / static_cast<double>(counts().edges);
-        int first_flat = -1;
-        for (int t = 0; t < mesh().face_count(); ++t) {
-            const FaceShape shape = shape_of(mesh(), t);
-            if (shape == FaceShape::zero_area && counts().zero_area_faces++ == 0) first_flat = t;
-            if (shape == FaceShape::needle) ++counts().needle_faces;
-        }
-        warn_of(counts().zero_area_faces, "face of no area kept; its cotangents are floored",
-                "faces of no area kept; their cotangents are floored", line_of(first_flat));
+        Preflight& p = counts();
+        p.duplicated_positions = count_repeated_points(mesh(), topology().vertex_faces);
+        p.euler_characteristic = p.vertices_in_use - p.edges + p.triangles;
+        const int handles = 2 - p.euler_characteristic - p.boundary_loops;
+        if (p.components == 1 && p.manifold() && p.orientable) p.genus = handles / 2;
+        p.area = surface_area(mesh());
+        p.volume = signed_volume(mesh(), Box{p.box_low, p.box_high}.centre());
+        p.mean_edge = mean_edge_length(mesh(), topology().edges);
+        measure_shapes();
     }
 
+    void measure_shapes() {
+        struct Tally {
+            int zero_area = 0, first_zero_area = -1, needles = 0;
+        };
+        const auto tallies = of_blocks(mesh().face_count(), [&](int begin, int end) {
+            Tally tally;
+            for (int t = begin; t < end; ++t) {
+                const TriangleShape::Kind kind = TriangleShape(mesh(), t).kind();
+                if (kind == TriangleShape::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
+                if (kind == TriangleShape::needle) ++tally.needles;
+            }
+            return tally;
+        });
+        int first = -1;
+        for (const auto& [tally] : tallies) {
+            if (counts().zero_area_faces == 0) first = tally.first_zero_area;
+            counts().zero_area_faces += tally.zero_area;
+            counts().needle_faces += tally.needles;
+        }
+        warn_of(counts().zero_area_faces, "face of no area kept; its cotangents are floored",
+                "faces of no area kept; their cotangents are floored", line_of(first));
+    }
+
+    Checks checks_;
     std::vector<long> lines_;   // of each triangle; may be empty
     PreparedMesh prepared_;
 };
 
 }   // namespace
 
-PreparedMesh prepare_mesh(LoadedMesh loaded) {
+PreparedMesh prepare_mesh(LoadedMesh loaded, Checks checks) {
     check_coordinates(loaded);
-    return Preparation(std::move(loaded)).run();
+    return Preparation(std::move(loaded), checks).run();
 }
 
 }   // namespace meshfolio

@@ -49,9 +49,17 @@ struct PreparedMesh {
     std::string file;
 };
 
+/// How much is looked at. Repairs and warnings are the same in all cases.
+enum class Checks {
+    all,
+    /// What a picture needs, in half the time. `edges` and `neighbours` of the topology stay empty, and of the preflight: edges,
+    /// boundary edges and loops, Euler characteristic, genus, duplicated positions, area, volume, mean edge.
+    for_pictures,
+};
+
 /// Drops faces that name a corner twice and repeated faces, orients each component consistently (closed ones outwards),
 /// counts everything else.
 /// @throws InputError if no triangle is left, all vertices coincide, or a coordinate exceeds 1e100 in magnitude
-PreparedMesh prepare_mesh(LoadedMesh loaded);
+PreparedMesh prepare_mesh(LoadedMesh loaded, Checks checks = Checks::all);
 
 }   // namespace meshfolio

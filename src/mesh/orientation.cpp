@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 
-#include "mesh/mesh_topology.h"
+#include "mesh/parallel.h"
 
 namespace meshfolio {
 
@@ -54,7 +54,8 @@ FaceNeighbours neighbours_across_edges(const TriangleMesh& mesh) {
                 if (to == a && from > a) sides.push_back({from, *t, k, false});
             }
         }
-        std::stable_sort(sides.begin(), sides.end(), [](const Side& s, const Side& u) { return s.other < u.other; });
+        std::sort(sides.begin(), sides.end(),
+                  [](const Side& s, const Side& u) { return std::tie(s.other, s.face, s.k) < std::tie(u.other, u.face, u.k); });
         join_pairs(sides, neighbours);
     }
     return neighbours;
@@ -91,20 +92,31 @@ Piece walk_from(int start, const FaceNeighbours& neighbours, std::vector<char>& 
     return piece;
 }
 
-/// Whether the volume within a closed piece, oriented by `flip`, is negative beyond doubt. Taken about one of its corners.
+/// Of the tetrahedron between triangle t and `origin`.
+double six_volumes(const TriangleMesh& mesh, int t, const Vector3& origin) {
+    const Vector3 a = mesh.X.row(mesh.F(t, 0)).transpose() - origin;
+    const Vector3 b = mesh.X.row(mesh.F(t, 1)).transpose() - origin;
+    const Vector3 c = mesh.X.row(mesh.F(t, 2)).transpose() - origin;
+    return a.dot(b.cross(c));
+}
+
+/// What a closed piece encloses, tetrahedron by tetrahedron.
+struct EnclosedVolume {
+    double sum = 0, magnitude = 0;
+
+    void add(double volume) {
+        sum += volume;
+        magnitude += std::abs(volume);
+    }
+    bool negative_beyond_doubt() const { return sum < -1e-12 * magnitude; }
+};
+
+/// Whether a closed piece, oriented by `flip`, is. Taken about one of its corners.
 bool inside_out(const TriangleMesh& mesh, const Piece& piece, const std::vector<char>& flip) {
     const Vector3 origin = mesh.X.row(mesh.F(piece.faces.front(), 0));
-    double volume = 0;
-    double magnitude = 0;
-    for (const int t : piece.faces) {
-        const Vector3 a = mesh.X.row(mesh.F(t, 0)).transpose() - origin;
-        const Vector3 b = mesh.X.row(mesh.F(t, 1)).transpose() - origin;
-        const Vector3 c = mesh.X.row(mesh.F(t, 2)).transpose() - origin;
-        const double six_volumes = a.dot(b.cross(c));
-        volume += flip[at(t)] != 0 ? -six_volumes : six_volumes;
-        magnitude += std::abs(six_volumes);
-    }
-    return volume < -1e-12 * magnitude;
+    EnclosedVolume volume;
+    for (const int t : piece.faces) volume.add(flip[at(t)] != 0 ? -six_volumes(mesh, t, origin) : six_volumes(mesh, t, origin));
+    return volume.negative_beyond_doubt();
 }
 
 void orient(const TriangleMesh& mesh, Piece& piece, Orientation& result) {
@@ -128,6 +140,37 @@ void orient(const TriangleMesh& mesh, Piece& piece, Orientation& result) {
     if (result.inside_out_components++ == 0) result.first_inside_out = piece.faces.front();
 }
 
+/// Where all triangles agree the pieces are the components, and just those inside out are left to find.
+Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology& topology) {
+    struct Component {
+        Vector3 origin;   // a corner of its first triangle
+        int first_face;
+        bool closed = true;
+        EnclosedVolume volume = {};
+    };
+    std::vector<Component> components;
+    for (int t = 0; static_cast<int>(components.size()) < topology.component_count; ++t) {
+        if (topology.component[at(t)] == static_cast<int>(components.size())) components.push_back({mesh.X.row(mesh.F(t, 0)), t});
+    }
+    const auto component_of = [&](int t) -> Component& { return components[at(topology.component[at(t)])]; };
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        if (topology.on_boundary[at(v)] != 0) component_of(*topology.vertex_faces.begin(v)).closed = false;
+    }
+    in_order(
+        mesh.face_count(), [&](int t) { return component_of(t).closed ? six_volumes(mesh, t, component_of(t).origin) : 0; },
+        [&](int t, double volume) { component_of(t).volume.add(volume); });
+
+    Orientation result;
+    result.flip.assign(at(mesh.face_count()), 0);
+    for (const Component& component : components) {
+        if (!component.volume.negative_beyond_doubt()) continue;
+        if (result.inside_out_components++ == 0) result.first_inside_out = component.first_face;
+    }
+    if (result.inside_out_components == 0) return result;
+    for_each_index(mesh.face_count(), [&](int t) { result.flip[at(t)] = component_of(t).volume.negative_beyond_doubt() ? 1 : 0; });
+    return result;
+}
+
 }   // namespace
 
 Orientation consistent_orientation(const TriangleMesh& mesh) {
@@ -141,6 +184,10 @@ Orientation consistent_orientation(const TriangleMesh& mesh) {
         orient(mesh, piece, result);
     }
     return result;
+}
+
+Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology) {
+    return topology.oriented_manifold ? orientation_of_manifold(mesh, topology) : consistent_orientation(mesh);
 }
 
 }   // namespace meshfolio

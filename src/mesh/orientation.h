@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "mesh/mesh_topology.h"
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
@@ -21,5 +22,7 @@ struct Orientation {
 /// Pieces are joined through edges of exactly two triangles. Within a piece all agree with the majority; where it has no
 /// boundary, normals point out of the volume it encloses. Every triangle must name three different vertices.
 Orientation consistent_orientation(const TriangleMesh& mesh);
+/// The same where the topology is known, which takes a fraction of the time when it is that of an oriented manifold.
+Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology);
 
 }   // namespace meshfolio

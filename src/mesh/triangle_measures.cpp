@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "mesh/mesh_topology.h"
+#include "mesh/parallel.h"
 
 namespace meshfolio {
 
@@ -39,12 +39,20 @@ double angle_at(const TriangleMesh& mesh, int t, int k) {
 Box bounding_box(const TriangleMesh& mesh) {
     if (mesh.vertex_count() == 0) return {Vector3::Zero(), Vector3::Zero()};
     if (mesh.face_count() == 0) return {mesh.X.colwise().minCoeff(), mesh.X.colwise().maxCoeff()};
-    Box box{corner(mesh, 0, 0), corner(mesh, 0, 0)};
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        for (int k = 0; k < 3; ++k) {
-            box.low = box.low.cwiseMin(corner(mesh, t, k));
-            box.high = box.high.cwiseMax(corner(mesh, t, k));
+    const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
+        Box box{corner(mesh, begin, 0), corner(mesh, begin, 0)};
+        for (int t = begin; t < end; ++t) {
+            for (int k = 0; k < 3; ++k) {
+                box.low = box.low.cwiseMin(corner(mesh, t, k));
+                box.high = box.high.cwiseMax(corner(mesh, t, k));
+            }
         }
+        return box;
+    });
+    Box box = boxes.front().value;
+    for (const auto& block : boxes) {
+        box.low = box.low.cwiseMin(block.value.low);
+        box.high = box.high.cwiseMax(block.value.high);
     }
     return box;
 }
@@ -59,9 +67,15 @@ CornerValues edge_lengths(const TriangleMesh& mesh) {
 
 double mean_edge_length(const TriangleMesh& mesh) {
     const std::vector<Edge> edges = edges_of(mesh);
-    double sum = 0;
-    for (const Edge& e : edges) sum += (mesh.X.row(e.b) - mesh.X.row(e.a)).norm();
-    return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
+    return edges.empty() ? 0 : mean_edge_length(mesh, edges);
+}
+
+double mean_edge_length(const TriangleMesh& mesh, const std::vector<Edge>& edges) {
+    const auto length_of = [&](int i) {
+        const Edge& e = edges[static_cast<std::size_t>(i)];
+        return (mesh.X.row(e.b) - mesh.X.row(e.a)).norm();
+    };
+    return ordered_sum(static_cast<int>(edges.size()), length_of) / static_cast<double>(edges.size());
 }
 
 CornerValues corner_angles(const TriangleMesh& mesh) {
@@ -74,19 +88,19 @@ CornerValues corner_angles(const TriangleMesh& mesh) {
 
 Vector face_areas(const TriangleMesh& mesh) {
     Vector A(mesh.face_count());
-    for (int t = 0; t < mesh.face_count(); ++t) A[t] = 0.5 * length(area_vector(mesh, t));
+    for_each_index(mesh.face_count(), [&](int t) { A[t] = 0.5 * length(area_vector(mesh, t)); });
     return A;
 }
 
 double surface_area(const TriangleMesh& mesh) { return face_areas(mesh).sum(); }
 
-double signed_volume(const TriangleMesh& mesh) {
-    const Vector3 centre = bounding_box(mesh).centre();
-    double six_volumes = 0;
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        six_volumes += (corner(mesh, t, 0) - centre).dot((corner(mesh, t, 1) - centre).cross(corner(mesh, t, 2) - centre));
-    }
-    return six_volumes / 6;
+double signed_volume(const TriangleMesh& mesh) { return signed_volume(mesh, bounding_box(mesh).centre()); }
+
+double signed_volume(const TriangleMesh& mesh, const Vector3& centre) {
+    const auto six_volumes = [&](int t) {
+        return (corner(mesh, t, 0) - centre).dot((corner(mesh, t, 1) - centre).cross(corner(mesh, t, 2) - centre));
+    };
+    return ordered_sum(mesh.face_count(), six_volumes) / 6;
 }
 
 Positions face_normals(const TriangleMesh& mesh) {
