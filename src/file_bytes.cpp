@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "errors.h"
+#include "large_pages.h"
 
 namespace meshfolio {
 
@@ -50,7 +51,10 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     if (size > limit) {
         throw InputError(where, "the file has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit));
     }
-    std::string bytes(size, '\0');
+    std::string bytes;
+    bytes.reserve(size);
+    prefer_large_pages(bytes.data(), size);
+    bytes.resize(size);
     std::size_t have = 0;
     while (have < bytes.size()) {
         const ssize_t got = ::read(file.get(), bytes.data() + have, bytes.size() - have);

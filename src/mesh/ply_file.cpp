@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "errors.h"
 #include "mesh/mesh_files.h"
 #include "mesh/ply_header.h"
+#include "mesh/ply_rows.h"
 #include "mesh/polygon_list.h"
 #include "mesh/text_scanner.h"
 #include "number_text.h"
@@ -76,6 +79,11 @@ private:
     const std::string& file_;
 };
 
+void warn_of_bytes_left(std::size_t bytes, WarningTally& warnings) {
+    if (bytes == 0) return;
+    warnings.add(0, "bytes after the last element ignored", "bytes after the last element ignored", std::to_string(bytes));
+}
+
 class BinaryBody {
 public:
     BinaryBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
@@ -118,10 +126,7 @@ public:
         at_ += bytes;
     }
 
-    void end(WarningTally& warnings) const {
-        const std::size_t left = bytes_.size() - at_;
-        if (left > 0) warnings.add(0, "bytes after the last element ignored", "bytes after the last element ignored", std::to_string(left));
-    }
+    void end(WarningTally& warnings) const { warn_of_bytes_left(bytes_.size() - at_, warnings); }
 
 private:
     void need(std::size_t bytes) const {
@@ -145,29 +150,18 @@ private:
     const std::string& file_;
 };
 
-const PlyElement* element_named(const PlyHeader& header, std::string_view name) {
-    const auto e = std::find_if(header.elements.begin(), header.elements.end(), [&](auto& element) { return element.name == name; });
-    return e == header.elements.end() ? nullptr : &*e;
-}
-
-/// Place of a property among those of its element, or −1.
-int property_named(const PlyElement& element, std::string_view name) {
-    const auto p = std::find_if(element.properties.begin(), element.properties.end(), [&](auto& q) { return q.name == name; });
-    return p == element.properties.end() ? -1 : static_cast<int>(p - element.properties.begin());
-}
-
 /// Reads the elements in the order of the header, whatever it is.
 template <class Body>
 class PlyReader {
 public:
-    PlyReader(const PlyHeader& header, Body body, const std::string& file) : header_(header), body_(std::move(body)), file_(file) {}
+    PlyReader(const PlyHeader& header, const PlyMeshParts& parts, Body body, const std::string& file)
+        : header_(header), parts_(parts), body_(std::move(body)), file_(file), X_(parts.vertices->count, 3) {}
 
     LoadedMesh run(WarningTally warnings) {
-        find_what_is_needed();
         for (const PlyElement& element : header_.elements) {
-            if (&element == vertices_) {
+            if (&element == parts_.vertices) {
                 read_vertices(element);
-            } else if (&element == faces_) {
+            } else if (&element == parts_.faces) {
                 read_faces(element);
             } else {
                 skip_element(element);
@@ -182,38 +176,15 @@ private:
         throw InputError({file_, line}, problem, remedy);
     }
 
-    void find_what_is_needed() {
-        vertices_ = element_named(header_, "vertex");
-        if (vertices_ == nullptr) fail(0, "no vertex element", "export the mesh with its vertices");
-        for (const char* name : {"x", "y", "z"}) {
-            const int p = property_named(*vertices_, name);
-            if (p < 0) fail(0, std::string("element vertex has no property '") + name + "'", "a mesh needs x, y and z");
-            const PlyProperty& property = vertices_->properties[static_cast<std::size_t>(p)];
-            if (property.is_list) fail(property.line, std::string("property '") + name + "' is a list", "it must be one number");
-            axis_[static_cast<std::size_t>(*name - 'x')] = p;
-        }
-        faces_ = element_named(header_, "face");
-        if (faces_ == nullptr) {
-            const bool strips = element_named(header_, "tristrips") != nullptr;
-            fail(0, strips ? "no faces (tristrips are not supported)" : "no face element", "export the mesh as polygons");
-        }
-        corners_ = std::max(property_named(*faces_, "vertex_indices"), property_named(*faces_, "vertex_index"));
-        if (corners_ < 0) fail(faces_->line, "element face has no property 'vertex_indices'", "export the mesh as polygons");
-        const PlyProperty& corners = faces_->properties[static_cast<std::size_t>(corners_)];
-        if (!corners.is_list || !is_integer(corners.type))
-            fail(corners.line, "vertex index type must be a list of an integer type", "such as int");
-        X_.resize(vertices_->count, 3);
-    }
-
     void read_vertices(const PlyElement& element) {
         for (long long i = 0; i < element.count; ++i) {
             body_.begin_row(element);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
-                const auto axis = std::find(axis_.begin(), axis_.end(), static_cast<int>(p));
-                if (axis == axis_.end()) {
+                const auto axis = std::find(parts_.axis.begin(), parts_.axis.end(), p);
+                if (axis == parts_.axis.end()) {
                     skip_value(element.properties[p]);
                 } else {
-                    read_coordinate(i, static_cast<int>(axis - axis_.begin()), element.properties[p].type);
+                    read_coordinate(i, static_cast<int>(axis - parts_.axis.begin()), element.properties[p].type);
                 }
             }
             body_.end_row(element);
@@ -235,7 +206,7 @@ private:
         for (long long i = 0; i < element.count; ++i) {
             body_.begin_row(element);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
-                if (static_cast<int>(p) == corners_) {
+                if (parts_.is_corners(element, p)) {
                     read_corners(i, element.properties[p]);
                 } else {
                     skip_value(element.properties[p]);
@@ -250,10 +221,10 @@ private:
         const long long corners = list_length(property);
         for (long long k = 0; k < corners; ++k) {
             const long long index = body_.integer(property.type);
-            if (index < 0 || index >= vertices_->count) {
+            if (index < 0 || index >= parts_.vertices->count) {
                 fail(body_.line(),
                      "face " + std::to_string(face) + ": index " + std::to_string(index) + " out of range (" +
-                         std::to_string(vertices_->count) + " vertices)",
+                         std::to_string(parts_.vertices->count) + " vertices)",
                      "indices are whole numbers from 0");
             }
             polygons_.add_corner(static_cast<int>(index));
@@ -279,12 +250,9 @@ private:
     }
 
     const PlyHeader& header_;
+    const PlyMeshParts& parts_;
     Body body_;
     const std::string& file_;
-    const PlyElement* vertices_ = nullptr;
-    const PlyElement* faces_ = nullptr;
-    std::array<int, 3> axis_{};   // which property is x, y, z
-    int corners_ = -1;            // which is the list of corners
     Positions X_;
     PolygonList polygons_;
 };
@@ -296,8 +264,13 @@ LoadedMesh parse_ply(std::string_view bytes, const std::string& file) {
     if (without_bom(bytes).size() < bytes.size()) warnings.add(1, "byte order mark ignored", "byte order marks ignored");
     bytes = without_bom(bytes);
     const PlyHeader header = parse_ply_header(bytes, file);
-    if (header.format != PlyHeader::Format::ascii) return PlyReader(header, BinaryBody(bytes, header, file), file).run(warnings);
-    return PlyReader(header, TextBody(bytes, header, file), file).run(warnings);
+    const PlyMeshParts parts = mesh_parts(header, file);
+    if (std::optional<PlyTriangles> all_at_once = read_triangle_rows(bytes, header, parts)) {
+        warn_of_bytes_left(bytes.size() - all_at_once->end, warnings);
+        return {std::move(all_at_once->mesh), file, {}, warnings.warnings()};
+    }
+    if (header.format == PlyHeader::Format::ascii) return PlyReader(header, parts, TextBody(bytes, header, file), file).run(warnings);
+    return PlyReader(header, parts, BinaryBody(bytes, header, file), file).run(warnings);
 }
 
 }   // namespace meshfolio

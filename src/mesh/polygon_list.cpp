@@ -12,9 +12,6 @@ namespace meshfolio {
 
 namespace {
 
-/// Corners of three triangles a vertex row are counted in int elsewhere (Incidence::start).
-constexpr std::size_t most_triangles = std::numeric_limits<int>::max() / 3;
-
 /// Appends the triangles of polygons to a mesh whose positions are known.
 class Triangulation {
 public:
@@ -31,7 +28,7 @@ public:
     }
 
     void finish() {
-        if (triangles_.size() / 3 > most_triangles) {
+        if (triangles_.size() / 3 > static_cast<std::size_t>(most_triangles)) {
             throw InputError({loaded_.file, 0},
                              std::to_string(triangles_.size() / 3) + " triangles (limit " + std::to_string(most_triangles) + ")",
                              "simplify the mesh first");

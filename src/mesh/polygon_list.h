@@ -2,6 +2,7 @@
 /// What every reader ends with: positions and polygons of any size become a triangle mesh.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ namespace meshfolio {
 
 /// Largest magnitude of a coordinate: areas and volumes must stay within the range of a double.
 inline constexpr double largest_coordinate = 1e100;
+
+/// Three corners a triangle are counted in int elsewhere (Incidence::start).
+inline constexpr long long most_triangles = std::numeric_limits<int>::max() / 3;
 
 /// Polygons in file order, corner indices one after the other.
 class PolygonList {
