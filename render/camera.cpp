@@ -1,11 +1,16 @@
 #include "camera.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace render {
 
@@ -34,16 +39,55 @@ bool can_be_drawn(const glm::ivec3& triangle, std::span<const glm::dvec3> positi
     return true;
 }
 
-Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
-    Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()), glm::dvec3(-std::numeric_limits<double>::infinity())};
-    for (const glm::ivec3& t : triangles) {
-        if (!can_be_drawn(t, positions)) continue;
+namespace {
+
+/// Boxes that hold nothing are the other way round: joining them changes nothing.
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const Bounds nothing{glm::dvec3(infinity), glm::dvec3(-infinity)};
+
+Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+/// Joins `bounds(begin, end)` of parts of [0, count), in parallel.
+template <class BoundsOfPart>
+Bounds joined_bounds(std::size_t count, const BoundsOfPart& bounds) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count, 16384), nothing,
+        [&](const auto& part, const Bounds& sum) { return joined(sum, bounds(part.begin(), part.end())); }, joined);
+}
+
+/// True when every vertex belongs to some triangle and all are finite, as is usual: then no triangle need be looked at.
+bool all_in_use(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
+    std::vector<std::uint8_t> used(positions.size(), 0);
+    for (const glm::ivec3& t : triangles)
         for (int k = 0; k < 3; ++k) {
-            const glm::dvec3& p = positions[static_cast<std::size_t>(t[k])];
-            box.low = glm::min(box.low, p);
-            box.high = glm::max(box.high, p);
+            if (static_cast<std::size_t>(t[k]) >= positions.size()) return false;
+            used[static_cast<std::size_t>(t[k])] = 1;
         }
-    }
+    return std::find(used.begin(), used.end(), 0) == used.end();
+}
+
+}   // namespace
+
+Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
+    const auto of_positions = [&](std::size_t begin, std::size_t end) {
+        Bounds box = nothing;
+        for (std::size_t i = begin; i < end; ++i) box = joined(box, {positions[i], positions[i]});
+        return box;
+    };
+    const auto of_triangles = [&](std::size_t begin, std::size_t end) {
+        Bounds box = nothing;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!can_be_drawn(triangles[i], positions)) continue;
+            for (int k = 0; k < 3; ++k) {
+                const glm::dvec3& p = positions[static_cast<std::size_t>(triangles[i][k])];
+                box = joined(box, {p, p});
+            }
+        }
+        return box;
+    };
+    const bool finite = std::all_of(positions.begin(), positions.end(), is_finite);
+    const Bounds box = finite && all_in_use(positions, triangles) ? joined_bounds(positions.size(), of_positions)
+                                                                  : joined_bounds(triangles.size(), of_triangles);
     return box.low.x <= box.high.x ? box : Bounds{};
 }
 

@@ -32,14 +32,17 @@ struct DrawOptions {
     double fill = 0.92;                // share of the shorter side taken by the largest extent
     std::optional<Frame> frame = {};   // default: fitted to the surface with `fill`
     ValueRange range = {};
-    Rgba surface_color{200, 203, 209, 255};     // where there are no values
-    Rgba undefined_color{225, 190, 231, 255};   // where a value is NaN
-    Rgba background{255, 255, 255, 255};        // alpha 0: transparent
-    bool shading = true;                        // smooth, two-sided; false: flat colours
-    bool face_colors_from_id = false;           // triangle number + 1 as R·65536 + G·256 + B, unshaded (for checks)
-    bool edges = false;                         // thin triangle edges
-    bool backface_tint = true;                  // the back of an open surface is told apart
-    int samples = 4;                            // per pixel: 1 or 4
+    Rgba surface_color{200, 203, 209, 255};      // where there are no values
+    Rgba undefined_color{225, 190, 231, 255};    // where a value is NaN
+    Rgba background{255, 255, 255, 255};         // alpha 0: transparent
+    bool shading = true;                         // smooth, two-sided; false: flat colours
+    bool face_colors_from_id = false;            // triangle number + 1 as R·65536 + G·256 + B, unshaded (for checks)
+    bool occlusion = false;                      // hollows and contacts are darkened; with shading only
+    bool edges = false;                          // thin triangle edges
+    double isoline_spacing = 0;                  // thin lines where the value is a multiple of this; 0: none
+    std::span<const int> marked_vertices = {};   // ringed where they are seen
+    bool backface_tint = true;                   // the back of an open surface is told apart
+    int samples = 4;                             // per pixel: 1 or 4
 };
 
 /// One picture a view, in order; drawn in parallel, same bytes for any number of threads.

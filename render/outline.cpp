@@ -1,8 +1,12 @@
 #include "outline.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <tuple>
@@ -17,6 +21,28 @@ std::uint64_t scattered(std::uint64_t i) {
     i = (i ^ (i >> 30)) * 0xbf58476d1ce4e5b9U;
     i = (i ^ (i >> 27)) * 0x94d049bb133111ebU;
     return i ^ (i >> 31);
+}
+
+/// Sums up to 0 over the edges of a closed, consistently oriented surface, each of which it meets in both directions.
+std::uint64_t signed_number(int from, int to) {
+    const auto ends = std::minmax(from, to);
+    const std::uint64_t number = scattered(static_cast<std::uint64_t>(ends.first) << 32 | static_cast<std::uint32_t>(ends.second));
+    return from < to ? number : 0 - number;
+}
+
+/// 0 hardly ever by chance. Whole numbers: the sum does not depend on the order.
+bool is_closed(const Surface& surface) {
+    const std::uint64_t sum = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, surface.triangles.size(), 16384), std::uint64_t{0},
+        [&](const auto& part, std::uint64_t total) {
+            for (std::size_t i = part.begin(); i < part.end(); ++i) {
+                const glm::ivec3& t = surface.triangles[i];
+                total += signed_number(t.x, t.y) + signed_number(t.y, t.z) + signed_number(t.z, t.x);
+            }
+            return total;
+        },
+        std::plus<>());
+    return sum == 0;
 }
 
 /// Round an inner vertex the opposite edges close up, so Σ (next − previous) = 0; with scattered numbers hardly ever otherwise.
@@ -38,8 +64,14 @@ bool same_edge(const BoundaryEdge& e, const BoundaryEdge& f) { return e.a == f.a
 
 /// |cos| of the angle between normal and view below which a triangle is seen edge-on.
 constexpr double edge_on = 0.004;
-bool seen_edge_on(const glm::dvec3& normal, const View& view) {
-    return std::abs(glm::dot(normal, view.from)) < edge_on * glm::length(normal);
+bool seen_edge_on(const ProjectedScene& projected, std::int32_t id) {
+    const Surface& surface = projected.scene.surface;
+    const glm::ivec3& t = surface.triangles[static_cast<std::size_t>(id)];
+    const auto at = [&](int k) {
+        return (surface.positions[static_cast<std::size_t>(t[k])] - projected.scene.frame.centre) * projected.scene.frame.pixels_per_unit;
+    };
+    const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
+    return std::abs(glm::dot(normal, projected.axes.depth)) < edge_on * glm::length(normal);
 }
 
 ScreenPoint moved(const ScreenPoint& p, glm::dvec2 by) { return {p.x + std::llrint(by.x), p.y + std::llrint(by.y), p.depth}; }
@@ -47,6 +79,7 @@ ScreenPoint moved(const ScreenPoint& p, glm::dvec2 by) { return {p.x + std::llri
 }   // namespace
 
 std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
+    if (is_closed(surface)) return {};
     const std::vector<bool> candidate = may_lie_on_boundary(surface);
     std::vector<BoundaryEdge> edges;
     for (std::size_t id = 0; id < surface.triangles.size(); ++id) {
@@ -68,12 +101,11 @@ std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
     return single;
 }
 
-std::vector<Ribbon> edge_on_ribbons(const Scene& scene, std::span<const BoundaryEdge> edges, const View& view,
-                                    std::span<const ScreenPoint> points, double width) {
+std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width) {
     std::vector<Ribbon> ribbons;
     for (const BoundaryEdge& e : edges) {
-        if (!seen_edge_on(scene.face_normal(e.triangle), view)) continue;
-        const ScreenPoint &a = points[static_cast<std::size_t>(e.a)], &b = points[static_cast<std::size_t>(e.b)];
+        if (!seen_edge_on(scene, e.triangle)) continue;
+        const ScreenPoint a = scene.exact_corner(e.a), b = scene.exact_corner(e.b);
         const glm::dvec2 along(b.x - a.x, b.y - a.y);
         const double length = glm::length(along);
         if (length == 0) continue;

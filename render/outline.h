@@ -24,9 +24,7 @@ struct Ribbon {
     glm::ivec3 vertex;   // of the surface, whose value each corner has
 };
 
-/// Ribbons along those edges whose triangle is seen edge-on (within a quarter of a degree). @param points  as projected for `view`
-/// @param width   pixels
-std::vector<Ribbon> edge_on_ribbons(const Scene& scene, std::span<const BoundaryEdge> edges, const View& view,
-                                    std::span<const ScreenPoint> points, double width);
+/// Ribbons along those edges whose triangle is seen edge-on (within a quarter of a degree). @param width  pixels
+std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width);
 
 }   // namespace render

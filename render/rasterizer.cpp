@@ -1,205 +1,259 @@
-// Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988: a sample is inside when three edge functions agree in
-// sign. The top-left rule gives a sample exactly on an edge to one of the two triangles beside it.
+// Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988: a sample is inside when three edge functions agree in sign.
+//
+// The fast path is for triangles up to 63 pixels, whose edge functions fit 32 bits. It has two steps, both wide:
+//   1. set up as many triangles at once as a vector has lanes: fetch the corners, orient them, take edge functions and depth;
+//   2. draw them one after the other, a block of 16 samples (or a vector of them) at a time.
+// Written with Highway: compiled once for each instruction set, the best one chosen at run time. Sums and products are kept apart
+// (no fused multiply-add) and nothing is approximated, so that all sets give the same bits.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rasterizer.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
 #include "rasterizer.h"
+#include "wide_triangle.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Ints = hn::CappedTag<std::int32_t, block_samples>;
+using Floats = hn::CappedTag<float, block_samples>;
+using IntVector = hn::Vec<Ints>;
+using FloatVector = hn::Vec<Floats>;
+
+/// Larger triangles take the slow path.
+constexpr int largest_small = 63 * subpixels;
+
+/// One number for each of the triangles that are set up together.
+using Lanes = std::array<std::int32_t, block_samples>;
+using FloatLanes = std::array<float, block_samples>;
+
+/// Triangles ready to be drawn. E(p) = dx·y − dy·x + start, with p from the corner of the tile, not negative inside; edge k is opposite
+/// to corner k. Depth is that of corner 0 and parts of E₁ and E₂ (barycentric coordinates).
+struct alignas(64) SmallTriangles {
+    enum Kind : std::int32_t { unseen, small, wide };
+    Lanes kind;
+    std::array<Lanes, 3> dx, dy, start;
+    FloatLanes depth, depth1, depth2;
+    Lanes first_column, last_column, first_row, last_row;   // blocks
+};
+
+/// The corners of some triangles in grid steps from the corner of the tile, and their depths.
+struct Corner {
+    IntVector x, y, depth;
+};
+
+struct CornerFetcher {
+    const std::int32_t* vertices;
+    const std::int32_t* triangles;
+    IntVector across, up, depth, left, top;
+
+    CornerFetcher(const ProjectedScene& projected, const SampleTile& tile)
+        : vertices(projected.vertices->at.data()), triangles(&projected.scene.surface.triangles[0].x) {
+        const Ints d;
+        across = hn::Set(d, projected.component[0]), up = hn::Set(d, projected.component[1]), depth = hn::Set(d, projected.component[2]);
+        left = hn::Set(d, projected.scene.width * (subpixels / 2) - tile.x() * subpixels);
+        top = hn::Set(d, projected.scene.height * (subpixels / 2) - tile.y() * subpixels);
+    }
+    Corner corner(IntVector id, int k) const {
+        const Ints d;
+        const IntVector in_triangles = hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k));
+        const IntVector v = hn::ShiftLeft<2>(hn::GatherIndex(d, triangles, in_triangles));
+        return {hn::Add(left, hn::GatherIndex(d, vertices, hn::Add(v, across))), hn::Sub(top, hn::GatherIndex(d, vertices, hn::Add(v, up))),
+                hn::GatherIndex(d, vertices, hn::Add(v, depth))};
+    }
+};
+
+HWY_INLINE void select(hn::Mask<Ints> take, const Corner& from, Corner& to) {
+    to = {hn::IfThenElse(take, from.x, to.x), hn::IfThenElse(take, from.y, to.y), hn::IfThenElse(take, from.depth, to.depth)};
+}
+
+/// Exchanges b and c where the area is negative, then turns the topmost corner (of these the leftmost) to the front, so that doubled
+/// triangles get equal depths to the last bit whatever the order of their corners. Gives twice the area.
+HWY_INLINE IntVector orient(Corner& a, Corner& b, Corner& c, IntVector left, IntVector top) {
+    const IntVector area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(b.y, a.y), hn::Sub(c.x, a.x)));
+    const auto is_negative = hn::Lt(area, hn::Zero(Ints()));
+    const Corner old_a = a, old_b = b;
+    select(is_negative, c, b);
+    select(is_negative, old_b, c);
+    const auto place = [&](const Corner& p) HWY_ATTR { return hn::Add(hn::ShiftLeft<14>(hn::Sub(p.y, top)), hn::Sub(p.x, left)); };
+    const IntVector of_a = place(a), of_b = place(b), of_c = place(c);
+    const auto b_first = hn::And(hn::Lt(of_b, of_a), hn::Lt(of_b, of_c));
+    const auto c_first = hn::And(hn::Lt(of_c, of_a), hn::Lt(of_c, of_b));
+    const Corner oriented_b = b;
+    select(b_first, b, a), select(b_first, c, b), select(b_first, old_a, c);
+    const Corner after_a = a;
+    select(c_first, c, a), select(c_first, oriented_b, c), select(c_first, after_a, b);
+    return hn::Abs(area);
+}
+
+HWY_INLINE void set_edge(const Corner& from, const Corner& to, std::size_t k, std::size_t lane, SmallTriangles& result) {
+    const Ints d;
+    const IntVector dx = hn::Sub(to.x, from.x), dy = hn::Sub(to.y, from.y), zero = hn::Zero(d);
+    // Top and left edges own the samples on them.
+    const auto owns_samples = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
+    const IntVector start = hn::Sub(hn::Mul(dy, from.x), hn::Mul(dx, from.y));
+    hn::StoreU(dx, d, result.dx[k].data() + lane);
+    hn::StoreU(dy, d, result.dy[k].data() + lane);
+    hn::StoreU(hn::Sub(start, hn::IfThenElse(owns_samples, zero, hn::Set(d, 1))), d, result.start[k].data() + lane);
+}
+
+/// First and last block that hold a sample line between low and high; false where there is none.
+HWY_INLINE hn::Mask<Ints> set_blocks(IntVector low, IntVector high, const SampleTile& tile, std::int32_t* first, std::int32_t* last) {
+    const Ints d;
+    const SamplePattern& pattern = tile.pattern();
+    const int pitch = pattern.pitch_shift(), lines = pattern.block_shift() - pitch;
+    const IntVector begin = hn::ShiftRightSame(hn::Add(low, hn::Set(d, pattern.pitch - 1 - pattern.first)), pitch);
+    const IntVector end = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, pattern.first)), pitch);
+    hn::StoreU(hn::Max(hn::ShiftRightSame(begin, lines), hn::Zero(d)), d, first);
+    hn::StoreU(hn::Min(hn::ShiftRightSame(end, lines), hn::Set(d, tile.blocks_on_side() - 1)), d, last);
+    return hn::Not(hn::Gt(begin, end));
+}
+
+/// Sets up the triangles in as many lanes as a vector has, from `lane` on.
+HWY_INLINE void set_up(const CornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
+                       SmallTriangles& result) {
+    const Ints d;
+    const Floats f;
+    const IntVector id = hn::LoadU(d, ids);
+    Corner a = fetch.corner(id, 0), b = fetch.corner(id, 1), c = fetch.corner(id, 2);
+    const auto is_far = hn::Lt(hn::Min(a.depth, hn::Min(b.depth, c.depth)), hn::Set(d, GridVertex::far_off + 1));
+    const IntVector left = hn::Min(a.x, hn::Min(b.x, c.x)), right = hn::Max(a.x, hn::Max(b.x, c.x));
+    const IntVector top = hn::Min(a.y, hn::Min(b.y, c.y)), bottom = hn::Max(a.y, hn::Max(b.y, c.y));
+    const auto is_large = hn::Gt(hn::Max(hn::Sub(right, left), hn::Sub(bottom, top)), hn::Set(d, largest_small));
+    const IntVector area = orient(a, b, c, left, top);
+
+    set_edge(b, c, 0, lane, result), set_edge(c, a, 1, lane, result), set_edge(a, b, 2, lane, result);
+    const auto in_columns = set_blocks(left, right, tile, result.first_column.data() + lane, result.last_column.data() + lane);
+    const auto in_rows = set_blocks(top, bottom, tile, result.first_row.data() + lane, result.last_row.data() + lane);
+    const FloatVector inverse_area = hn::Div(hn::Set(f, 1.0F), hn::ConvertTo(f, area));
+    const auto slope = [&](const Corner& p) HWY_ATTR { return hn::Mul(hn::ConvertTo(f, hn::Sub(p.depth, a.depth)), inverse_area); };
+    hn::StoreU(hn::ConvertTo(f, a.depth), f, result.depth.data() + lane);
+    hn::StoreU(slope(b), f, result.depth1.data() + lane);
+    hn::StoreU(slope(c), f, result.depth2.data() + lane);
+
+    const auto is_seen = hn::And(hn::And(in_columns, in_rows), hn::Gt(area, hn::Zero(d)));
+    const IntVector kind = hn::IfThenElse(is_seen, hn::Set(d, SmallTriangles::small), hn::Set(d, SmallTriangles::unseen));
+    hn::StoreU(hn::IfThenElse(hn::Or(is_far, is_large), hn::Set(d, SmallTriangles::wide), kind), d, result.kind.data() + lane);
+}
+
+/// An edge function at a vector of samples, and how it changes from block to block.
+struct EdgeAtSamples {
+    IntVector row, across, down;
+
+    EdgeAtSamples(const SmallTriangles& t, std::size_t k, std::size_t i, IntVector x, IntVector y, int shift) {
+        const Ints d;
+        const std::int32_t dx = t.dx[k][i], dy = t.dy[k][i], side = 1 << shift;
+        const std::int32_t begin = t.start[k][i] + dx * (t.first_row[i] << shift) - dy * (t.first_column[i] << shift);
+        row = hn::Add(hn::Set(d, begin), hn::Sub(hn::Mul(hn::Set(d, dx), y), hn::Mul(hn::Set(d, dy), x)));
+        across = hn::Set(d, -dy * side), down = hn::Set(d, dx * side);
+    }
+};
+
+/// Where `closer` holds, the sample sees this triangle at this depth.
+HWY_INLINE void see(hn::Mask<Ints> closer, FloatVector z, IntVector id, FloatVector old_depth, float* depth, std::int32_t* triangle) {
+    const Ints d;
+    const Floats f;
+    hn::Store(hn::IfThenElse(hn::RebindMask(f, closer), z, old_depth), f, depth);
+    hn::Store(hn::IfThenElse(closer, id, hn::Load(d, triangle)), d, triangle);
+}
+
+/// Draws triangle i of those set up. Nothing branches on what is covered or hidden: for a handful of blocks a wrong guess costs more.
+HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, SampleTile& tile) {
+    const Ints d;
+    const Floats f;
+    const SamplePattern& pattern = tile.pattern();
+    const int shift = pattern.block_shift();
+    const IntVector ids = hn::Set(d, id), minus_one = hn::Set(d, -1);
+    const FloatVector depth = hn::Set(f, t.depth[i]), depth1 = hn::Set(f, t.depth1[i]), depth2 = hn::Set(f, t.depth2[i]);
+    for (std::size_t s = 0; s < block_samples; s += hn::Lanes(d)) {
+        const IntVector x = hn::LoadU(d, pattern.x.data() + s), y = hn::LoadU(d, pattern.y.data() + s);
+        EdgeAtSamples edge0(t, 0, i, x, y, shift), edge1(t, 1, i, x, y, shift), edge2(t, 2, i, x, y, shift);
+        for (int row = t.first_row[i]; row <= t.last_row[i]; ++row) {
+            IntVector e0 = edge0.row, e1 = edge1.row, e2 = edge2.row;
+            SampleBlock* block = tile.row(row) + t.first_column[i];
+            for (int column = t.first_column[i]; column <= t.last_column[i]; ++column, ++block) {
+                const auto inside = hn::Gt(hn::Or(e0, hn::Or(e1, e2)), minus_one);
+                const FloatVector z = hn::Add(depth, hn::Add(hn::Mul(hn::ConvertTo(f, e1), depth1), hn::Mul(hn::ConvertTo(f, e2), depth2)));
+                const FloatVector highest = hn::Load(f, block->highest.data() + s), lowest = hn::Load(f, block->lowest.data() + s);
+                const auto above = hn::And(inside, hn::RebindMask(d, hn::Gt(z, highest)));
+                const auto below = hn::And(inside, hn::RebindMask(d, hn::Lt(z, lowest)));
+                see(above, z, ids, highest, block->highest.data() + s, block->top.data() + s);
+                see(below, z, ids, lowest, block->lowest.data() + s, block->bottom.data() + s);
+                e0 = hn::Add(e0, edge0.across), e1 = hn::Add(e1, edge1.across), e2 = hn::Add(e2, edge2.across);
+            }
+            edge0.row = hn::Add(edge0.row, edge0.down), edge1.row = hn::Add(edge1.row, edge1.down);
+            edge2.row = hn::Add(edge2.row, edge2.down);
+        }
+    }
+}
+
+/// Triangles and their corners lie anywhere in memory: asking for those of the next batch, and for the numbers of the corners of the
+/// one after that, hides the wait.
+HWY_INLINE void prefetch(const ProjectedScene& scene, std::span<const std::int32_t> ids, std::size_t begin) {
+    const std::span<const glm::ivec3> triangles = scene.scene.surface.triangles;
+    if (begin + 3 * block_samples > ids.size()) return;
+    for (std::size_t i = begin + block_samples; i < begin + 2 * block_samples; ++i) {
+        hwy::Prefetch(&triangles[static_cast<std::size_t>(ids[i + block_samples])]);
+        const glm::ivec3& t = triangles[static_cast<std::size_t>(ids[i])];
+        for (int k = 0; k < 3; ++k) hwy::Prefetch(scene.vertices + t[k]);
+    }
+}
+
+void RasterizeAll(const ProjectedScene& scene, std::span<const std::int32_t> triangles, SampleTile& tile) {
+    const CornerFetcher fetch(scene, tile);
+    SmallTriangles ready;
+    Lanes ids;
+    for (std::size_t begin = 0; begin < triangles.size(); begin += block_samples) {
+        const std::size_t count = std::min<std::size_t>(block_samples, triangles.size() - begin);
+        for (std::size_t i = 0; i < block_samples; ++i) ids[i] = triangles[begin + std::min(i, count - 1)];
+        prefetch(scene, triangles, begin);
+        for (std::size_t lane = 0; lane < count; lane += hn::Lanes(Ints())) set_up(fetch, ids.data() + lane, tile, lane, ready);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (ready.kind[i] == SmallTriangles::small)
+                draw(ready, i, ids[i], tile);
+            else if (ready.kind[i] == SmallTriangles::wide)
+                rasterize_wide(scene.exact_triangle(ids[i]), ids[i], tile);
+        }
+    }
+}
+
+}   // namespace render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace render {
 
-namespace {
+HWY_EXPORT(RasterizeAll);
 
-__extension__ using Wide = __int128;   // edge functions of corners far outside the picture need 107 bits
+SampleTile::SampleTile(const SamplePattern& pattern)
+    : pattern_(pattern),
+      blocks_on_side_(tile_side / pattern.block_side),
+      blocks_(static_cast<std::size_t>(blocks_on_side_ * blocks_on_side_)),
+      regions_(blocks_.size() / (SampleRegion::side * SampleRegion::side)) {}
 
-/// Corners up to here (a million pixels) keep edge functions below 2⁶¹: 64-bit integers suffice.
-constexpr std::int64_t largest_narrow = std::int64_t{1} << 28;
-/// Triangles up to this size (63 pixels) keep edge functions at the samples round them below 2³⁰: 32-bit integers suffice.
-constexpr std::int64_t largest_small = 63 * subpixels;
-
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
-
-struct Box {
-    std::int64_t x0, x1, y0, y1;   // both ends included
-};
-
-Box bounding_box(const Triangle2& t) {
-    const ScreenPoint &a = t.corner[0], &b = t.corner[1], &c = t.corner[2];
-    return {std::min(a.x, std::min(b.x, c.x)), std::max(a.x, std::max(b.x, c.x)), std::min(a.y, std::min(b.y, c.y)),
-            std::max(a.y, std::max(b.y, c.y))};
+void SampleTile::start(int x, int y) {
+    static constexpr SampleBlock empty = [] {
+        SampleBlock b{};
+        b.highest.fill(-std::numeric_limits<float>::infinity()), b.lowest.fill(std::numeric_limits<float>::infinity());
+        b.top.fill(no_triangle), b.bottom.fill(no_triangle);
+        return b;
+    }();
+    x_ = x, y_ = y;
+    std::fill(blocks_.begin(), blocks_.end(), empty);
+    std::fill(regions_.begin(), regions_.end(), SampleRegion{});
 }
 
-/// The pixels that meet `box`, cut to the band.
-Box pixels_of(const Box& box, const SampleBand& band) {
-    return {std::max<std::int64_t>(0, floor_div(box.x0, subpixels)), std::min<std::int64_t>(band.width() - 1, floor_div(box.x1, subpixels)),
-            std::max<std::int64_t>(band.first_row(), floor_div(box.y0, subpixels)),
-            std::min<std::int64_t>(band.first_row() + band.rows() - 1, floor_div(box.y1, subpixels))};
-}
-
-bool comes_before(const ScreenPoint& a, const ScreenPoint& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
-
-/// Twice the area of `t`, made positive by exchanging two corners where needed. The first corner becomes the topmost, so that
-/// doubled triangles get equal depths to the last bit whatever the order of their corners.
-template <class Integer>
-Integer oriented(Triangle2& t) {
-    const ScreenPoint &a = t.corner[0], &b = t.corner[1], &c = t.corner[2];
-    const Integer area = Integer(b.x - a.x) * Integer(c.y - a.y) - Integer(b.y - a.y) * Integer(c.x - a.x);
-    if (area < 0) std::swap(t.corner[1], t.corner[2]);
-    std::rotate(t.corner.begin(), std::min_element(t.corner.begin(), t.corner.end(), comes_before), t.corner.end());
-    return area < 0 ? -area : area;
-}
-
-/// E(p) = (b − a) × (p − a): twice the signed area of (a, b, p), positive on the inner side of the edge from a to b.
-template <class Integer, std::size_t samples>
-struct EdgeFunction {
-    Integer step_x, step_y;                   // from one pixel to the next
-    Integer start;                            // at the upper left corner of the first pixel
-    std::array<Integer, samples> to_sample;   // from that corner to each sample
-    Integer bias;                             // 0 on top and left edges, which own their samples; −1 on the others
-
-    EdgeFunction(const ScreenPoint& a, const ScreenPoint& b, const Box& pixels, const std::array<SampleOffset, samples>& offsets) {
-        const Integer dx = Integer(b.x - a.x), dy = Integer(b.y - a.y);
-        step_x = -dy * Integer(subpixels);
-        step_y = dx * Integer(subpixels);
-        start = dx * Integer(pixels.y0 * subpixels - a.y) - dy * Integer(pixels.x0 * subpixels - a.x);
-        for (std::size_t s = 0; s < samples; ++s) to_sample[s] = dx * Integer(offsets[s].y) - dy * Integer(offsets[s].x);
-        bias = dy < 0 || (dy == 0 && dx > 0) ? 0 : -1;
-    }
-};
-
-/// A triangle set up for the pixels of a box. Depth is a convex combination of the corner depths, so that it never leaves their
-/// range, however thin the triangle.
-template <class Integer, std::size_t samples>
-struct Setup {
-    Box pixels;
-    std::array<EdgeFunction<Integer, samples>, 3> edge;   // edge k is opposite to corner k
-    std::array<double, 3> depth;                          // of corner k over twice the area
-    double nearest;
-
-    Setup(const Triangle2& t, Integer area, const Box& box, const std::array<SampleOffset, samples>& offsets)
-        : pixels(box),
-          edge{{{t.corner[1], t.corner[2], box, offsets},
-                {t.corner[2], t.corner[0], box, offsets},
-                {t.corner[0], t.corner[1], box, offsets}}},
-          nearest(static_cast<double>(std::max(t.corner[0].depth, std::max(t.corner[1].depth, t.corner[2].depth)))) {
-        for (std::size_t k = 0; k < 3; ++k) depth[k] = static_cast<double>(t.corner[k].depth) / static_cast<double>(area);
-    }
-    /// At the upper left corner of pixel (x, y).
-    Integer at(std::size_t k, std::int64_t x, std::int64_t y) const {
-        return edge[k].start + edge[k].step_x * Integer(x - pixels.x0) + edge[k].step_y * Integer(y - pixels.y0);
-    }
-    double depth_at(Integer e0, Integer e1, Integer e2) const {
-        return static_cast<double>(e0) * depth[0] + static_cast<double>(e1) * depth[1] + static_cast<double>(e2) * depth[2];
-    }
-};
-
-template <class Integer, std::size_t samples>
-void fill(const Setup<Integer, samples>& t, const Box& part, std::int32_t id, SampleBand& band) {
-    const auto& [edge0, edge1, edge2] = t.edge;
-    Integer row0 = t.at(0, part.x0, part.y0), row1 = t.at(1, part.x0, part.y0), row2 = t.at(2, part.x0, part.y0);
-    for (std::int64_t y = part.y0; y <= part.y1; ++y) {
-        Visible* seen = band.pixel(static_cast<int>(part.x0), static_cast<int>(y));
-        Integer corner0 = row0, corner1 = row1, corner2 = row2;
-        for (std::int64_t x = part.x0; x <= part.x1; ++x, seen += samples) {
-            for (std::size_t s = 0; s < samples; ++s) {
-                const Integer e0 = corner0 + edge0.to_sample[s], e1 = corner1 + edge1.to_sample[s], e2 = corner2 + edge2.to_sample[s];
-                if (((e0 + edge0.bias) | (e1 + edge1.bias) | (e2 + edge2.bias)) < 0) continue;
-                const float z = static_cast<float>(t.depth_at(e0, e1, e2));
-                if (z > seen[s].depth) seen[s] = {z, id};
-            }
-            corner0 += edge0.step_x, corner1 += edge1.step_x, corner2 += edge2.step_x;
-        }
-        row0 += edge0.step_y, row1 += edge1.step_y, row2 += edge2.step_y;
-    }
-}
-
-/// No sample of `part` is inside: one edge function is negative at all four corners of it.
-template <class Integer, std::size_t samples>
-bool misses(const Setup<Integer, samples>& t, const Box& part) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Integer across = t.edge[k].step_x * Integer(part.x1 - part.x0 + 1), down = t.edge[k].step_y * Integer(part.y1 - part.y0 + 1);
-        if (t.at(k, part.x0, part.y0) + std::max<Integer>(across, 0) + std::max<Integer>(down, 0) < 0) return true;
-    }
-    return false;
-}
-
-/// Everything of the triangle in `part` lies behind `farthest`: so do its plane at the four corners or all its own corners.
-template <class Integer, std::size_t samples>
-bool is_hidden(const Setup<Integer, samples>& t, const Box& part, float farthest) {
-    double nearest = -std::numeric_limits<double>::infinity(), terms = 0;
-    for (const std::int64_t y : {part.y0, part.y1 + 1})
-        for (const std::int64_t x : {part.x0, part.x1 + 1}) {
-            const Integer e0 = t.at(0, x, y), e1 = t.at(1, x, y), e2 = t.at(2, x, y);
-            nearest = std::max(nearest, t.depth_at(e0, e1, e2));
-            terms = std::max(terms, std::abs(static_cast<double>(e0) * t.depth[0]) + std::abs(static_cast<double>(e1) * t.depth[1]) +
-                                        std::abs(static_cast<double>(e2) * t.depth[2]));
-        }
-    constexpr double rounding = 1e-6;   // more than float depths and double sums lose
-    return std::min(nearest + rounding * terms, t.nearest + rounding * std::abs(t.nearest)) < static_cast<double>(farthest);
-}
-
-/// Large triangles go block by block: a block that they miss, or in which they are hidden, costs one test. So a mesh that blew up,
-/// whose triangles all cover the whole picture, is still drawn in reasonable time.
-template <class Integer, std::size_t samples>
-void fill_blocks(const Setup<Integer, samples>& t, std::int32_t id, SampleBand& band) {
-    const Box& all = t.pixels;
-    for (std::int64_t block = all.x0 / SampleBand::block_width; block <= all.x1 / SampleBand::block_width; ++block) {
-        const Box part{std::max(all.x0, block * SampleBand::block_width), std::min(all.x1, (block + 1) * SampleBand::block_width - 1),
-                       all.y0, all.y1};
-        if (misses(t, part) || is_hidden(t, part, band.farthest(static_cast<int>(block)))) continue;
-        fill(t, part, id, band);
-        band.update_farthest(static_cast<int>(block));
-    }
-}
-
-template <class Integer, std::size_t samples>
-void rasterize_with(Triangle2 t, std::int32_t id, const Box& pixels, const std::array<SampleOffset, samples>& offsets, SampleBand& band) {
-    const Integer area = oriented<Integer>(t);
-    if (area == 0) return;
-    const Setup<Integer, samples> setup(t, area, pixels, offsets);
-    if constexpr (sizeof(Integer) == sizeof(std::int32_t))
-        fill(setup, pixels, id, band);
-    else
-        fill_blocks(setup, id, band);
-}
-
-/// With the narrowest integers that hold the edge functions.
-template <std::size_t samples>
-void rasterize_samples(const Triangle2& t, std::int32_t id, const std::array<SampleOffset, samples>& offsets, SampleBand& band) {
-    const Box box = bounding_box(t), pixels = pixels_of(box, band);
-    const std::int64_t farthest = std::max(std::max(-box.x0, box.x1), std::max(-box.y0, box.y1));
-    if (pixels.x0 > pixels.x1 || pixels.y0 > pixels.y1 || farthest > largest_coordinate) return;
-    if (farthest > largest_narrow)
-        rasterize_with<Wide>(t, id, pixels, offsets, band);
-    else if (std::max(box.x1 - box.x0, box.y1 - box.y0) > largest_small)
-        rasterize_with<std::int64_t>(t, id, pixels, offsets, band);
-    else
-        rasterize_with<std::int32_t>(t, id, pixels, offsets, band);
-}
-
-}   // namespace
-
-SampleBand::SampleBand(int width, int first_row, int rows, int samples)
-    : width_(width),
-      first_row_(first_row),
-      rows_(rows),
-      samples_(samples),
-      seen_(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(samples)),
-      farthest_(static_cast<std::size_t>((width - 1) / block_width + 1), -std::numeric_limits<float>::infinity()) {}
-
-void SampleBand::update_farthest(int block) {
-    const int x0 = block * block_width, x1 = std::min(x0 + block_width, width_);
-    float farthest = std::numeric_limits<float>::infinity();
-    for (int y = first_row_; y < first_row_ + rows_; ++y)
-        for (const Visible* v = pixel(x0, y); v != pixel(x1, y); ++v) farthest = std::min(farthest, v->depth);
-    farthest_[static_cast<std::size_t>(block)] = farthest;
-}
-
-void rasterize(const Triangle2& triangle, std::int32_t id, SampleBand& band) {
-    if (band.samples() == 1)
-        rasterize_samples(triangle, id, one_sample, band);
-    else
-        rasterize_samples(triangle, id, four_samples, band);
+void rasterize(const ProjectedScene& scene, std::span<const std::int32_t> triangles, SampleTile& tile) {
+    if (!triangles.empty()) HWY_DYNAMIC_DISPATCH(RasterizeAll)(scene, triangles, tile);
 }
 
 }   // namespace render
+#endif

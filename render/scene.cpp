@@ -1,7 +1,12 @@
 #include "scene.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace render {
@@ -10,28 +15,22 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-std::vector<glm::dvec3> in_pixels(std::span<const glm::dvec3> positions, const Frame& frame) {
-    std::vector<glm::dvec3> result(positions.size());
-    std::transform(positions.begin(), positions.end(), result.begin(),
-                   [&](const glm::dvec3& p) { return (p - frame.centre) * frame.pixels_per_unit; });
-    return result;
+/// Runs `body(begin, end)` on parts of [0, count) in parallel; parts must not share results.
+template <class Body>
+void in_parts(std::size_t count, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& part) { body(part.begin(), part.end()); });
 }
 
-std::vector<glm::vec3> vertex_normals(const Scene& scene) {
-    std::vector<glm::dvec3> sum(scene.positions.size(), glm::dvec3(0));
-    const auto count = static_cast<std::int32_t>(scene.surface.triangles.size());
-    for (std::int32_t id = 0; id < count; ++id) {
-        const glm::ivec3& t = scene.triangle(id);
-        if (!can_be_drawn(t, scene.positions)) continue;
-        const glm::dvec3 n = scene.face_normal(id);
-        for (int k = 0; k < 3; ++k) sum[index(t[k])] += n;
-    }
-    std::vector<glm::vec3> normals(sum.size());
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        const double length = glm::length(sum[i]);
-        if (length > 0 && std::isfinite(length)) normals[i] = glm::vec3(sum[i] / length);
-    }
-    return normals;
+glm::dvec3 in_pixels(const glm::dvec3& position, const Frame& frame) { return (position - frame.centre) * frame.pixels_per_unit; }
+
+std::array<std::int32_t, 3> snapped(const glm::dvec3& pixels) {
+    const glm::dvec3 steps = double(subpixels) * pixels, size = glm::abs(steps);
+    const double largest = std::max(size.x, std::max(size.y, size.z));
+    // Sums, because a maximum may pass over NaN.
+    if (!std::isfinite(size.x + size.y + size.z)) return {GridVertex::undefined, GridVertex::undefined, GridVertex::undefined};
+    if (largest > GridVertex::largest_near) return {GridVertex::far_off, GridVertex::far_off, GridVertex::far_off};
+    return {static_cast<std::int32_t>(std::lrint(steps.x)), static_cast<std::int32_t>(std::lrint(steps.y)),
+            static_cast<std::int32_t>(std::lrint(steps.z))};
 }
 
 /// Where `value` lies between the ends of the range. Halves and the limit keep huge and infinite values from becoming NaN.
@@ -43,36 +42,120 @@ float map_position(double value, const ValueRange& range) {
     return static_cast<float>(std::clamp(beyond / width, -limit, limit));
 }
 
-std::int64_t snapped(double pixels) {
-    const double fixed = pixels * subpixels;
-    return std::abs(fixed) < static_cast<double>(largest_coordinate) ? std::llrint(fixed) : 2 * largest_coordinate;
+/// Not normalised: twice the area long, cut down where float would overflow. 0 where it is undefined.
+glm::vec3 face_normal(const glm::ivec3& t, const Surface& surface, const Frame& frame) {
+    constexpr double longest = 1e30;
+    const auto at = [&](int k) { return in_pixels(surface.positions[index(t[k])], frame); };
+    const glm::dvec3 a = at(0), n = glm::cross(at(1) - a, at(2) - a), size = glm::abs(n);
+    const double largest = std::max(size.x, std::max(size.y, size.z));
+    if (!std::isfinite(size.x + size.y + size.z)) return glm::vec3(0);
+    return largest > longest ? glm::vec3(n * (longest / largest)) : glm::vec3(n);
+}
+
+void prefetch(const Surface& surface, std::size_t id) {
+    static constexpr std::size_t ahead = 16;
+    if (id + ahead >= surface.triangles.size()) return;
+    const glm::ivec3& t = surface.triangles[id + ahead];
+    for (int k = 0; k < 3; ++k) __builtin_prefetch(surface.positions.data() + t[k]);
+}
+
+/// The mean over the triangles at each vertex, weighted by area. Each half of the triangles has sums of its own, added up in a fixed
+/// order, so that the result does not depend on the number of threads.
+void set_normals(Scene& scene) {
+    constexpr std::size_t halves = 2;
+    std::array<std::vector<glm::vec3>, halves> sums;
+    const std::size_t count = scene.surface.triangles.size();
+    tbb::parallel_for(std::size_t{0}, halves, [&](std::size_t h) {
+        std::vector<glm::vec3>& sum = sums[h];
+        sum.assign(scene.vertices.size(), glm::vec3(0));
+        for (std::size_t i = h * count / halves; i < (h + 1) * count / halves; ++i) {
+            if (!scene.has_known_corners(static_cast<std::int32_t>(i))) continue;
+            prefetch(scene.surface, i);
+            const glm::ivec3& t = scene.surface.triangles[i];
+            const glm::vec3 n = face_normal(t, scene.surface, scene.frame);
+            for (int k = 0; k < 3; ++k) sum[index(t[k])] += n;
+        }
+    });
+    in_parts(scene.vertices.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) scene.vertices[i].normal = pack_normal(sums[0][i] + sums[1][i]);
+    });
+}
+
+/// Which axis of the model `axis` is; −1 for none.
+int model_axis(const glm::dvec3& axis) {
+    for (int k = 0; k < 3; ++k)
+        if (axis[k] == 1) return k;
+    return -1;
+}
+
+std::int64_t snapped_far(double pixels) {
+    const double steps = pixels * subpixels;
+    return std::abs(steps) < static_cast<double>(largest_coordinate) ? std::llrint(steps) : 2 * largest_coordinate;
 }
 
 }   // namespace
 
-glm::dvec3 Scene::face_normal(std::int32_t id) const {
-    const glm::ivec3& t = triangle(id);
-    return glm::cross(position(t[1]) - position(t[0]), position(t[2]) - position(t[0]));
+std::uint32_t pack_normal(const glm::vec3& n) {
+    const glm::dvec3 wide(n);
+    const double length = glm::length(wide);
+    if (!(length > 0)) return 0;
+    const auto bits = [&](double component) { return static_cast<std::uint32_t>(std::lrint((component / length + 1) * 511)); };
+    return bits(wide.x) | bits(wide.y) << 10 | bits(wide.z) << 20;
 }
 
-Scene prepare(const Surface& surface, const Frame& frame, const ValueRange& range) {
-    Scene scene{surface, in_pixels(surface.positions, frame), {}, {}};
-    scene.normals = vertex_normals(scene);
-    for (const double value : surface.values) scene.map_positions.push_back(map_position(value, range));
-    return scene;
+glm::vec3 unpacked_normal(std::uint32_t packed) {
+    if (packed == 0) return glm::vec3(0);
+    const auto component = [&](int shift) { return static_cast<float>(packed >> shift & 1023) / 511 - 1; };
+    return {component(0), component(10), component(20)};
 }
 
-std::vector<ScreenPoint> project(const Scene& scene, const View& view, int width, int height) {
+Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
+    : surface(drawn), frame(on), width(options.width), height(options.height), vertices(drawn.positions.size()) {
+    std::atomic<bool> any_far_off = false;
+    in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
+        bool far_off = false;
+        for (std::size_t i = begin; i < end; ++i) {
+            vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0};
+            far_off |= vertices[i].at[0] == GridVertex::far_off;
+        }
+        if (far_off) any_far_off = true;
+    });
+    has_far_off = any_far_off;
+    if (options.shading) set_normals(*this);
+    map_positions.resize(surface.values.size());
+    in_parts(map_positions.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) map_positions[i] = map_position(surface.values[i], options.range);
+    });
+}
+
+ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
+    : scene(seen), axes(along), component{model_axis(axes.across), model_axis(axes.up), model_axis(axes.depth)} {
+    vertices = scene.vertices.data();
+    if (component[0] >= 0 && component[1] >= 0 && component[2] >= 0) return;
+    component = {0, 1, 2};
+    turned.resize(scene.vertices.size());
+    const auto along_axes = [&](const glm::dvec3& v) {
+        return glm::dvec3(glm::dot(v, axes.across), glm::dot(v, axes.up), glm::dot(v, axes.depth));
+    };
+    in_parts(turned.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            turned[i] = {snapped(along_axes(in_pixels(scene.surface.positions[i], scene.frame))),
+                         pack_normal(glm::vec3(along_axes(unpacked_normal(scene.vertices[i].normal))))};
+    });
+    vertices = turned.data();
+}
+
+ScreenPoint ProjectedScene::exact_corner(int vertex) const {
     constexpr double farthest = 1e30;   // keeps depths finite in float
-    const glm::dvec3 right = view.right();
-    const std::int64_t x_middle = width * subpixels / 2, y_middle = height * subpixels / 2;
-    std::vector<ScreenPoint> points(scene.positions.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec3& p = scene.positions[i];
-        points[i] = {x_middle + snapped(glm::dot(p, right)), y_middle - snapped(glm::dot(p, view.up)),
-                     static_cast<float>(std::clamp(glm::dot(p, view.from), -farthest, farthest))};
-    }
-    return points;
+    const glm::dvec3 p = in_pixels(scene.surface.positions[index(vertex)], scene.frame);
+    return {scene.width * (subpixels / 2) + snapped_far(glm::dot(p, axes.across)),
+            scene.height * (subpixels / 2) - snapped_far(glm::dot(p, axes.up)),
+            std::clamp(glm::dot(p, axes.depth) * subpixels, -farthest, farthest)};
+}
+
+Triangle2 ProjectedScene::exact_triangle(std::int32_t id) const {
+    const glm::ivec3& t = scene.surface.triangles[static_cast<std::size_t>(id)];
+    return {{exact_corner(t.x), exact_corner(t.y), exact_corner(t.z)}};
 }
 
 }   // namespace render

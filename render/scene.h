@@ -1,31 +1,79 @@
 /// @file
-/// A surface made ready to be drawn from any side, and its corners as one view sees them.
+/// A surface made ready to be drawn: its vertices on the sample grid, with what shading needs of them.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 #include "draw_mesh.h"
-#include "rasterizer.h"
+#include "projection.h"
+#include "sample_grid.h"
 
 namespace render {
 
-/// In pixels round the middle of the picture: whatever the size and place of the model, from here on numbers are tame.
-struct Scene {
-    const Surface& surface;
-    std::vector<glm::dvec3> positions;   // not finite where the model's are not
-    std::vector<glm::vec3> normals;      // unit, the mean over the triangles weighted by area; 0 where there is none
-    std::vector<float> map_positions;    // place in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
+/// A vertex in grid steps from the middle of the picture. From here on the surface *is* this rounded one: whether a triangle covers a
+/// sample and which way it faces are decided in integers.
+struct GridVertex {
+    std::array<std::int32_t, 3> at;   // `far_off` in all three when one is beyond `largest_near`, `undefined` when one is not finite
+    std::uint32_t normal;             // packed; see pack_normal
 
-    const glm::ivec3& triangle(std::int32_t id) const { return surface.triangles[static_cast<std::size_t>(id)]; }
-    const glm::dvec3& position(int vertex) const { return positions[static_cast<std::size_t>(vertex)]; }
-    /// Not normalised: twice the area long.
-    glm::dvec3 face_normal(std::int32_t id) const;
+    static constexpr std::int32_t largest_near = 1 << 23;   // 2¹⁵ pixels: twice the largest picture
+    static constexpr std::int32_t undefined = std::numeric_limits<std::int32_t>::min(), far_off = undefined + 1;
+};
+static_assert(sizeof(GridVertex) == 16);
+
+/// Three times 10 bits: (n + 1) · 511, fine enough for light. 0 stands for no normal.
+std::uint32_t pack_normal(const glm::vec3& n);
+glm::vec3 unpacked_normal(std::uint32_t packed);
+
+/// A corner of a triangle on the screen, exactly: x to the right and y down from the upper left corner of the picture, in grid steps.
+struct ScreenPoint {
+    std::int64_t x = 0, y = 0;
+    double depth = 0;   // grid steps from the middle of the picture along the depth axis
+};
+/// Corners up to here are drawn exactly (2⁴⁴ pixels from the corner of the picture); triangles that reach farther are left out.
+inline constexpr std::int64_t largest_coordinate = std::int64_t{1} << 52;
+
+struct Triangle2 {
+    std::array<ScreenPoint, 3> corner;
 };
 
-Scene prepare(const Surface& surface, const Frame& frame, const ValueRange& range);
+/// What does not depend on the view. Memory: 16 bytes a vertex, 4 more with values.
+struct Scene {
+    const Surface& surface;
+    Frame frame;
+    int width, height;
+    std::vector<GridVertex> vertices;   // along the axes of the model
+    bool has_far_off = false;           // some vertex is
+    std::vector<float> map_positions;   // place in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
 
-/// The corners as `view` sees them, snapped to the sample grid; those too far off or not finite lie beyond `largest_coordinate`.
-std::vector<ScreenPoint> project(const Scene& scene, const View& view, int width, int height);
+    Scene(const Surface& surface, const Frame& frame, const DrawOptions& options);
+
+    std::int32_t triangle_count() const { return static_cast<std::int32_t>(surface.triangles.size()); }
+    /// Of the corners; a negative index is out of range, too.
+    bool has_known_corners(std::int32_t id) const {
+        const glm::ivec3& t = surface.triangles[static_cast<std::size_t>(id)];
+        const auto known = [&](int v) { return static_cast<std::size_t>(v) < vertices.size(); };
+        return known(t.x) && known(t.y) && known(t.z);
+    }
+};
+
+/// A scene as one projection sees it.
+struct ProjectedScene {
+    const Scene& scene;
+    Axes axes;
+    std::array<int, 3> component;           // of GridVertex::at that lies across, up, in depth
+    std::vector<GridVertex> turned;         // along `axes`, where those are not the model's own
+    const GridVertex* vertices = nullptr;   // `turned` or those of the scene
+
+    ProjectedScene(const Scene& scene, const Axes& axes);
+    ProjectedScene(ProjectedScene&&) = default;
+
+    /// From the original coordinates; may be farther off than a GridVertex can say.
+    ScreenPoint exact_corner(int vertex) const;
+    Triangle2 exact_triangle(std::int32_t id) const;
+};
 
 }   // namespace render

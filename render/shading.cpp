@@ -1,164 +1,417 @@
-#include "shading.h"
+// Shading has two steps, both over vectors of fragments (Highway: compiled once for each instruction set, with the same bits from all):
+//   1. interpolate: fetch the corners of the triangle, take barycentric coordinates, then normal and place in the colour map;
+//   2. light: colours of the map times the light on the normal.
+// Fragments of triangles whose corners do not fit the grid, and of ribbons, take step 1 one at a time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shading.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "shading.h"
+
+#ifndef RENDER_SHADING_CONSTANTS
+#define RENDER_SHADING_CONSTANTS
 
 namespace render {
 
-namespace {
-
-struct Light {
-    glm::vec3 direction;
-    float strength;
-};
-
-/// Fixed to the camera. Soft: each reaches a little beyond its horizon. With the ambient part they add up to about 1 where all
-/// of them reach, so no colour of a map is driven to white, and being neutral they shift no hue.
-const std::array<Light, 3> lights{{
-    {glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)), 0.66F},   // key, upper left
-    {glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)), 0.17F},    // fill, right
-    {glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F)), 0.18F},   // from the viewer, slightly below
-}};
-constexpr float ambient = 0.05F;
-constexpr float wrap = 0.15F;
+/// Soft: each light reaches a little beyond its horizon. With the ambient part they add up to about 1 where all of them reach, so no
+/// colour of a map is driven to white, and being neutral they shift no hue.
+inline constexpr std::array<float, 3> light_strength{0.66F, 0.17F, 0.18F};
+inline constexpr float ambient = 0.05F, wrap = 0.15F;
 
 /// Beyond `crease_begin` (cosine) between the normals of corner and triangle the corner turns sharp, wholly so at `crease_end`.
-constexpr float crease_begin = 0.94F, crease_end = 0.85F;
+inline constexpr float crease_begin = 0.94F, crease_end = 0.85F;
+/// Twice the area (square grid steps) from which on the rounded normal of a triangle can be trusted: an eighth of a pixel wide.
+inline constexpr float trusted_area = 32 * 32;
 
 /// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar.
-constexpr float light_on_values = 0.72F;
+inline constexpr float light_on_values = 0.72F;
 
 /// The back of plain surfaces is ochre; values keep their hue there and only darken.
-constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
-constexpr float back_darkening = 0.62F;
+inline constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
+inline constexpr float back_darkening = 0.62F;
 
-constexpr LinearColor edge_color{0.012F, 0.012F, 0.016F, 1};
-constexpr float edge_half_width = 0.45F;   // pixels on either side
-constexpr float smallest_meshed = 9;       // pixels; lines of smaller triangles fade, lest they blacken the surface
+inline constexpr glm::vec3 ink_color{0.012F, 0.012F, 0.016F};
+inline constexpr float line_half_width = 0.45F;   // pixels on either side
+inline constexpr float smallest_meshed = 9;       // pixels; lines of smaller triangles fade, lest they blacken the surface
+inline constexpr float closest_isolines = 6;      // pixels; closer ones fade
 /// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
-constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
+inline constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
 
-Rgba id_color(std::int32_t id) {
-    const auto number = static_cast<std::uint32_t>(id) + 1;
-    return {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8), static_cast<std::uint8_t>(number), 255};
+}   // namespace render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Ints = hn::CappedTag<std::int32_t, block_samples>;
+using Floats = hn::CappedTag<float, block_samples>;
+using IntVector = hn::Vec<Ints>;
+using FloatVector = hn::Vec<Floats>;
+using FloatMask = hn::Mask<Floats>;
+
+HWY_INLINE FloatVector set(float x) { return hn::Set(Floats(), x); }
+HWY_INLINE FloatVector clamped(FloatVector x) { return hn::Min(hn::Max(x, set(0)), set(1)); }
+
+struct Vector3 {
+    FloatVector x, y, z;
+};
+HWY_INLINE FloatVector dot(const Vector3& a, const Vector3& b) {
+    return hn::Add(hn::Mul(a.x, b.x), hn::Add(hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)));
+}
+HWY_INLINE Vector3 scaled(FloatVector s, const Vector3& a) { return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)}; }
+HWY_INLINE Vector3 sum(const Vector3& a, const Vector3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE Vector3 difference(const Vector3& a, const Vector3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE FloatVector cross(FloatVector ax, FloatVector ay, FloatVector bx, FloatVector by) {
+    return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
 }
 
-Rgba opaque(Rgba color) { return {color.r, color.g, color.b, 255}; }
+/// The corners with one number, for a vector of triangles.
+struct Corner {
+    Vector3 at, normal;   // along the axes of the projection
+    FloatVector map_position;
+};
 
-/// The value at a point; where corners are undefined, the nearest corner decides whether the point is.
-float interpolated(const std::array<float, 3>& t, const glm::vec3& weights) {
-    int nearest = 0;
-    float sum = 0, weight = 0;
-    for (int k = 0; k < 3; ++k) {
-        if (weights[k] > weights[nearest]) nearest = k;
-        if (std::isnan(t[static_cast<std::size_t>(k)])) continue;
-        sum += weights[k] * t[static_cast<std::size_t>(k)];
-        weight += weights[k];
+class CornerFetcher {
+public:
+    CornerFetcher(const ProjectedScene& projected)
+        : vertices_(projected.vertices->at.data()),
+          triangles_(&projected.scene.surface.triangles[0].x),
+          map_positions_(projected.scene.map_positions.empty() ? nullptr : projected.scene.map_positions.data()),
+          component_(projected.component) {}
+
+    Corner corner(IntVector id, int k) const {
+        const Ints d;
+        const IntVector v = hn::GatherIndex(d, triangles_, hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k)));
+        const IntVector place = hn::ShiftLeft<2>(v);
+        const auto at = [&](int axis) HWY_ATTR {
+            return hn::ConvertTo(Floats(),
+                                 hn::GatherIndex(d, vertices_, hn::Add(place, hn::Set(d, component_[static_cast<std::size_t>(axis)]))));
+        };
+        const IntVector packed = hn::GatherIndex(d, vertices_, hn::Add(place, hn::Set(d, 3)));
+        const FloatMask has_normal = hn::RebindMask(Floats(), hn::Ne(packed, hn::Zero(d)));
+        const auto normal = [&](int axis) HWY_ATTR {
+            const IntVector bits = hn::And(hn::ShiftRightSame(packed, 10 * component_[static_cast<std::size_t>(axis)]), hn::Set(d, 1023));
+            return hn::IfThenElseZero(has_normal, hn::Sub(hn::Mul(hn::ConvertTo(Floats(), bits), set(1.0F / 511)), set(1)));
+        };
+        return {{at(0), at(1), at(2)},
+                {normal(0), normal(1), normal(2)},
+                map_positions_ != nullptr ? hn::GatherIndex(Floats(), map_positions_, v) : set(0)};
     }
-    const float at_nearest = t[static_cast<std::size_t>(nearest)];
-    return std::isnan(at_nearest) || weight == 0 ? at_nearest : sum / weight;
-}
+
+private:
+    const std::int32_t *vertices_, *triangles_;
+    const float* map_positions_;
+    std::array<int, 3> component_;
+};
 
 /// The normal of the vertex, or of the triangle where the surface has a crease.
-glm::vec3 corner_normal(const glm::vec3& vertex_normal, const glm::vec3& face_normal) {
-    const float sharp = std::clamp((crease_begin - glm::dot(vertex_normal, face_normal)) / (crease_begin - crease_end), 0.0F, 1.0F);
-    return sharp * face_normal + (1 - sharp) * vertex_normal;
+HWY_INLINE Vector3 corner_normal(const Vector3& vertex_normal, const Vector3& face_normal, FloatVector trust) {
+    const FloatVector bend = hn::Sub(set(crease_begin), dot(vertex_normal, face_normal));
+    const FloatVector sharp = hn::Mul(trust, clamped(hn::Mul(bend, set(1 / (crease_begin - crease_end)))));
+    return sum(scaled(sharp, face_normal), scaled(hn::Sub(set(1), sharp), vertex_normal));
 }
 
-float light(const ShadedTriangle& t, const glm::vec3& weights) {
-    const glm::vec3 n = weights.x * t.corner[0].normal + weights.y * t.corner[1].normal + weights.z * t.corner[2].normal;
-    const float length = glm::length(n);
-    return length > 0 ? lit(n / length) : lit({0, 0, 1});
+/// The value at a point; where corners are undefined, the nearest corner decides whether the point is.
+HWY_INLINE FloatVector interpolated_value(FloatVector ta, FloatVector tb, FloatVector tc, FloatVector wa, FloatVector wb, FloatVector wc) {
+    FloatVector total = set(0), weight = set(0);
+    const auto add = [&](FloatVector t, FloatVector w) HWY_ATTR {
+        const FloatMask known = hn::Not(hn::IsNaN(t));
+        total = hn::Add(total, hn::IfThenElseZero(known, hn::Mul(w, t)));
+        weight = hn::Add(weight, hn::IfThenElseZero(known, w));
+    };
+    add(ta, wa), add(tb, wb), add(tc, wc);
+    const FloatMask b_nearer = hn::Gt(wb, wa);
+    const FloatVector ab = hn::IfThenElse(b_nearer, tb, ta), w_ab = hn::IfThenElse(b_nearer, wb, wa);
+    const FloatVector nearest = hn::IfThenElse(hn::Gt(wc, w_ab), tc, ab);
+    const FloatMask use_nearest = hn::Or(hn::IsNaN(nearest), hn::Not(hn::Gt(weight, set(0))));
+    return hn::IfThenElse(use_nearest, nearest, hn::Div(total, hn::IfThenElse(use_nearest, set(1), weight)));
 }
 
-float strength_of_light(const ShadedTriangle& t, const glm::vec3& weights, bool plain, bool ribbon) {
-    if (ribbon) return plain ? plain_ribbon_light : ribbon_light;
-    const float l = light(t, weights);
-    return plain ? l : 1 - light_on_values * (1 - l);
+/// 1 on a line, 0 a pixel away.
+HWY_INLINE FloatVector line_ink(FloatVector distance) { return clamped(hn::Sub(set(line_half_width + 0.5F), distance)); }
+
+/// Edges from b − a and c − a, in grid steps, and twice the area they span.
+HWY_INLINE FloatVector edge_ink(const Vector3& ab, const Vector3& ac, FloatVector area, FloatVector wa, FloatVector wb, FloatVector wc) {
+    const auto height = [&](FloatVector x, FloatVector y) HWY_ATTR {
+        return hn::Div(hn::Abs(area), hn::Mul(set(subpixels), hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y)))));
+    };
+    const FloatVector over_a = height(hn::Sub(ac.x, ab.x), hn::Sub(ac.y, ab.y)), over_b = height(ac.x, ac.y), over_c = height(ab.x, ab.y);
+    const FloatVector nearest = hn::Min(hn::Mul(wa, over_a), hn::Min(hn::Mul(wb, over_b), hn::Mul(wc, over_c)));
+    const FloatVector smallest = hn::Min(over_a, hn::Min(over_b, over_c));
+    return hn::Mul(line_ink(nearest), clamped(hn::Mul(smallest, set(1 / smallest_meshed))));
 }
 
-/// 1 on the edges of the triangle, 0 a pixel away.
-float edge_strength(const ShadedTriangle& t, const glm::vec3& weights) {
-    const glm::vec3 distance = weights * t.heights;
-    const float nearest = std::min({distance.x, distance.y, distance.z});
-    const float smallest = std::min({t.heights.x, t.heights.y, t.heights.z});
-    return std::clamp(edge_half_width + 0.5F - nearest, 0.0F, 1.0F) * std::clamp(smallest / smallest_meshed, 0.0F, 1.0F);
+/// Lines where map position · scale + offset is whole, as wide everywhere: the distance is measured in pixels through the gradient.
+HWY_INLINE FloatVector isoline_ink(const ShadingStyle& style, const Vector3& ab, const Vector3& ac, FloatVector area, FloatVector tb_ta,
+                                   FloatVector tc_ta, FloatVector at) {
+    const FloatVector gx = hn::Div(cross(tb_ta, tc_ta, ab.y, ac.y), area), gy = hn::Div(cross(tc_ta, tb_ta, ac.x, ab.x), area);
+    const FloatVector gradient =
+        hn::Mul(set(std::abs(style.isoline_scale) * subpixels), hn::Sqrt(hn::Add(hn::Mul(gx, gx), hn::Mul(gy, gy))));
+    const FloatVector u = hn::Add(hn::Mul(at, set(style.isoline_scale)), set(style.isoline_offset));
+    const FloatVector to_line = hn::Abs(hn::Sub(u, hn::Round(u)));
+    const FloatMask is_steep = hn::Gt(gradient, set(1e-5F));   // false also for NaN; a flat part that lies on a level is no line
+    const FloatVector spacing = hn::Div(set(1), hn::IfThenElse(is_steep, gradient, set(1)));
+    const FloatVector fading = clamped(hn::Sub(hn::Mul(spacing, set(2 / closest_isolines)), set(1)));
+    return hn::IfThenElseZero(is_steep, hn::Mul(fading, line_ink(hn::Mul(to_line, spacing))));
+}
+
+/// Step 1 for the fragments from i on.
+HWY_INLINE void interpolate(const CornerFetcher& fetch, float handedness, const ShadingStyle& style, Fragments& fragments, std::size_t i) {
+    const Floats f;
+    const IntVector id = hn::Load(Ints(), fragments.triangle.data() + i);
+    const Corner a = fetch.corner(id, 0), b = fetch.corner(id, 1), c = fetch.corner(id, 2);
+    const Vector3 ab = difference(b.at, a.at), ac = difference(c.at, a.at);
+    const FloatVector area = cross(ab.x, ab.y, ac.x, ac.y);
+    const FloatVector px = hn::Sub(hn::Load(f, fragments.x.data() + i), a.at.x), py = hn::Sub(hn::Load(f, fragments.y.data() + i), a.at.y);
+    const FloatVector one_over_area = hn::Div(set(1), hn::IfThenElse(hn::Eq(area, set(0)), set(1), area));
+    // Limits, because rounding may carry points of slivers out.
+    const FloatVector wb = clamped(hn::Mul(cross(px, py, ac.x, ac.y), one_over_area));
+    const FloatVector wc = hn::Min(clamped(hn::Mul(cross(ab.x, ab.y, px, py), one_over_area)), hn::Sub(set(1), wb));
+    const FloatVector wa = hn::Sub(hn::Sub(set(1), wb), wc);
+
+    const Vector3 face{cross(ab.y, ab.z, ac.y, ac.z), cross(ab.z, ab.x, ac.z, ac.x), area};
+    const FloatVector length = hn::Sqrt(dot(face, face));
+    const FloatMask faces_away = hn::Lt(hn::Mul(area, set(handedness * style.towards_viewer)), set(0));
+    const FloatVector sign = hn::IfThenElse(faces_away, set(-1), set(1));
+    const Vector3 face_normal = scaled(hn::Div(set(handedness), hn::Max(length, set(1e-30F))), face);
+    const FloatVector trust = hn::Min(set(1), hn::Mul(length, set(1 / trusted_area)));
+    const auto part = [&](FloatVector w, const Corner& p)
+                          HWY_ATTR { return scaled(hn::Mul(sign, w), corner_normal(p.normal, face_normal, trust)); };
+    const Vector3 normal = sum(part(wa, a), sum(part(wb, b), part(wc, c)));
+    hn::Store(normal.x, f, fragments.normal_x.data() + i);
+    hn::Store(normal.y, f, fragments.normal_y.data() + i);
+    hn::Store(normal.z, f, fragments.normal_z.data() + i);
+    hn::Store(hn::IfThenElseZero(faces_away, set(1)), f, fragments.back.data() + i);
+    hn::Store(set(0), f, fragments.fixed_light.data() + i);
+    FloatVector ink = set(0);
+    if (style.has_values) {
+        const FloatVector at = interpolated_value(a.map_position, b.map_position, c.map_position, wa, wb, wc);
+        hn::Store(at, f, fragments.map_position.data() + i);
+        if (style.isoline_scale != 0)
+            ink = isoline_ink(style, ab, ac, area, hn::Sub(b.map_position, a.map_position), hn::Sub(c.map_position, a.map_position), at);
+    }
+    if (style.options.edges) ink = hn::Max(ink, edge_ink(ab, ac, area, wa, wb, wc));
+    hn::Store(ink, f, fragments.ink.data() + i);
+}
+
+/// The light that falls on the fragments from i on; see `lit`.
+HWY_INLINE FloatVector light_on(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
+    const Floats f;
+    Vector3 n{hn::Load(f, fragments.normal_x.data() + i), hn::Load(f, fragments.normal_y.data() + i),
+              hn::Load(f, fragments.normal_z.data() + i)};
+    const FloatVector length = hn::Sqrt(dot(n, n));
+    const FloatMask has_normal = hn::Gt(length, set(0));
+    n = scaled(hn::Div(set(1), hn::IfThenElse(has_normal, length, set(1))), n);
+    n.z = hn::IfThenElse(has_normal, n.z, set(style.towards_viewer));
+    FloatVector total = set(ambient);
+    for (std::size_t l = 0; l < light_strength.size(); ++l) {
+        const glm::vec3& towards = style.lights[l];
+        const FloatVector facing = hn::Add(dot(n, {set(towards.x), set(towards.y), set(towards.z)}), set(wrap));
+        total = hn::Add(total, hn::Mul(set(light_strength[l] / (1 + wrap)), hn::Max(set(0), facing)));
+    }
+    const FloatVector light = hn::Min(total, set(1));
+    const FloatVector shown = style.has_values ? hn::Sub(set(1), hn::Mul(set(light_on_values), hn::Sub(set(1), light))) : light;
+    const FloatVector fixed = hn::Load(f, fragments.fixed_light.data() + i);
+    return hn::IfThenElse(hn::Gt(fixed, set(0)), fixed, shown);
+}
+
+/// Colour without light: of the value, or of the surface.
+HWY_INLINE Vector3 base_color(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
+    const Floats f;
+    const Palette& palette = style.palette;
+    if (!style.has_values) return {set(palette.plain.r), set(palette.plain.g), set(palette.plain.b)};
+    const FloatVector at = hn::Load(f, fragments.map_position.data() + i);
+    const FloatMask known = hn::Not(hn::IsNaN(at));
+    const IntVector step = hn::NearestInt(hn::Mul(hn::IfThenElseZero(known, clamped(at)), set(Palette::steps)));
+    return {hn::IfThenElse(known, hn::GatherIndex(f, palette.red.data(), step), set(palette.undefined.r)),
+            hn::IfThenElse(known, hn::GatherIndex(f, palette.green.data(), step), set(palette.undefined.g)),
+            hn::IfThenElse(known, hn::GatherIndex(f, palette.blue.data(), step), set(palette.undefined.b))};
+}
+
+/// Step 2 for the fragments from i on.
+HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size_t i) {
+    const Floats f;
+    Vector3 color = base_color(style, fragments, i);
+    if (style.options.shading) {
+        const FloatVector strength = light_on(style, fragments, i), back = hn::Load(f, fragments.back.data() + i);
+        const glm::vec3 darkening = !style.options.backface_tint ? glm::vec3(1) : style.has_values ? glm::vec3(back_darkening) : back_tint;
+        const auto tinted = [&](FloatVector channel, float tint)
+                                HWY_ATTR { return hn::Mul(hn::Mul(channel, strength), hn::Sub(set(1), hn::Mul(back, set(1 - tint)))); };
+        color = {tinted(color.x, darkening.r), tinted(color.y, darkening.g), tinted(color.z, darkening.b)};
+    }
+    const FloatVector ink = hn::Load(f, fragments.ink.data() + i);
+    color = sum(scaled(hn::Sub(set(1), ink), color), scaled(ink, {set(ink_color.r), set(ink_color.g), set(ink_color.b)}));
+    hn::Store(color.x, f, fragments.red.data() + i);
+    hn::Store(color.y, f, fragments.green.data() + i);
+    hn::Store(color.z, f, fragments.blue.data() + i);
+}
+
+void InterpolateAll(const ProjectedScene& scene, const ShadingStyle& style, Fragments& fragments) {
+    const CornerFetcher fetch(scene);
+    const auto handedness = static_cast<float>(scene.axes.handedness());
+    for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(Floats())) interpolate(fetch, handedness, style, fragments, i);
+}
+
+void LightAll(const ShadingStyle& style, Fragments& fragments) {
+    for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(Floats())) light(style, fragments, i);
+}
+
+}   // namespace render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace render {
+
+HWY_EXPORT(InterpolateAll);
+HWY_EXPORT(LightAll);
+
+namespace {
+
+/// Fixed to the camera: key from the upper left, fill from the right, one from the viewer, slightly below.
+const std::array<glm::vec3, 3> light_directions{{glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)),
+                                                 glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)),
+                                                 glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F))}};
+
+glm::vec3 linear_rgb(Rgba color) { return {linear_of(color.r), linear_of(color.g), linear_of(color.b)}; }
+
+/// Step 1 for a triangle whose corners are not in reach of the grid, or for half of a ribbon.
+class ExactTriangle {
+public:
+    ExactTriangle(const ProjectedScene& projected, std::span<const Ribbon> ribbons, std::int32_t id)
+        : scene_(projected.scene), axes_(projected.axes), is_ribbon_(id >= scene_.triangle_count()) {
+        if (is_ribbon_) {
+            const Ribbon& ribbon = ribbons[static_cast<std::size_t>(id - scene_.triangle_count())];
+            screen_ = ribbon.screen, vertex_ = ribbon.vertex;
+        } else {
+            screen_ = projected.exact_triangle(id), vertex_ = scene_.surface.triangles[static_cast<std::size_t>(id)];
+        }
+    }
+
+    void interpolate(const ShadingStyle& style, Fragments& fragments, std::size_t i) const {
+        const glm::dvec3 w = barycentric(fragments, i);
+        glm::vec3 normal(0);
+        std::array<float, 3> t{};
+        for (int k = 0; k < 3; ++k) {
+            const auto v = static_cast<std::size_t>(vertex_[k]);
+            normal += static_cast<float>(w[k]) * unpacked_normal(scene_.vertices[v].normal);
+            if (style.has_values) t[static_cast<std::size_t>(k)] = scene_.map_positions[v];
+        }
+        const glm::vec3 along(glm::dot(normal, glm::vec3(axes_.across)), glm::dot(normal, glm::vec3(axes_.up)),
+                              glm::dot(normal, glm::vec3(axes_.depth)));
+        const bool faces_away = !is_ribbon_ && area() * axes_.handedness() * double(style.towards_viewer) < 0;
+        const float sign = faces_away ? -1.0F : 1.0F;
+        fragments.normal_x[i] = sign * along.x, fragments.normal_y[i] = sign * along.y, fragments.normal_z[i] = sign * along.z;
+        fragments.map_position[i] = value(t, w);
+        fragments.back[i] = faces_away ? 1.0F : 0.0F;
+        fragments.ink[i] = 0;
+        fragments.fixed_light[i] = !is_ribbon_ ? 0 : style.has_values ? ribbon_light : plain_ribbon_light;
+    }
+
+private:
+    glm::dvec2 at(std::size_t k) const {   // from the middle of the picture, y up
+        return {static_cast<double>(screen_.corner[k].x - scene_.width * (subpixels / 2)),
+                static_cast<double>(scene_.height * (subpixels / 2) - screen_.corner[k].y)};
+    }
+    static double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+    double area() const { return cross(at(1) - at(0), at(2) - at(0)); }
+
+    glm::dvec3 barycentric(const Fragments& fragments, std::size_t i) const {
+        const glm::dvec2 p = glm::dvec2(fragments.x[i], fragments.y[i]) - at(0), ab = at(1) - at(0), ac = at(2) - at(0);
+        const double wb = std::clamp(cross(p, ac) / area(), 0.0, 1.0), wc = std::clamp(cross(ab, p) / area(), 0.0, 1.0 - wb);
+        return {1 - wb - wc, wb, wc};
+    }
+    static float value(const std::array<float, 3>& t, const glm::dvec3& w) {
+        const std::size_t nearest = w.y > w.x ? (w.z > w.y ? 2 : 1) : (w.z > w.x ? 2 : 0);
+        if (std::isnan(t[nearest])) return t[nearest];
+        double total = 0, weight = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!std::isnan(t[k])) total += w[static_cast<int>(k)] * double(t[k]), weight += w[static_cast<int>(k)];
+        return static_cast<float>(total / weight);
+    }
+
+    const Scene& scene_;
+    const Axes& axes_;
+    bool is_ribbon_;
+    Triangle2 screen_;
+    glm::ivec3 vertex_{};
+};
+
+bool is_out_of_reach(const Scene& scene, std::int32_t id) {
+    if (id >= scene.triangle_count()) return true;
+    const glm::ivec3& t = scene.surface.triangles[static_cast<std::size_t>(id)];
+    return std::min({scene.vertices[static_cast<std::size_t>(t.x)].at[0], scene.vertices[static_cast<std::size_t>(t.y)].at[0],
+                     scene.vertices[static_cast<std::size_t>(t.z)].at[0]}) <= GridVertex::far_off;
+}
+
+/// Number + 1 as R·65536 + G·256 + B.
+void color_by_number(Fragments& fragments) {
+    for (std::size_t i = 0; i < fragments.count; ++i) {
+        const auto number = static_cast<std::uint32_t>(fragments.triangle[i]) + 1;
+        fragments.red[i] = linear_of(static_cast<std::uint8_t>(number >> 16));
+        fragments.green[i] = linear_of(static_cast<std::uint8_t>(number >> 8));
+        fragments.blue[i] = linear_of(static_cast<std::uint8_t>(number));
+    }
+}
+
+/// Where isolines run, in terms of map positions t: value = low + t · (high − low), lines at multiples of the spacing.
+void set_isolines(const DrawOptions& options, ShadingStyle& style) {
+    const double width = options.range.high - options.range.low;
+    if (!(options.isoline_spacing > 0) || !(width > 0) || !style.has_values) return;
+    style.isoline_scale = static_cast<float>(width / options.isoline_spacing);
+    const double lines_below = options.range.low / options.isoline_spacing;
+    style.isoline_offset = static_cast<float>(lines_below - std::floor(lines_below));
 }
 
 }   // namespace
 
 float lit(const glm::vec3& normal) {
     float sum = ambient;
-    for (const Light& l : lights) sum += l.strength * std::max(0.0F, (glm::dot(normal, l.direction) + wrap) / (1 + wrap));
+    for (std::size_t l = 0; l < light_strength.size(); ++l)
+        sum += light_strength[l] * std::max(0.0F, (glm::dot(normal, light_directions[l]) + wrap) / (1 + wrap));
     return std::min(sum, 1.0F);
 }
 
-Palette::Palette(const DrawOptions& options)
-    : plain(linear_of(opaque(options.surface_color))), undefined(linear_of(opaque(options.undefined_color))) {
-    ramp.reserve(steps + 1);
-    for (int i = 0; i <= steps; ++i) ramp.push_back(linear_of(opaque(color_at(*options.range.colormap, double(i) / steps))));
-}
-
-ShadedTriangle::ShadedTriangle(const Picture& picture, std::int32_t number) : id(number) {
-    const Scene& scene = picture.scene;
-    const View& view = picture.view;
-    const bool ribbon = picture.is_ribbon(id);
-    const Triangle2 screen = picture.on_screen(id);
-    const glm::ivec3 vertex = ribbon ? picture.ribbon(id).vertex : scene.triangle(id);
-    const glm::dvec3 normal = ribbon ? view.from : scene.face_normal(id);
-    const glm::vec3 face_normal(normal / std::max(glm::length(normal), std::numeric_limits<double>::min()));
-    const glm::vec3 right(view.right()), up(view.up), from(view.from);
-    is_back = glm::dot(normal, view.from) < 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto v = static_cast<std::size_t>(vertex[static_cast<int>(k)]);
-        const glm::vec3 n = (is_back ? -1.0F : 1.0F) * (ribbon ? face_normal : corner_normal(scene.normals[v], face_normal));
-        corner[k] = {{glm::dot(n, right), glm::dot(n, up), glm::dot(n, from)}, scene.map_positions.empty() ? 0 : scene.map_positions[v]};
+Palette::Palette(const DrawOptions& options) : plain(linear_rgb(options.surface_color)), undefined(linear_rgb(options.undefined_color)) {
+    for (int i = 0; i <= steps; ++i) {
+        const glm::vec3 c = linear_rgb(color_at(*options.range.colormap, double(i) / steps));
+        red.push_back(c.r), green.push_back(c.g), blue.push_back(c.b);
     }
-    const auto between = [&](std::size_t i, std::size_t j) {
-        return glm::dvec2(screen.corner[j].x - screen.corner[i].x, screen.corner[j].y - screen.corner[i].y);
-    };
-    const glm::dvec2 u = between(0, 1), v = between(0, 2);
-    const double area = u.x * v.y - u.y * v.x;
-    origin = {screen.corner[0].x, screen.corner[0].y};
-    to_weight1 = glm::dvec2(v.y, -v.x) / area;
-    to_weight2 = glm::dvec2(-u.y, u.x) / area;
-    heights = glm::vec3(std::abs(area) / subpixels / glm::dvec3(glm::length(v - u), glm::length(v), glm::length(u)));
 }
 
-glm::vec3 ShadedTriangle::barycentric(glm::dvec2 at) const {
-    // Limits, because rounding may carry points of slivers and of huge triangles out.
-    const auto w1 = static_cast<float>(std::clamp(glm::dot(to_weight1, at - origin), 0.0, 1.0));
-    const auto w2 = static_cast<float>(std::clamp(glm::dot(to_weight2, at - origin), 0.0, 1.0));
-    return {std::max(0.0F, 1 - w1 - w2), w1, std::min(w2, 1 - w1)};
+ShadingStyle::ShadingStyle(const Scene& scene, const DrawOptions& drawn, const Palette& colors, const Placement& placement)
+    : options(drawn), palette(colors), has_values(!scene.map_positions.empty()), towards_viewer(placement.from_below ? -1.0F : 1.0F) {
+    const glm::vec3 axes(placement.mirrored_x ? -1 : 1, placement.mirrored_y ? -1 : 1, towards_viewer);
+    for (std::size_t l = 0; l < lights.size(); ++l) lights[l] = axes * light_directions[l];
+    set_isolines(options, *this);
 }
 
-LinearColor Shader::base_color(const ShadedTriangle& t, const glm::vec3& weights) const {
-    if (picture_.options.face_colors_from_id) return linear_of(id_color(t.id));
-    if (picture_.scene.map_positions.empty()) return picture_.palette.plain;
-    const float at = interpolated({t.corner[0].map_position, t.corner[1].map_position, t.corner[2].map_position}, weights);
-    return std::isnan(at) ? picture_.palette.undefined : picture_.palette.at(at);
-}
-
-LinearColor Shader::color(std::int32_t id, glm::dvec2 at) {
-    ShadedTriangle& t = kept_[static_cast<std::size_t>(id) % kept_.size()];
-    if (t.id != id) t = ShadedTriangle(picture_, id);
-    const DrawOptions& options = picture_.options;
-    const glm::vec3 weights = t.barycentric(at);
-    LinearColor c = base_color(t, weights);
-    if (options.face_colors_from_id) return c;
-    const bool plain = picture_.scene.map_positions.empty(), ribbon = picture_.is_ribbon(id);
-    if (options.shading) {
-        glm::vec3 tint(strength_of_light(t, weights, plain, ribbon));
-        if (t.is_back && options.backface_tint) tint *= plain ? back_tint : glm::vec3(back_darkening);
-        c = {tint.r * c.r, tint.g * c.g, tint.b * c.b, c.a};
+void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments) {
+    if (style.options.face_colors_from_id) return color_by_number(fragments);
+    // The last vector is filled up with the last fragment, so that all of its lanes are tame; ribbons have no corners to fetch.
+    std::vector<std::pair<std::size_t, std::int32_t>> exact;
+    const bool some_exact = projected.scene.has_far_off || !ribbons.empty();
+    for (std::size_t i = 0; some_exact && i < fragments.count; ++i) {
+        std::int32_t& id = fragments.triangle[i];
+        if (is_out_of_reach(projected.scene, id)) {
+            exact.emplace_back(i, id);
+            if (id >= projected.scene.triangle_count()) id = 0;
+        }
     }
-    if (options.edges && !ribbon) {
-        const float strength = edge_strength(t, weights);
-        c = (1 - strength) * c;
-        c += strength * edge_color;
-    }
-    return c;
+    for (std::size_t i = fragments.count; i % block_samples != 0; ++i)
+        fragments.triangle[i] = fragments.triangle[fragments.count - 1], fragments.x[i] = 0, fragments.y[i] = 0;
+    HWY_DYNAMIC_DISPATCH(InterpolateAll)(projected, style, fragments);
+    for (const auto& [i, id] : exact) ExactTriangle(projected, ribbons, id).interpolate(style, fragments, i);
+    HWY_DYNAMIC_DISPATCH(LightAll)(style, fragments);
 }
 
 }   // namespace render
+#endif

@@ -25,7 +25,7 @@ struct LinearColor {
 struct SrgbTables {
     static constexpr int steps = 16384;   // fine enough that neighbouring dark channels stay apart
     std::array<float, 256> linear;
-    std::array<std::uint8_t, steps + 1> channel;   // at the middle of each step
+    std::array<std::uint8_t, steps + 1 + 3> channel;   // at the middle of each step; padded, to be read in words
 
     SrgbTables();
 };

@@ -2,18 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
+
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <string>
 
 #include "render/shapes.h"
+#include "tile_lists.h"
+#include "wide_triangle.h"
 
 namespace {
 
-using render::SampleBand;
-using render::SampleOffset;
+using render::SampleBlock;
+using render::SampleTile;
 using render::ScreenPoint;
 using render::Triangle2;
-using render::Visible;
 using render_tests::random_integer;
 
 __extension__ using Wide = __int128;
@@ -34,30 +39,87 @@ bool covers(const Triangle2& t, std::int64_t px, std::int64_t py) {
     return crossings % 2 == 1;
 }
 
-constexpr int width = 21, height = 17, first_row = 3;
+/// The picture, and the tile of it that is drawn: one in the middle, so that places have an origin.
+constexpr int width = 192, height = 256, tile_x = 64, tile_y = 128;
+constexpr std::int64_t left = tile_x * 256, top = tile_y * 256, side = 64 * 256;
+
+/// One sample after the other.
+struct Sample {
+    std::int64_t x, y;
+    float highest, lowest;
+    int top, bottom;
+};
+
+template <class Visit>
+void for_each_sample(const SampleTile& tile, const Visit& visit) {
+    const render::SamplePattern& pattern = tile.pattern();
+    for (int row = 0; row < tile.blocks_on_side(); ++row)
+        for (int column = 0; column < tile.blocks_on_side(); ++column) {
+            const SampleBlock& block = tile.row(row)[column];
+            for (std::size_t s = 0; s < 16; ++s)
+                visit(Sample{left + column * pattern.block_side * 256 + pattern.x[s], top + row * pattern.block_side * 256 + pattern.y[s],
+                             block.highest[s], block.lowest[s], block.top[s], block.bottom[s]});
+        }
+}
+
+SampleTile empty_tile(int samples) {
+    SampleTile tile(render::pattern_of(samples));
+    tile.start(tile_x, tile_y);
+    return tile;
+}
+
+/// Draws through a scene: each triangle takes the path that its size asks for.
+SampleTile drawn(const std::vector<Triangle2>& triangles, int samples) {
+    render_tests::Mesh mesh;
+    for (const Triangle2& t : triangles) {
+        const int first = static_cast<int>(mesh.positions.size());
+        for (const ScreenPoint& p : t.corner)
+            mesh.positions.push_back(
+                {static_cast<double>(p.x - width * 128) / 256, static_cast<double>(height * 128 - p.y) / 256, p.depth / 256});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    const render::Surface surface = mesh.surface();
+    const render::DrawOptions options{.width = width, .height = height};
+    const render::Scene scene(surface, {}, options);
+    const render::ProjectedScene projected(scene, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    const render::TileLists lists({&projected, 1}, render::pattern_of(samples));
+    std::vector<std::int32_t> ids;
+    lists.collect(0, tile_y / 64 * lists.columns() + tile_x / 64, ids);
+    SampleTile tile = empty_tile(samples);
+    render::rasterize(projected, ids, tile);
+    return tile;
+}
+
+SampleTile drawn_wide(const std::vector<Triangle2>& triangles, int samples) {
+    SampleTile tile = empty_tile(samples);
+    for (std::size_t i = 0; i < triangles.size(); ++i) render::rasterize_wide(triangles[i], static_cast<int>(i), tile);
+    return tile;
+}
 
 /// Samples whose coverage differs from the reference.
-int disagreements(const Triangle2& t, int samples) {
-    SampleBand band(width, first_row, height, samples);
-    render::rasterize(t, 7, band);
+int disagreements(const Triangle2& t, const SampleTile& tile) {
     int count = 0;
-    for (int y = first_row; y < first_row + height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (std::size_t s = 0; s < static_cast<std::size_t>(samples); ++s) {
-                const SampleOffset o = band.offsets()[s];
-                const bool expected = covers(t, x * render::subpixels + o.x, y * render::subpixels + o.y);
-                count += (band.at(x, y)[s].triangle == 7) == expected ? 0 : 1;
-            }
+    for_each_sample(tile, [&](const Sample& s) {
+        const bool expected = covers(t, s.x, s.y);
+        count += (s.top == 0) == expected && (s.bottom == 0) == expected ? 0 : 1;
+    });
     return count;
 }
 
-/// Corners at random in ±`reach` round the band, on multiples of `step`.
+void expect_exact(const Triangle2& t) {
+    for (const int samples : {1, 4}) {
+        ASSERT_EQ(disagreements(t, drawn({t}, samples)), 0) << samples << " samples";
+        ASSERT_EQ(disagreements(t, drawn_wide({t}, samples)), 0) << samples << " samples, slow path";
+    }
+}
+
+/// Corners at random in ±`reach` round the middle of the tile, on multiples of `step`.
 Triangle2 random_triangle(std::mt19937_64& random, std::int64_t reach, std::int64_t step) {
     Triangle2 t;
     for (ScreenPoint& p : t.corner) {
-        p.x = step * random_integer(random, -reach / step, reach / step);
-        p.y = step * random_integer(random, -reach / step, reach / step);
-        p.depth = static_cast<float>(random_integer(random, -100, 100));
+        p.x = left + side / 2 + step * random_integer(random, -reach / step, reach / step);
+        p.y = top + side / 2 + step * random_integer(random, -reach / step, reach / step);
+        p.depth = static_cast<double>(random_integer(random, -25600, 25600));
     }
     return t;
 }
@@ -65,77 +127,91 @@ Triangle2 random_triangle(std::mt19937_64& random, std::int64_t reach, std::int6
 void expect_exact(std::int64_t reach, std::int64_t step, int count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     for (int i = 0; i < count; ++i) {
-        const Triangle2 t = random_triangle(random, reach, step);
-        ASSERT_EQ(disagreements(t, 1), 0) << "triangle " << i;
-        ASSERT_EQ(disagreements(t, 4), 0) << "triangle " << i;
+        ASSERT_NO_FATAL_FAILURE(expect_exact(random_triangle(random, reach, step))) << "triangle " << i;
     }
 }
 
-TEST(Rasterizer, CoverageEqualsTheExactReferenceForRandomTriangles) { expect_exact(24 * 256, 1, 1500, 1); }
+TEST(Rasterizer, CoverageEqualsTheExactReferenceForRandomTriangles) {
+    for (const int pixels : {1, 4, 12, 31, 60}) expect_exact(pixels * 256, 1, 120, static_cast<std::uint64_t>(pixels));
+}
 
 // Corners on multiples of 32/256 pixel: many samples lie exactly on edges and corners.
-TEST(Rasterizer, CoverageIsExactWhereSamplesLieOnEdges) { expect_exact(20 * 256, 32, 1500, 2); }
+TEST(Rasterizer, CoverageIsExactWhereSamplesLieOnEdges) { expect_exact(20 * 256, 32, 400, 2); }
+
+// Just below and just above the size from which on triangles take the slow path.
+TEST(Rasterizer, CoverageIsExactWhereThePathsMeet) {
+    std::mt19937_64 random(9);
+    for (int i = 0; i < 200; ++i) {
+        Triangle2 t = random_triangle(random, 20 * 256, 1);
+        t.corner[1].x = t.corner[0].x + 63 * 256 + random_integer(random, -1, 1);
+        ASSERT_NO_FATAL_FAILURE(expect_exact(t)) << "triangle " << i;
+    }
+}
 
 TEST(Rasterizer, CoverageIsExactForTrianglesOfAFewSubpixels) {
     std::mt19937_64 random(3);
     int covered = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const ScreenPoint sample{128 + 256 * 9, 128 + 256 * 11, 0};
+    for (int i = 0; i < 600; ++i) {
+        const ScreenPoint sample{left + 128 + 256 * 9, top + 128 + 256 * 11, 0};
         Triangle2 t;
         for (ScreenPoint& p : t.corner) p = {sample.x + random_integer(random, -3, 3), sample.y + random_integer(random, -3, 3), 1};
         covered += covers(t, sample.x, sample.y) ? 1 : 0;
-        ASSERT_EQ(disagreements(t, 1), 0) << "triangle " << i;
+        ASSERT_NO_FATAL_FAILURE(expect_exact(t)) << "triangle " << i;
     }
-    EXPECT_GT(covered, 300);   // however small, a triangle is drawn where it covers a sample
+    EXPECT_GT(covered, 60);   // however small, a triangle is drawn where it covers a sample
 }
 
 TEST(Rasterizer, CoverageIsExactForSlivers) {
     std::mt19937_64 random(4);
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 400; ++i) {
         Triangle2 t = random_triangle(random, 24 * 256, 1);
         const ScreenPoint &a = t.corner[0], &b = t.corner[1];
         t.corner[2] = {(a.x + 2 * b.x) / 3 + random_integer(random, -1, 1), (a.y + 2 * b.y) / 3 + random_integer(random, -1, 1), 0};
-        ASSERT_EQ(disagreements(t, 4), 0) << "triangle " << i;
+        ASSERT_NO_FATAL_FAILURE(expect_exact(t)) << "triangle " << i;
     }
 }
 
+// A model's coordinates are doubles: from 2⁴⁴ on their differences are no longer whole grid steps, so only the slow path is asked.
 TEST(Rasterizer, CoverageIsExactForHugeTriangles) {
-    for (const int bits : {20, 27, 28, 29, 40, 51}) expect_exact(std::int64_t{1} << bits, 1, 150, static_cast<std::uint64_t>(bits));
+    for (const int bits : {18, 20, 23, 24, 28, 40}) expect_exact(std::int64_t{1} << bits, 1, 60, static_cast<std::uint64_t>(bits));
+    std::mt19937_64 random(51);
+    for (int i = 0; i < 60; ++i) {
+        const Triangle2 t = random_triangle(random, std::int64_t{1} << 51, 1);
+        ASSERT_EQ(disagreements(t, drawn_wide({t}, 4)), 0) << "triangle " << i;
+    }
 }
 
 TEST(Rasterizer, TrianglesBeyondTheLimitAndDegenerateOnesCoverNothing) {
-    SampleBand band(width, first_row, height, 4);
     const std::int64_t far = 2 * render::largest_coordinate;
-    render::rasterize({{{{-far, -far, 0}, {far, -far, 0}, {0, far, 0}}}}, 1, band);
-    render::rasterize({{{{0, 0, 0}, {2560, 2560, 0}, {5120, 5120, 0}}}}, 2, band);
-    render::rasterize({{{{1184, 1184, 0}, {1184, 1184, 0}, {1184, 1184, 0}}}}, 3, band);
-    for (int y = first_row; y < first_row + height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (const Visible& v : band.at(x, y)) ASSERT_EQ(v.triangle, Visible::nothing);
+    const std::vector<Triangle2> none{{{{{-far, -far, 0}, {far, -far, 0}, {0, far, 0}}}},
+                                      {{{{left, top, 0}, {left + 2560, top + 2560, 0}, {left + 5120, top + 5120, 0}}}},
+                                      {{{{left + 128, top + 128, 0}, {left + 128, top + 128, 0}, {left + 128, top + 128, 0}}}}};
+    for (const SampleTile& tile : {drawn(none, 4), drawn_wide(none, 4)})
+        for_each_sample(tile, [](const Sample& s) { ASSERT_TRUE(s.top == render::no_triangle && s.bottom == render::no_triangle); });
 }
 
-// A jittered triangulation of a rectangle larger than the band, some of its corners on samples.
+// A jittered triangulation of more than the tile, some of its corners on samples.
 TEST(Rasterizer, TrianglesThatShareEdgesCoverEachSampleOnce) {
     std::mt19937_64 random(5);
-    for (int round = 0; round < 20; ++round) {
-        constexpr int n = 9, cell = 3 * 256;
+    for (int round = 0; round < 8; ++round) {
+        constexpr int n = 16;
+        constexpr std::int64_t cell = 5 * 256;
         std::vector<ScreenPoint> points;
         for (int j = 0; j <= n; ++j)
             for (int i = 0; i <= n; ++i) {
                 const bool on_sample = random_integer(random, 0, 2) == 0;
-                const std::int64_t jx = on_sample ? 128 : random_integer(random, -250, 250),
-                                   jy = on_sample ? 128 : random_integer(random, -250, 250);
-                points.push_back({cell * (i - 1) + jx, cell * (j - 1) + jy, static_cast<float>(i + j)});
+                const std::int64_t jx = on_sample ? 128 : random_integer(random, -400, 400),
+                                   jy = on_sample ? 128 : random_integer(random, -400, 400);
+                points.push_back({left + cell * (i - 1) + jx, top + cell * (j - 1) + jy, static_cast<double>(i + j)});
             }
-        std::vector<int> hits(static_cast<std::size_t>(width * height) * 4, 0);
+        std::vector<int> hits;
         const auto hit = [&](int a, int b, int c) {
-            SampleBand band(width, first_row, height, 4);
             const auto p = [&](int i) { return points[static_cast<std::size_t>(i)]; };
-            render::rasterize({{{p(a), p(b), p(c)}}}, 0, band);
-            for (int y = 0; y < height; ++y)
-                for (int x = 0; x < width; ++x)
-                    for (std::size_t s = 0; s < 4; ++s)
-                        hits[static_cast<std::size_t>(y * width + x) * 4 + s] += band.at(x, first_row + y)[s].triangle == 0 ? 1 : 0;
+            std::size_t i = 0;
+            for_each_sample(drawn({{{{p(a), p(b), p(c)}}}}, 4), [&](const Sample& s) {
+                if (i == hits.size()) hits.push_back(0);
+                hits[i++] += s.top == 0 ? 1 : 0;
+            });
         };
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
@@ -148,87 +224,125 @@ TEST(Rasterizer, TrianglesThatShareEdgesCoverEachSampleOnce) {
     }
 }
 
-TEST(Rasterizer, TheNearestTriangleIsSeenWhateverTheOrder) {
-    const Triangle2 near{{{{0, 0, 5}, {8000, 0, 5}, {0, 8000, 5}}}}, behind{{{{0, 0, -5}, {8000, 0, -5}, {0, 8000, -5}}}};
-    for (const bool near_first : {true, false}) {
-        SampleBand band(width, first_row, height, 1);
-        render::rasterize(near_first ? near : behind, near_first ? 1 : 2, band);
-        render::rasterize(near_first ? behind : near, near_first ? 2 : 1, band);
-        EXPECT_EQ(band.at(5, 5)[0].triangle, 1);
+TEST(Rasterizer, TheHighestAndTheLowestTriangleAreSeenWhateverTheOrder) {
+    for (const std::int64_t size : {4000, 40000}) {
+        const auto at = [&](double depth) {
+            return Triangle2{{{{left, top, depth}, {left + size, top, depth}, {left, top + size, depth}}}};
+        };
+        std::vector<double> depths{-500, 0, 500};
+        do {
+            std::vector<Triangle2> triangles;
+            for (const double depth : depths) triangles.push_back(at(depth));
+            const SampleTile tile = drawn(triangles, 4);
+            EXPECT_EQ(depths[static_cast<std::size_t>(tile.row(2)[3].top[5])], 500);
+            EXPECT_EQ(depths[static_cast<std::size_t>(tile.row(2)[3].bottom[5])], -500);
+        } while (std::next_permutation(depths.begin(), depths.end()));
     }
 }
 
 TEST(Rasterizer, OfDoubledTrianglesTheFirstIsSeenWhateverTheOrderOfTheirCorners) {
     std::mt19937_64 random(6);
-    for (int i = 0; i < 500; ++i) {
-        const Triangle2 t = random_triangle(random, 20 * 256, 1);
-        Triangle2 doubled = t;
-        std::shuffle(doubled.corner.begin(), doubled.corner.end(), random);
-        SampleBand band(width, first_row, height, 4);
-        render::rasterize(t, 1, band);
-        render::rasterize(doubled, 2, band);
-        for (int y = first_row; y < first_row + height; ++y)
-            for (int x = 0; x < width; ++x)
-                for (const Visible& v : band.at(x, y)) ASSERT_NE(v.triangle, 2);
-    }
+    for (const std::int64_t reach : {2 * 256, 20 * 256, 200 * 256})
+        for (int i = 0; i < 150; ++i) {
+            const Triangle2 t = random_triangle(random, reach, 1);
+            Triangle2 doubled = t;
+            std::shuffle(doubled.corner.begin(), doubled.corner.end(), random);
+            for_each_sample(drawn({t, doubled}, 4), [](const Sample& s) { ASSERT_TRUE(s.top != 1 && s.bottom != 1); });
+        }
 }
 
 TEST(Rasterizer, DepthsStayWithinThoseOfTheCorners) {
     std::mt19937_64 random(7);
-    for (int i = 0; i < 1000; ++i) {
-        Triangle2 t = random_triangle(random, 24 * 256, 1);
-        const auto [low, high] = std::minmax({t.corner[0].depth, t.corner[1].depth, t.corner[2].depth});
-        SampleBand band(width, first_row, height, 4);
-        render::rasterize(t, 0, band);
-        for (int y = first_row; y < first_row + height; ++y)
-            for (int x = 0; x < width; ++x)
-                for (const Visible& v : band.at(x, y)) {
-                    if (v.triangle != 0) continue;
-                    ASSERT_GE(v.depth, low - 1e-4F);
-                    ASSERT_LE(v.depth, high + 1e-4F);
-                }
-    }
+    for (const std::int64_t reach : {2 * 256, 24 * 256, 500 * 256})
+        for (int i = 0; i < 200; ++i) {
+            const Triangle2 t = random_triangle(random, reach, 1);
+            const auto [low, high] = std::minmax({t.corner[0].depth, t.corner[1].depth, t.corner[2].depth});
+            for_each_sample(drawn({t}, 4), [low = low, high = high](const Sample& s) {
+                if (s.top != 0) return;
+                ASSERT_GE(double(s.highest), low - 0.02);   // of a grid step
+                ASSERT_LE(double(s.highest), high + 0.02);
+            });
+        }
 }
 
-// Many large triangles through one another: whatever is skipped as hidden must be hidden.
-TEST(Rasterizer, EverySampleSeesTheNearestOfManyLargeTriangles) {
+// Many triangles through one another: whatever is skipped as hidden must be hidden.
+TEST(Rasterizer, EverySampleSeesTheHighestAndLowestOfManyTriangles) {
     std::mt19937_64 random(8);
-    constexpr int columns = 150, rows = 32, count = 120;
-    for (const std::int64_t reach : {std::int64_t{300 * 256}, std::int64_t{1} << 40}) {
+    for (const std::int64_t reach : {std::int64_t{25 * 256}, std::int64_t{300 * 256}, std::int64_t{1} << 40}) {
         std::vector<Triangle2> triangles;
-        for (int i = 0; i < count; ++i) triangles.push_back(random_triangle(random, reach, 1));
-        SampleBand together(columns, 0, rows, 4);
-        for (int i = 0; i < count; ++i) render::rasterize(triangles[static_cast<std::size_t>(i)], i, together);
-        std::vector<Visible> nearest(static_cast<std::size_t>(columns * rows * 4));
-        for (int i = 0; i < count; ++i) {
-            SampleBand alone(columns, 0, rows, 4);
-            render::rasterize(triangles[static_cast<std::size_t>(i)], i, alone);
-            for (std::size_t s = 0; s < nearest.size(); ++s)
-                if (alone.pixel(0, 0)[s].depth > nearest[s].depth) nearest[s] = alone.pixel(0, 0)[s];
+        for (int i = 0; i < 80; ++i) triangles.push_back(random_triangle(random, reach, 1));
+        std::vector<Sample> expected;
+        for_each_sample(empty_tile(4), [&](const Sample& s) { expected.push_back(s); });
+        for (int id = 0; id < static_cast<int>(triangles.size()); ++id) {
+            std::size_t i = 0;
+            for_each_sample(drawn({triangles[static_cast<std::size_t>(id)]}, 4), [&](const Sample& s) {
+                Sample& e = expected[i++];
+                if (s.top == 0 && s.highest > e.highest) e.highest = s.highest, e.top = id;
+                if (s.bottom == 0 && s.lowest < e.lowest) e.lowest = s.lowest, e.bottom = id;
+            });
         }
-        for (std::size_t s = 0; s < nearest.size(); ++s) {
-            ASSERT_EQ(together.pixel(0, 0)[s].triangle, nearest[s].triangle);
-            ASSERT_EQ(together.pixel(0, 0)[s].depth, nearest[s].depth);
-        }
+        std::size_t i = 0;
+        for_each_sample(drawn(triangles, 4), [&](const Sample& s) {
+            const Sample& e = expected[i++];
+            ASSERT_TRUE(s.top == e.top && s.bottom == e.bottom && s.highest == e.highest && s.lowest == e.lowest);
+        });
     }
 }
 
 TEST(Rasterizer, DepthIsLinearOnThePlane) {
-    // z = 3 + x/10 − y/5 in pixels
-    const auto z = [](double x, double y) { return 3 + 0.1 * x - 0.2 * y; };
+    // in grid steps, at places in grid steps from the corner of the tile
+    const auto z = [](double x, double y) { return 768 + 0.125 * x - 0.25 * y; };
     const auto corner = [&](std::int64_t x, std::int64_t y) {
-        return ScreenPoint{x, y, static_cast<float>(z(double(x) / 256, double(y) / 256))};
+        return ScreenPoint{left + x, top + y, z(static_cast<double>(x), static_cast<double>(y))};
     };
-    SampleBand band(width, first_row, height, 1);
-    render::rasterize({{{corner(-3000, -1000), corner(9000, 500), corner(400, 9000)}}}, 0, band);
-    int seen = 0;
-    for (int y = first_row; y < first_row + height; ++y)
-        for (int x = 0; x < width; ++x)
-            if (const Visible& v = band.at(x, y)[0]; v.triangle == 0) {
+    for (const std::int64_t scale : {1, 4}) {
+        int seen = 0;
+        for_each_sample(
+            drawn({{{{corner(-2000 * scale, -800 * scale), corner(9600 * scale, 480 * scale), corner(400 * scale, 8800 * scale)}}}}, 1),
+            [&](const Sample& s) {
+                if (s.top != 0) return;
                 ++seen;
-                ASSERT_NEAR(static_cast<double>(v.depth), z(x + 0.5, y + 0.5), 1e-5);
-            }
-    EXPECT_GT(seen, 200);
+                ASSERT_NEAR(double(s.highest), z(static_cast<double>(s.x - left), static_cast<double>(s.y - top)), 0.01);
+            });
+        EXPECT_GT(seen, 200);
+    }
+}
+
+/// Runs with one instruction set only, where the processor has it.
+class InstructionSet : public testing::TestWithParam<std::pair<const char*, std::int64_t>> {
+protected:
+    void SetUp() override {
+        if ((hwy::SupportedTargets() & GetParam().second) == 0) GTEST_SKIP() << "this processor has no " << GetParam().first;
+        hwy::SetSupportedTargetsForTest(GetParam().second);
+    }
+    void TearDown() override { hwy::SetSupportedTargetsForTest(0); }
+};
+INSTANTIATE_TEST_SUITE_P(All, InstructionSet,
+                         testing::Values(std::pair("SSE4", HWY_SSE4), std::pair("AVX2", HWY_AVX2), std::pair("AVX512", HWY_AVX3)),
+                         [](const auto& set) { return std::string(set.param.first); });
+
+TEST_P(InstructionSet, CoverageIsExact) {
+    expect_exact(6 * 256, 1, 60, 21);
+    expect_exact(20 * 256, 32, 60, 22);
+}
+
+TEST_P(InstructionSet, PicturesHaveTheSameBytesAsWithTheLeastOne) {
+    const render_tests::Mesh mesh = render_tests::pebble();
+    render::Surface surface = mesh.surface();
+    std::vector<double> values = mesh.values;
+    for (std::size_t i = 0; i < values.size(); i += 17) values[i] = std::nan("");
+    surface.values = values;
+    for (const int samples : {1, 4})
+        for (const bool occlusion : {false, true}) {
+            render::DrawOptions options{.width = 203, .height = 161};
+            options.range = {nullptr, -400, 400};
+            options.samples = samples, options.occlusion = occlusion, options.edges = occlusion, options.isoline_spacing = 90;
+            hwy::SetSupportedTargetsForTest(GetParam().second);
+            const auto here = render::draw_views(surface, render::six_views, options);
+            hwy::SetSupportedTargetsForTest(HWY_SSSE3);
+            const auto least = render::draw_views(surface, render::six_views, options);
+            for (std::size_t v = 0; v < here.size(); ++v) EXPECT_EQ(render_tests::differing_pixels(here[v], least[v]), 0) << render::six_views[v].name << ", " << samples << " samples, " << occlusion;
+        }
 }
 
 }   // namespace

@@ -1,0 +1,124 @@
+// Horizons in opposite directions (Bavoil, Sainz, Dimitrov, Image-space horizon-based ambient occlusion, SIGGRAPH 2008 talks): if they
+// rise by α and β, the sky between them is π − α − β wide. Where the surface is a plane α = −β, so it does not darken itself, and no
+// normals are needed. All pixels look at the same places round them: neighbouring pixels are lanes of a vector, and what they look at
+// lies side by side.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "occlusion.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <array>
+#include <cmath>
+
+#include "occlusion.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// sin of the angle with this tangent.
+template <class D>
+HWY_INLINE hn::Vec<D> sine(D d, hn::Vec<D> tangent) {
+    return hn::Div(tangent, hn::Sqrt(hn::Add(hn::Set(d, 1), hn::Mul(tangent, tangent))));
+}
+
+/// What stands higher than `reach` over a pixel fades: it is another part in front, not a wall of the same hollow.
+template <class D>
+HWY_INLINE hn::Vec<D> rise(D d, hn::Vec<D> from, const float* to, hn::Vec<D> twice_reach) {
+    const auto difference = hn::Sub(hn::LoadU(d, to), from);
+    return hn::Min(difference, hn::Sub(twice_reach, difference));
+}
+
+bool Openness(const float* heights, std::size_t count, float reach, const Looks& looks, float* openness) {
+    const hn::CappedTag<float, 16> d;
+    const auto zero = hn::Zero(d), lowest = hn::Set(d, -1e9F), twice_reach = hn::Set(d, 2 * reach);
+    bool any = false;
+    for (std::size_t x = 0; x < count; x += hn::Lanes(d)) {
+        const auto from = hn::LoadU(d, heights + x);
+        if (hn::AllTrue(d, hn::Lt(from, hn::Set(d, HeightField::nothing / 2)))) {
+            hn::StoreU(hn::Set(d, 1), d, openness + x);
+            continue;
+        }
+        any = true;
+        auto hidden = zero;
+        for (const auto& direction : looks) {
+            auto ahead = lowest, behind = lowest;
+            for (const Look& look : direction) {
+                const auto scale = hn::Set(d, look.one_over_distance);
+                ahead = hn::Max(ahead, hn::Mul(scale, rise(d, from, heights + x + look.step, twice_reach)));
+                behind = hn::Max(behind, hn::Mul(scale, rise(d, from, heights + x - look.step, twice_reach)));
+            }
+            hidden = hn::Add(hidden, hn::Max(zero, hn::Add(sine(d, ahead), sine(d, behind))));
+        }
+        const auto open = hn::Sub(hn::Set(d, 1), hn::Mul(hidden, hn::Set(d, 0.5F / occlusion_directions)));
+        hn::StoreU(open, d, openness + x);
+    }
+    return any;
+}
+
+}   // namespace render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <algorithm>
+
+namespace render {
+
+HWY_EXPORT(Openness);
+
+namespace {
+
+constexpr double reach_share = 0.045;
+/// Distances of the looks along even and odd directions, as shares of the reach.
+constexpr std::array<std::array<double, looks_of_direction>, 2> distances{{{0.05, 0.18, 0.45, 1.0}, {0.08, 0.28, 0.62, 0.85}}};
+
+Looks looks_on(const HeightField& heights) {
+    Looks looks;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const double angle = (static_cast<double>(i) + 0.5) * std::acos(-1.0) / static_cast<double>(looks.size());
+        for (std::size_t k = 0; k < looks_of_direction; ++k) {
+            const double distance = std::max(1.5, distances[i % 2][k] * heights.reach());
+            const double x = std::round(distance * std::cos(angle)), y = std::round(distance * std::sin(angle));
+            const double length = std::max(1.0, std::hypot(x, y));
+            looks[i][k] = {static_cast<std::ptrdiff_t>(x) + static_cast<std::ptrdiff_t>(y) * heights.pitch(),
+                           static_cast<float>(1 / length)};
+        }
+    }
+    return looks;
+}
+
+}   // namespace
+
+// Sixteen pixels more to the right, because vectors read that far.
+HeightField::HeightField(int width, int height)
+    : width_(width),
+      height_(height),
+      reach_(2 + static_cast<int>(reach_share * std::min(width, height))),
+      pitch_(width + 2 * reach_ + 16),
+      heights_(static_cast<std::size_t>(pitch_ * (height + 2 * reach_)), nothing) {}
+
+void HeightField::clear() { std::fill(heights_.begin(), heights_.end(), nothing); }
+
+void HeightField::set(int x, int y, std::span<const float> heights) {
+    float* row = heights_.data() + (y + reach_) * pitch_ + reach_ + x;
+    std::transform(heights.begin(), heights.end(), row, [](float h) { return std::max(h, nothing); });
+}
+
+Sky::Sky(const HeightField& heights) : heights_(heights), looks_(looks_on(heights)) {}
+
+bool Sky::openness(int x, int y, std::span<float> openness) const {
+    std::array<float, 1024> found;   // whole vectors
+    bool any = false;
+    for (std::size_t begin = 0; begin < openness.size(); begin += found.size()) {
+        const std::size_t count = std::min(found.size(), openness.size() - begin);
+        any |= HWY_DYNAMIC_DISPATCH(Openness)(heights_.place(x + static_cast<int>(begin), y), count, static_cast<float>(heights_.reach()),
+                                              looks_, found.data());
+        std::copy_n(found.begin(), count, openness.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+    return any;
+}
+
+}   // namespace render
+#endif

@@ -1,0 +1,60 @@
+/// @file
+/// Ambient occlusion from the heights of a picture: how much of the sky each pixel sees.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace render {
+
+/// A place to look at, and the one opposite.
+struct Look {
+    std::ptrdiff_t step;   // in the height field
+    float one_over_distance;
+};
+inline constexpr std::size_t occlusion_directions = 8, looks_of_direction = 4;   // each direction with its opposite
+using Looks = std::array<std::array<Look, looks_of_direction>, occlusion_directions>;
+
+/// Heights above the picture plane towards the viewer, in pixels, with a margin of nothing round the picture.
+class HeightField {
+public:
+    static constexpr float nothing = -1e6F;
+
+    HeightField(int width, int height);
+
+    void clear();
+    void set(int x, int y, std::span<const float> heights);
+    /// @param x, y  may lie up to reach() outside of the picture
+    float at(int x, int y) const { return *place(x, y); }
+    const float* place(int x, int y) const { return heights_.data() + (y + reach_) * pitch_ + reach_ + x; }
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// How far occlusion looks, in pixels: a share of the shorter side.
+    int reach() const { return reach_; }
+    /// From a row to the next.
+    std::ptrdiff_t pitch() const { return pitch_; }
+
+private:
+    int width_, height_, reach_;
+    std::ptrdiff_t pitch_;
+    std::vector<float> heights_;
+};
+
+/// Where pixels look for what hides the sky; the same places round all of them.
+class Sky {
+public:
+    explicit Sky(const HeightField& heights);
+
+    /// For pixels from (x, y) on: 1 where one sees the whole half-space above it, down to 0 at the bottom of a hole. Planes see all of
+    /// it, however inclined. False when no pixel shows anything.
+    bool openness(int x, int y, std::span<float> openness) const;
+
+private:
+    const HeightField& heights_;
+    Looks looks_;
+};
+
+}   // namespace render
