@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -31,6 +32,19 @@ public:
         return a != b;
     }
 
+    /// The same, while other threads do so too. The sets do not depend on who comes first: always the larger root is hung on the
+    /// smaller one, and only while it still is a root.
+    void join_concurrently(int i, int j) {
+        for (;;) {
+            int larger = find_concurrently(i);
+            int smaller = find_concurrently(j);
+            if (larger == smaller) return;
+            if (larger < smaller) std::swap(larger, smaller);
+            int root = larger;
+            if (parent(larger).compare_exchange_strong(root, smaller, std::memory_order_relaxed)) return;
+        }
+    }
+
     /// Makes `found` valid until the next join: parents are smaller, so the one of a parent is already right.
     void flatten() {
         for (int& parent : parent_) parent = parent_[at(parent)];
@@ -39,6 +53,17 @@ public:
 
 private:
     static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+    std::atomic_ref<int> parent(int i) { return std::atomic_ref<int>(parent_[at(i)]); }
+    int find_concurrently(int i) {
+        for (;;) {
+            const int up = parent(i).load(std::memory_order_relaxed);
+            if (up == i) return i;
+            const int further_up = parent(up).load(std::memory_order_relaxed);
+            if (further_up != up) parent(i).store(further_up, std::memory_order_relaxed);
+            i = further_up;
+        }
+    }
 
     std::vector<int> parent_;
 };

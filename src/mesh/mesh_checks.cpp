@@ -13,6 +13,7 @@
 #include "mesh/orientation.h"
 #include "mesh/parallel.h"
 #include "mesh/polygon_list.h"
+#include "mesh/prefetch.h"
 #include "mesh/repeated_points.h"
 #include "mesh/triangle_measures.h"
 
@@ -276,6 +277,7 @@ private:
         const auto tallies = of_blocks(mesh().face_count(), [&](int begin, int end) {
             Tally tally;
             for (int t = begin; t < end; ++t) {
+                send_for_corners(mesh(), t);
                 const TriangleShape::Kind kind = TriangleShape(mesh(), t).kind();
                 if (kind == TriangleShape::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
                 if (kind == TriangleShape::needle) ++tally.needles;

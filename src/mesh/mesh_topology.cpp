@@ -88,24 +88,14 @@ std::vector<int> look_at_fans(const TriangleMesh& mesh, MeshTopology& topology) 
     return smallest;
 }
 
-/// The sets of vertices that triangles join. Each vertex hangs on its smallest neighbour, which leaves few sets; then only the
-/// triangles whose corners are still in different ones are joined.
+/// The sets of vertices that triangles join. Each vertex hangs on its smallest neighbour, which leaves far fewer sets; then those
+/// triangles join the rest whose corners are still in different ones.
 DisjointSets joined_vertices(const TriangleMesh& mesh, std::vector<int> smallest_neighbour) {
     DisjointSets sets(std::move(smallest_neighbour));
-    const auto bridges = of_blocks(mesh.face_count(), [&](int begin, int end) {
-        std::vector<int> triangles;
-        for (int t = begin; t < end; ++t) {
-            const int set = sets.found(mesh.F(t, 0));
-            if (sets.found(mesh.F(t, 1)) != set || sets.found(mesh.F(t, 2)) != set) triangles.push_back(t);
-        }
-        return triangles;
+    for_each_index(mesh.face_count(), [&](int t) {
+        sets.join_concurrently(mesh.F(t, 0), mesh.F(t, 1));
+        sets.join_concurrently(mesh.F(t, 1), mesh.F(t, 2));
     });
-    for (const auto& block : bridges) {
-        for (const int t : block.value) {
-            sets.join(mesh.F(t, 0), mesh.F(t, 1));
-            sets.join(mesh.F(t, 1), mesh.F(t, 2));
-        }
-    }
     sets.flatten();
     return sets;
 }
@@ -178,7 +168,6 @@ int count_where(const Items& items, Condition condition) {
 std::vector<Edge> edges_of(const TriangleMesh& mesh) { return collected_edges(mesh, triangles_around(mesh)); }
 
 MeshTopology topology_without_edges(const TriangleMesh& mesh) {
-    check_faces(mesh);
     MeshTopology topology;
     topology.vertex_faces = triangles_around(mesh);
     label_components(mesh, joined_vertices(mesh, look_at_fans(mesh, topology)), topology);
@@ -190,7 +179,10 @@ MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh) {
     return topology;
 }
 
-MeshTopology topology_of(const TriangleMesh& mesh) { return with_edges(topology_without_edges(mesh), mesh); }
+MeshTopology topology_of(const TriangleMesh& mesh) {
+    check_faces(mesh);
+    return with_edges(topology_without_edges(mesh), mesh);
+}
 
 int MeshTopology::boundary_edge_count() const {
     return count_where(edges, [](const Edge& e) { return e.faces == 1; });

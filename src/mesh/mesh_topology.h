@@ -47,7 +47,8 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh);
 
 /// @throws MeshError if a triangle names a vertex twice or one that does not exist
 MeshTopology topology_of(const TriangleMesh& mesh);
-/// The same but for `edges` and `neighbours`, which take as long as all the rest and are filled by `with_edges`.
+/// The same but for `edges` and `neighbours`, which take as long as all the rest and are filled by `with_edges`. Every triangle must name
+/// three different vertices that exist.
 MeshTopology topology_without_edges(const TriangleMesh& mesh);
 MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh);
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "mesh/parallel.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 
@@ -156,9 +157,11 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         if (topology.on_boundary[at(v)] != 0) component_of(*topology.vertex_faces.begin(v)).closed = false;
     }
-    in_order(
-        mesh.face_count(), [&](int t) { return component_of(t).closed ? six_volumes(mesh, t, component_of(t).origin) : 0; },
-        [&](int t, double volume) { component_of(t).volume.add(volume); });
+    const auto volume_of = [&](int t) {
+        send_for_corners(mesh, t);
+        return component_of(t).closed ? six_volumes(mesh, t, component_of(t).origin) : 0;
+    };
+    in_order(mesh.face_count(), volume_of, [&](int t, double volume) { component_of(t).volume.add(volume); });
 
     Orientation result;
     result.flip.assign(at(mesh.face_count()), 0);
