@@ -12,6 +12,18 @@
 
 #include "occlusion.h"
 
+#ifndef RENDER_OCCLUSION_CONSTANTS
+#define RENDER_OCCLUSION_CONSTANTS
+namespace render {
+
+/// α + β (sum of sines) up to here is not darkened: the folds between the triangles of a coarse mesh.
+inline constexpr float least_bend = 0.12F;
+/// A right-angled groove comes out at about this much hidden.
+inline constexpr float contrast = 1.15F;
+
+}   // namespace render
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
 
@@ -49,9 +61,9 @@ bool Openness(const float* heights, std::size_t count, float reach, const Looks&
                 ahead = hn::Max(ahead, hn::Mul(scale, rise(d, from, heights + x + look.step, twice_reach)));
                 behind = hn::Max(behind, hn::Mul(scale, rise(d, from, heights + x - look.step, twice_reach)));
             }
-            hidden = hn::Add(hidden, hn::Max(zero, hn::Add(sine(d, ahead), sine(d, behind))));
+            hidden = hn::Add(hidden, hn::Max(zero, hn::Sub(hn::Add(sine(d, ahead), sine(d, behind)), hn::Set(d, least_bend))));
         }
-        const auto open = hn::Sub(hn::Set(d, 1), hn::Mul(hidden, hn::Set(d, 0.5F / occlusion_directions)));
+        const auto open = hn::Sub(hn::Set(d, 1), hn::Min(hn::Set(d, 1), hn::Mul(hidden, hn::Set(d, contrast / occlusion_directions))));
         hn::StoreU(open, d, openness + x);
     }
     return any;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <iterator>
 #include <tuple>
 
 namespace render {
@@ -102,9 +103,12 @@ std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
 }
 
 std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width) {
+    std::vector<BoundaryEdge> hidden;
+    std::copy_if(edges.begin(), edges.end(), std::back_inserter(hidden),
+                 [&](const BoundaryEdge& e) { return seen_edge_on(scene, e.triangle); });
+    if (2 * hidden.size() < edges.size()) return {};   // here and there the rim of a curved surface is seen edge-on
     std::vector<Ribbon> ribbons;
-    for (const BoundaryEdge& e : edges) {
-        if (!seen_edge_on(scene, e.triangle)) continue;
+    for (const BoundaryEdge& e : hidden) {
         const ScreenPoint a = scene.exact_corner(e.a), b = scene.exact_corner(e.b);
         const glm::dvec2 along(b.x - a.x, b.y - a.y);
         const double length = glm::length(along);

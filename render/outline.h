@@ -24,7 +24,8 @@ struct Ribbon {
     glm::ivec3 vertex;   // of the surface, whose value each corner has
 };
 
-/// Ribbons along those edges whose triangle is seen edge-on (within a quarter of a degree). @param width  pixels
+/// Ribbons along those edges whose triangle is seen edge-on (within a quarter of a degree), if that are at least half of all: the
+/// surface as a whole would vanish. @param width  pixels
 std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width);
 
 }   // namespace render

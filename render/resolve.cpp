@@ -104,12 +104,13 @@ std::array<T, most_lanes> padded(std::span<const T> rest) {
 
 static_assert(std::endian::native == std::endian::little, "pixels are put together as numbers");
 
-void resolve(std::span<const LinearColor> surfaces, const LinearColor& background, std::span<Rgba> pixels) {
-    const std::size_t done = background.a == 1 ? HWY_DYNAMIC_DISPATCH(ResolveOpaque)(surfaces, background, pixels.data()) : 0;
+void resolve(std::span<const LinearColor> surfaces, Rgba background, std::span<Rgba> pixels) {
+    const LinearColor ground = linear_of(background);
+    const std::size_t done = background.a == 255 ? HWY_DYNAMIC_DISPATCH(ResolveOpaque)(surfaces, ground, pixels.data()) : 0;
     for (std::size_t i = done; i < surfaces.size(); ++i) {
         LinearColor color = surfaces[i];
-        color += (1 - color.a) * background;
-        pixels[i] = srgb_of(color);
+        color += (1 - color.a) * ground;
+        pixels[i] = surfaces[i].a == 0 ? background : srgb_of(color);
     }
 }
 

@@ -10,7 +10,7 @@
 namespace render {
 
 /// pixels[i] = surfaces[i] over `background`, in 8-bit sRGB.
-void resolve(std::span<const LinearColor> surfaces, const LinearColor& background, std::span<Rgba> pixels);
+void resolve(std::span<const LinearColor> surfaces, Rgba background, std::span<Rgba> pixels);
 
 /// Linear light times coverage, in 1/65535: what is kept of a pixel until its occlusion is known.
 struct Layer {

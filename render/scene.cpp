@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 
 namespace render {
 
@@ -44,7 +45,7 @@ float map_position(double value, const ValueRange& range) {
 
 /// Not normalised: twice the area long, cut down where float would overflow. 0 where it is undefined.
 glm::vec3 face_normal(const glm::ivec3& t, const Surface& surface, const Frame& frame) {
-    constexpr double longest = 1e30;
+    constexpr double longest = 1e17;   // its square is finite in float
     const auto at = [&](int k) { return in_pixels(surface.positions[index(t[k])], frame); };
     const glm::dvec3 a = at(0), n = glm::cross(at(1) - a, at(2) - a), size = glm::abs(n);
     const double largest = std::max(size.x, std::max(size.y, size.z));
@@ -59,25 +60,34 @@ void prefetch(const Surface& surface, std::size_t id) {
     for (int k = 0; k < 3; ++k) __builtin_prefetch(surface.positions.data() + t[k]);
 }
 
+/// Of the mean normal, before it is normalised: 1 where the triangles at a vertex lie in a plane, cos 45° on the edge of a cube. The
+/// vertex is a crease from `crease_begin` down, wholly so at `crease_end` (cosines of 24° and 32°).
+constexpr float crease_begin = 0.914F, crease_end = 0.848F;
+float sharpness_of(float length_of_mean) { return std::clamp((crease_begin - length_of_mean) / (crease_begin - crease_end), 0.0F, 1.0F); }
+
 /// The mean over the triangles at each vertex, weighted by area. Each half of the triangles has sums of its own, added up in a fixed
 /// order, so that the result does not depend on the number of threads.
 void set_normals(Scene& scene) {
     constexpr std::size_t halves = 2;
-    std::array<std::vector<glm::vec3>, halves> sums;
+    std::array<std::vector<glm::vec4>, halves> sums;   // of normals times areas, and of areas
     const std::size_t count = scene.surface.triangles.size();
     tbb::parallel_for(std::size_t{0}, halves, [&](std::size_t h) {
-        std::vector<glm::vec3>& sum = sums[h];
-        sum.assign(scene.vertices.size(), glm::vec3(0));
+        std::vector<glm::vec4>& sum = sums[h];
+        sum.assign(scene.vertices.size(), glm::vec4(0));
         for (std::size_t i = h * count / halves; i < (h + 1) * count / halves; ++i) {
             if (!scene.has_known_corners(static_cast<std::int32_t>(i))) continue;
             prefetch(scene.surface, i);
             const glm::ivec3& t = scene.surface.triangles[i];
             const glm::vec3 n = face_normal(t, scene.surface, scene.frame);
-            for (int k = 0; k < 3; ++k) sum[index(t[k])] += n;
+            const glm::vec4 part(n, glm::length(n));
+            for (int k = 0; k < 3; ++k) sum[index(t[k])] += part;
         }
     });
     in_parts(scene.vertices.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) scene.vertices[i].normal = pack_normal(sums[0][i] + sums[1][i]);
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::vec4 sum = sums[0][i] + sums[1][i];
+            scene.vertices[i].normal = pack_normal(glm::vec3(sum), sharpness_of(glm::length(glm::vec3(sum)) / sum.w));
+        }
     });
 }
 
@@ -95,12 +105,12 @@ std::int64_t snapped_far(double pixels) {
 
 }   // namespace
 
-std::uint32_t pack_normal(const glm::vec3& n) {
+std::uint32_t pack_normal(const glm::vec3& n, float sharpness) {
     const glm::dvec3 wide(n);
     const double length = glm::length(wide);
     if (!(length > 0)) return 0;
     const auto bits = [&](double component) { return static_cast<std::uint32_t>(std::lrint((component / length + 1) * 511)); };
-    return bits(wide.x) | bits(wide.y) << 10 | bits(wide.z) << 20;
+    return bits(wide.x) | bits(wide.y) << 10 | bits(wide.z) << 20 | static_cast<std::uint32_t>(std::lrint(3 * sharpness)) << 30;
 }
 
 glm::vec3 unpacked_normal(std::uint32_t packed) {
@@ -140,7 +150,8 @@ ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
     in_parts(turned.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             turned[i] = {snapped(along_axes(in_pixels(scene.surface.positions[i], scene.frame))),
-                         pack_normal(glm::vec3(along_axes(unpacked_normal(scene.vertices[i].normal))))};
+                         pack_normal(glm::vec3(along_axes(unpacked_normal(scene.vertices[i].normal))),
+                                     static_cast<float>(scene.vertices[i].normal >> 30) / 3)};
     });
     vertices = turned.data();
 }

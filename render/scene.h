@@ -24,8 +24,9 @@ struct GridVertex {
 };
 static_assert(sizeof(GridVertex) == 16);
 
-/// Three times 10 bits: (n + 1) · 511, fine enough for light. 0 stands for no normal.
-std::uint32_t pack_normal(const glm::vec3& n);
+/// A normal in three times 10 bits, (n + 1) · 511, fine enough for light; above them two bits of `sharpness`, in thirds: how far the
+/// triangles at the vertex keep normals of their own, because the surface has a crease there. 0 stands for no normal.
+std::uint32_t pack_normal(const glm::vec3& n, float sharpness);
 glm::vec3 unpacked_normal(std::uint32_t packed);
 
 /// A corner of a triangle on the screen, exactly: x to the right and y down from the upper left corner of the picture, in grid steps.

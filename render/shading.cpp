@@ -21,16 +21,15 @@ namespace render {
 
 /// Soft: each light reaches a little beyond its horizon. With the ambient part they add up to about 1 where all of them reach, so no
 /// colour of a map is driven to white, and being neutral they shift no hue.
-inline constexpr std::array<float, 3> light_strength{0.66F, 0.17F, 0.18F};
+inline constexpr std::array<float, 3> light_strength{0.72F, 0.14F, 0.15F};
 inline constexpr float ambient = 0.05F, wrap = 0.15F;
 
-/// Beyond `crease_begin` (cosine) between the normals of corner and triangle the corner turns sharp, wholly so at `crease_end`.
-inline constexpr float crease_begin = 0.94F, crease_end = 0.85F;
 /// Twice the area (square grid steps) from which on the rounded normal of a triangle can be trusted: an eighth of a pixel wide.
 inline constexpr float trusted_area = 32 * 32;
 
-/// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar.
-inline constexpr float light_on_values = 0.72F;
+/// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar. Where the light
+/// is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be seen.
+inline constexpr float light_on_values = 0.78F, sheen_on_values = 0.018F;
 
 /// The back of plain surfaces is ochre; values keep their hue there and only darken.
 inline constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
@@ -76,7 +75,7 @@ HWY_INLINE FloatVector cross(FloatVector ax, FloatVector ay, FloatVector bx, Flo
 /// The corners with one number, for a vector of triangles.
 struct Corner {
     Vector3 at, normal;   // along the axes of the projection
-    FloatVector map_position;
+    FloatVector sharpness, map_position;
 };
 
 class CornerFetcher {
@@ -101,8 +100,11 @@ public:
             const IntVector bits = hn::And(hn::ShiftRightSame(packed, 10 * component_[static_cast<std::size_t>(axis)]), hn::Set(d, 1023));
             return hn::IfThenElseZero(has_normal, hn::Sub(hn::Mul(hn::ConvertTo(Floats(), bits), set(1.0F / 511)), set(1)));
         };
+        const IntVector thirds = hn::And(hn::ShiftRight<30>(packed), hn::Set(d, 3));
+        const FloatVector sharpness = hn::Mul(hn::ConvertTo(Floats(), thirds), set(1.0F / 3));
         return {{at(0), at(1), at(2)},
                 {normal(0), normal(1), normal(2)},
+                hn::IfThenElse(has_normal, sharpness, set(1)),
                 map_positions_ != nullptr ? hn::GatherIndex(Floats(), map_positions_, v) : set(0)};
     }
 
@@ -113,10 +115,9 @@ private:
 };
 
 /// The normal of the vertex, or of the triangle where the surface has a crease.
-HWY_INLINE Vector3 corner_normal(const Vector3& vertex_normal, const Vector3& face_normal, FloatVector trust) {
-    const FloatVector bend = hn::Sub(set(crease_begin), dot(vertex_normal, face_normal));
-    const FloatVector sharp = hn::Mul(trust, clamped(hn::Mul(bend, set(1 / (crease_begin - crease_end)))));
-    return sum(scaled(sharp, face_normal), scaled(hn::Sub(set(1), sharp), vertex_normal));
+HWY_INLINE Vector3 corner_normal(const Corner& corner, const Vector3& face_normal, FloatVector trust) {
+    const FloatVector sharp = hn::Mul(trust, corner.sharpness);
+    return sum(scaled(sharp, face_normal), scaled(hn::Sub(set(1), sharp), corner.normal));
 }
 
 /// The value at a point; where corners are undefined, the nearest corner decides whether the point is.
@@ -184,7 +185,7 @@ HWY_INLINE void interpolate(const CornerFetcher& fetch, float handedness, const 
     const Vector3 face_normal = scaled(hn::Div(set(handedness), hn::Max(length, set(1e-30F))), face);
     const FloatVector trust = hn::Min(set(1), hn::Mul(length, set(1 / trusted_area)));
     const auto part = [&](FloatVector w, const Corner& p)
-                          HWY_ATTR { return scaled(hn::Mul(sign, w), corner_normal(p.normal, face_normal, trust)); };
+                          HWY_ATTR { return scaled(hn::Mul(sign, w), corner_normal(p, face_normal, trust)); };
     const Vector3 normal = sum(part(wa, a), sum(part(wb, b), part(wc, c)));
     hn::Store(normal.x, f, fragments.normal_x.data() + i);
     hn::Store(normal.y, f, fragments.normal_y.data() + i);
@@ -246,6 +247,10 @@ HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size
         const auto tinted = [&](FloatVector channel, float tint)
                                 HWY_ATTR { return hn::Mul(hn::Mul(channel, strength), hn::Sub(set(1), hn::Mul(back, set(1 - tint)))); };
         color = {tinted(color.x, darkening.r), tinted(color.y, darkening.g), tinted(color.z, darkening.b)};
+        if (style.has_values) {
+            const FloatVector sheen = hn::Mul(set(sheen_on_values), hn::Mul(strength, hn::Mul(strength, strength)));
+            color = sum(color, {sheen, sheen, sheen});
+        }
     }
     const FloatVector ink = hn::Load(f, fragments.ink.data() + i);
     color = sum(scaled(hn::Sub(set(1), ink), color), scaled(ink, {set(ink_color.r), set(ink_color.g), set(ink_color.b)}));

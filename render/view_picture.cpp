@@ -10,7 +10,7 @@ namespace render {
 namespace {
 
 /// How much of the light an occluded part loses; values keep more, so that they can be read off the colour bar.
-constexpr float occlusion_on_plain = 0.95F, occlusion_on_values = 0.7F;
+constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.75F;
 
 }   // namespace
 
@@ -27,7 +27,7 @@ ViewPicture::ViewPicture(const DrawOptions& options, const Placement& placement,
     : with_occlusion_(options.occlusion),
       occlusion_strength_(has_values ? occlusion_on_values : occlusion_on_plain),
       placement_(placement),
-      background_(linear_of(options.background)),
+      background_(options.background),
       image_(options.width, options.height, options.background),
       buffers_(buffers) {}
 

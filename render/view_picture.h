@@ -53,7 +53,7 @@ private:
     bool with_occlusion_;
     float occlusion_strength_;
     Placement placement_;
-    LinearColor background_;
+    Rgba background_;
     Image image_;
     ViewBuffers* buffers_;
 };

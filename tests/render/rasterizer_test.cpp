@@ -341,7 +341,9 @@ TEST_P(InstructionSet, PicturesHaveTheSameBytesAsWithTheLeastOne) {
             const auto here = render::draw_views(surface, render::six_views, options);
             hwy::SetSupportedTargetsForTest(HWY_SSSE3);
             const auto least = render::draw_views(surface, render::six_views, options);
-            for (std::size_t v = 0; v < here.size(); ++v) EXPECT_EQ(render_tests::differing_pixels(here[v], least[v]), 0) << render::six_views[v].name << ", " << samples << " samples, " << occlusion;
+            for (std::size_t v = 0; v < here.size(); ++v)
+                EXPECT_EQ(render_tests::differing_pixels(here[v], least[v]), 0)
+                    << render::six_views[v].name << ", " << samples << " samples, " << occlusion;
         }
 }
 
