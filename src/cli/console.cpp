@@ -31,9 +31,9 @@ void complain(const std::string& message) {
 
 void warn(const std::string& message) { complain("warning: " + message); }
 
-PreparedMesh load_mesh(const std::string& file) {
+PreparedMesh load_mesh(const std::string& file, Checks checks) {
     constexpr std::size_t most = 20;
-    PreparedMesh prepared = prepare_mesh(read_mesh(file));
+    PreparedMesh prepared = prepare_mesh(read_mesh(file), checks);
     for (std::size_t i = 0; i < std::min(most, prepared.warnings.size()); ++i) {
         const MeshWarning& warning = prepared.warnings[i];
         warn(file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);

@@ -25,6 +25,6 @@ void warn(const std::string& message);
 
 /// Reads and prepares a mesh and prints its warnings, at most 20 lines of them.
 /// @throws InputError
-PreparedMesh load_mesh(const std::string& file);
+PreparedMesh load_mesh(const std::string& file, Checks checks = Checks::all);
 
 }   // namespace meshfolio::cli

@@ -38,9 +38,12 @@ std::string_view next_line(std::string_view& text) {
 
 std::vector<std::string> field_names() { return {"none", "h-uniform", "h-cotan", "gauss", "area", "x", "y", "z", "id"}; }
 
+// Only the mean over the neighbours asks who they are.
+Checks checks_for(const std::string& name) { return name == "h-uniform" ? Checks::all : Checks::for_pictures; }
+
 Field field_of(const PreparedMesh& mesh, const std::string& name) {
-    const double diagonal = bounding_box(mesh.mesh).diagonal();
     if (name == "none" || name == "id") return {};
+    const double diagonal = Box{mesh.preflight.box_low, mesh.preflight.box_high}.diagonal();
     if (name == "h-uniform") return {uniform_mean_curvature(mesh.mesh, mesh.topology), "½‖Δx‖, uniform", "length", true, 1e-9 * diagonal};
     if (name == "h-cotan") {
         return {cotangent_mean_curvature(mesh.mesh, mesh.topology, laplace_beltrami(mesh.mesh)), "mean curvature H", "1/length", true,

@@ -17,6 +17,8 @@ struct Field {
 };
 
 std::vector<std::string> field_names();   // none, h-uniform, h-cotan, gauss, area, x, y, z, id
+/// What must be known of the mesh before a field can be computed.
+Checks checks_for(const std::string& name);
 /// @throws UsageError for an unknown name
 Field field_of(const PreparedMesh& mesh, const std::string& name);
 

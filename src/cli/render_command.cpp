@@ -1,4 +1,5 @@
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,17 +107,33 @@ render::Image bare_sheet(const std::vector<render::Image>& pictures) {
     return sheet;
 }
 
-render::Image labelled_sheet(const Options& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
-                             const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views,
-                             const std::vector<render::Image>& pictures) {
+/// Everything about the pictures but the pictures.
+render::ContactSheet empty_sheet(const Options& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
+                                 const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views) {
     render::ContactSheet sheet;
     sheet.title = std::filesystem::path(options.mesh).filename().string();
     sheet.subtitle =
         std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
     for (const render::View& view : views) sheet.view_names.emplace_back(view.name);
-    sheet.rows = {{"", pictures}};
     if (range) sheet.color_bar = output::color_bar_of(*range, field.values.array().isNaN().any(), draw.undefined_color);
-    return render::compose(sheet);
+    return sheet;
+}
+
+/// `write_sheet` takes the pictures as they are; each view's own file has a label. The sheet takes as long as all the views: it goes first.
+template <class WriteSheet>
+void write_pictures(const std::filesystem::path& folder, const std::vector<render::View>& views, std::vector<render::Image> pictures,
+                    bool labelled, WriteSheet write_sheet) {
+    std::vector<render::Image> copies(views.size());
+    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) { copies[i] = pictures[i]; });
+    tbb::task_group tasks;
+    tasks.run([&] { write_sheet(std::move(pictures)); });
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        tasks.run([&, i] {
+            if (labelled) output::label_view(copies[i], views[i].name);
+            output::replace_file(folder / (std::string(views[i].name) + ".png"), render::encode_png(copies[i]));
+        });
+    }
+    tasks.wait();
 }
 
 ExitCode run_render(const Options& options) {
@@ -124,7 +141,7 @@ ExitCode run_render(const Options& options) {
     const std::vector<render::View> views = chosen_views(options.views);
     if (!options.range.empty()) value_limits(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
-    const PreparedMesh prepared = load_mesh(options.mesh);
+    const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_csv(prepared, options.values);
 
     render::DrawOptions draw = given;
@@ -133,22 +150,22 @@ ExitCode run_render(const Options& options) {
         range = color_range(options, prepared, field);
         draw.range = output::value_range(*range);
     }
-    std::vector<render::Image> pictures =
-        render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
+    std::vector<render::Image> drawn = render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
 
     output::make_folder(options.out);
     const std::filesystem::path folder = options.out;
     const bool bare = options.plain || draw.face_colors_from_id;
-    tbb::parallel_for(std::size_t{0}, views.size() + 1, [&](std::size_t i) {
-        if (i == views.size()) {
-            const render::Image sheet =
-                bare ? bare_sheet(pictures) : labelled_sheet(options, prepared, range, field, draw, views, pictures);
-            output::replace_file(folder / "sheet.png", render::encode_png(sheet));
-            return;
+    write_pictures(folder, views, std::move(drawn), !bare, [&](std::vector<render::Image> pictures) {
+        render::Image sheet;
+        if (bare) {
+            sheet = bare_sheet(pictures);
+        } else {
+            render::ContactSheet contents = empty_sheet(options, prepared, range, field, draw, views);
+            contents.rows.resize(1);
+            contents.rows[0].pictures = std::move(pictures);
+            sheet = render::compose(contents);
         }
-        render::Image picture = pictures[i];
-        if (!bare) output::label_view(picture, views[i].name);
-        output::replace_file(folder / (std::string(views[i].name) + ".png"), render::encode_png(picture));
+        output::replace_file(folder / "sheet.png", render::encode_png(sheet));
     });
     return ExitCode::ok;
 }
