@@ -2,8 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+
 #include "errors.h"
+#include "mesh/orientation.h"
+#include "mesh/random_triangles.h"
 #include "mesh/rejections.h"
+#include "mesh/repeated_points.h"
 #include "mesh/small_meshes.h"
 #include "mesh/triangle_measures.h"
 
@@ -181,4 +190,73 @@ TEST(MeshChecks, ReadersWarningsComeFirst) {
     LoadedMesh mesh = loaded(with_face(tetrahedron(), 1, 1, 2));
     mesh.warnings.push_back({"of the reader", 7});
     EXPECT_EQ(warnings_of(prepare_mesh(mesh)), "7: of the reader\n105: 1 degenerate face (a corner named twice) ignored\n");
+}
+
+TEST(MeshChecks, PicturesGetTheSameRepairsAndWarnings) {
+    TriangleMesh bad = joined(unit_cube(), flat_grid(5, 4));
+    flip(bad, 3);
+    flip(bad, 20);
+    bad = with_face(with_face(bad, 0, 0, 1), 2, 0, 1);
+    TriangleMesh inside_out = joined(torus(9, 7), torus(5, 4));
+    for (int t = 126; t < inside_out.face_count(); ++t) flip(inside_out, t);
+    TriangleMesh flat = torus(8, 8);
+    flat.X.col(0).setZero();
+    std::vector<TriangleMesh> meshes{torus(9, 7), flat_grid(4, 5), moebius_strip(9), bad, inside_out, flat, joined(bad, inside_out)};
+    for (unsigned seed = 0; seed < 50; ++seed) meshes.push_back(random_triangles(20, 4 + static_cast<int>(seed), seed));
+    for (const TriangleMesh& mesh : meshes) {
+        const PreparedMesh all = prepared(mesh), some = prepare_mesh(loaded(mesh), Checks::for_pictures);
+        EXPECT_EQ(all.mesh.F, some.mesh.F);
+        EXPECT_EQ(warnings_of(all), warnings_of(some));
+        EXPECT_EQ(all.preflight.vertices_in_use, some.preflight.vertices_in_use);
+        EXPECT_EQ(all.preflight.triangles, some.preflight.triangles);
+        EXPECT_EQ(all.preflight.box_low, some.preflight.box_low);
+        EXPECT_EQ(all.topology.on_boundary, some.topology.on_boundary);
+        EXPECT_EQ(all.topology.component, some.topology.component);
+    }
+}
+
+// Where nothing disagrees the orientation comes from the components alone: it must be that of the walk over all edges.
+TEST(MeshChecks, BothWaysToTheOrientationAgree) {
+    TriangleMesh open_torus = torus(9, 7);   // encloses much, but is not closed: it stays as it is
+    open_torus.F.conservativeResize(125, 3);
+    TriangleMesh mesh = joined(joined(torus(9, 7), open_torus), joined(tetrahedron(), unit_cube()));
+    for (const auto& [begin, end] : {std::pair{0, 126}, std::pair{126, 251}, std::pair{255, 267}}) {
+        for (int t = begin; t < end; ++t) flip(mesh, t);
+        const Orientation quick = consistent_orientation(mesh, topology_of(mesh)), slow = consistent_orientation(mesh);
+        ASSERT_TRUE(topology_of(mesh).oriented_manifold);
+        EXPECT_EQ(quick.flip, slow.flip);
+        EXPECT_EQ(quick.inside_out_components, slow.inside_out_components);
+        EXPECT_EQ(quick.first_inside_out, slow.first_inside_out);
+    }
+}
+
+TEST(MeshChecks, CoincidentVerticesAreCountedAsASetCountsThem) {
+    for (const int n : {10, 3000, 60'000}) {
+        TriangleMesh mesh = random_triangles(n, n, 3);
+        std::mt19937 random(4);
+        for (double& x : mesh.X.reshaped()) x = (random() % 40 < 20 ? 1 : -1) * static_cast<double>(random() % 20);   // has −0
+        const Incidence around = triangles_around(mesh);
+        std::set<std::array<double, 3>> points;   // −0 < 0 is false: they are one
+        int in_use = 0;
+        for (int v = 0; v < n; ++v) {
+            if (around.size(v) == 0) continue;
+            points.insert({mesh.X(v, 0), mesh.X(v, 1), mesh.X(v, 2)});
+            ++in_use;
+        }
+        EXPECT_EQ(count_repeated_points(mesh, around), in_use - static_cast<int>(points.size())) << n;
+    }
+}
+
+// Just on either side of the limits, at any scale: the shortcut in squares must not decide what rounding could.
+TEST(MeshChecks, NeedlesAreToldByTheirAngleAtAnyScale) {
+    const double degree = std::numbers::pi / 180;
+    for (const double scale : {1e-99, 1e-81, 1e-30, 1e-9, 1.0, 1e20, 1e95}) {
+        for (const double off : {-1e-6, -1e-12, 1e-12, 1e-6}) {
+            const double angle = degree * (1 + off);
+            TriangleMesh mesh = mesh_of({{0, 0, 0}, {3, 0, 0}, {2 * std::cos(angle), 2 * std::sin(angle), 0}}, {{0, 1, 2}});
+            mesh.X *= scale;
+            EXPECT_EQ(prepared(mesh).preflight.needle_faces, off < 0 ? 1 : 0) << scale << " " << off;
+            EXPECT_EQ(prepared(mesh).preflight.zero_area_faces, 0) << scale << " " << off;
+        }
+    }
 }

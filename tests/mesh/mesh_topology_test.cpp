@@ -1,10 +1,15 @@
 #include "mesh/mesh_topology.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "errors.h"
+#include "mesh/random_triangles.h"
 #include "mesh/small_meshes.h"
 
 using namespace meshfolio;
@@ -62,6 +67,70 @@ TEST(MeshTopology, RowsAgreeWithTheFaces) {
                   std::vector<int>(ring[static_cast<std::size_t>(v)].begin(), ring[static_cast<std::size_t>(v)].end()));
         EXPECT_EQ(topology.neighbours.size(v), 6);
     }
+}
+
+TEST(MeshTopology, IsTheSameForAnyNumberOfThreads) {
+    const auto all_of = [](const TriangleMesh& mesh) {
+        const MeshTopology t = topology_of(mesh);
+        std::vector<int> edges;
+        for (const Edge& e : t.edges) edges.insert(edges.end(), {e.a, e.b, e.faces});
+        return std::tuple(edges, t.vertex_faces.start, t.vertex_faces.item, t.neighbours.start, t.neighbours.item, t.on_boundary,
+                          t.nonmanifold, t.component, t.component_count, t.oriented_manifold);
+    };
+    for (const TriangleMesh& mesh : {torus(300, 150), flat_grid(210, 230), random_triangles(60'000, 70'000, 1)}) {
+        const auto many = all_of(mesh);
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        EXPECT_TRUE(many == all_of(mesh));
+    }
+}
+
+TEST(MeshTopology, EdgesAndComponentsOfManyRandomTriangles) {
+    const TriangleMesh mesh = random_triangles(60'000, 40'000, 2);   // many small components, some large
+    const MeshTopology topology = topology_of(mesh);
+    std::map<std::pair<int, int>, int> edges;
+    std::vector<int> component(40'000, -1);
+    std::vector<std::vector<int>> around(60'000);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            ++edges[std::minmax({mesh.F(t, k), mesh.F(t, (k + 1) % 3)})];
+            around[static_cast<std::size_t>(mesh.F(t, k))].push_back(t);
+        }
+    }
+    int count = 0;
+    for (int first = 0; first < mesh.face_count(); ++first) {
+        if (component[static_cast<std::size_t>(first)] >= 0) continue;
+        std::vector<int> reached{first};
+        component[static_cast<std::size_t>(first)] = count;
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            for (int k = 0; k < 3; ++k) {
+                for (const int t : around[static_cast<std::size_t>(mesh.F(reached[i], k))]) {
+                    if (component[static_cast<std::size_t>(t)] < 0) reached.push_back(t);
+                    component[static_cast<std::size_t>(t)] = count;
+                }
+            }
+        }
+        ++count;
+    }
+    EXPECT_EQ(topology.component, component);
+    EXPECT_EQ(topology.component_count, count);
+    ASSERT_EQ(topology.edges.size(), edges.size());
+    auto edge = topology.edges.begin();
+    for (const auto& [ends, faces] : edges) {
+        EXPECT_TRUE(edge->a == ends.first && edge->b == ends.second && edge->faces == faces);
+        ++edge;
+    }
+    const std::vector<Edge> alone = edges_of(mesh);
+    EXPECT_TRUE(std::equal(alone.begin(), alone.end(), topology.edges.begin(), topology.edges.end(),
+                           [](const Edge& e, const Edge& f) { return e.a == f.a && e.b == f.b && e.faces == f.faces; }));
+}
+
+TEST(MeshTopology, OrientedManifoldsAreKnown) {
+    for (const TriangleMesh& mesh : {tetrahedron(), torus(7, 5), flat_grid(4, 6)}) EXPECT_TRUE(topology_of(mesh).oriented_manifold);
+    TriangleMesh turned = torus(7, 5);
+    std::swap(turned.F(11, 0), turned.F(11, 1));
+    const TriangleMesh pillow = faces_only(3, {{0, 1, 2}, {2, 1, 0}}), twice = faces_only(3, {{0, 1, 2}, {1, 2, 0}});
+    const TriangleMesh bow_tie = faces_only(5, {{0, 1, 2}, {0, 3, 4}});
+    for (const TriangleMesh& mesh : {turned, moebius_strip(9), pillow, twice, bow_tie}) EXPECT_FALSE(topology_of(mesh).oriented_manifold);
 }
 
 TEST(MeshTopology, BoundaryFlags) {
