@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -16,13 +17,22 @@ namespace render {
 
 glm::dvec3 View::right() const { return glm::cross(up, from); }
 
-const View& view_named(const std::string& name) {
+View three_quarter_view() {
+    constexpr double azimuth = 35, elevation = 22;   // degrees: from +z towards +x, and upwards
+    const double a = glm::radians(azimuth), e = glm::radians(elevation);
+    return {"hero",
+            {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)},
+            {-std::sin(e) * std::sin(a), std::cos(e), -std::sin(e) * std::cos(a)}};
+}
+
+View view_named(const std::string& name) {
     std::string known;
     for (const View& view : six_views) {
         if (view.name == name) return view;
-        known += (known.empty() ? "" : ", ") + std::string(view.name);
+        known += std::string(view.name) + ", ";
     }
-    throw std::invalid_argument("unknown view '" + name + "'; known are " + known);
+    if (const View hero = three_quarter_view(); name == hero.name) return hero;
+    throw std::invalid_argument("unknown view '" + name + "'; known are " + known + "hero");
 }
 
 namespace {

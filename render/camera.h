@@ -1,5 +1,5 @@
 /// @file
-/// The six orthographic views and the frame they share.
+/// Orthographic views and the frame they share.
 #pragma once
 
 #include <array>
@@ -26,8 +26,11 @@ inline constexpr std::array<View, 6> six_views{{
     {"-z", {0, 0, -1}, {0, 1, 0}},
 }};
 
-/// @throws std::invalid_argument listing the six names
-const View& view_named(const std::string& name);
+/// From the right front and above, as one holds a model to show it; +y is up. Its name is "hero".
+View three_quarter_view();
+
+/// One of the six, or the three-quarter view. @throws std::invalid_argument listing the names
+View view_named(const std::string& name);
 
 /// False for a triangle with an index out of range or a corner that is not finite; such triangles take part in nothing.
 bool can_be_drawn(const glm::ivec3& triangle, std::span<const glm::dvec3> positions);

@@ -26,13 +26,14 @@ Place place_of(const ScreenPoint& corner, const ViewPicture& picture, const Imag
             (placement.from_below ? -corner.depth : corner.depth) / subpixels};
 }
 
-/// Nothing stands over the vertex: it is no lower than the lowest of the pixels round it, up to a pixel.
+/// Nothing stands over the vertex: it is no lower, up to a pixel, than the lowest surface seen round it.
 bool is_seen(const Place& place, const HeightField& heights) {
     const int x = static_cast<int>(std::floor(place.at.x)), y = static_cast<int>(std::floor(place.at.y));
     if (!(place.at.x >= 0 && place.at.y >= 0) || x >= heights.width() || y >= heights.height()) return false;
     float lowest = std::numeric_limits<float>::infinity();
     for (int v = y - 1; v <= y + 1; ++v)
-        for (int u = x - 1; u <= x + 1; ++u) lowest = std::min(lowest, heights.at(u, v));
+        for (int u = x - 1; u <= x + 1; ++u)
+            if (const float height = heights.at(u, v); height > HeightField::nothing) lowest = std::min(lowest, height);
     return place.height >= double(lowest) - 1;
 }
 

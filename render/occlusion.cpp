@@ -17,9 +17,7 @@
 namespace render {
 
 /// α + β (sum of sines) up to here is not darkened: the folds between the triangles of a coarse mesh.
-inline constexpr float least_bend = 0.12F;
-/// A right-angled groove comes out at about this much hidden.
-inline constexpr float contrast = 1.15F;
+inline constexpr float least_bend = 0.2F;
 
 }   // namespace render
 #endif
@@ -63,7 +61,9 @@ bool Openness(const float* heights, std::size_t count, float reach, const Looks&
             }
             hidden = hn::Add(hidden, hn::Max(zero, hn::Sub(hn::Add(sine(d, ahead), sine(d, behind)), hn::Set(d, least_bend))));
         }
-        const auto open = hn::Sub(hn::Set(d, 1), hn::Min(hn::Set(d, 1), hn::Mul(hidden, hn::Set(d, contrast / occlusion_directions))));
+        // Squared: what reaches a hollow has been reflected off its walls less often than the sky it sees would let one think.
+        const auto sky = hn::Sub(hn::Set(d, 1), hn::Mul(hidden, hn::Set(d, 0.5F / occlusion_directions)));
+        const auto open = hn::Mul(sky, sky);
         hn::StoreU(open, d, openness + x);
     }
     return any;
@@ -83,19 +83,20 @@ HWY_EXPORT(Openness);
 namespace {
 
 constexpr double reach_share = 0.045;
-/// Distances of the looks along even and odd directions, as shares of the reach.
-constexpr std::array<std::array<double, looks_of_direction>, 2> distances{{{0.05, 0.18, 0.45, 1.0}, {0.08, 0.28, 0.62, 0.85}}};
+/// Looks of one direction lie on one line exactly, lest an inclined plane look bent.
+constexpr std::array<std::array<int, 2>, occlusion_directions> directions{
+    {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}}};
+/// Distances along even and odd directions, as shares of the reach.
+constexpr std::array<std::array<double, looks_of_direction>, 2> distances{{{0.12, 0.28, 0.55, 1.0}, {0.18, 0.4, 0.7, 0.9}}};
 
 Looks looks_on(const HeightField& heights) {
     Looks looks;
     for (std::size_t i = 0; i < looks.size(); ++i) {
-        const double angle = (static_cast<double>(i) + 0.5) * std::acos(-1.0) / static_cast<double>(looks.size());
+        const auto [x, y] = directions[i];
+        const double length = std::hypot(x, y);
         for (std::size_t k = 0; k < looks_of_direction; ++k) {
-            const double distance = std::max(1.5, distances[i % 2][k] * heights.reach());
-            const double x = std::round(distance * std::cos(angle)), y = std::round(distance * std::sin(angle));
-            const double length = std::max(1.0, std::hypot(x, y));
-            looks[i][k] = {static_cast<std::ptrdiff_t>(x) + static_cast<std::ptrdiff_t>(y) * heights.pitch(),
-                           static_cast<float>(1 / length)};
+            const double multiple = std::max(1.0, std::floor(distances[i % 2][k] * heights.reach() / length));
+            looks[i][k] = {static_cast<std::ptrdiff_t>(multiple) * (x + y * heights.pitch()), static_cast<float>(1 / (multiple * length))};
         }
     }
     return looks;

@@ -17,7 +17,7 @@ struct Layer {
     std::uint16_t r = 0, g = 0, b = 0, coverage = 0;
 };
 void pack(std::span<const LinearColor> surfaces, std::span<Layer> layers);
-/// surfaces[i] = layers[i] with its light times 1 − strength · (1 − openness[i]).
+/// All three of one length. surfaces[i] = layers[i] with its light times 1 − strength · (1 − openness[i]).
 void unpack(std::span<const Layer> layers, std::span<const float> openness, float strength, std::span<LinearColor> surfaces);
 
 }   // namespace render

@@ -75,10 +75,11 @@ void ViewPicture::finish() {
         std::array<float, tile_side> open;
         std::array<LinearColor, tile_side> colors;
         for (int x = 0; x < image_.width; x += tile_side) {
-            const int columns = std::min(tile_side, image_.width - x);
-            if (!sky.openness(x, y, std::span(open).first(static_cast<std::size_t>(columns)))) continue;
-            const std::span row_colors = std::span(colors).first(static_cast<std::size_t>(columns));
-            unpack(layers(x, y, columns), open, occlusion_strength_, row_colors);
+            const auto columns = static_cast<std::size_t>(std::min(tile_side, image_.width - x));
+            const std::span row_open = std::span(open).first(columns);
+            const std::span row_colors = std::span(colors).first(columns);
+            if (!sky.openness(x, y, row_open)) continue;
+            unpack(layers(x, y, static_cast<int>(columns)), row_open, occlusion_strength_, row_colors);
             resolve(row_colors, background_, {&image_.at(x, y), row_colors.size()});
         }
     });

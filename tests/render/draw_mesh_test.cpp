@@ -230,6 +230,50 @@ TEST(DrawViews, EdgesDarkenOnlyTheNeighbourhoodOfEdges) {
 
 // ---- coverage, outlines, transparency -------------------------------------------------------------------------------
 
+// The value x over [−1, 1] with lines every ½: three inner lines, upright, a pixel or so wide, and nothing between them.
+TEST(DrawViews, IsolinesRunWhereTheValueIsAMultipleOfTheirSpacing) {
+    Mesh mesh = grid(6);
+    for (const glm::dvec3& p : mesh.positions) mesh.values.push_back(p.x);
+    DrawOptions options = plain(200, 200);
+    options.range = {&render::colormap_named("viridis"), -1, 1};
+    const Image without = drawn(mesh, options)[4];
+    options.isoline_spacing = 0.5;
+    const Image with = drawn(mesh, options)[4];
+    for (int x = 0; x < 200; ++x) {
+        const double value = (x + 0.5 - 100) / 95, from_line = std::abs(value / 0.5 - std::round(value / 0.5)) * 0.5 * 95;
+        const bool inside = std::abs(value) < 0.98;
+        if (inside && from_line < 0.6) {
+            EXPECT_LT(with.at(x, 77).g, without.at(x, 77).g) << x;
+        }
+        if (inside && from_line > 1.6) {
+            EXPECT_EQ(with.at(x, 77), without.at(x, 77)) << x;
+        }
+    }
+}
+
+TEST(DrawViews, AFlatPartThatLiesOnALevelIsNoLine) {
+    Mesh mesh = grid(2);
+    mesh.values.assign(9, 0.5);
+    DrawOptions options = plain(60, 60);
+    options.range = {&render::colormap_named("viridis"), 0, 1};
+    const Image without = drawn(mesh, options)[4];
+    options.isoline_spacing = 0.5;
+    EXPECT_EQ(differing_pixels(drawn(mesh, options)[4], without), 0);
+}
+
+TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {
+    const Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
+    DrawOptions options = plain(200, 200);
+    const auto unmarked = drawn(mesh, options);
+    const std::vector<int> marks{7, 99, -1};   // the corner (1, 1, 1), and two that are not there
+    options.marked_vertices = marks;
+    const auto marked = drawn(mesh, options);
+    for (std::size_t v = 0; v < 6; ++v) {
+        const bool faces_it = glm::dot(render::six_views[v].from, glm::dvec3(1)) > 0;
+        EXPECT_EQ(differing_pixels(marked[v], unmarked[v]) > 0, faces_it) << render::six_views[v].name;
+    }
+}
+
 TEST(DrawViews, FourSamplesGiveQuartersOfCoverage) {
     DrawOptions options{.width = 64, .height = 64, .background = {255, 255, 255, 0}};
     int partial = 0;
