@@ -107,30 +107,33 @@ render::Image bare_sheet(const std::vector<render::Image>& pictures) {
     return sheet;
 }
 
-/// Everything about the pictures but the pictures.
-render::ContactSheet empty_sheet(const Options& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
-                                 const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views) {
+render::ContactSheet sheet_of(const Options& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
+                              const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views,
+                              std::vector<render::Image> pictures) {
     render::ContactSheet sheet;
     sheet.title = std::filesystem::path(options.mesh).filename().string();
     sheet.subtitle =
         std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
     for (const render::View& view : views) sheet.view_names.emplace_back(view.name);
+    sheet.rows.resize(1);
+    sheet.rows[0].pictures = std::move(pictures);
     if (range) sheet.color_bar = output::color_bar_of(*range, field.values.array().isNaN().any(), draw.undefined_color);
     return sheet;
 }
 
-/// `write_sheet` takes the pictures as they are; each view's own file has a label. The sheet takes as long as all the views: it goes first.
-template <class WriteSheet>
-void write_pictures(const std::filesystem::path& folder, const std::vector<render::View>& views, std::vector<render::Image> pictures,
-                    bool labelled, WriteSheet write_sheet) {
-    std::vector<render::Image> copies(views.size());
-    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) { copies[i] = pictures[i]; });
+/// The sheet takes longer than all the views: whoever is free takes it first.
+void write_pictures(const std::filesystem::path& folder, const render::ContactSheet& sheet, bool bare) {
+    const std::vector<render::Image>& pictures = sheet.rows[0].pictures;
     tbb::task_group tasks;
-    tasks.run([&] { write_sheet(std::move(pictures)); });
-    for (std::size_t i = 0; i < views.size(); ++i) {
+    tasks.run([&] {
+        const render::Image image = bare ? bare_sheet(pictures) : render::compose(sheet);
+        output::replace_file(folder / "sheet.png", render::encode_png(image));
+    });
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
         tasks.run([&, i] {
-            if (labelled) output::label_view(copies[i], views[i].name);
-            output::replace_file(folder / (std::string(views[i].name) + ".png"), render::encode_png(copies[i]));
+            render::Image picture = pictures[i];
+            if (!bare) output::label_view(picture, sheet.view_names[i]);
+            output::replace_file(folder / (sheet.view_names[i] + ".png"), render::encode_png(picture));
         });
     }
     tasks.wait();
@@ -150,23 +153,12 @@ ExitCode run_render(const Options& options) {
         range = color_range(options, prepared, field);
         draw.range = output::value_range(*range);
     }
-    std::vector<render::Image> drawn = render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
+    std::vector<render::Image> pictures =
+        render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
 
     output::make_folder(options.out);
-    const std::filesystem::path folder = options.out;
-    const bool bare = options.plain || draw.face_colors_from_id;
-    write_pictures(folder, views, std::move(drawn), !bare, [&](std::vector<render::Image> pictures) {
-        render::Image sheet;
-        if (bare) {
-            sheet = bare_sheet(pictures);
-        } else {
-            render::ContactSheet contents = empty_sheet(options, prepared, range, field, draw, views);
-            contents.rows.resize(1);
-            contents.rows[0].pictures = std::move(pictures);
-            sheet = render::compose(contents);
-        }
-        output::replace_file(folder / "sheet.png", render::encode_png(sheet));
-    });
+    write_pictures(options.out, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)),
+                   options.plain || draw.face_colors_from_id);
     return ExitCode::ok;
 }
 
