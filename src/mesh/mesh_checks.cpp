@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "mesh/polygon_list.h"
 #include "mesh/prefetch.h"
 #include "mesh/repeated_points.h"
+#include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -90,42 +90,6 @@ Box box_in_use(const TriangleMesh& mesh, const Incidence& vertex_faces) {
     }
     return box;
 }
-
-const double sin_of_needle = std::sin(std::numbers::pi / 180);
-
-/// A triangle by two of its edges.
-struct TriangleShape {
-    Vector3 u, v, cross;
-
-    TriangleShape(const TriangleMesh& mesh, int t) {
-        const Vector3 a = mesh.X.row(mesh.F(t, 0));
-        u = mesh.X.row(mesh.F(t, 1)).transpose() - a;
-        v = mesh.X.row(mesh.F(t, 2)).transpose() - a;
-        cross = u.cross(v);
-    }
-
-    double twice_area() const { return std::hypot(cross.x(), cross.y(), cross.z()); }
-
-    enum Kind { sound, needle, zero_area };
-
-    /// Needle: smallest angle below 1°. No area: the height is below the rounding of the longest edge.
-    Kind kind() const {
-        if (clearly_sound()) return sound;
-        std::array<double, 3> edge{u.norm(), v.norm(), (v - u).norm()};
-        std::sort(edge.begin(), edge.end());
-        if (!(twice_area() > 1e-15 * edge[2] * edge[2])) return zero_area;
-        // The smallest angle lies between the two longer edges.
-        return twice_area() < sin_of_needle * edge[1] * edge[2] ? needle : sound;
-    }
-
-private:
-    /// The same question in squares, without a root. Says no where rounding, or the range of a double, could make a difference.
-    bool clearly_sound() const {
-        const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = (v - u).squaredNorm();
-        const double longer_two = std::max({uu * vv, vv * ww, ww * uu});
-        return longer_two > 1e-200 && cross.squaredNorm() > (1 + 1e-9) * sin_of_needle * sin_of_needle * longer_two;
-    }
-};
 
 /// Takes a loaded mesh through repairs and counts, and keeps what there is to say.
 class Preparation {
@@ -278,9 +242,9 @@ private:
             Tally tally;
             for (int t = begin; t < end; ++t) {
                 send_for_corners(mesh(), t);
-                const TriangleShape::Kind kind = TriangleShape(mesh(), t).kind();
-                if (kind == TriangleShape::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
-                if (kind == TriangleShape::needle) ++tally.needles;
+                const TriangleKind kind = kind_of(mesh(), t);
+                if (kind == TriangleKind::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
+                if (kind == TriangleKind::needle) ++tally.needles;
             }
             return tally;
         });
