@@ -29,7 +29,8 @@ constexpr int largest_side = 8192;
 
 struct Options {
     std::string mesh, out = ".", size = "1024", views, field = "none", values, colormap, range;
-    bool edges = false, plain = false;
+    std::string isolines;
+    bool edges = false, plain = false, transparent = false;
 };
 
 /// "1024" or "800x600".
@@ -81,10 +82,20 @@ output::ColorRange color_range(const Options& options, const PreparedMesh& prepa
     return range;
 }
 
+/// 0 where none is wanted.
+double isoline_spacing(const std::string& text) {
+    if (text.empty()) return 0;
+    const auto spacing = parse_number(text);
+    if (!spacing || !(*spacing > 0)) throw UsageError("--isolines '" + text + "' is not a number above 0");
+    return *spacing;
+}
+
 render::DrawOptions draw_options(const Options& options) {
     render::DrawOptions draw;
     std::tie(draw.width, draw.height) = picture_size(options.size);
     draw.edges = options.edges;
+    draw.isoline_spacing = isoline_spacing(options.isolines);
+    if (options.transparent) draw.background = {255, 255, 255, 0};
     draw.face_colors_from_id = options.field == "id";
     if (options.plain) {
         draw.fill = 0.95;
@@ -111,6 +122,7 @@ render::ContactSheet sheet_of(const Options& options, const PreparedMesh& prepar
                               const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views,
                               std::vector<render::Image> pictures) {
     render::ContactSheet sheet;
+    sheet.background = draw.background;
     sheet.title = std::filesystem::path(options.mesh).filename().string();
     sheet.subtitle =
         std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
@@ -169,13 +181,15 @@ Command render_command(CLI::App& parent) {
     CLI::App* app = parent.add_subcommand("render", "Pictures of a mesh from six directions, and a contact sheet");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("--out", options->out, "folder for +x.png … -z.png and sheet.png")->capture_default_str();
-    app->add_option("--views", options->views, "some of +x,-x,+y,-y,+z,-z; default: all");
+    app->add_option("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
     app->add_option("--size", options->size, "pixels of one view: N or WxH")->capture_default_str();
     app->add_option("--field", options->field, "none, h-uniform, h-cotan, gauss, area, x, y, z, id")->capture_default_str();
     app->add_option("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
     app->add_option("--colormap", options->colormap, "see meshfolio list; default: diverging for signed values, viridis otherwise");
     app->add_option("--range", options->range, "lo,hi of the colours; default: robust");
+    app->add_option("--isolines", options->isolines, "lines where the value is a multiple of this");
     app->add_flag("--edges", options->edges, "draw triangle edges");
+    app->add_flag("--transparent", options->transparent, "no ground behind the surface");
     app->add_flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");
     app->footer("Example: meshfolio render bunny.off --field h-cotan --range -20,20 --views +z,-z --out views");
     return {app, [options] { return run_render(*options); }};

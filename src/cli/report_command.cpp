@@ -29,6 +29,23 @@ private:
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
+/// The title picture: of the figures of one mesh with values, the one with the most triangles, seen from the right front and above.
+std::optional<output::FigureRequest> cover_request(const std::vector<Answer>& answers) {
+    const output::FigureRequest* best = nullptr;
+    const auto triangles = [](const output::FigureRequest& figure) { return figure.panels.front().mesh->F.rows(); };
+    for (const Answer& answer : answers)
+        for (const output::FigureRequest& figure : answer.figures) {
+            const bool has_values = figure.panels.size() == 1 && figure.panels.front().values.size() > 0 && figure.range;
+            if (has_values && (best == nullptr || triangles(figure) > triangles(*best))) best = &figure;
+        }
+    if (best == nullptr) return std::nullopt;
+    output::FigureRequest cover = *best;
+    cover.id = cover.panels.front().name = "cover";
+    cover.subtitle.clear();
+    cover.three_quarter = true;
+    return cover;
+}
+
 report::Document document_of(const ReportSettings& settings, const std::vector<Answer>& answers) {
     report::Document document;
     document.title = settings.title;
@@ -36,6 +53,8 @@ report::Document document_of(const ReportSettings& settings, const std::vector<A
     document.course = settings.course;
     document.provenance = provenance_of(described(settings), settings.seed);
     for (const Answer& answer : answers) document.sections.push_back(answer.section);
+    if (const auto cover = cover_request(answers))
+        document.cover = report::Figure{cover->id, cover->title, cover->title + ", seen from the right front and above"};
     return document;
 }
 
@@ -43,6 +62,7 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
                                    ProgressDisplay& display) {
     std::vector<output::FigureRequest> requests;
     for (const Answer& answer : answers) requests.insert(requests.end(), answer.figures.begin(), answer.figures.end());
+    if (const auto cover = cover_request(answers)) requests.push_back(*cover);
     output::DrawSettings draw;
     draw.width = settings.width;
     draw.height = settings.height;

@@ -78,6 +78,11 @@ render::DrawOptions options_of(const FigureRequest& request, const DrawSettings&
     return options;
 }
 
+std::vector<render::View> views_of(const FigureRequest& request) {
+    if (request.three_quarter) return {render::three_quarter_view()};
+    return {render::six_views.begin(), render::six_views.end()};
+}
+
 std::string view_file(const Panel& panel, const render::View& view) {
     return "images/" + panel.name + "_" + std::string(view.name) + ".png";
 }
@@ -87,16 +92,16 @@ void draw_panel(Work& work, std::size_t index, const std::filesystem::path& fold
     const Panel& panel = work.request->panels[index];
     render::DrawOptions options = work.options;
     const bool colored = panel.values.size() > 0 && work.request->range.has_value();
-    std::vector<render::Image> views =
-        render::draw_views(surface_of(*panel.mesh, colored ? &panel.values : nullptr), render::six_views, options);
+    const std::vector<render::View> directions = views_of(*work.request);
+    std::vector<render::Image> views = render::draw_views(surface_of(*panel.mesh, colored ? &panel.values : nullptr), directions, options);
     const int cell = cell_of(*work.request, settings);
     render::SheetRow& row = work.rows[index];
     row.label = work.request->panels.size() > 1 ? panel.label : "";
     row.pictures.resize(views.size());
     tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
         row.pictures[i] = render::shrink(views[i], cell, cell * views[i].height / views[i].width);
-        label_view(views[i], render::six_views[i].name);
-        write_file(folder / view_file(panel, render::six_views[i]), render::encode_png(views[i]));
+        label_view(views[i], directions[i].name);
+        write_file(folder / view_file(panel, directions[i]), render::encode_png(views[i]));
         views[i] = {};
     });
 }
@@ -113,7 +118,8 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     render::ContactSheet sheet;
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
-    for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
+    if (!request.three_quarter)
+        for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
     sheet.rows = std::move(work.rows);
     if (request.range) {
         sheet.color_bar = color_bar_of(*request.range, has_undefined(request), work.options.undefined_color);
@@ -134,7 +140,7 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
 
 void name_views(Work& work) {
     for (const Panel& panel : work.request->panels) {
-        for (const render::View& view : render::six_views) {
+        for (const render::View& view : views_of(*work.request)) {
             const std::string prefix = work.request->panels.size() > 1 ? panel.label + ", " : "";
             work.drawn.views.emplace_back(prefix + std::string(view.name), view_file(panel, view));
         }

@@ -35,6 +35,7 @@ struct FigureRequest {
     bool edges = false;
     /// Frame all panels on this panel's box (a blown-up mesh must not shrink the others); −1: on the union of all boxes.
     int frame_panel = 0;
+    bool three_quarter = false;   // one picture a panel, from the right front and above, instead of six
 };
 
 /// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, never

@@ -160,6 +160,7 @@ struct Provenance {
 struct Document {
     std::string title, author, course;
     Provenance provenance;
+    std::optional<Figure> cover;     // a picture for the first page
     std::vector<Section> sections;   // in order of the questions
     std::vector<Timing> timings;     // of the run as a whole
 };

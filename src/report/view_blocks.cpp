@@ -85,23 +85,15 @@ json view_groups(const DrawnFigure& drawn) {
 
 json figure_view(const Figure& figure, const ViewContext& context) {
     const auto it = context.figures.find(figure.id);
-    const bool is_drawn = it != context.figures.end();
-    const DrawnFigure drawn = is_drawn ? it->second : DrawnFigure{};
-    const std::string sheet = url_path(drawn.sheet);
-    const bool inside = context.options.pictures && !drawn.preview_jpeg.empty();
-    return {{"id", safe_text(figure.id)},
-            {"label", context.numbering.resolve(figure.id).label},
-            {"caption", prose_view(figure.caption)},
-            {"alt", safe_text(figure.alt)},
-            {"is_drawn", is_drawn},
-            {"sheet", sheet},
-            {"source", inside ? "data:image/jpeg;base64," + base64(drawn.preview_jpeg) : sheet},
-            {"has_size", drawn.width > 0 && drawn.height > 0},
-            {"width", std::to_string(drawn.width)},
-            {"height", std::to_string(drawn.height)},
-            {"has_views", context.options.single_views && !drawn.views.empty()},
-            {"view_count", std::to_string(drawn.views.size())},
-            {"groups", view_groups(drawn)}};
+    const DrawnFigure drawn = it != context.figures.end() ? it->second : DrawnFigure{};
+    json view = picture_view(figure, context);
+    view["id"] = safe_text(figure.id);
+    view["label"] = context.numbering.resolve(figure.id).label;
+    view["caption"] = prose_view(figure.caption);
+    view["has_views"] = context.options.single_views && !drawn.views.empty();
+    view["view_count"] = std::to_string(drawn.views.size());
+    view["groups"] = view_groups(drawn);
+    return view;
 }
 
 }   // namespace
@@ -122,6 +114,21 @@ json prose_view(const std::string& words) {
     json runs = json::array();
     for (const Run& run : prose(words)) runs.push_back(run_view(run, {}));
     return {{"runs", std::move(runs)}};
+}
+
+json picture_view(const Figure& figure, const ViewContext& context) {
+    const auto it = context.figures.find(figure.id);
+    const bool is_drawn = it != context.figures.end();
+    const DrawnFigure drawn = is_drawn ? it->second : DrawnFigure{};
+    const std::string sheet = url_path(drawn.sheet);
+    const bool inside = context.options.pictures && !drawn.preview_jpeg.empty();
+    return {{"alt", safe_text(figure.alt)},
+            {"is_drawn", is_drawn},
+            {"sheet", sheet},
+            {"source", inside ? "data:image/jpeg;base64," + base64(drawn.preview_jpeg) : sheet},
+            {"has_size", drawn.width > 0 && drawn.height > 0},
+            {"width", std::to_string(drawn.width)},
+            {"height", std::to_string(drawn.height)}};
 }
 
 json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context) {
