@@ -17,6 +17,11 @@ namespace render {
 
 glm::dvec3 View::right() const { return glm::cross(up, from); }
 
+bool View::is_along_axis() const {
+    return std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)}) == 1 &&
+           std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) == 1;
+}
+
 View three_quarter_view() {
     constexpr double azimuth = 35, elevation = 22;   // degrees: from +z towards +x, and upwards
     const double a = glm::radians(azimuth), e = glm::radians(elevation);
@@ -108,6 +113,30 @@ Frame frame_of(const Bounds& bounds, int width, int height, double fill) {
     const double half_side = 0.5 * fill * std::min(width, height);
     const double scale = half_extent > 0 ? half_side / half_extent : 1;
     return {0.5 * bounds.low + 0.5 * bounds.high, std::min(scale, std::numeric_limits<double>::max())};
+}
+
+Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view, int width, int height,
+               double fill) {
+    const Bounds box = bounds_of(positions, triangles);
+    const Frame along_axes = frame_of(box, width, height, fill);
+    // In pixels of that frame, so that no size of the model overflows.
+    Bounds seen = nothing;
+    const auto on_screen = [&](const glm::dvec3& p) {
+        const glm::dvec3 pixels = (p - along_axes.centre) * along_axes.pixels_per_unit;
+        return glm::dvec3(glm::dot(pixels, view.right()), glm::dot(pixels, view.up), 0);
+    };
+    for (const glm::ivec3& t : triangles) {
+        if (!can_be_drawn(t, positions)) continue;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 p = on_screen(positions[static_cast<std::size_t>(t[k])]);
+            seen = joined(seen, {p, p});
+        }
+    }
+    const glm::dvec3 extent = seen.high - seen.low, middle = 0.5 * (seen.low + seen.high);
+    if (!(extent.x >= 0) || std::max(extent.x, extent.y) == 0) return along_axes;
+    const double scale = fill * std::min(width / extent.x, height / extent.y);
+    const glm::dvec3 offset = middle.x * view.right() + middle.y * view.up;
+    return {along_axes.centre + offset / along_axes.pixels_per_unit, scale * along_axes.pixels_per_unit};
 }
 
 }   // namespace render

@@ -15,6 +15,7 @@ struct View {
     std::string_view name;
     glm::dvec3 from, up;
     glm::dvec3 right() const;
+    bool is_along_axis() const;
 };
 
 inline constexpr std::array<View, 6> six_views{{
@@ -46,7 +47,10 @@ struct Frame {
     glm::dvec3 centre{0};
     double pixels_per_unit = 1;
 };
-/// The largest extent of `bounds` fills `fill` of the shorter picture side, in every view.
+/// The largest extent of `bounds` fills `fill` of the shorter picture side, in every view along an axis.
 Frame frame_of(const Bounds& bounds, int width, int height, double fill);
+/// What this view sees is centred and fills `fill` of the picture, in width or in height.
+Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view, int width, int height,
+               double fill);
 
 }   // namespace render

@@ -127,13 +127,8 @@ private:
     std::vector<std::unique_ptr<ViewBuffers>> buffers_;
 };
 
-}   // namespace
-
-std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& wanted) {
-    check(surface, wanted);
-    const DrawOptions options = completed(wanted);
-    const Frame frame =
-        options.frame.value_or(frame_of(bounds_of(surface.positions, surface.triangles), options.width, options.height, options.fill));
+/// All views on one frame.
+std::vector<Image> draw_framed(const Surface& surface, std::span<const View> views, const Frame& frame, const DrawOptions& options) {
     const Scene scene(surface, frame, options);
     const std::vector<BoundaryEdge> boundary = options.shading ? boundary_edges(surface) : std::vector<BoundaryEdge>{};
     const Palette palette(options);
@@ -153,6 +148,28 @@ std::vector<Image> draw_views(const Surface& surface, std::span<const View> view
             draw_marks(scenes[p], options.marked_vertices, *picture);
             images[picture->placement().view] = std::move(picture->image());
         }
+    }
+    return images;
+}
+
+}   // namespace
+
+std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& wanted) {
+    check(surface, wanted);
+    const DrawOptions options = completed(wanted);
+    if (options.frame) return draw_framed(surface, views, *options.frame, options);
+    std::vector<View> along_axes;
+    for (const View& view : views)
+        if (view.is_along_axis()) along_axes.push_back(view);
+    std::vector<Image> images;
+    if (!along_axes.empty()) {
+        const Frame shared = frame_of(bounds_of(surface.positions, surface.triangles), options.width, options.height, options.fill);
+        images = draw_framed(surface, along_axes, shared, options);
+    }
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].is_along_axis()) continue;
+        const Frame own = frame_of(surface.positions, surface.triangles, views[i], options.width, options.height, options.fill);
+        images.insert(images.begin() + static_cast<std::ptrdiff_t>(i), draw_framed(surface, views.subspan(i, 1), own, options).front());
     }
     return images;
 }

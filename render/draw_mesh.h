@@ -30,7 +30,7 @@ struct ValueRange {
 struct DrawOptions {
     int width = 1024, height = 1024;
     double fill = 0.92;                // share of the shorter side taken by the largest extent
-    std::optional<Frame> frame = {};   // default: fitted to the surface with `fill`
+    std::optional<Frame> frame = {};   // default: views along the axes share one, any other has its own, fitted with `fill`
     ValueRange range = {};
     Rgba surface_color{200, 203, 209, 255};      // where there are no values
     Rgba undefined_color{225, 190, 231, 255};    // where a value is NaN

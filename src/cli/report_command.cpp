@@ -41,6 +41,7 @@ std::optional<output::FigureRequest> cover_request(const std::vector<Answer>& an
     if (best == nullptr) return std::nullopt;
     output::FigureRequest cover = *best;
     cover.id = cover.panels.front().name = "cover";
+    cover.title.clear();
     cover.subtitle.clear();
     cover.three_quarter = true;
     return cover;
@@ -54,7 +55,7 @@ report::Document document_of(const ReportSettings& settings, const std::vector<A
     document.provenance = provenance_of(described(settings), settings.seed);
     for (const Answer& answer : answers) document.sections.push_back(answer.section);
     if (const auto cover = cover_request(answers))
-        document.cover = report::Figure{cover->id, cover->title, cover->title + ", seen from the right front and above"};
+        document.cover = report::Figure{cover->id, "", cover->range->quantity + " on a surface seen from the right front and above"};
     return document;
 }
 

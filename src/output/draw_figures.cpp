@@ -73,7 +73,7 @@ render::DrawOptions options_of(const FigureRequest& request, const DrawSettings&
     options.width = settings.width;
     options.height = settings.height;
     options.edges = request.edges;
-    options.frame = render::frame_of(framed_box(request), settings.width, settings.height, options.fill);
+    if (!request.three_quarter) options.frame = render::frame_of(framed_box(request), settings.width, settings.height, options.fill);
     if (request.range) options.range = value_range(*request.range);
     return options;
 }
