@@ -32,12 +32,13 @@ constexpr int largest_small = 63 * subpixels;
 using Lanes = std::array<std::int32_t, block_samples>;
 using FloatLanes = std::array<float, block_samples>;
 
-/// Triangles ready to be drawn. E(p) = dx·y − dy·x + start, with p from the corner of the tile, not negative inside; edge k is opposite
-/// to corner k. Depth is that of corner 0 and parts of E₁ and E₂ (barycentric coordinates).
+/// Triangles ready to be drawn. E(p) = dx·y − dy·x + start, with p from the corner of the first block, not negative inside; edge k is
+/// opposite to corner k. Depth is that of corner 0 and parts of E₁ and E₂ (barycentric coordinates).
 struct alignas(64) SmallTriangles {
     enum Kind : std::int32_t { unseen, small, wide };
     Lanes kind;
-    std::array<Lanes, 3> dx, dy, start;
+    std::array<FloatLanes, 3> dx, dy;
+    std::array<Lanes, 3> start, across, down;   // the latter two: from a block to the next
     FloatLanes depth, depth1, depth2;
     Lanes first_column, last_column, first_row, last_row;   // blocks
 };
@@ -91,28 +92,39 @@ HWY_INLINE IntVector orient(Corner& a, Corner& b, Corner& c, IntVector left, Int
     return hn::Abs(area);
 }
 
-HWY_INLINE void set_edge(const Corner& from, const Corner& to, std::size_t k, std::size_t lane, SmallTriangles& result) {
+/// @param x, y  of the first block
+HWY_INLINE void set_edge(const Corner& from, const Corner& to, IntVector x, IntVector y, int shift, std::size_t k, std::size_t lane,
+                         SmallTriangles& result) {
     const Ints d;
+    const Floats f;
     const IntVector dx = hn::Sub(to.x, from.x), dy = hn::Sub(to.y, from.y), zero = hn::Zero(d);
     // Top and left edges own the samples on them.
     const auto owns_samples = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
-    const IntVector start = hn::Sub(hn::Mul(dy, from.x), hn::Mul(dx, from.y));
-    hn::StoreU(dx, d, result.dx[k].data() + lane);
-    hn::StoreU(dy, d, result.dy[k].data() + lane);
+    const IntVector start = hn::Sub(hn::Mul(dx, hn::Sub(y, from.y)), hn::Mul(dy, hn::Sub(x, from.x)));
+    hn::StoreU(hn::ConvertTo(f, dx), f, result.dx[k].data() + lane);
+    hn::StoreU(hn::ConvertTo(f, dy), f, result.dy[k].data() + lane);
     hn::StoreU(hn::Sub(start, hn::IfThenElse(owns_samples, zero, hn::Set(d, 1))), d, result.start[k].data() + lane);
+    hn::StoreU(hn::ShiftLeftSame(hn::Neg(dy), shift), d, result.across[k].data() + lane);
+    hn::StoreU(hn::ShiftLeftSame(dx, shift), d, result.down[k].data() + lane);
 }
 
-/// First and last block that hold a sample line between low and high; false where there is none.
-HWY_INLINE hn::Mask<Ints> set_blocks(IntVector low, IntVector high, const SampleTile& tile, std::int32_t* first, std::int32_t* last) {
-    const Ints d;
-    const SamplePattern& pattern = tile.pattern();
-    const int pitch = pattern.pitch_shift(), lines = pattern.block_shift() - pitch;
-    const IntVector begin = hn::ShiftRightSame(hn::Add(low, hn::Set(d, pattern.pitch - 1 - pattern.first)), pitch);
-    const IntVector end = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, pattern.first)), pitch);
-    hn::StoreU(hn::Max(hn::ShiftRightSame(begin, lines), hn::Zero(d)), d, first);
-    hn::StoreU(hn::Min(hn::ShiftRightSame(end, lines), hn::Set(d, tile.blocks_on_side() - 1)), d, last);
-    return hn::Not(hn::Gt(begin, end));
-}
+/// First and last block that hold a sample line between low and high; there is none where `first_line` > `last_line`.
+struct BlockSpan {
+    IntVector first_line, last_line, first, last;
+
+    BlockSpan(IntVector low, IntVector high, const SampleTile& tile) {
+        const Ints d;
+        const SamplePattern& pattern = tile.pattern();
+        const int pitch = pattern.pitch_shift(), lines = pattern.block_shift() - pitch;
+        first_line = hn::ShiftRightSame(hn::Add(low, hn::Set(d, pattern.pitch - 1 - pattern.first)), pitch);
+        last_line = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, pattern.first)), pitch);
+        first = hn::Max(hn::ShiftRightSame(first_line, lines), hn::Zero(d));
+        last = hn::Min(hn::ShiftRightSame(last_line, lines), hn::Set(d, tile.blocks_on_side() - 1));
+    }
+    void store(std::int32_t* to_first, std::int32_t* to_last) const {
+        hn::StoreU(first, Ints(), to_first), hn::StoreU(last, Ints(), to_last);
+    }
+};
 
 /// Sets up the triangles in as many lanes as a vector has, from `lane` on.
 HWY_INLINE void set_up(const CornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
@@ -127,30 +139,37 @@ HWY_INLINE void set_up(const CornerFetcher& fetch, const std::int32_t* ids, cons
     const auto is_large = hn::Gt(hn::Max(hn::Sub(right, left), hn::Sub(bottom, top)), hn::Set(d, largest_small));
     const IntVector area = orient(a, b, c, left, top);
 
-    set_edge(b, c, 0, lane, result), set_edge(c, a, 1, lane, result), set_edge(a, b, 2, lane, result);
-    const auto in_columns = set_blocks(left, right, tile, result.first_column.data() + lane, result.last_column.data() + lane);
-    const auto in_rows = set_blocks(top, bottom, tile, result.first_row.data() + lane, result.last_row.data() + lane);
+    const BlockSpan columns(left, right, tile), rows(top, bottom, tile);
+    columns.store(result.first_column.data() + lane, result.last_column.data() + lane);
+    rows.store(result.first_row.data() + lane, result.last_row.data() + lane);
+    const int shift = tile.pattern().block_shift();
+    const IntVector x = hn::ShiftLeftSame(columns.first, shift), y = hn::ShiftLeftSame(rows.first, shift);
+    set_edge(b, c, x, y, shift, 0, lane, result);
+    set_edge(c, a, x, y, shift, 1, lane, result);
+    set_edge(a, b, x, y, shift, 2, lane, result);
     const FloatVector inverse_area = hn::Div(hn::Set(f, 1.0F), hn::ConvertTo(f, area));
     const auto slope = [&](const Corner& p) HWY_ATTR { return hn::Mul(hn::ConvertTo(f, hn::Sub(p.depth, a.depth)), inverse_area); };
     hn::StoreU(hn::ConvertTo(f, a.depth), f, result.depth.data() + lane);
     hn::StoreU(slope(b), f, result.depth1.data() + lane);
     hn::StoreU(slope(c), f, result.depth2.data() + lane);
 
-    const auto is_seen = hn::And(hn::And(in_columns, in_rows), hn::Gt(area, hn::Zero(d)));
-    const IntVector kind = hn::IfThenElse(is_seen, hn::Set(d, SmallTriangles::small), hn::Set(d, SmallTriangles::unseen));
+    const auto misses_lines = hn::Or(hn::Gt(columns.first_line, columns.last_line), hn::Gt(rows.first_line, rows.last_line));
+    const auto is_unseen = hn::Or(misses_lines, hn::Eq(area, hn::Zero(d)));
+    const IntVector kind = hn::IfThenElse(is_unseen, hn::Set(d, SmallTriangles::unseen), hn::Set(d, SmallTriangles::small));
     hn::StoreU(hn::IfThenElse(hn::Or(is_far, is_large), hn::Set(d, SmallTriangles::wide), kind), d, result.kind.data() + lane);
 }
 
-/// An edge function at a vector of samples, and how it changes from block to block.
+/// An edge function at a vector of samples, and how it changes from block to block. dx·y and dy·x are products of at most 14 by 10
+/// bits, multiples of 32 and so exact in float, which multiplies faster.
 struct EdgeAtSamples {
     IntVector row, across, down;
 
-    EdgeAtSamples(const SmallTriangles& t, std::size_t k, std::size_t i, IntVector x, IntVector y, int shift) {
+    EdgeAtSamples(const SmallTriangles& t, std::size_t k, std::size_t i, FloatVector x, FloatVector y) {
         const Ints d;
-        const std::int32_t dx = t.dx[k][i], dy = t.dy[k][i], side = 1 << shift;
-        const std::int32_t begin = t.start[k][i] + dx * (t.first_row[i] << shift) - dy * (t.first_column[i] << shift);
-        row = hn::Add(hn::Set(d, begin), hn::Sub(hn::Mul(hn::Set(d, dx), y), hn::Mul(hn::Set(d, dy), x)));
-        across = hn::Set(d, -dy * side), down = hn::Set(d, dx * side);
+        const Floats f;
+        const FloatVector to_sample = hn::Sub(hn::Mul(hn::Set(f, t.dx[k][i]), y), hn::Mul(hn::Set(f, t.dy[k][i]), x));
+        row = hn::Add(hn::Set(d, t.start[k][i]), hn::ConvertTo(d, to_sample));
+        across = hn::Set(d, t.across[k][i]), down = hn::Set(d, t.down[k][i]);
     }
 };
 
@@ -167,12 +186,12 @@ HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, Sa
     const Ints d;
     const Floats f;
     const SamplePattern& pattern = tile.pattern();
-    const int shift = pattern.block_shift();
     const IntVector ids = hn::Set(d, id), minus_one = hn::Set(d, -1);
     const FloatVector depth = hn::Set(f, t.depth[i]), depth1 = hn::Set(f, t.depth1[i]), depth2 = hn::Set(f, t.depth2[i]);
     for (std::size_t s = 0; s < block_samples; s += hn::Lanes(d)) {
-        const IntVector x = hn::LoadU(d, pattern.x.data() + s), y = hn::LoadU(d, pattern.y.data() + s);
-        EdgeAtSamples edge0(t, 0, i, x, y, shift), edge1(t, 1, i, x, y, shift), edge2(t, 2, i, x, y, shift);
+        const FloatVector x = hn::ConvertTo(f, hn::LoadU(d, pattern.x.data() + s)),
+                          y = hn::ConvertTo(f, hn::LoadU(d, pattern.y.data() + s));
+        EdgeAtSamples edge0(t, 0, i, x, y), edge1(t, 1, i, x, y), edge2(t, 2, i, x, y);
         for (int row = t.first_row[i]; row <= t.last_row[i]; ++row) {
             IntVector e0 = edge0.row, e1 = edge1.row, e2 = edge2.row;
             SampleBlock* block = tile.row(row) + t.first_column[i];
@@ -237,7 +256,7 @@ SampleTile::SampleTile(const SamplePattern& pattern)
     : pattern_(pattern),
       blocks_on_side_(tile_side / pattern.block_side),
       blocks_(static_cast<std::size_t>(blocks_on_side_ * blocks_on_side_)),
-      regions_(blocks_.size() / (SampleRegion::side * SampleRegion::side)) {}
+      regions_(static_cast<std::size_t>(blocks_on_side_ * blocks_on_side_ / (SampleRegion::side * SampleRegion::side))) {}
 
 void SampleTile::start(int x, int y) {
     static constexpr SampleBlock empty = [] {

@@ -53,11 +53,15 @@ glm::vec3 face_normal(const glm::ivec3& t, const Surface& surface, const Frame& 
     return largest > longest ? glm::vec3(n * (longest / largest)) : glm::vec3(n);
 }
 
-void prefetch(const Surface& surface, std::size_t id) {
+/// Corners lie anywhere in memory: asking for those of a triangle further on hides the wait.
+void prefetch_corners(const Surface& surface, std::size_t id, const std::vector<glm::vec4>& sums) {
     static constexpr std::size_t ahead = 16;
     if (id + ahead >= surface.triangles.size()) return;
     const glm::ivec3& t = surface.triangles[id + ahead];
-    for (int k = 0; k < 3; ++k) __builtin_prefetch(surface.positions.data() + t[k]);
+    for (int k = 0; k < 3; ++k) {
+        __builtin_prefetch(surface.positions.data() + t[k]);
+        __builtin_prefetch(sums.data() + t[k], 1);
+    }
 }
 
 /// Of the mean normal, before it is normalised: 1 where the triangles at a vertex lie in a plane, cos 45° on the edge of a cube. The
@@ -76,7 +80,7 @@ void set_normals(Scene& scene) {
         sum.assign(scene.vertices.size(), glm::vec4(0));
         for (std::size_t i = h * count / halves; i < (h + 1) * count / halves; ++i) {
             if (!scene.has_known_corners(static_cast<std::int32_t>(i))) continue;
-            prefetch(scene.surface, i);
+            prefetch_corners(scene.surface, i, sum);
             const glm::ivec3& t = scene.surface.triangles[i];
             const glm::vec3 n = face_normal(t, scene.surface, scene.frame);
             const glm::vec4 part(n, glm::length(n));
