@@ -224,7 +224,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
         {"score", score_view(passed, total)},     {"attempted", std::move(attempted)},
         {"sections", std::move(sections)},        {"findings", findings_view(document, numbers, numbering)},
         {"works", works_view(works, numbering)},  {"timings", options.timings ? timings_view(document, numbering) : json::array()}};
-    if (document.cover) model["cover"] = picture_view(*document.cover, context);
+    model["cover"] = document.cover ? picture_view(*document.cover, context) : json(false);
     model["has_findings"] = !model["findings"].empty();
     model["has_works"] = !model["works"].empty();
     model["has_timings"] = !model["timings"].empty();

@@ -114,6 +114,7 @@ Document sample_document() {
     Section appendix;
     appendix.id = "ground_truth";
     appendix.title = "Ground truth";
+    document.cover = Figure{"cover", "", "Mean curvature of a bunny"};
     document.sections = {answered(), failed, skipped, appendix};
     document.timings = {{"everything", 12.3}};
     return document;
@@ -125,7 +126,8 @@ DrawnFigures sample_figures() {
         for (const char* view : {"+x", "-x"})
             drawn.views.emplace_back(std::string(panel) + ", " + view, std::string("images/q1_plane_h_") + view + ".png");
     }
-    return {{"q1_plane_h", drawn}};
+    const DrawnFigure cover{"images/cover_sheet.png", std::string("\xff\xd8\xff\0cover", 9), 900, 1000, {}};
+    return {{"q1_plane_h", drawn}, {"cover", cover}};
 }
 
 const std::string hostile =

@@ -127,6 +127,16 @@ TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
     EXPECT_NE(page.find("<a href=\"images/q1_plane_h_%2Bx.png\">+x</a>"), std::string::npos);
 }
 
+TEST(WriteHtml, TheTitlePictureStandsOnTheFirstPageWhenThereIsOne) {
+    const std::string page = sample_page();
+    const std::size_t cover = page.find("alt=\"Mean curvature of a bunny\" width=\"900\" height=\"1000\"");
+    ASSERT_NE(cover, std::string::npos);
+    EXPECT_LT(cover, page.find("id=\"questions-attempted\""));
+    Document without = sample_document();
+    without.cover.reset();
+    EXPECT_EQ(write_html(without, sample_figures(), Templates(), {}).find("class=\"cover\""), std::string::npos);
+}
+
 TEST(WriteHtml, TimingsCanBeLeftOut) {
     const WriteOptions without{.timings = false};
     EXPECT_EQ(write_html(sample_document(), {}, Templates(), without).find("Timings"), std::string::npos);
