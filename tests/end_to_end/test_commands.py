@@ -363,6 +363,29 @@ class Render(InFolder):
         self.refuse(3, 'render', mesh, '--values', 'short.csv:h', '--out', 'x')
         self.refuse(2, 'render', mesh, '--values', 'v.csv', '--out', 'x')
 
+    def test_view_from_three_quarters_is_framed_on_what_it_sees(self):
+        self.succeed('render', self.sample('creature'), '--plain', '--size', '200', '--views', 'hero', '--out', 'hero')
+        self.assertEqual(sorted(os.listdir(self.path('hero'))), ['hero.png', 'sheet.png'])
+        rows = png(self.path('hero', 'hero.png'))[2]
+        lines = [y for y, row in enumerate(rows) if any(pixel != (255, 255, 255) for pixel in row)]
+        columns = sorted({x for row in rows for x, pixel in enumerate(row) if pixel != (255, 255, 255)})
+        self.assertAlmostEqual(max(len(lines), len(columns)), 190, delta=2)
+        for first, last in ((lines[0], lines[-1]), (columns[0], columns[-1])):
+            self.assertAlmostEqual(first, 199 - last, delta=2)
+
+    def test_isolines_darken_some_pixels_and_need_a_spacing(self):
+        mesh = self.write('box.obj', BOX)
+        options = ['--field', 'z', '--size', '100', '--views', '+x']
+        self.succeed('render', mesh, *options, '--out', 'without')
+        self.succeed('render', mesh, *options, '--isolines', '1.5', '--out', 'with')
+        pairs = [(a, b) for old, new in zip(png(self.path('without', '+x.png'))[2], png(self.path('with', '+x.png'))[2]) for a, b in zip(old, new)]
+        changed = [(a, b) for a, b in pairs if a != b]
+        self.assertGreater(len(changed), 100)
+        for before, after in changed:
+            self.assertLessEqual(sum(after), sum(before))
+        for spacing in ('0', '-1', 'nan', 'x'):
+            self.refuse(2, 'render', mesh, '--isolines', spacing)
+
     def test_same_bytes_whatever_the_threads(self):
         mesh = self.sample('lily')
         self.succeed('render', mesh, '--field', 'h-cotan', '--size', '80', '--edges', '--out', 'all')
