@@ -32,7 +32,7 @@ struct DrawOptions {
     double fill = 0.92;                // share of the shorter side taken by the largest extent
     std::optional<Frame> frame = {};   // default: views along the axes share one, any other has its own, fitted with `fill`
     ValueRange range = {};
-    Rgba surface_color{200, 203, 209, 255};      // where there are no values
+    Rgba surface_color{220, 222, 226, 255};      // where there are no values
     Rgba undefined_color{225, 190, 231, 255};    // where a value is NaN
     Rgba background{255, 255, 255, 255};         // alpha 0: transparent
     bool shading = true;                         // smooth, two-sided; false: flat colours

@@ -21,15 +21,15 @@ namespace render {
 
 /// Soft: each light reaches a little beyond its horizon. With the ambient part they add up to about 1 where all of them reach, so no
 /// colour of a map is driven to white, and being neutral they shift no hue.
-inline constexpr std::array<float, 3> light_strength{0.72F, 0.14F, 0.15F};
-inline constexpr float ambient = 0.05F, wrap = 0.15F;
+inline constexpr std::array<float, 3> light_strength{0.52F, 0.09F, 0.38F};
+inline constexpr float ambient = 0.02F, wrap = 0.1F;
 
 /// Twice the area (square grid steps) from which on the rounded normal of a triangle can be trusted: an eighth of a pixel wide.
 inline constexpr float trusted_area = 32 * 32;
 
 /// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar. Where the light
 /// is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be seen.
-inline constexpr float light_on_values = 0.78F, sheen_on_values = 0.018F;
+inline constexpr float light_on_values = 0.84F, sheen_on_values = 0.018F;
 
 /// The back of plain surfaces is ochre; values keep their hue there and only darken.
 inline constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
