@@ -3,9 +3,9 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fragments.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
 
 #include "fragments.h"
+#include "vectors-inl.h"
 
 #ifndef RENDER_FRAGMENT_PATTERN
 #define RENDER_FRAGMENT_PATTERN
@@ -25,13 +25,6 @@ struct Neighbours {
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Ints = hn::CappedTag<std::int32_t, block_samples>;
-using Floats = hn::CappedTag<float, block_samples>;
-using IntVector = hn::Vec<Ints>;
-using FloatVector = hn::Vec<Floats>;
 
 /// What is known of the samples of a pixel that see the same triangle.
 struct Group {

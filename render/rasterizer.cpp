@@ -8,22 +8,15 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer.cpp"
 #include <hwy/foreach_target.h>
-//
+
 #include <hwy/cache_control.h>
-#include <hwy/highway.h>
 
 #include "rasterizer.h"
+#include "vectors-inl.h"
 #include "wide_triangle.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Ints = hn::CappedTag<std::int32_t, block_samples>;
-using Floats = hn::CappedTag<float, block_samples>;
-using IntVector = hn::Vec<Ints>;
-using FloatVector = hn::Vec<Floats>;
 
 /// Larger triangles take the slow path.
 constexpr int largest_small = 63 * subpixels;

@@ -5,55 +5,20 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shading.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
+#include <utility>
+#include <vector>
 
+#include "exact_triangle.h"
 #include "shading.h"
-
-#ifndef RENDER_SHADING_CONSTANTS
-#define RENDER_SHADING_CONSTANTS
-
-namespace render {
-
-/// Soft: each light reaches a little beyond its horizon. With the ambient part they add up to about 1 where all of them reach, so no
-/// colour of a map is driven to white, and being neutral they shift no hue.
-inline constexpr std::array<float, 3> light_strength{0.52F, 0.09F, 0.38F};
-inline constexpr float ambient = 0.02F, wrap = 0.1F;
-
-/// Twice the area (square grid steps) from which on the rounded normal of a triangle can be trusted: an eighth of a pixel wide.
-inline constexpr float trusted_area = 32 * 32;
-
-/// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar. Where the light
-/// is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be seen.
-inline constexpr float light_on_values = 0.84F, sheen_on_values = 0.018F;
-
-/// The back of plain surfaces is ochre; values keep their hue there and only darken.
-inline constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
-inline constexpr float back_darkening = 0.62F;
-
-inline constexpr glm::vec3 ink_color{0.012F, 0.012F, 0.016F};
-inline constexpr float line_half_width = 0.45F;   // pixels on either side
-inline constexpr float smallest_meshed = 9;       // pixels; lines of smaller triangles fade, lest they blacken the surface
-inline constexpr float closest_isolines = 6;      // pixels; closer ones fade
-/// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
-inline constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
-
-}   // namespace render
-#endif
+#include "srgb.h"
+#include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Ints = hn::CappedTag<std::int32_t, block_samples>;
-using Floats = hn::CappedTag<float, block_samples>;
-using IntVector = hn::Vec<Ints>;
-using FloatVector = hn::Vec<Floats>;
 using FloatMask = hn::Mask<Floats>;
 
 HWY_INLINE FloatVector set(float x) { return hn::Set(Floats(), x); }
@@ -281,75 +246,6 @@ HWY_EXPORT(LightAll);
 
 namespace {
 
-/// Fixed to the camera: key from the upper left, fill from the right, one from the viewer, slightly below.
-const std::array<glm::vec3, 3> light_directions{{glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)),
-                                                 glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)),
-                                                 glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F))}};
-
-glm::vec3 linear_rgb(Rgba color) { return {linear_of(color.r), linear_of(color.g), linear_of(color.b)}; }
-
-/// Step 1 for a triangle whose corners are not in reach of the grid, or for half of a ribbon.
-class ExactTriangle {
-public:
-    ExactTriangle(const ProjectedScene& projected, std::span<const Ribbon> ribbons, std::int32_t id)
-        : scene_(projected.scene), axes_(projected.axes), is_ribbon_(id >= scene_.triangle_count()) {
-        if (is_ribbon_) {
-            const Ribbon& ribbon = ribbons[static_cast<std::size_t>(id - scene_.triangle_count())];
-            screen_ = ribbon.screen, vertex_ = ribbon.vertex;
-        } else {
-            screen_ = projected.exact_triangle(id), vertex_ = scene_.surface.triangles[static_cast<std::size_t>(id)];
-        }
-    }
-
-    void interpolate(const ShadingStyle& style, Fragments& fragments, std::size_t i) const {
-        const glm::dvec3 w = barycentric(fragments, i);
-        glm::vec3 normal(0);
-        std::array<float, 3> t{};
-        for (int k = 0; k < 3; ++k) {
-            const auto v = static_cast<std::size_t>(vertex_[k]);
-            normal += static_cast<float>(w[k]) * unpacked_normal(scene_.vertices[v].normal);
-            if (style.has_values) t[static_cast<std::size_t>(k)] = scene_.map_positions[v];
-        }
-        const glm::vec3 along(glm::dot(normal, glm::vec3(axes_.across)), glm::dot(normal, glm::vec3(axes_.up)),
-                              glm::dot(normal, glm::vec3(axes_.depth)));
-        const bool faces_away = !is_ribbon_ && area() * axes_.handedness() * double(style.towards_viewer) < 0;
-        const float sign = faces_away ? -1.0F : 1.0F;
-        fragments.normal_x[i] = sign * along.x, fragments.normal_y[i] = sign * along.y, fragments.normal_z[i] = sign * along.z;
-        fragments.map_position[i] = value(t, w);
-        fragments.back[i] = faces_away ? 1.0F : 0.0F;
-        fragments.ink[i] = 0;
-        fragments.fixed_light[i] = !is_ribbon_ ? 0 : style.has_values ? ribbon_light : plain_ribbon_light;
-    }
-
-private:
-    glm::dvec2 at(std::size_t k) const {   // from the middle of the picture, y up
-        return {static_cast<double>(screen_.corner[k].x - scene_.width * (subpixels / 2)),
-                static_cast<double>(scene_.height * (subpixels / 2) - screen_.corner[k].y)};
-    }
-    static double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-    double area() const { return cross(at(1) - at(0), at(2) - at(0)); }
-
-    glm::dvec3 barycentric(const Fragments& fragments, std::size_t i) const {
-        const glm::dvec2 p = glm::dvec2(fragments.x[i], fragments.y[i]) - at(0), ab = at(1) - at(0), ac = at(2) - at(0);
-        const double wb = std::clamp(cross(p, ac) / area(), 0.0, 1.0), wc = std::clamp(cross(ab, p) / area(), 0.0, 1.0 - wb);
-        return {1 - wb - wc, wb, wc};
-    }
-    static float value(const std::array<float, 3>& t, const glm::dvec3& w) {
-        const std::size_t nearest = w.y > w.x ? (w.z > w.y ? 2 : 1) : (w.z > w.x ? 2 : 0);
-        if (std::isnan(t[nearest])) return t[nearest];
-        double total = 0, weight = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            if (!std::isnan(t[k])) total += w[static_cast<int>(k)] * double(t[k]), weight += w[static_cast<int>(k)];
-        return static_cast<float>(total / weight);
-    }
-
-    const Scene& scene_;
-    const Axes& axes_;
-    bool is_ribbon_;
-    Triangle2 screen_;
-    glm::ivec3 vertex_{};
-};
-
 bool is_out_of_reach(const Scene& scene, std::int32_t id) {
     if (id >= scene.triangle_count()) return true;
     const glm::ivec3& t = scene.surface.triangles[static_cast<std::size_t>(id)];
@@ -367,37 +263,7 @@ void color_by_number(Fragments& fragments) {
     }
 }
 
-/// Where isolines run, in terms of map positions t: value = low + t · (high − low), lines at multiples of the spacing.
-void set_isolines(const DrawOptions& options, ShadingStyle& style) {
-    const double width = options.range.high - options.range.low;
-    if (!(options.isoline_spacing > 0) || !(width > 0) || !style.has_values) return;
-    style.isoline_scale = static_cast<float>(width / options.isoline_spacing);
-    const double lines_below = options.range.low / options.isoline_spacing;
-    style.isoline_offset = static_cast<float>(lines_below - std::floor(lines_below));
-}
-
 }   // namespace
-
-float lit(const glm::vec3& normal) {
-    float sum = ambient;
-    for (std::size_t l = 0; l < light_strength.size(); ++l)
-        sum += light_strength[l] * std::max(0.0F, (glm::dot(normal, light_directions[l]) + wrap) / (1 + wrap));
-    return std::min(sum, 1.0F);
-}
-
-Palette::Palette(const DrawOptions& options) : plain(linear_rgb(options.surface_color)), undefined(linear_rgb(options.undefined_color)) {
-    for (int i = 0; i <= steps; ++i) {
-        const glm::vec3 c = linear_rgb(color_at(*options.range.colormap, double(i) / steps));
-        red.push_back(c.r), green.push_back(c.g), blue.push_back(c.b);
-    }
-}
-
-ShadingStyle::ShadingStyle(const Scene& scene, const DrawOptions& drawn, const Palette& colors, const Placement& placement)
-    : options(drawn), palette(colors), has_values(!scene.map_positions.empty()), towards_viewer(placement.from_below ? -1.0F : 1.0F) {
-    const glm::vec3 axes(placement.mirrored_x ? -1 : 1, placement.mirrored_y ? -1 : 1, towards_viewer);
-    for (std::size_t l = 0; l < lights.size(); ++l) lights[l] = axes * light_directions[l];
-    set_isolines(options, *this);
-}
 
 void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments) {
     if (style.options.face_colors_from_id) return color_by_number(fragments);

@@ -3,13 +3,13 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tile_lists.cpp"
 #include <hwy/foreach_target.h>
-//
+
 #include <hwy/cache_control.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
 
 #include "tile_lists.h"
+#include "vectors-inl.h"
 
 #ifndef RENDER_TILE_CODES
 #define RENDER_TILE_CODES
@@ -31,11 +31,6 @@ struct SampleLines {
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Ints = hn::CappedTag<std::int32_t, block_samples>;
-using IntVector = hn::Vec<Ints>;
 
 /// The box round some triangles, component by component.
 struct Boxes {
