@@ -1,0 +1,23 @@
+/// @file
+/// Curvature from osculating jets (Cazals & Pouget 2005): around each vertex the surface is a polynomial height over a plane.
+#pragma once
+
+#include "mesh/mesh_topology.h"
+
+namespace meshfolio {
+
+struct JetCurvature {
+    Vector H;           // positive where the surface bends away from its normal [1/length]
+    Vector K;           // [1/length²]
+    int unfitted = 0;   // vertices in use without a jet
+};
+
+/// H and K of the degree-3 polynomial that fits, in least squares, the heights of a vertex and its two rings over the plane of its
+/// area-weighted normal. Second derivatives are O(h²) on any triangulation of points on a smooth surface. Boundary vertices have one,
+/// from the side where there are neighbours.
+/// NaN where ten coefficients are not determined: fewer than ten points, points near a common cubic, a vertex that is unreferenced or
+/// not manifold.
+/// @throws MeshError if the topology is of another mesh
+JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topology);
+
+}   // namespace meshfolio
