@@ -6,6 +6,7 @@
 #include "geometry/curvature.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
+#include "questions/value_lists.h"
 
 namespace meshfolio {
 
@@ -29,6 +30,14 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source) {
     subject.diagonal = bounding_box(subject.mesh()).diagonal();
     subject.initial_energy = dirichlet_energy(subject.laplacian.C, subject.mesh().X);
     return subject;
+}
+
+std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples) {
+    std::vector<double> steps = settings.lambda;
+    if (steps.empty()) {
+        for (const double multiple : multiples) steps.push_back(multiple * subject.critical);
+    }
+    return each_once(steps);
 }
 
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,

@@ -2,7 +2,6 @@
 /// One smoothing run and what is measured along the way; shared by the questions on smoothing.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,16 +10,9 @@
 #include "geometry/mesh_error.h"
 #include "geometry/stability.h"
 #include "questions/mesh_library.h"
+#include "questions/settings.h"
 
 namespace meshfolio {
-
-/// Ascending, each value once: a step named twice in the settings is one run.
-template <class Number>
-std::vector<Number> each_once(std::vector<Number> values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-}
 
 /// A mesh with its operator and the limit of explicit smoothing on it.
 struct SmoothingSubject {
@@ -36,6 +28,9 @@ struct SmoothingSubject {
     const std::string& name() const { return source->name; }
 };
 SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source);
+
+/// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
+std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples);
 
 struct SmoothingRun {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
