@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "geometry/mesh_error.h"
 #include "mesh/sample_shapes.h"
-#include "questions/answer_laws.h"
+#include "mesh/triangle_measures.h"
+#include "questions/denoising_study.h"
+#include "questions/study_laws.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
@@ -29,6 +34,53 @@ TEST(Q7, WhereNoIterationHelpsTheReportSaysSo) {
     const Answer answer = answer_q7(library_of(cube_mesh(6), "nearly_clean"), settings, no_progress);
     expect_well_formed(answer);
     EXPECT_NE(prose_of(answer.section).find("no iteration is better than none"), std::string::npos);
+}
+
+TEST(Q7, TheTableIsTheStudy) {
+    const TriangleMesh mesh = cube_mesh(6);
+    const Answer answer = answer_q7(library_of(mesh, "box_table"), quick_settings(), no_progress);
+    const DenoisingStudy study = denoising_study(library_mesh(mesh, "box_table"), quick_settings());
+    const report::Table& table = table_named(answer.section, "q7_results");
+    const double percent = 100 / bounding_box(mesh).diagonal();
+    std::vector<double> sigma, noisy, best, last, angle, ratio;
+    for (const DenoisingTrial& trial : study.trials) {
+        sigma.push_back(trial.sigma / mean_edge_length(mesh));
+        noisy.push_back(percent * vertex_rms(study.clean->mesh().X, trial.noisy.X));
+        best.push_back(percent * vertex_rms(study.clean->mesh().X, trial.best.X));
+        last.push_back(percent * vertex_rms(study.clean->mesh().X, trial.last.X));
+        angle.push_back(compare_meshes(study.clean->mesh(), trial.noisy).mean_normal_angle * 180 / M_PI);
+        ratio.push_back(trial.feature_rms / trial.smooth_rms);
+    }
+    expect_near(numbers(table, "σ", "% of box"), {0.3, 1});
+    expect_near(numbers(table, "σ", "mean edges"), sigma, 1e-6);
+    expect_near(numbers(table, "error, noisy"), noisy, 1e-6);
+    expect_near(numbers(table, "error, best"), best, 1e-6);
+    expect_near(numbers(table, "error, last"), last, 1e-6);
+    expect_near(numbers(table, "normal angle, noisy"), angle, 1e-9);
+    expect_near(numbers(table, "error at features / elsewhere"), ratio);
+    for (std::size_t i = 0; i < best.size(); ++i) best[i] = noisy[i] / best[i];
+    expect_near(numbers(table, "gain"), best, 1e-6);
+}
+
+TEST(Q7, PanelsAreCleanNoisyBestAndOverSmoothed) {
+    const Answer answer = answer_q7(library_of(icosphere(2), "ball_panels"), quick_settings(), no_progress);
+    const DenoisingStudy study = denoising_study(library_mesh(icosphere(2), "ball_panels"), quick_settings());
+    ASSERT_EQ(answer.figures.size(), study.trials.size());
+    EXPECT_EQ(answer.figures[0].id, "q7_ball_panels_sigma00300");
+    EXPECT_EQ(answer.figures[1].id, "q7_ball_panels_sigma01000");
+    for (std::size_t i = 0; i < study.trials.size(); ++i) {
+        const std::vector<output::Panel>& panels = answer.figures[i].panels;
+        const DenoisingTrial& trial = study.trials[i];
+        ASSERT_EQ(panels.size(), trial.minimum_reached() ? 4u : 3u);
+        EXPECT_EQ(panels[0].mesh->X, study.clean->mesh().X);
+        EXPECT_EQ(panels[1].mesh->X, trial.noisy.X);
+        EXPECT_EQ(panels[2].mesh->X, trial.best.X);
+        if (trial.minimum_reached()) {
+            EXPECT_EQ(panels[3].mesh->X, trial.last.X);
+        }
+        EXPECT_NEAR(std::sqrt(panels[1].values.squaredNorm() / double(panels[1].values.size())), 100 * trial.rms.front() / study.diagonal,
+                    1e-9);
+    }
 }
 
 TEST(Q7, TheTextFollowsTheData) {
