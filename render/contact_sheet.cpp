@@ -182,7 +182,10 @@ std::size_t place_of(const ContactSheet& sheet, std::size_t picture) {
 }
 
 void draw_cell(Image& image, const Image& picture, const Layout& layout, int x, int y) {
-    paste(image, shrink(picture, layout.cell_width, layout.cell_height), x, y);
+    if (picture.width == layout.cell_width && picture.height == layout.cell_height)
+        paste(image, picture, x, y);
+    else
+        paste(image, shrink(picture, layout.cell_width, layout.cell_height), x, y);
 }
 
 void draw_name(Image& image, const Layout& layout, int x, int y, const std::string& name, const Inks& inks) {

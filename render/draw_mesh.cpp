@@ -129,6 +129,9 @@ private:
 
 /// All views on one frame.
 std::vector<Image> draw_framed(const Surface& surface, std::span<const View> views, const Frame& frame, const DrawOptions& options) {
+    if (views.empty()) return {};
+    if (surface.positions.empty() || surface.triangles.empty())
+        return std::vector<Image>(views.size(), Image(options.width, options.height, options.background));
     const Scene scene(surface, frame, options);
     const std::vector<BoundaryEdge> boundary = options.shading ? boundary_edges(surface) : std::vector<BoundaryEdge>{};
     const Palette palette(options);

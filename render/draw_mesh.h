@@ -36,7 +36,7 @@ struct DrawOptions {
     Rgba undefined_color{225, 190, 231, 255};    // where a value is NaN
     Rgba background{255, 255, 255, 255};         // alpha 0: transparent
     bool shading = true;                         // smooth, two-sided; false: flat colours
-    bool face_colors_from_id = false;            // triangle number + 1 as R·65536 + G·256 + B, unshaded (for checks)
+    bool face_colors_from_id = false;            // triangle number + 1 as R·65536 + G·256 + B, modulo 2²⁴, unshaded (for checks)
     bool occlusion = true;                       // hollows and contacts are darkened; with shading only
     bool edges = false;                          // thin triangle edges
     double isoline_spacing = 0;                  // thin lines where the value is a multiple of this; 0: none

@@ -94,8 +94,11 @@ void CollectHeights(const SampleTile& tile, int block_row, bool from_below, floa
         for (std::size_t s = 0; s < block_samples; s += hn::Lanes(f)) {
             FloatVector height = hn::Mul(scale, hn::Load(f, depths + s));
             if (pattern.per_pixel == 4) {
-                height = hn::Max(height, hn::Shuffle2301(height));
-                height = hn::Max(height, hn::Shuffle1032(height));
+                const FloatVector beside = hn::Shuffle2301(height), upper = hn::Max(height, beside), lower = hn::Min(height, beside);
+                const FloatVector other_upper = hn::Shuffle1032(upper), other_lower = hn::Shuffle1032(lower);
+                const FloatVector first = hn::Max(upper, other_upper);
+                const FloatVector second = hn::Max(hn::Min(upper, other_upper), hn::Max(lower, other_lower));
+                height = hn::IfThenElse(hn::Lt(second, hn::Set(f, -1e37F)), first, second);
             }
             hn::Store(height, f, nearest.data() + s);
         }

@@ -38,8 +38,9 @@ struct alignas(64) Fragments {
 /// @param from_below  what the opposite view sees
 void collect_fragments(const SampleTile& tile, int block_row, int width, int height, bool from_below, Fragments& fragments);
 
-/// How high the visible surface lies above the picture plane, towards the viewer, in pixels: of the samples of a pixel the nearest,
-/// −∞ where there is none. @param heights  of the row of blocks: row · tile_side + column
+/// How high the visible surface lies above the picture plane, towards the viewer, in pixels: of the samples of a pixel the second nearest,
+/// so that on a silhouette the side with more samples decides; the nearest where there is but one, −∞ where there is none. @param heights
+/// of the row of blocks: row · tile_side + column
 void collect_heights(const SampleTile& tile, int block_row, bool from_below, std::span<float, std::size_t{tile_side} * 4> heights);
 
 }   // namespace render

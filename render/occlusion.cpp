@@ -40,17 +40,15 @@ HWY_INLINE hn::Vec<D> rise(D d, hn::Vec<D> from, const float* to, hn::Vec<D> twi
     return hn::Min(difference, hn::Sub(twice_reach, difference));
 }
 
-bool Openness(const float* heights, std::size_t count, float reach, const Looks& looks, float* openness) {
+void Openness(const float* heights, std::size_t count, float reach, const Looks& looks, float* openness) {
     const hn::CappedTag<float, 16> d;
     const auto zero = hn::Zero(d), lowest = hn::Set(d, -1e9F), twice_reach = hn::Set(d, 2 * reach);
-    bool any = false;
     for (std::size_t x = 0; x < count; x += hn::Lanes(d)) {
         const auto from = hn::LoadU(d, heights + x);
         if (hn::AllTrue(d, hn::Lt(from, hn::Set(d, HeightField::nothing / 2)))) {
             hn::StoreU(hn::Set(d, 1), d, openness + x);
             continue;
         }
-        any = true;
         auto hidden = zero;
         for (const auto& direction : looks) {
             auto ahead = lowest, behind = lowest;
@@ -66,7 +64,24 @@ bool Openness(const float* heights, std::size_t count, float reach, const Looks&
         const auto open = hn::Mul(sky, sky);
         hn::StoreU(open, d, openness + x);
     }
-    return any;
+}
+
+void Smooth(const float* heights, const float* openness, std::ptrdiff_t pitch, std::size_t count, float one_over_range, float* smoothed) {
+    const hn::CappedTag<float, 16> d;
+    const auto one = hn::Set(d, 1), falling = hn::Set(d, one_over_range);
+    for (std::size_t x = 0; x < count; x += hn::Lanes(d)) {
+        const auto height = hn::LoadU(d, heights + x);
+        auto sum = hn::Zero(d), weights = hn::Zero(d);
+        for (std::ptrdiff_t down = -2; down <= 2; down += 2)
+            for (std::ptrdiff_t across = -2; across <= 2; across += 2) {
+                const auto place = static_cast<std::ptrdiff_t>(x) + down * pitch + across;
+                const auto apart = hn::Abs(hn::Sub(hn::LoadU(d, heights + place), height));
+                const auto weight = hn::Max(hn::Zero(d), hn::Sub(one, hn::Mul(apart, falling)));
+                sum = hn::Add(sum, hn::Mul(weight, hn::LoadU(d, openness + place)));
+                weights = hn::Add(weights, weight);
+            }
+        hn::StoreU(hn::Div(sum, weights), d, smoothed + x);
+    }
 }
 
 }   // namespace render::HWY_NAMESPACE
@@ -79,6 +94,7 @@ HWY_AFTER_NAMESPACE();
 namespace render {
 
 HWY_EXPORT(Openness);
+HWY_EXPORT(Smooth);
 
 namespace {
 
@@ -102,6 +118,17 @@ Looks looks_on(const HeightField& heights) {
     return looks;
 }
 
+/// Vectors write beyond what is asked for: `find(begin, count, found)` gets room for that.
+template <class Find>
+void in_whole_vectors(std::span<float> result, const Find& find) {
+    std::array<float, 1024> found;
+    for (std::size_t begin = 0; begin < result.size(); begin += found.size()) {
+        const std::size_t count = std::min(found.size(), result.size() - begin);
+        find(begin, count, found.data());
+        std::copy_n(found.begin(), count, result.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+}
+
 }   // namespace
 
 // Sixteen pixels more to the right, because vectors read that far.
@@ -116,21 +143,24 @@ void HeightField::clear() { std::fill(heights_.begin(), heights_.end(), nothing)
 
 void HeightField::set(int x, int y, std::span<const float> heights) {
     float* row = heights_.data() + (y + reach_) * pitch_ + reach_ + x;
-    std::transform(heights.begin(), heights.end(), row, [](float h) { return std::max(h, nothing); });
+    std::transform(heights.begin(), heights.end(), row, [](float h) { return std::isinf(h) ? nothing : std::max(h, lowest); });
 }
 
 Sky::Sky(const HeightField& heights) : heights_(heights), looks_(looks_on(heights)) {}
 
-bool Sky::openness(int x, int y, std::span<float> openness) const {
-    std::array<float, 1024> found;   // whole vectors
-    bool any = false;
-    for (std::size_t begin = 0; begin < openness.size(); begin += found.size()) {
-        const std::size_t count = std::min(found.size(), openness.size() - begin);
-        any |= HWY_DYNAMIC_DISPATCH(Openness)(heights_.place(x + static_cast<int>(begin), y), count, static_cast<float>(heights_.reach()),
-                                              looks_, found.data());
-        std::copy_n(found.begin(), count, openness.begin() + static_cast<std::ptrdiff_t>(begin));
-    }
-    return any;
+void Sky::openness(int x, int y, std::span<float> openness) const {
+    in_whole_vectors(openness, [&](std::size_t begin, std::size_t count, float* found) {
+        HWY_DYNAMIC_DISPATCH(Openness)
+        (heights_.place(x + static_cast<int>(begin), y), count, static_cast<float>(heights_.reach()), looks_, found);
+    });
+}
+
+void smooth(const HeightField& heights, const HeightField& openness, int x, int y, std::span<float> smoothed) {
+    in_whole_vectors(smoothed, [&](std::size_t begin, std::size_t count, float* found) {
+        const int from = x + static_cast<int>(begin);
+        HWY_DYNAMIC_DISPATCH(Smooth)
+        (heights.place(from, y), openness.place(from, y), heights.pitch(), count, 4.0F / static_cast<float>(heights.reach()), found);
+    });
 }
 
 }   // namespace render

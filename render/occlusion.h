@@ -17,14 +17,15 @@ struct Look {
 inline constexpr std::size_t occlusion_directions = 8, looks_of_direction = 4;   // each direction with its opposite
 using Looks = std::array<std::array<Look, looks_of_direction>, occlusion_directions>;
 
-/// Heights above the picture plane towards the viewer, in pixels, with a margin of nothing round the picture.
+/// Heights above the picture plane towards the viewer, in pixels, with a margin round the picture; or another number a pixel.
 class HeightField {
 public:
-    static constexpr float nothing = -1e6F;
+    static constexpr float nothing = -1e6F, lowest = -4e5F;   // what lies lower is taken to lie there
 
     HeightField(int width, int height);
 
     void clear();
+    /// @param heights  −∞ where a pixel shows nothing
     void set(int x, int y, std::span<const float> heights);
     /// @param x, y  may lie up to reach() outside of the picture
     float at(int x, int y) const { return *place(x, y); }
@@ -49,12 +50,15 @@ public:
     explicit Sky(const HeightField& heights);
 
     /// For pixels from (x, y) on: 1 where one sees the whole half-space above it, down to 0 at the bottom of a hole. Planes see all of
-    /// it, however inclined. False when no pixel shows anything.
-    bool openness(int x, int y, std::span<float> openness) const;
+    /// it, however inclined, and so does what shows nothing.
+    void openness(int x, int y, std::span<float> openness) const;
 
 private:
     const HeightField& heights_;
     Looks looks_;
 };
+
+/// The mean of `openness` round pixels from (x, y) on, over what lies about as high: looks are few, and single ones leave streaks.
+void smooth(const HeightField& heights, const HeightField& openness, int x, int y, std::span<float> smoothed);
 
 }   // namespace render

@@ -22,12 +22,13 @@ namespace {
 
 using Byte = std::uint8_t;
 
-constexpr int largest_side = 16384;   // a picture's bytes fit one chunk of 2 GB
+constexpr std::int64_t largest_png = 480'000'000;   // pixels: their bytes, however badly they compress, fit one chunk of 2 GB
+constexpr std::int64_t largest_jpeg = std::int64_t{16384} * 16384;
 
-void check_size(const Image& image, const char* caller) {
+void check_size(const Image& image, std::int64_t largest, const char* caller) {
     if (image.width < 1 || image.height < 1) throw std::invalid_argument(std::string(caller) + ": the picture is empty");
-    if (image.width > largest_side || image.height > largest_side)
-        throw std::invalid_argument(std::string(caller) + ": the picture is larger than 16384 on a side");
+    if (std::int64_t{image.width} * image.height > largest)
+        throw std::invalid_argument(std::string(caller) + ": the picture has more than " + std::to_string(largest) + " pixels");
 }
 
 bool is_opaque(const Image& image) {
@@ -143,7 +144,7 @@ void append_compressed(std::string& png, const Image& image, std::size_t channel
 }   // namespace
 
 std::string encode_png(const Image& image) {
-    check_size(image, "encode_png");
+    check_size(image, largest_png, "encode_png");
     const std::size_t channels = is_opaque(image) ? 3 : 4;
     std::string png = "\x89PNG\r\n\x1a\n";
     std::size_t begin = open_chunk(png, "IHDR");
@@ -158,7 +159,7 @@ std::string encode_png(const Image& image) {
 }
 
 std::string encode_jpeg(const Image& image, int quality) {
-    check_size(image, "encode_jpeg");
+    check_size(image, largest_jpeg, "encode_jpeg");
     if (quality < 1 || quality > 100) throw std::invalid_argument("encode_jpeg: quality must lie in 1 to 100");
     const std::vector<Byte> rgb = rgb_bytes(is_opaque(image) ? image : on_white(image));
     std::string jpeg;

@@ -8,7 +8,7 @@
 
 namespace render {
 
-/// @throws std::invalid_argument for an empty picture or one larger than 16384 on a side
+/// @throws std::invalid_argument for an empty picture or one of more than 480 million pixels (JPEG: 268 million)
 std::string encode_png(const Image& image);
 /// Composited on white. quality 1–100; 4:4:4 from 91 up (stb).
 std::string encode_jpeg(const Image& image, int quality);

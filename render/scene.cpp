@@ -102,6 +102,16 @@ int model_axis(const glm::dvec3& axis) {
     return -1;
 }
 
+bool any_far_off(const std::vector<GridVertex>& vertices) {
+    std::atomic<bool> any = false;
+    in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
+        const auto is_far = [](const GridVertex& v) { return v.at[0] == GridVertex::far_off; };
+        if (std::any_of(vertices.begin() + static_cast<std::ptrdiff_t>(begin), vertices.begin() + static_cast<std::ptrdiff_t>(end), is_far))
+            any = true;
+    });
+    return any;
+}
+
 std::int64_t snapped_far(double pixels) {
     const double steps = pixels * subpixels;
     return std::abs(steps) < static_cast<double>(largest_coordinate) ? std::llrint(steps) : 2 * largest_coordinate;
@@ -125,16 +135,9 @@ glm::vec3 unpacked_normal(std::uint32_t packed) {
 
 Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
     : surface(drawn), frame(on), width(options.width), height(options.height), vertices(drawn.positions.size()) {
-    std::atomic<bool> any_far_off = false;
     in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
-        bool far_off = false;
-        for (std::size_t i = begin; i < end; ++i) {
-            vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0};
-            far_off |= vertices[i].at[0] == GridVertex::far_off;
-        }
-        if (far_off) any_far_off = true;
+        for (std::size_t i = begin; i < end; ++i) vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0};
     });
-    has_far_off = any_far_off;
     if (options.shading) set_normals(*this);
     map_positions.resize(surface.values.size());
     in_parts(map_positions.size(), [&](std::size_t begin, std::size_t end) {
@@ -145,6 +148,7 @@ Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
 ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
     : scene(seen), axes(along), component{model_axis(axes.across), model_axis(axes.up), model_axis(axes.depth)} {
     vertices = scene.vertices.data();
+    has_far_off = any_far_off(scene.vertices);
     if (component[0] >= 0 && component[1] >= 0 && component[2] >= 0) return;
     component = {0, 1, 2};
     turned.resize(scene.vertices.size());
@@ -158,6 +162,7 @@ ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
                                      static_cast<float>(scene.vertices[i].normal >> 30) / 3)};
     });
     vertices = turned.data();
+    has_far_off = any_far_off(turned);
 }
 
 ScreenPoint ProjectedScene::exact_corner(int vertex) const {

@@ -14,7 +14,7 @@
 namespace render {
 
 /// A vertex in grid steps from the middle of the picture. From here on the surface *is* this rounded one: whether a triangle covers a
-/// sample and which way it faces are decided in integers.
+/// sample is decided in integers.
 struct GridVertex {
     std::array<std::int32_t, 3> at;   // `far_off` in all three when one is beyond `largest_near`, `undefined` when one is not finite
     std::uint32_t normal;             // packed; see pack_normal
@@ -47,7 +47,6 @@ struct Scene {
     Frame frame;
     int width, height;
     std::vector<GridVertex> vertices;   // along the axes of the model
-    bool has_far_off = false;           // some vertex is
     std::vector<float> map_positions;   // place in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
 
     Scene(const Surface& surface, const Frame& frame, const DrawOptions& options);
@@ -68,6 +67,7 @@ struct ProjectedScene {
     std::array<int, 3> component;           // of GridVertex::at that lies across, up, in depth
     std::vector<GridVertex> turned;         // along `axes`, where those are not the model's own
     const GridVertex* vertices = nullptr;   // `turned` or those of the scene
+    bool has_far_off = false;               // some vertex is
 
     ProjectedScene(const Scene& scene, const Axes& axes);
     ProjectedScene(ProjectedScene&&) = default;

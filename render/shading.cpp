@@ -119,11 +119,12 @@ HWY_INLINE FloatVector edge_ink(const Vector3& ab, const Vector3& ac, FloatVecto
 HWY_INLINE FloatVector isoline_ink(const ShadingStyle& style, const Vector3& ab, const Vector3& ac, FloatVector area, FloatVector tb_ta,
                                    FloatVector tc_ta, FloatVector at) {
     const FloatVector gx = hn::Div(cross(tb_ta, tc_ta, ab.y, ac.y), area), gy = hn::Div(cross(tc_ta, tb_ta, ac.x, ab.x), area);
-    const FloatVector gradient =
-        hn::Mul(set(std::abs(style.isoline_scale) * subpixels), hn::Sqrt(hn::Add(hn::Mul(gx, gx), hn::Mul(gy, gy))));
+    // Of the map position, per pixel.
+    const FloatVector slope = hn::Mul(set(subpixels), hn::Sqrt(hn::Add(hn::Mul(gx, gx), hn::Mul(gy, gy))));
+    const FloatVector gradient = hn::Mul(set(std::abs(style.isoline_scale)), slope);
     const FloatVector u = hn::Add(hn::Mul(at, set(style.isoline_scale)), set(style.isoline_offset));
     const FloatVector to_line = hn::Abs(hn::Sub(u, hn::Round(u)));
-    const FloatMask is_steep = hn::Gt(gradient, set(1e-5F));   // false also for NaN; a flat part that lies on a level is no line
+    const FloatMask is_steep = hn::Gt(slope, set(flattest_isolines));   // false also for NaN
     const FloatVector spacing = hn::Div(set(1), hn::IfThenElse(is_steep, gradient, set(1)));
     const FloatVector fading = clamped(hn::Sub(hn::Mul(spacing, set(2 / closest_isolines)), set(1)));
     return hn::IfThenElseZero(is_steep, hn::Mul(fading, line_ink(hn::Mul(to_line, spacing))));
@@ -246,11 +247,10 @@ HWY_EXPORT(LightAll);
 
 namespace {
 
-bool is_out_of_reach(const Scene& scene, std::int32_t id) {
-    if (id >= scene.triangle_count()) return true;
-    const glm::ivec3& t = scene.surface.triangles[static_cast<std::size_t>(id)];
-    return std::min({scene.vertices[static_cast<std::size_t>(t.x)].at[0], scene.vertices[static_cast<std::size_t>(t.y)].at[0],
-                     scene.vertices[static_cast<std::size_t>(t.z)].at[0]}) <= GridVertex::far_off;
+bool is_out_of_reach(const ProjectedScene& projected, std::int32_t id) {
+    if (id >= projected.scene.triangle_count()) return true;
+    const glm::ivec3& t = projected.scene.surface.triangles[static_cast<std::size_t>(id)];
+    return std::min({projected.vertices[t.x].at[0], projected.vertices[t.y].at[0], projected.vertices[t.z].at[0]}) <= GridVertex::far_off;
 }
 
 /// Number + 1 as R·65536 + G·256 + B.
@@ -267,19 +267,20 @@ void color_by_number(Fragments& fragments) {
 
 void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments) {
     if (style.options.face_colors_from_id) return color_by_number(fragments);
-    // The last vector is filled up with the last fragment, so that all of its lanes are tame; ribbons have no corners to fetch.
     std::vector<std::pair<std::size_t, std::int32_t>> exact;
-    const bool some_exact = projected.scene.has_far_off || !ribbons.empty();
+    const bool some_exact = projected.has_far_off || !ribbons.empty();
+    std::int32_t ordinary = some_exact ? no_triangle : fragments.triangle[0];
     for (std::size_t i = 0; some_exact && i < fragments.count; ++i) {
-        std::int32_t& id = fragments.triangle[i];
-        if (is_out_of_reach(projected.scene, id)) {
-            exact.emplace_back(i, id);
-            if (id >= projected.scene.triangle_count()) id = 0;
-        }
+        if (is_out_of_reach(projected, fragments.triangle[i]))
+            exact.emplace_back(i, fragments.triangle[i]);
+        else
+            ordinary = fragments.triangle[i];
     }
+    // Vectors are whole: an ordinary triangle stands in for ribbons, which have no corners to fetch, and fills up the last one.
+    for (const auto& [i, id] : exact) fragments.triangle[i] = ordinary;
     for (std::size_t i = fragments.count; i % block_samples != 0; ++i)
-        fragments.triangle[i] = fragments.triangle[fragments.count - 1], fragments.x[i] = 0, fragments.y[i] = 0;
-    HWY_DYNAMIC_DISPATCH(InterpolateAll)(projected, style, fragments);
+        fragments.triangle[i] = ordinary, fragments.x[i] = 0, fragments.y[i] = 0;
+    if (ordinary != no_triangle) HWY_DYNAMIC_DISPATCH(InterpolateAll)(projected, style, fragments);
     for (const auto& [i, id] : exact) ExactTriangle(projected, ribbons, id).interpolate(style, fragments, i);
     HWY_DYNAMIC_DISPATCH(LightAll)(style, fragments);
 }

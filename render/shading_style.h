@@ -29,7 +29,9 @@ inline constexpr float back_darkening = 0.62F;
 inline constexpr glm::vec3 ink_color{0.012F, 0.012F, 0.016F};
 inline constexpr float line_half_width = 0.45F;   // pixels on either side
 inline constexpr float smallest_meshed = 9;       // pixels; lines of smaller triangles fade, lest they blacken the surface
-inline constexpr float closest_isolines = 6;      // pixels; closer ones fade
+/// Of the colour range, per pixel: parts flatter than this have no isolines, or rounding noise on a level would draw them.
+inline constexpr float flattest_isolines = 3e-5F;
+inline constexpr float closest_isolines = 6;   // pixels; closer ones fade
 /// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
 inline constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
 

@@ -126,7 +126,8 @@ HWY_EXPORT(FindTiles);
 
 namespace {
 
-constexpr std::size_t part_size = 8192;
+/// Triangles of a part: many more than it has lists, so that their beginnings take little memory.
+constexpr std::size_t smallest_part = 8192, triangles_per_list = 8;
 
 /// Tiles that a triangle meets, both ends included; none when x0 > x1.
 struct TileRange {
@@ -217,6 +218,8 @@ TileLists::TileLists(std::span<const ProjectedScene> projections, const SamplePa
     : columns_((projections[0].scene.width - 1) / tile_side + 1), rows_((projections[0].scene.height - 1) / tile_side + 1) {
     static_assert(tile_side * subpixels == 1 << 14);
     const std::size_t count = projections[0].scene.surface.triangles.size();
+    const std::size_t part_size =
+        std::max(smallest_part, triangles_per_list * projections.size() * static_cast<std::size_t>(columns_ * rows_));
     parts_.resize((count + part_size - 1) / part_size);
     const PartSorter sorter(projections,
                             {pattern.first, pattern.pitch, pattern.pitch_shift(), 14 - pattern.pitch_shift(), columns_, rows_});

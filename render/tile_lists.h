@@ -10,7 +10,7 @@
 
 namespace render {
 
-/// The triangles of every tile of every projection, ascending. Memory: 4 bytes for each tile that a triangle meets.
+/// The triangles of every tile of every projection, ascending. Memory: 4 bytes for each tile that a triangle meets, and one more.
 class TileLists {
 public:
     TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern);

@@ -14,12 +14,13 @@ constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.75F;
 
 }   // namespace
 
-ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height) {
+ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height), openness(options.width, options.height) {
     if (options.occlusion) layers.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
 }
 
 void ViewBuffers::clear() {
     heights.clear();
+    openness.clear();
     std::fill(layers.begin(), layers.end(), Layer{});
 }
 
@@ -71,16 +72,29 @@ void ViewPicture::set_heights(const SampleTile& tile, int block_row) {
 void ViewPicture::finish() {
     if (!with_occlusion_) return;
     const Sky sky(buffers_->heights);
-    tbb::parallel_for(0, image_.height, [&](int y) {
+    for_each_stretch([&](int x, int y, std::span<const Layer>) {
+        std::array<float, tile_side> open;
+        const std::span row_open = std::span(open).first(static_cast<std::size_t>(std::min(tile_side, image_.width - x)));
+        sky.openness(x, y, row_open);
+        buffers_->openness.set(x, y, row_open);
+    });
+    for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
         std::array<float, tile_side> open;
         std::array<LinearColor, tile_side> colors;
+        const std::span row_open = std::span(open).first(row_layers.size());
+        const std::span row_colors = std::span(colors).first(row_layers.size());
+        smooth(buffers_->heights, buffers_->openness, x, y, row_open);
+        unpack(row_layers, row_open, occlusion_strength_, row_colors);
+        resolve(row_colors, background_, {&image_.at(x, y), row_colors.size()});
+    });
+}
+
+template <class Visit>
+void ViewPicture::for_each_stretch(const Visit& visit) {
+    tbb::parallel_for(0, image_.height, [&](int y) {
         for (int x = 0; x < image_.width; x += tile_side) {
-            const auto columns = static_cast<std::size_t>(std::min(tile_side, image_.width - x));
-            const std::span row_open = std::span(open).first(columns);
-            const std::span row_colors = std::span(colors).first(columns);
-            if (!sky.openness(x, y, row_open)) continue;
-            unpack(layers(x, y, static_cast<int>(columns)), row_open, occlusion_strength_, row_colors);
-            resolve(row_colors, background_, {&image_.at(x, y), row_colors.size()});
+            const std::span row_layers = layers(x, y, std::min(tile_side, image_.width - x));
+            if (std::any_of(row_layers.begin(), row_layers.end(), [](const Layer& l) { return l.coverage > 0; })) visit(x, y, row_layers);
         }
     });
 }

@@ -15,7 +15,7 @@ namespace render {
 
 /// What a view needs besides its picture, with occlusion or marks: large, so the next view takes it over.
 struct ViewBuffers {
-    HeightField heights;
+    HeightField heights, openness;
     std::vector<Layer> layers;   // one a pixel, with occlusion
 
     ViewBuffers(const DrawOptions& options);
@@ -46,6 +46,9 @@ private:
             .subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x),
                      static_cast<std::size_t>(count));
     }
+    /// Calls visit(x, y, layers) for stretches of rows that show something, in parallel.
+    template <class Visit>
+    void for_each_stretch(const Visit& visit);
     template <class T>
     void mirror(std::span<T> row_of_tile) const;
     void set_heights(const SampleTile& tile, int block_row);

@@ -26,6 +26,7 @@ namespace meshfolio::cli {
 namespace {
 
 constexpr int largest_side = 8192;
+constexpr int largest_cell = 2048;   // of a labelled sheet: to be looked at, not measured
 
 struct Options {
     std::string mesh, out = ".", size = "1024", views, field = "none", values, colormap, range;
@@ -129,6 +130,7 @@ render::ContactSheet sheet_of(const Options& options, const PreparedMesh& prepar
     for (const render::View& view : views) sheet.view_names.emplace_back(view.name);
     sheet.rows.resize(1);
     sheet.rows[0].pictures = std::move(pictures);
+    if (std::max(draw.width, draw.height) > largest_cell) sheet.cell = largest_cell;
     if (range) sheet.color_bar = output::color_bar_of(*range, field.values.array().isNaN().any(), draw.undefined_color);
     return sheet;
 }
@@ -151,12 +153,21 @@ void write_pictures(const std::filesystem::path& folder, const render::ContactSh
     tasks.wait();
 }
 
+bool show_something(const std::vector<render::Image>& pictures, render::Rgba background) {
+    return std::any_of(pictures.begin(), pictures.end(), [&](const render::Image& picture) {
+        return std::any_of(picture.pixels.begin(), picture.pixels.end(), [&](render::Rgba pixel) { return pixel != background; });
+    });
+}
+
 ExitCode run_render(const Options& options) {
     const render::DrawOptions given = draw_options(options);
     const std::vector<render::View> views = chosen_views(options.views);
     if (!options.range.empty()) value_limits(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
+    if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id")) {
+        throw UsageError("--isolines needs values", "take --field or --values with it");
+    }
     const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_csv(prepared, options.values);
 
     render::DrawOptions draw = given;
@@ -167,6 +178,9 @@ ExitCode run_render(const Options& options) {
     }
     std::vector<render::Image> pictures =
         render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
+
+    if (!show_something(pictures, draw.background))
+        warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
     output::make_folder(options.out);
     write_pictures(options.out, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)),

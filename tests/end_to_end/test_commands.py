@@ -13,7 +13,7 @@ from file_readers import obj, ply, png, read
 from in_folder import InFolder
 from program import PROGRAM
 
-COMMANDS = ['report', 'render', 'inspect', 'curvature', 'spectrum', 'smooth', 'noise', 'compare', 'sample', 'list', 'doctor']
+COMMANDS = ['report', 'render', 'inspect', 'curvature', 'spectrum', 'smooth', 'noise', 'compare', 'sample', 'list', 'doctor', 'verify']
 VIEWS = ['+x', '-x', '+y', '-y', '+z', '-z']
 
 # A box of 2 x 4 x 6 about the origin, its sides split by vertex order so that each triangle is told apart by its number.
@@ -385,6 +385,21 @@ class Render(InFolder):
             self.assertLessEqual(sum(after), sum(before))
         for spacing in ('0', '-1', 'nan', 'x'):
             self.refuse(2, 'render', mesh, '--isolines', spacing)
+
+    def test_isolines_need_values(self):
+        self.assertIn('--field', self.refuse(2, 'render', self.write('box.obj', BOX), '--isolines', '1'))
+
+    def test_a_sheet_of_large_pictures_is_small_enough_to_be_looked_at(self):
+        self.succeed('render', self.write('box.obj', BOX), '--size', '2500x300', '--views', '+x,+z', '--out', 'large')
+        self.assertEqual(png(self.path('large', '+x.png'))[:2], (2500, 300))
+        self.assertLess(png(self.path('large', 'sheet.png'))[0], 2 * 2048 + 400)
+
+    def test_a_mesh_that_is_too_thin_to_be_seen_is_told(self):
+        needle = self.write('needle.obj', 'v 0 0 0\nv 1 1e-9 0\nv 1 0 1e-9\nv 0.5 1e-9 1e-9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n')
+        told = subprocess.run([PROGRAM, 'render', needle, '--size', '64', '--views', '+y,+z', '--plain', '--out', 'thin'],
+                              cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn('thinner', told.stderr)
 
     def test_same_bytes_whatever_the_threads(self):
         mesh = self.sample('lily')

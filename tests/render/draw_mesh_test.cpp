@@ -4,12 +4,16 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 
+#include "outline.h"
+#include "projection.h"
 #include "render/shapes.h"
+#include "scene.h"
 #include "srgb.h"
 
 namespace {
@@ -272,6 +276,18 @@ TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {
         const bool faces_it = glm::dot(render::six_views[v].from, glm::dvec3(1)) > 0;
         EXPECT_EQ(differing_pixels(marked[v], unmarked[v]) > 0, faces_it) << render::six_views[v].name;
     }
+    // A few pixels behind a surface is hidden, too.
+    Mesh layers = grid(1);
+    for (const glm::dvec3& p : grid(1).positions) layers.positions.push_back({p.x, p.y, -0.06});
+    layers.positions.push_back({0, 0, -0.06});
+    layers.triangles.insert(layers.triangles.end(), {{4, 5, 8}, {5, 7, 8}, {7, 6, 8}, {6, 4, 8}});
+    options.marked_vertices = {};
+    const auto bare = drawn(layers, options);
+    const std::vector<int> inner{8};
+    options.marked_vertices = inner;
+    const auto ringed = drawn(layers, options);
+    EXPECT_EQ(differing_pixels(ringed[4], bare[4]), 0);
+    EXPECT_GT(differing_pixels(ringed[5], bare[5]), 0);
 }
 
 TEST(DrawViews, FourSamplesGiveQuartersOfCoverage) {
@@ -298,6 +314,64 @@ TEST(DrawViews, APlaneSeenEdgeOnKeepsAnOutline) {
 }
 
 // ---- robustness -----------------------------------------------------------------------------------------------------
+
+// Here and there the triangles at the rim of a curved surface are seen edge-on; the rim gets no ribbons from that.
+TEST(DrawViews, CurvedRimsKeepTheirWidth) {
+    Mesh bowl = grid(24);
+    for (glm::dvec3& p : bowl.positions) p.z = 0.9 * (p.x * p.x + p.y * p.y);
+    const DrawOptions options{.width = 144, .height = 144};
+    const render::Surface surface = bowl.surface();
+    const render::Scene scene(surface, {{0, 0, 0.9}, 60}, options);
+    const auto boundary = render::boundary_edges(surface);
+    ASSERT_EQ(boundary.size(), 96U);
+    for (const render::Projection& p : render::projections_of(six_views))
+        EXPECT_TRUE(render::edge_on_ribbons(render::ProjectedScene(scene, p.axes), boundary, 2).empty());
+}
+
+TEST(DrawViews, BrokenTrianglesBesideRibbonsAreLeftOut) {
+    Mesh mesh;
+    mesh.positions = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
+    mesh.triangles = {{2000000000, 0, 1}, {0, 1, 2}, {-1, 2, 3}, {0, 2, 3}};
+    Mesh whole = mesh;
+    whole.triangles = {{0, 1, 2}, {0, 2, 3}};
+    const auto with = drawn(mesh, {.width = 80, .height = 80}), without = drawn(whole, {.width = 80, .height = 80});
+    for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(with[v], without[v]), 0) << six_views[v].name;
+}
+
+TEST(DrawViews, TrianglesWithoutVerticesAndNoViewsAreHarmless) {
+    Mesh mesh;
+    mesh.triangles = {{0, 1, 2}};
+    const DrawOptions options{.width = 30, .height = 20, .frame = render::Frame{}};
+    for (const Image& image : drawn(mesh, options)) EXPECT_EQ(inked_pixels(image), 0);
+    EXPECT_TRUE(render::draw_views(grid(2).surface(), {}, options).empty());
+}
+
+// A frame may be far from what is drawn on it (a mesh that blew up beside its original).
+TEST(DrawViews, OcclusionHidesNothingHoweverDeepItLies) {
+    for (const double depth : {-600000.0, -1e9, 1e9}) {
+        Mesh mesh = grid(1);
+        for (glm::dvec3& p : mesh.positions) p = {100 * p.x, 100 * p.y, depth};
+        DrawOptions options{.width = 60, .height = 60, .frame = render::Frame{{0, 0, 0}, 1}};
+        EXPECT_EQ(inked_pixels(drawn(mesh, options)[4]), 3600) << depth;
+    }
+}
+
+// In reach of the grid along the axes of the model, out of reach along those of the view.
+TEST(DrawViews, ValuesAreRightWhereOnlyTheTurnedCornersAreFarOff) {
+    const render::View hero = render::three_quarter_view();
+    const auto middle = [&](double s) {
+        Mesh mesh = grid(1);
+        mesh.values = {0, 1, 0, 1};
+        for (glm::dvec3& p : mesh.positions) p = s * (p.x * hero.right() + p.y * hero.up);
+        DrawOptions options{.width = 20, .height = 20, .frame = render::Frame{{0, 0, 0}, 1}, .range = {nullptr, 0, 1}};
+        options.shading = false;
+        return render::draw_views(mesh.surface(), std::array{hero}, options)[0].at(10, 10);
+    };
+    for (const double s : {20000.0, 32000.0, 40000.0}) {
+        EXPECT_NEAR(middle(s).r, middle(100).r, 3) << s;
+        EXPECT_NEAR(middle(s).g, middle(100).g, 6) << s;
+    }
+}
 
 TEST(DrawViews, BrokenTrianglesAreLeftOut) {
     const Mesh mesh = pebble();

@@ -63,6 +63,18 @@ TEST(Golden, PebbleWithValues) {
 
 TEST(Golden, BoxWithEdges) { expect_golden("box_edges", drawn(turned(render_tests::box({-2, -1, -1.5}, {2, 1, 1.5})), {.edges = true})); }
 
+TEST(Golden, IsolinesMarksAndCreasesFromThreeQuarters) {
+    Mesh mesh = render_tests::box({-1, -1, -1}, {1, 1, 1});
+    const Mesh stone = render_tests::pebble();
+    for (const glm::ivec3& t : stone.triangles) mesh.triangles.push_back(t + 8);
+    for (const glm::dvec3& p : stone.positions) mesh.positions.push_back(0.0025 * p + glm::dvec3(0, 1.9, 0));
+    for (const glm::dvec3& p : mesh.positions) mesh.values.push_back(p.y + 0.3 * p.x);
+    const std::vector<int> marks{7, 5, 0};   // one of them behind
+    DrawOptions options{.range = {&render::colormap_named("viridis"), -1.3, 3}, .isoline_spacing = 0.4, .marked_vertices = marks};
+    options.width = options.height = 144;
+    expect_golden("hero", render::draw_views(mesh.surface(), std::array{render::three_quarter_view()}, options).front());
+}
+
 TEST(Golden, BowlShowsItsBack) { expect_golden("bowl", drawn(turned(bowl()), {})); }
 
 TEST(Golden, SaddleWithSignedAndUndefinedValues) {

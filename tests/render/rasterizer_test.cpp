@@ -338,12 +338,15 @@ TEST_P(InstructionSet, PicturesHaveTheSameBytesAsWithTheLeastOne) {
             options.range = {nullptr, -400, 400};
             options.samples = samples, options.occlusion = occlusion, options.edges = occlusion, options.isoline_spacing = 90;
             hwy::SetSupportedTargetsForTest(GetParam().second);
-            const auto here = render::draw_views(surface, render::six_views, options);
+            std::vector<render::View> views(render::six_views.begin(), render::six_views.end());
+            views.push_back(render::three_quarter_view());
+            if (samples == 4) options.background = {200, 220, 240, 100};
+            const auto here = render::draw_views(surface, views, options);
             hwy::SetSupportedTargetsForTest(HWY_SSSE3);
-            const auto least = render::draw_views(surface, render::six_views, options);
+            const auto least = render::draw_views(surface, views, options);
             for (std::size_t v = 0; v < here.size(); ++v)
                 EXPECT_EQ(render_tests::differing_pixels(here[v], least[v]), 0)
-                    << render::six_views[v].name << ", " << samples << " samples, " << occlusion;
+                    << views[v].name << ", " << samples << " samples, " << occlusion;
         }
 }
 
