@@ -32,12 +32,14 @@ void draw(benchmark::State& state, const render::DrawOptions& options) {
 
 render::DrawOptions options_of(const benchmark::State& state) { return bench::mesh_at_level(static_cast<int>(state.range(0))).options(); }
 
-void draw_six_views(benchmark::State& state) { draw(state, options_of(state)); }
+void draw_six_views(benchmark::State& state) {
+    render::DrawOptions options = options_of(state);
+    options.occlusion = false;
+    draw(state, options);
+}
 
 void draw_six_views_occluded(benchmark::State& state) {
-    render::DrawOptions options = options_of(state);
-    options.occlusion = true;
-    draw(state, options);
+    draw(state, options_of(state));
 }
 
 void encode_png(benchmark::State& state) {
