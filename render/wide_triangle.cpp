@@ -83,8 +83,9 @@ public:
                                   std::min(all.y1, (y + 1) * side - 1)};
                 SampleRegion& region = tile_.region(x, y);
                 if (misses(part) || is_hidden(part, region)) continue;
+                const bool full = fills(part);
                 for (int by = part.y0; by <= part.y1; ++by)
-                    for (int bx = part.x0; bx <= part.x1; ++bx) draw_block(bx, by);
+                    for (int bx = part.x0; bx <= part.x1; ++bx) full ? fill_block(bx, by) : draw_block(bx, by);
                 update(region, x, y);
             }
     }
@@ -133,14 +134,40 @@ private:
     void draw_block(int bx, int by) {
         const Blocks block{bx, bx, by, by};
         if (misses(block)) return;
+        if (fills(block))
+            fill_block(bx, by);
+        else
+            draw_samples(bx, by);
+    }
+
+    /// All of the block lies in the triangle, and so do its depths between those of the corners: float suffices for the way from one
+    /// sample to the next, and the compiler makes vectors of it.
+    void fill_block(int bx, int by) {
         const SamplePattern& pattern = tile_.pattern();
-        const bool full = fills(block);
+        const auto corner = static_cast<float>(depth_.at(tile_.x() * subpixels + steps(bx), tile_.y() * subpixels + steps(by)));
+        const auto across = static_cast<float>(depth_.across), down = static_cast<float>(depth_.down);
+        const auto lowest = static_cast<float>(depth_.lowest), highest = static_cast<float>(depth_.highest);
+        SampleBlock seen = tile_.row(by)[bx];   // a copy: nothing else can lie where it is written to
+        const std::int32_t id = id_;
+        for (std::size_t s = 0; s < block_samples; ++s) {
+            const float plane = corner + (across * static_cast<float>(pattern.x[s]) + down * static_cast<float>(pattern.y[s]));
+            const float z = std::min(std::max(plane, lowest), highest);
+            const bool above = z > seen.highest[s], below = z < seen.lowest[s];
+            seen.highest[s] = above ? z : seen.highest[s];
+            seen.top[s] = above ? id : seen.top[s];
+            seen.lowest[s] = below ? z : seen.lowest[s];
+            seen.bottom[s] = below ? id : seen.bottom[s];
+        }
+        tile_.row(by)[bx] = seen;
+    }
+
+    void draw_samples(int bx, int by) {
+        const SamplePattern& pattern = tile_.pattern();
         const std::int64_t x0 = steps(bx), y0 = steps(by), left = tile_.x() * subpixels + x0, top = tile_.y() * subpixels + y0;
         SampleBlock& seen = tile_.row(by)[bx];
         for (std::size_t s = 0; s < block_samples; ++s) {
             const std::int64_t x = pattern.x[s], y = pattern.y[s];
-            if (!full && (edges_[0].at(x0 + x, y0 + y) < 0 || edges_[1].at(x0 + x, y0 + y) < 0 || edges_[2].at(x0 + x, y0 + y) < 0))
-                continue;
+            if (edges_[0].at(x0 + x, y0 + y) < 0 || edges_[1].at(x0 + x, y0 + y) < 0 || edges_[2].at(x0 + x, y0 + y) < 0) continue;
             const auto z = static_cast<float>(depth_.at(left + x, top + y));
             if (z > seen.highest[s]) seen.highest[s] = z, seen.top[s] = id_;
             if (z < seen.lowest[s]) seen.lowest[s] = z, seen.bottom[s] = id_;
