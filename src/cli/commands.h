@@ -25,5 +25,6 @@ Command compare_command(CLI::App& parent);
 Command sample_command(CLI::App& parent);
 Command list_command(CLI::App& parent);
 Command doctor_command(CLI::App& parent);
+Command verify_command(CLI::App& parent);
 
 }   // namespace meshfolio::cli

@@ -436,5 +436,32 @@ class ListAndDoctor(InFolder):
         self.assertTrue(without['missing'])
 
 
+class Verify(InFolder):
+
+    def test_checks_are_printed_and_hold(self):
+        lines = self.succeed('verify', '--quick').splitlines()
+        count = len(lines) - 1
+        self.assertEqual(lines[-1], f'{count} of {count} checks passed')
+        self.assertGreater(count, 50)
+        self.assertTrue(all(line.startswith('ok ') for line in lines[:-1]))
+        for law in ('stalls at 3 cot 54', 'jet of degree 3', 'no convergence', 'random ellipsoid'):
+            self.assertTrue(any(law in line for line in lines), law)
+
+    def test_report_holds_every_number(self):
+        self.succeed('verify', '--quick', '--out', 'truth')
+        with open(self.path('truth/tables/truth_all.csv'), newline='', encoding='utf-8') as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len({(r['surface'], r['mesh']) for r in rows}), 7 * 4)
+        self.assertTrue(all(float(r['L2 error']) >= 0 and float(r['mean edge [length]']) > 0 for r in rows))
+        facts = json.loads(read(self.path('truth/results.json')))
+        self.assertTrue(all(c['passed'] for c in facts['questions'][0]['checks']))
+        self.assertTrue(os.path.exists(self.path('truth/index.html')))
+        self.refuse(4, 'verify', '--quick', '--out', 'truth/index.html/x')
+
+    def test_wrong_usage(self):
+        self.refuse(2, 'verify', '--seed', 'x')
+        self.refuse(2, 'verify', 'mesh.obj')
+
+
 if __name__ == '__main__':
     unittest.main()
