@@ -6,7 +6,10 @@
 
 #include "errors.h"
 #include "geometry/intrinsic_input.h"
+#include "geometry/stiffness_rows.h"
 #include "geometry/triangle_shape.h"
+#include "mesh/parallel.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
@@ -56,13 +59,6 @@ void sort_by_other_end(Spoke* first, Spoke* last) {
         for (; hole != first && before(moving, hole[-1]); --hole) *hole = hole[-1];
         *hole = moving;
     }
-}
-
-/// The weight C_ij of an edge from the sum of its opposite cotangents and their number.
-double edge_weight(double cotangent_sum, std::ptrdiff_t opposite_corners, const CotangentOptions& options) {
-    const bool mean = options.opposite == CotangentOptions::OppositeVertices::mean;
-    const double weight = mean ? cotangent_sum / static_cast<double>(opposite_corners) : 0.5 * cotangent_sum;
-    return options.clamp_negative ? std::max(weight, 0.0) : weight;
 }
 
 /// From one spoke a corner to one spoke an edge, its value the weight; the other ends ascend.
@@ -121,13 +117,19 @@ void fill_columns(const Spokes& edges, SparseMatrix& C) {
 template <class ShapeOf>
 CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int* floored) {
     CornerValues cotangents(triangles, 3);
-    int count = 0;
-    for (Eigen::Index t = 0; t < triangles; ++t) {
-        const TriangleShape triangle = shape_of(t);
-        for (int k = 0; k < 3; ++k) cotangents(t, k) = triangle.cotangent(static_cast<std::size_t>(k));
-        count += triangle.degenerate() ? 1 : 0;
+    const auto floored_of_blocks = of_blocks(static_cast<int>(triangles), [&](int begin, int end) {
+        int count = 0;
+        for (int t = begin; t < end; ++t) {
+            const TriangleShape triangle = shape_of(t);
+            for (int k = 0; k < 3; ++k) cotangents(t, k) = triangle.cotangent(static_cast<std::size_t>(k));
+            count += triangle.degenerate() ? 1 : 0;
+        }
+        return count;
+    });
+    if (floored != nullptr) *floored = 0;
+    for (const auto& block : floored_of_blocks) {
+        if (floored != nullptr) *floored += block.value;
     }
-    if (floored != nullptr) *floored = count;
     return cotangents;
 }
 
@@ -135,13 +137,16 @@ CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int*
 
 CornerValues corner_cotangents(const TriangleMesh& mesh, int* floored) {
     const double scale = unit_scale(mesh);
-    return cotangents_of_shapes(
-        mesh.F.rows(), [&](Eigen::Index t) { return triangle_shape(mesh, t, scale); }, floored);
+    const auto shape_of = [&](int t) {
+        send_for_corners(mesh, t);
+        return triangle_shape(mesh, t, scale);
+    };
+    return cotangents_of_shapes(mesh.F.rows(), shape_of, floored);
 }
 
 CornerValues corner_cotangents(const CornerValues& lengths, int* floored) {
     require_lengths("corner_cotangents", lengths);
-    const auto shape_of = [&](Eigen::Index t) {
+    const auto shape_of = [&](int t) {
         const double longest = lengths.row(t).maxCoeff();
         const double unit = longest > 0 ? longest : 1;
         return triangle_shape(lengths(t, 0) / unit, lengths(t, 1) / unit, lengths(t, 2) / unit);

@@ -6,8 +6,9 @@
 #include <string>
 
 #include "errors.h"
+#include "geometry/corner_rings.h"
+#include "geometry/triangle_shape.h"
 #include "geometry/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 namespace {
@@ -32,14 +33,23 @@ double mean_curvature_of(const Vector3& laplacian_of_x, const Vector3& normal) {
     return laplacian_of_x.dot(normal) > 0 ? -size : size;
 }
 
+/// Σ (x₁ − x₀) × (x₂ − x₀) over the triangles around v: along its normal.
+Vector3 normal_direction(const TriangleMesh& mesh, const Incidence& triangles, int v) {
+    Vector3 sum = Vector3::Zero();
+    for (const int* t = triangles.begin(v); t != triangles.end(v); ++t) {
+        const Vector3 x0 = mesh.X.row(mesh.F(*t, 0)), x1 = mesh.X.row(mesh.F(*t, 1)), x2 = mesh.X.row(mesh.F(*t, 2));
+        sum += (x1 - x0).cross(x2 - x0);
+    }
+    return sum;
+}
+
 /// H at interior vertices from Δx = laplacian_at(vertex), NaN elsewhere.
 template <class LaplacianAt>
 Vector mean_curvature_from(const TriangleMesh& mesh, const MeshTopology& topology, LaplacianAt laplacian_at) {
-    const Positions normals = vertex_normals(mesh);
     Vector H = Vector::Constant(mesh.X.rows(), undefined);
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (is_interior(topology, v)) H[v] = mean_curvature_of(laplacian_at(v), normals.row(v));
-    }
+    for_each_index(mesh.vertex_count(), [&](int v) {
+        if (is_interior(topology, v)) H[v] = mean_curvature_of(laplacian_at(v), normal_direction(mesh, topology.vertex_faces, v));
+    });
     return H;
 }
 
@@ -80,15 +90,17 @@ Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& to
 
 Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
     require_size("angle_deficit", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
-    const CornerValues angles = corner_angles(mesh);
+    const double scale = unit_scale(mesh, topology.vertex_faces);
+    const auto measure = [scale](CornerBatch& corners) {
+        find_shapes(corners, scale);
+        find_angles(corners);
+    };
     Vector deficit(mesh.X.rows());
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        const double flat = topology.on_boundary[static_cast<std::size_t>(v)] ? std::numbers::pi : 2 * std::numbers::pi;
-        deficit[v] = topology.vertex_faces.size(v) > 0 ? flat : 0;
-    }
-    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
-        for (int k = 0; k < 3; ++k) deficit[mesh.F(t, k)] -= angles(t, k);
-    }
+    const auto visit = [&](const Ring& ring) {
+        const double flat = topology.on_boundary[static_cast<std::size_t>(ring.vertex)] ? std::numbers::pi : 2 * std::numbers::pi;
+        deficit[ring.vertex] = ring.size > 0 ? flat - ring.sum(ring.batch.angle) : 0;
+    };
+    visit_rings(mesh, topology.vertex_faces, measure, [&] { return visit; });
     return deficit;
 }
 

@@ -1,7 +1,9 @@
 #include "geometry/triangle_shape.h"
 
 #include <cmath>
+#include <utility>
 
+#include "mesh/parallel.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -20,10 +22,35 @@ TriangleShape triangle_shape(double l0, double l1, double l2) {
     return shape;
 }
 
-double unit_scale(const TriangleMesh& mesh) {
-    const double extent = bounding_box(mesh).extent().maxCoeff();
+namespace {
+
+double scale_of(double extent) {
     if (!(extent > 0) || !std::isfinite(extent)) return 1;
     return std::ldexp(1.0, -std::clamp(std::ilogb(extent), -1000, 1000));
+}
+
+}   // namespace
+
+double unit_scale(const TriangleMesh& mesh) { return scale_of(bounding_box(mesh).extent().maxCoeff()); }
+
+double unit_scale(const TriangleMesh& mesh, const Incidence& triangles) {
+    if (mesh.face_count() == 0) return unit_scale(mesh);
+    const Vector3 any = mesh.X.row(mesh.F(0, 0));
+    const auto boxes = of_blocks(mesh.vertex_count(), [&](int begin, int end) {
+        Vector3 low = any, high = any;
+        for (int v = begin; v < end; ++v) {
+            if (triangles.size(v) == 0) continue;
+            low = low.cwiseMin(mesh.X.row(v).transpose());
+            high = high.cwiseMax(mesh.X.row(v).transpose());
+        }
+        return std::pair(low, high);
+    });
+    Vector3 low = any, high = any;
+    for (const auto& [box] : boxes) {
+        low = low.cwiseMin(box.first);
+        high = high.cwiseMax(box.second);
+    }
+    return scale_of((high - low).maxCoeff());
 }
 
 }   // namespace meshfolio

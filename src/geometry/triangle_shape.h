@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mesh/triangle_mesh.h"
+#include "mesh/mesh_topology.h"
 
 namespace meshfolio {
 
@@ -53,5 +53,7 @@ TriangleShape triangle_shape(double l0, double l1, double l2);
 /// The power of two that brings the largest extent of the mesh into [1, 2): multiplying by it is exact, and keeps squares and
 /// fourth powers of lengths within range whatever the model's unit. 1 for a mesh of one point.
 double unit_scale(const TriangleMesh& mesh);
+/// The same where the triangles around each vertex are known.
+double unit_scale(const TriangleMesh& mesh, const Incidence& triangles);
 
 }   // namespace meshfolio

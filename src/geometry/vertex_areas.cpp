@@ -5,6 +5,8 @@
 #include "errors.h"
 #include "geometry/intrinsic_input.h"
 #include "geometry/triangle_shape.h"
+#include "mesh/parallel.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
@@ -40,10 +42,10 @@ CornerAreas mixed_shares(const TriangleShape& triangle) {
 template <class Shares, class ShapeOf>
 Vector sum_of_shares(const Faces& F, Eigen::Index vertex_count, Shares shares_of, ShapeOf shape_of, double unit_area) {
     Vector areas = Vector::Zero(vertex_count);
-    for (Eigen::Index t = 0; t < F.rows(); ++t) {
-        const CornerAreas shares = shares_of(shape_of(t));
-        for (int k = 0; k < 3; ++k) areas[F(t, k)] += shares[static_cast<std::size_t>(k)];
-    }
+    const auto shares = [&](int t) { return shares_of(shape_of(t)); };
+    in_order(static_cast<int>(F.rows()), shares, [&](int t, const CornerAreas& share) {
+        for (int k = 0; k < 3; ++k) areas[F(t, k)] += share[static_cast<std::size_t>(k)];
+    });
     return areas * unit_area;
 }
 
@@ -83,7 +85,10 @@ AreaForm area_form_named(const std::string& name) {
 
 Vector vertex_areas(const TriangleMesh& mesh, AreaForm form) {
     const double scale = unit_scale(mesh);
-    const auto shape_of = [&](Eigen::Index t) { return triangle_shape(mesh, t, scale); };
+    const auto shape_of = [&](int t) {
+        send_for_corners(mesh, t);
+        return triangle_shape(mesh, t, scale);
+    };
     return areas_from_shapes(mesh.F, mesh.X.rows(), form, shape_of, 1 / (scale * scale));
 }
 
@@ -92,7 +97,7 @@ Vector vertex_areas(const Faces& F, int vertex_count, const CornerValues& length
     require_lengths("vertex_areas", lengths);
     const double longest = lengths.rows() > 0 ? lengths.maxCoeff() : 0;
     const double unit = longest > 0 ? longest : 1;
-    const auto shape_of = [&](Eigen::Index t) { return triangle_shape(lengths(t, 0) / unit, lengths(t, 1) / unit, lengths(t, 2) / unit); };
+    const auto shape_of = [&](int t) { return triangle_shape(lengths(t, 0) / unit, lengths(t, 1) / unit, lengths(t, 2) / unit); };
     return areas_from_shapes(F, vertex_count, form, shape_of, unit * unit);
 }
 
