@@ -69,6 +69,11 @@ TEST(DenoisingStudy, ATrialGoesOnToTwiceItsBestIteration) {
         EXPECT_EQ(trial.minimum_reached(), trial.best_rms < trial.iterations());
     }
     QuestionSettings settings = quick_settings();
+    settings.noise = {0.05};   // so much that the best iteration comes late
+    const DenoisingStudy late = study_on(icosphere(3), "late7", settings);
+    ASSERT_GT(2 * late.trials.front().best_rms, late.iterations);
+    EXPECT_EQ(late.trials.front().iterations(), std::min(late.most_iterations, 2 * late.trials.front().best_rms));
+    settings = quick_settings();
     settings.iterations = {3, 5};
     for (const DenoisingTrial& trial : study_on(icosphere(2), "five7", settings).trials) EXPECT_EQ(trial.iterations(), 5);
 }

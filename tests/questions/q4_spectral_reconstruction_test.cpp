@@ -106,15 +106,7 @@ TEST(Q4, TheTextFollowsTheData) {
 }
 
 TEST(Q4, EveryRealMesh) {
-    const auto files = shared_meshes();
-    if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
-    for (const auto& file : files) {
-        if (std::filesystem::file_size(file) > 1000000) continue;
-        SCOPED_TRACE(file);
-        QuestionSettings settings = quick_settings();
-        settings.k = {5, 20};
-        const Answer answer = answer_q4(MeshLibrary({}, {file}), settings, no_progress);
-        expect_well_formed(answer);
-        expect_checks_pass(answer.section);
-    }
+    QuestionSettings settings = quick_settings();
+    settings.k = {5, 20};
+    check_real_meshes(answer_q4, settings);
 }

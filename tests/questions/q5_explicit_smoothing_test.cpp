@@ -87,14 +87,4 @@ TEST(Q5, TheTextFollowsTheData) {
     EXPECT_NE(prose(cube_mesh(6)), prose(grid_mesh(8, 8, 1, 1)));
 }
 
-TEST(Q5, EveryRealMesh) {
-    const auto files = shared_meshes();
-    if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
-    for (const auto& file : files) {
-        if (std::filesystem::file_size(file) > 1000000) continue;
-        SCOPED_TRACE(file);
-        const Answer answer = answer_q5(MeshLibrary({}, {file}), quick_settings(), no_progress);
-        expect_well_formed(answer);
-        expect_checks_pass(answer.section);
-    }
-}
+TEST(Q5, EveryRealMesh) { check_real_meshes(answer_q5); }

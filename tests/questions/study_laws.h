@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -42,6 +43,20 @@ inline std::vector<double> numbers(const report::Table& table, const std::string
     std::vector<double> values;
     for (const report::Cell& cell : cells(table, name, unit)) values.push_back(std::get<double>(cell));
     return values;
+}
+
+/// A question's own checks on every mesh beside the project that is not too large; skipped where there are none.
+inline void check_real_meshes(Answer (*answer_of)(const MeshLibrary&, const QuestionSettings&, const Progress&),
+                              const QuestionSettings& settings = quick_settings()) {
+    const auto files = shared_meshes();
+    if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
+    for (const auto& file : files) {
+        if (std::filesystem::file_size(file) > 1000000) continue;
+        SCOPED_TRACE(file);
+        const Answer answer = answer_of(MeshLibrary({}, {file}), settings, no_progress);
+        expect_well_formed(answer);
+        expect_checks_pass(answer.section);
+    }
 }
 
 inline void expect_near(const std::vector<double>& measured, const std::vector<double>& expected, double relative = 1e-12) {
