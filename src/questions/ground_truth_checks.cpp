@@ -50,7 +50,10 @@ public:
                                order(surface, MeshKind::random, Quantity::H, "corrected_exact"), 0, "theory says 1"));
         }
         for (const char* surface : {"ellipsoid", "ellipsoid band"}) {
-            for (const Quantity quantity : {Quantity::H, Quantity::K}) second_order(surface, MeshKind::random, quantity, "jet");
+            for (const Quantity quantity : {Quantity::H, Quantity::K}) {
+                add(check_at_least(title("order", "jet", quantity, surface, MeshKind::random), 2,
+                                   order(surface, MeshKind::random, quantity, "jet"), 0.25, "second order or better"));
+            }
         }
         add(check_at_most("−½Δx·n with Voronoi areas and exact normals is 1/R at any points of a sphere, L∞", 0,
                           truth_.finest("sphere", MeshKind::random, Quantity::H, "voronoi_n").linf, 1e-9));
@@ -59,7 +62,7 @@ public:
     void noisy_meshes() {
         for (const char* surface : {"ellipsoid", "torus"}) {
             add(check_near(title("order", "mixed", Quantity::H, surface, MeshKind::noisy), -1,
-                           order(surface, MeshKind::noisy, Quantity::H, "mixed"), 0.2,
+                           order(surface, MeshKind::noisy, Quantity::H, "mixed"), 0.3,
                            "noise in proportion to h makes H worse as h falls"));
         }
     }
@@ -75,10 +78,10 @@ public:
         compare(Quantity::H, "barycentric", 0.28, 0.015);
         compare(Quantity::H, "mixed", 0.20, 0.015);
         compare(Quantity::K, "mixed", 0.18, 0.015);
-        compare(Quantity::H, "jet", 0.0041, 0.0003);
-        compare(Quantity::K, "jet", 0.0084, 0.0005);
-        compare(Quantity::H, "corrected_exact", 0.014, 0.001);
-        compare(Quantity::H, "corrected_max", 0.036, 0.002);
+        compare(Quantity::H, "jet", 0.0041, 0.0004);
+        compare(Quantity::K, "jet", 0.0084, 0.0009);
+        compare(Quantity::H, "corrected_exact", 0.014, 0.002);
+        compare(Quantity::H, "corrected_max", 0.036, 0.003);
         compare(Quantity::H, "corrected_area", 0.22, 0.015);
     }
 
@@ -101,7 +104,8 @@ private:
     }
 
     void no_convergence(const std::string& surface, MeshKind kind, Quantity quantity, const std::string& key) {
-        add(check_at_most(title("no convergence: order", key, quantity, surface, kind), 0.3, order(surface, kind, quantity, key)));
+        add(check_at_most(title("no convergence: order", key, quantity, surface, kind), truth_.quick ? 0.5 : 0.3,
+                          order(surface, kind, quantity, key)));
         add(check_at_least(title("no convergence: finest error", key, quantity, surface, kind), 0.05,
                            truth_.finest(surface, kind, quantity, key).l2));
     }
