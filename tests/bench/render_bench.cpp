@@ -38,9 +38,7 @@ void draw_six_views(benchmark::State& state) {
     draw(state, options);
 }
 
-void draw_six_views_occluded(benchmark::State& state) {
-    draw(state, options_of(state));
-}
+void draw_six_views_occluded(benchmark::State& state) { draw(state, options_of(state)); }
 
 void encode_png(benchmark::State& state) {
     const BenchMesh& mesh = bench::mesh_at_level(0);
