@@ -3,7 +3,7 @@
 namespace meshfolio {
 namespace {
 
-constexpr int corners_at_once = 192;   // with what is computed of them they stay in the cache next to the processor
+constexpr int corners_at_once = 64;   // with what is computed of them they stay in the cache next to the processor
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 const int* corners_of(const TriangleMesh& mesh, int t) { return mesh.F.data() + 3 * at(t); }
@@ -11,7 +11,7 @@ const double* point_of(const TriangleMesh& mesh, int v) { return mesh.X.data() +
 
 /// Triangles around a vertex, and their points, lie anywhere in memory: those of vertices to come are sent for in time.
 void send_for_triangles(const TriangleMesh& mesh, const int* list, const int* end) {
-    constexpr int far = 96, near = 48;
+    constexpr int far = 48, near = 24;
     if (end - list <= far) return;
     __builtin_prefetch(corners_of(mesh, list[far]));
     const int* const corner = corners_of(mesh, list[near]);
