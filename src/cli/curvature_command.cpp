@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "geometry/curvature.h"
+#include "geometry/mesh_operators.h"
 #include "number_text.h"
 
 namespace meshfolio::cli {
@@ -12,18 +13,17 @@ namespace {
 
 std::string curvature_table(const PreparedMesh& prepared, AreaForm form) {
     const TriangleMesh& mesh = prepared.mesh;
-    const LaplaceBeltrami laplacian = laplace_beltrami(mesh, form);
+    const MeshOperators operators = mesh_operators(mesh, prepared.topology, form);
+    const Vector& areas = operators.areas(form);
     const Vector h_uniform = uniform_mean_curvature(mesh, prepared.topology);
     const Vector h_scaled = uniform_mean_curvature_scaled(mesh, prepared.topology);
-    const Vector k_gauss = gaussian_curvature(mesh, prepared.topology, laplacian.M);
-    const Vector h_cotan = cotangent_mean_curvature(mesh, prepared.topology, laplacian);
     std::string csv = "vertex,x,y,z,boundary,area,h_uniform,k_gauss,h_cotan,h_uniform_scaled\n";
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         csv += std::to_string(v);
         for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(mesh.X(v, axis));
         csv += prepared.topology.on_boundary[static_cast<std::size_t>(v)] ? ",1" : ",0";
-        const double area = laplacian.M[v] > 0 ? laplacian.M[v] : std::nan("");
-        for (const double value : {area, h_uniform[v], k_gauss[v], h_cotan[v], h_scaled[v]}) csv += ',' + exact_text(value);
+        const double area = areas[v] > 0 ? areas[v] : std::nan("");
+        for (const double value : {area, h_uniform[v], operators.K[v], operators.H[v], h_scaled[v]}) csv += ',' + exact_text(value);
         csv += '\n';
     }
     return csv;

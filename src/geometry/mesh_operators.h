@@ -13,6 +13,10 @@ struct MeshOperators {
     Vector barycentric, voronoi, mixed;   // vertex_areas of each form
     Vector angle_deficit;
     Vector H, K;   // cotangent_mean_curvature and gaussian_curvature with the chosen form of area
+
+    const Vector& areas(AreaForm form) const {
+        return form == AreaForm::barycentric ? barycentric : form == AreaForm::voronoi ? voronoi : mixed;
+    }
 };
 /// Vertex by vertex, on all processors; the same bytes whatever their number.
 /// @param topology  of this mesh; its edges and neighbours may be missing
