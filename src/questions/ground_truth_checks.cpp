@@ -73,7 +73,8 @@ public:
             const auto& errors = quantity == Quantity::H ? truth_.reference.H : truth_.reference.K;
             add(check_near("L2 error of " + symbol(quantity) + ", " + estimator_name(quantity, key) +
                                ", 10 000 random points on the ellipsoid 1.5, 1, 0.7",
-                           expected, errors[estimator_index(quantity, key)].l2, tolerance, "expected: a reference whose half axes are inferred"));
+                           expected, errors[estimator_index(quantity, key)].l2, tolerance,
+                           "expected: a reference whose half axes are inferred"));
         };
         compare(Quantity::H, "barycentric", 0.28, 0.015);
         compare(Quantity::H, "mixed", 0.20, 0.015);
