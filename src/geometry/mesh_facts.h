@@ -1,0 +1,30 @@
+/// @file
+/// What preflight measures beyond counting: extremes of edges and angles, place and size, and Gauss–Bonnet.
+#pragma once
+
+#include "mesh/mesh_checks.h"
+
+namespace meshfolio {
+
+struct MeshFacts {
+    Preflight counts;
+    double shortest_edge = 0, longest_edge = 0;   // [length]
+    double smallest_angle = 0;                    // [rad]
+    double diagonal = 0;                          // of the bounding box [length]
+    double offset = 0;                            // of the box centre from the origin, in box diagonals
+    int unreferenced_vertices = 0;
+    int floored_cotangents = 0;         // triangles
+    double total_deficit = 0;           // Σ angle deficit [rad]
+    double gauss_bonnet_residual = 0;   // |total_deficit/2π − χ|; rounding on manifold meshes, elsewhere without meaning
+
+    /// Spacing of doubles at the farthest coordinate, over the shortest edge: how coarsely positions are stored. 0 with no length at all.
+    double coordinate_rounding = 0;
+};
+MeshFacts mesh_facts(const PreparedMesh& prepared);
+
+/// Largest change of cotangents, areas, H and K, each relative to its largest magnitude, when the mesh is scaled by `scale` (a power
+/// of two) and moved by 2²⁰ box diagonals along each axis. The rounding that the move itself brings into the coordinates is in both
+/// meshes compared, so what remains is how far the formulas depend on place and size.
+double change_when_moved(const PreparedMesh& prepared, double scale);
+
+}   // namespace meshfolio
