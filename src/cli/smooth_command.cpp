@@ -5,7 +5,6 @@
 #include "cli/console.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/stability.h"
-#include "geometry/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
 
@@ -18,24 +17,17 @@ struct Options {
     bool rebuild = false;
 };
 
-double critical_step(const PreparedMesh& prepared, SmoothingOperator laplacian) {
-    if (laplacian == SmoothingOperator::cotangent) return largest_stable_step(largest_eigenvalue(laplace_beltrami(prepared.mesh)));
-    Vector valence(prepared.mesh.vertex_count());
-    for (int v = 0; v < valence.size(); ++v) valence[v] = prepared.topology.neighbours.size(v);
-    return largest_stable_step(largest_eigenvalue_uniform(uniform_laplacian(prepared.topology), valence));
-}
-
 /// All but the step, which needs the mesh.
 SmoothingOptions smoothing_options(const Options& options) {
     SmoothingOptions smoothing;
     smoothing.scheme = smoothing_scheme_named(options.scheme);
-    smoothing.laplacian = smoothing_operator_named(options.laplacian);
+    smoothing.laplacian = operator_named(options.laplacian);
     smoothing.iterations = static_cast<int>(integer_between("--iterations", options.iterations, 0, 1000000));
     smoothing.rebuild = options.rebuild;
     if (!options.mu.empty()) smoothing.taubin_mu = finite_number("--mu", options.mu);
     if (!options.lambda.empty()) smoothing.lambda = number_above_zero("--lambda", options.lambda);
-    if (smoothing.laplacian == SmoothingOperator::uniform && step_unit_named(options.unit) == StepUnit::h2) {
-        throw UsageError("--unit h2 makes no sense with --operator uniform, whose lambda has no unit", "use raw or tau");
+    if (is_dimensionless(smoothing.laplacian) && step_unit_named(options.unit) == StepUnit::h2) {
+        throw UsageError("--unit h2 makes no sense with --operator " + options.laplacian + ", whose lambda has no unit", "use raw or tau");
     }
     return smoothing;
 }
@@ -45,7 +37,7 @@ double step_of(const Options& options, const SmoothingOptions& smoothing, const 
     const StepUnit unit = step_unit_named(options.unit);
     const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
     const bool needs_limit = is_explicit || unit == StepUnit::tau || options.lambda.empty();
-    const double critical = needs_limit ? critical_step(prepared, smoothing.laplacian) : 0;
+    const double critical = needs_limit ? largest_stable_step(largest_eigenvalue(laplace_operator(prepared.mesh, smoothing.laplacian))) : 0;
     if (options.lambda.empty()) {
         warn("no --lambda given; half the largest stable step is taken, " + plain_text(0.5 * critical));
         return 0.5 * critical;
@@ -79,7 +71,7 @@ Command smooth_command(CLI::App& parent) {
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("-o,--output", options->output, "OBJ, OFF or PLY")->required();
     app->add_option("--scheme", options->scheme, "explicit, implicit or taubin")->capture_default_str();
-    app->add_option("--operator", options->laplacian, "cotan or uniform")->capture_default_str();
+    app->add_option("--operator", options->laplacian, operator_names())->capture_default_str();
     app->add_option("--lambda", options->lambda, "step; default: half the largest stable one");
     app->add_option("--unit", options->unit, "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)")
         ->capture_default_str();

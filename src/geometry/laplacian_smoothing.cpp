@@ -6,7 +6,6 @@
 #include "errors.h"
 #include "geometry/diffusion_step.h"
 #include "geometry/stability.h"
-#include "geometry/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
 
@@ -31,19 +30,6 @@ Frame frame_of(const TriangleMesh& mesh) {
     if (!(diagonal > 0)) throw MeshError("smoothing: the mesh has no extent");
     const double unit = std::exp2(std::ceil(std::log2(diagonal)));
     return {box.centre().transpose(), unit, diagonal / unit};
-}
-
-/// M⁻¹C with the valences as masses is the uniform operator: C = D U.
-LaplaceBeltrami uniform_operator(const TriangleMesh& mesh) {
-    const MeshTopology topology = topology_of(mesh);
-    Vector valence(mesh.vertex_count());
-    for (int v = 0; v < mesh.vertex_count(); ++v) valence[v] = topology.neighbours.size(v);
-    return {weighted_by_rows(uniform_laplacian(topology), valence), valence};
-}
-
-LaplaceBeltrami operator_of(const TriangleMesh& mesh, const SmoothingOptions& options) {
-    if (options.laplacian == SmoothingOperator::uniform) return uniform_operator(mesh);
-    return laplace_beltrami(mesh, options.area, options.cotangent);
 }
 
 void check(const SmoothingOptions& options) {
@@ -86,7 +72,7 @@ public:
     }
 
     void rebuild(const TriangleMesh& mesh) {
-        const LaplaceBeltrami laplacian = operator_of(mesh, options_);
+        const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
         OperatorWithMass whole = operator_with_mass(laplacian);
         moving_ = whole.vertex;
         if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) {
@@ -142,16 +128,10 @@ SmoothingScheme smoothing_scheme_named(const std::string& name) {
     throw UsageError("unknown smoothing scheme '" + printable(name) + "'", "use explicit, implicit or taubin");
 }
 
-SmoothingOperator smoothing_operator_named(const std::string& name) {
-    if (name == "cotan") return SmoothingOperator::cotangent;
-    if (name == "uniform") return SmoothingOperator::uniform;
-    throw UsageError("unknown Laplacian '" + printable(name) + "'", "use cotan or uniform");
-}
-
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
     check(options);
     const Frame frame = frame_of(mesh);
-    const double step_unit = options.laplacian == SmoothingOperator::cotangent ? frame.unit * frame.unit : 1;   // of λ
+    const double step_unit = is_dimensionless(options.laplacian) ? 1 : frame.unit * frame.unit;   // of λ
     SmoothingOptions inside = options;
     inside.lambda /= step_unit;
     inside.taubin_mu /= step_unit;
@@ -166,7 +146,7 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
         X(moving, Eigen::all) = frame.outside(current.X)(moving, Eigen::all);
         return X;
     };
-    const bool rebuild = options.rebuild && options.laplacian == SmoothingOperator::cotangent;   // the uniform operator sees no positions
+    const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator sees no positions
 
     for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
         if (rebuild && t > 1) diffusion.rebuild(current);

@@ -6,26 +6,23 @@
 #include <functional>
 #include <string>
 
-#include "geometry/cotangent_laplacian.h"
+#include "geometry/laplace_operator.h"
 
 namespace meshfolio {
 
 enum class SmoothingScheme { explicit_euler, implicit_euler, taubin };
-enum class SmoothingOperator { cotangent, uniform };
 
-SmoothingScheme smoothing_scheme_named(const std::string& name);       // explicit, implicit, taubin
-SmoothingOperator smoothing_operator_named(const std::string& name);   // cotan, uniform
+SmoothingScheme smoothing_scheme_named(const std::string& name);   // explicit, implicit, taubin
 
 struct SmoothingOptions {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
-    SmoothingOperator laplacian = SmoothingOperator::cotangent;
+    OperatorKind laplacian = OperatorKind::cotan;
     double lambda = 0;      // step [length²]; dimensionless for the uniform operator
     double taubin_mu = 0;   // negative step of Taubin; 0: from the pass-band 1/λ + 1/μ = pass_band · μ_max/2
     double pass_band = 0.1;
     int iterations = 1;
     bool rebuild = false;   // L from the current positions at every step; default: L of the input
     AreaForm area = AreaForm::barycentric;
-    CotangentOptions cotangent = {};
     double blow_up_at = 1e3;   // stop when a vertex is farther than this many box diagonals from the centre
     /// Called after every iteration with its number (from 1) and the positions; return false to stop.
     std::function<bool(int, const Positions&)> after_step = {};

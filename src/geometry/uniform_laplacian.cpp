@@ -1,5 +1,6 @@
 #include "geometry/uniform_laplacian.h"
 
+#include "geometry/vertices_with_mass.h"
 #include "mesh/parallel.h"
 
 namespace meshfolio {
@@ -26,6 +27,13 @@ SparseMatrix uniform_laplacian(const MeshTopology& topology) {
         for (; i != ring.end(j); ++i) append(*i, 1.0 / ring.size(*i));
     });
     return L;
+}
+
+LaplaceBeltrami uniform_operator(const MeshTopology& topology) {
+    const Incidence& ring = topology.neighbours;
+    Vector valence(static_cast<Eigen::Index>(ring.start.size()) - 1);
+    for (int v = 0; v < valence.size(); ++v) valence[v] = ring.size(v);
+    return {weighted_by_rows(uniform_laplacian(topology), valence), valence};
 }
 
 Vector mean_squared_ring_edge(const TriangleMesh& mesh, const MeshTopology& topology) {

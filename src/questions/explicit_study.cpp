@@ -10,10 +10,7 @@ namespace meshfolio {
 namespace {
 
 UniformLimit uniform_limit(const LibraryMesh& mesh) {
-    const MeshTopology& topology = mesh.prepared->topology;
-    Vector valence(mesh.mesh().vertex_count());
-    for (int v = 0; v < valence.size(); ++v) valence[v] = topology.neighbours.size(v);
-    const double top = largest_eigenvalue_uniform(uniform_laplacian(topology), valence).value;
+    const double top = largest_eigenvalue(uniform_operator(mesh.prepared->topology)).value;
     return {top, 2 / top};
 }
 
