@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "errors.h"
+#include "geometry/intrinsic_delaunay.h"
+#include "geometry/tufted_cover.h"
 #include "geometry/uniform_laplacian.h"
 #include "nearest_word.h"
 
@@ -22,7 +24,17 @@ constexpr std::array operators{
                   "The mean of the cotangents at the n opposite vertices; boundary weights double."},
     OperatorEntry{OperatorKind::edge_normalised, "edge-normalised", "normalised per edge",
                   "(cot α + cot β)/(A_i + A_j), negative weights replaced by 0, rows summing to 0."},
+    OperatorEntry{OperatorKind::idt, "idt", "intrinsic Delaunay", "Cotangents and areas of the intrinsic Delaunay triangulation."},
+    OperatorEntry{OperatorKind::idt_original_mass, "idt-original-mass", "intrinsic Delaunay, own areas",
+                  "Cotangents of the intrinsic Delaunay triangulation with the areas of the mesh itself."},
+    OperatorEntry{OperatorKind::tufted, "tufted", "tufted cover",
+                  "Intrinsic Delaunay on the two-sided cover with mollified lengths, for non-manifold meshes too."},
 };
+
+LaplaceBeltrami intrinsic_delaunay_laplacian(const TriangleMesh& mesh, AreaForm area) {
+    const IntrinsicTriangles delaunay = intrinsic_delaunay(intrinsic_triangles(mesh)).triangles;
+    return laplace_beltrami(delaunay.F, delaunay.vertex_count, delaunay.lengths, area);
+}
 
 /// A mass of one at each vertex of a triangle.
 Vector ones_in_use(const TriangleMesh& mesh) {
@@ -77,6 +89,12 @@ LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, Ar
             return laplace_beltrami(mesh, area, {.opposite = CotangentOptions::OppositeVertices::mean});
         case OperatorKind::edge_normalised:
             return {edge_normalised_laplacian(mesh), ones_in_use(mesh)};
+        case OperatorKind::idt:
+            return intrinsic_delaunay_laplacian(mesh, area);
+        case OperatorKind::idt_original_mass:
+            return {intrinsic_delaunay_laplacian(mesh, area).C, vertex_areas(mesh, area)};
+        case OperatorKind::tufted:
+            return tufted_laplacian(mesh, area);
     }
     throw UsageError("laplace_operator: unknown operator");
 }

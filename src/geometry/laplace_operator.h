@@ -10,7 +10,7 @@
 
 namespace meshfolio {
 
-enum class OperatorKind { cotan, uniform, cotan_no_half, clamped, opposite_mean, edge_normalised };
+enum class OperatorKind { cotan, uniform, cotan_no_half, clamped, opposite_mean, edge_normalised, idt, idt_original_mass, tufted };
 
 struct OperatorEntry {
     OperatorKind kind;
@@ -32,7 +32,9 @@ bool is_dimensionless(OperatorKind kind);
 
 /// C and M of the operator, M = 0 at unreferenced vertices.
 /// @param area  how the masses are measured. The uniform operator has the valences as masses, the one normalised per edge has
-///              ones (its C is L itself, made with barycentric areas); both leave `area` aside.
+///              ones (its C is L itself, made with barycentric areas); both leave `area` aside. For idt and tufted they are those
+///              of the intrinsic triangles.
+/// @throws SolverError if the flips of an intrinsic Delaunay triangulation do not end
 LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, AreaForm area = AreaForm::barycentric);
 
 }   // namespace meshfolio

@@ -5,6 +5,7 @@
 
 #include "errors.h"
 #include "geometry/diffusion_step.h"
+#include "geometry/limit_watch.h"
 #include "geometry/stability.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
@@ -37,6 +38,13 @@ void check(const SmoothingOptions& options) {
         throw MeshError("smoothing: lambda = " + plain_text(options.lambda), "it must be positive and finite");
     }
     if (options.iterations < 0) throw MeshError("smoothing: " + std::to_string(options.iterations) + " iterations");
+    if (!(options.adaptive >= 0 && options.adaptive <= 1)) {
+        throw MeshError("smoothing: adaptive = " + plain_text(options.adaptive), "it is a share of the limit, between 0 and 1");
+    }
+    if (options.scheme != SmoothingScheme::explicit_euler && (options.monitor || options.adaptive > 0)) {
+        throw MeshError("smoothing: only explicit steps have a limit to keep",
+                        "take the explicit scheme, or leave monitor and adaptive off");
+    }
     if (!(options.blow_up_at > 0)) throw MeshError("smoothing: blow_up_at = " + plain_text(options.blow_up_at));
     if (options.scheme == SmoothingScheme::taubin && !(std::isfinite(options.taubin_mu) && options.taubin_mu <= 0)) {
         throw MeshError("smoothing: Taubin's mu = " + plain_text(options.taubin_mu), "it must be negative, or 0 for the pass-band");
@@ -55,7 +63,7 @@ double taubin_step(const LaplaceBeltrami& laplacian, double lambda, double pass_
 class Diffusion {
 public:
     Diffusion(const TriangleMesh& mesh, const SmoothingOptions& options, Smoothed& statistics)
-        : options_(options), statistics_(statistics) {
+        : options_(options), statistics_(statistics), limit_(options) {
         rebuild(mesh);
     }
 
@@ -68,8 +76,14 @@ public:
             case SmoothingScheme::explicit_euler:
                 break;
         }
-        return explicit_->step(options_.lambda, X);
+        return explicit_->step(limit_.lambda(), X);
     }
+    /// What one call of step() advances the time by.
+    double time_step() const {
+        if (options_.scheme == SmoothingScheme::taubin) return options_.lambda + taubin_mu_;
+        return options_.scheme == SmoothingScheme::explicit_euler ? limit_.lambda() : options_.lambda;
+    }
+    const LimitWatch& limit() const { return limit_; }
 
     void rebuild(const TriangleMesh& mesh) {
         const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
@@ -80,6 +94,7 @@ public:
         }
         if (options_.scheme != SmoothingScheme::implicit_euler) {
             explicit_.emplace(whole);
+            limit_.look(whole);
             return;
         }
         implicit_.prepare(std::move(whole), options_.lambda);
@@ -93,6 +108,7 @@ public:
 private:
     const SmoothingOptions& options_;
     Smoothed& statistics_;
+    LimitWatch limit_;
     double taubin_mu_ = 0;
     std::vector<int> moving_;
     std::optional<ExplicitDiffusion> explicit_;
@@ -103,6 +119,15 @@ void check_rows(const OperatorWithMass& whole, const Positions& X) {
     if (X.rows() == whole.all_vertices) return;
     throw MeshError("smoothing: " + std::to_string(X.rows()) + " positions for an operator on " + std::to_string(whole.all_vertices) +
                     " vertices");
+}
+
+/// Enters a step of the run; its λ comes in the units of the frame.
+void enter_step(Smoothed& result, StepStability step, double step_unit) {
+    step.lambda *= step_unit;
+    result.steps.push_back(step);
+    if (result.crossing_iteration > 0 || !(step.top > 2)) return;
+    result.crossing_iteration = static_cast<int>(result.steps.size());
+    result.crossing_vertex = step.vertex;
 }
 
 /// The first vertex that is not finite, else the farthest one beyond `limit` from the origin; −1 when all is well.
@@ -150,6 +175,7 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
 
     for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
         if (rebuild && t > 1) diffusion.rebuild(current);
+        if (diffusion.limit().watching()) enter_step(result, diffusion.limit().step(), step_unit);
         Positions next = diffusion.step(current.X);
         result.blow_up_vertex = runaway_vertex(next, moving, options.blow_up_at * frame.diagonal);
         result.blew_up = result.blow_up_vertex >= 0;
@@ -157,6 +183,7 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
         if (result.blew_up && !frame.outside(next).allFinite()) break;
         current.X = std::move(next);
         result.iterations = t;
+        result.time += diffusion.time_step() * step_unit;
         if (options.after_step && !options.after_step(t, positions())) break;
     }
     if (result.iterations > 0) result.X = positions();

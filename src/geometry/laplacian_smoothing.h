@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "geometry/laplace_operator.h"
 
@@ -23,24 +24,43 @@ struct SmoothingOptions {
     int iterations = 1;
     bool rebuild = false;   // L from the current positions at every step; default: L of the input
     AreaForm area = AreaForm::barycentric;
+    /// λμ_max of every step into Smoothed::steps, by Lanczos. Explicit scheme only.
+    bool monitor = false;
+    /// > 0: no step is larger than this share of 2/bound, with the Gershgorin bound of the operator it uses, so that no mode of that
+    /// operator can grow, whatever λ; at most 1. 0: every step is λ. Explicit scheme only.
+    double adaptive = 0;
     double blow_up_at = 1e3;   // stop when a vertex is farther than this many box diagonals from the centre
     /// Called after every iteration with its number (from 1) and the positions; return false to stop.
     std::function<bool(int, const Positions&)> after_step = {};
 };
 
+/// One explicit step beside its limit: the top mode of the operator it uses is multiplied by 1 − λμ_max.
+struct StepStability {
+    double lambda = 0;   // the step taken, in the unit of SmoothingOptions::lambda
+    double bound = 0;    // λ times the Gershgorin bound: proved ≥ λμ_max
+    double top = 0;      // λμ_max by Lanczos; NaN where not monitored, or where it did not converge
+    int vertex = -1;     // where the top mode is largest; −1 where that is not known
+};
+
 struct Smoothed {
-    Positions X;                     // the last finite positions
-    int iterations = 0;              // done
-    bool blew_up = false;            // NaN, infinity, or beyond blow_up_at
-    int blow_up_iteration = 0;       // when
-    int blow_up_vertex = -1;         // and where first
-    double taubin_mu = 0;            // the μ used by Taubin
+    Positions X;                 // the last finite positions
+    int iterations = 0;          // done
+    bool blew_up = false;        // NaN, infinity, or beyond blow_up_at
+    int blow_up_iteration = 0;   // when
+    int blow_up_vertex = -1;     // and where first
+    double taubin_mu = 0;        // the μ used by Taubin
+    double time = 0;             // diffusion time, the sum of all steps taken [as λ]
+    /// One an iteration, the one that blew up included, when monitored or adaptive; else empty.
+    std::vector<StepStability> steps;
+    int crossing_iteration = 0;      // the first with λμ_max > 2, when monitored; 0: none
+    int crossing_vertex = -1;        // where its top mode is largest
     long long factor_nonzeros = 0;   // of the last factorisation (implicit)
     int factorisations = 0;
 };
 
 /// One run. Vertices without mass stay where they are.
-/// @throws MeshError for λ that is not finite or ≤ 0, iterations < 0; SolverError if M − λC cannot be factored
+/// @throws MeshError for λ that is not finite or ≤ 0, iterations < 0, adaptive outside [0, 1], or a limit asked of another scheme than
+///         the explicit one; SolverError if M − λC cannot be factored
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options);
 
 /// X + λLX for a fixed operator, and the solution of (M − λC)X' = MX: the two steps on their own, for tests and studies.
