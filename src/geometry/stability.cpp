@@ -27,48 +27,59 @@ TopPair dense_top(const SparseMatrix& B) {
     return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1)};
 }
 
-/// Grids have top eigenvalues that crowd together; a larger basis separates them.
-TopPair lanczos_top(const SparseMatrix& B) {
+/// Grids have top eigenvalues that crowd together; a larger basis separates them. An empty start leaves the choice to Lanczos.
+TopPair lanczos_top(const SparseMatrix& B, double tolerance, const Vector& start) {
     constexpr int most_restarts = 1000;
     for (const int basis : {30, 60, 120}) {
         Spectra::SparseSymMatProd<double> product(B);
         Spectra::SymEigsSolver<Spectra::SparseSymMatProd<double>> lanczos(product, 1, basis);
-        lanczos.init();
-        lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, 1e-12);
+        start.size() > 0 ? lanczos.init(start.data()) : lanczos.init();
+        lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance);
         if (lanczos.info() == Spectra::CompInfo::Successful) return {lanczos.eigenvalues()[0], lanczos.eigenvectors(1)};
     }
     throw SolverError("largest eigenvalue: Lanczos did not converge on " + std::to_string(B.rows()) + " vertices");
 }
 
-/// max_i Σ_j |A_ij|/M_i bounds every eigenvalue of M⁻¹A (Gershgorin).
-double gershgorin_bound(const SparseMatrix& A, const Vector& M) {
-    Vector row_sum = Vector::Zero(A.rows());
-    for (int j = 0; j < A.cols(); ++j) {
-        for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) row_sum[entry.row()] += std::abs(entry.value());
-    }
-    return row_sum.cwiseQuotient(M).maxCoeff();
-}
-
 }   // namespace
 
-LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) {
-    const OperatorWithMass whole = operator_with_mass(laplacian);
-    const double total = whole.M.sum();
-    const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
-    const SparseMatrix B = symmetric_form(whole.A, M);
-    const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : lanczos_top(B);
+double gershgorin_bound(const SparseMatrix& A, const Vector& M) {
+    Vector row_sum = Vector::Zero(A.rows());
+    Eigen::VectorXi entries = Eigen::VectorXi::Zero(A.rows());
+    for (int j = 0; j < A.cols(); ++j) {
+        for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
+            row_sum[entry.row()] += std::abs(entry.value());
+            ++entries[entry.row()];
+        }
+    }
+    const double rounding = (entries.maxCoeff() + 2) * std::numeric_limits<double>::epsilon();   // of a sum and a quotient
+    return row_sum.cwiseQuotient(M).maxCoeff() * (1 + rounding);
+}
 
+LargestEigenvalue top_mode(const OperatorWithMass& whole, double mu, Vector phi) {
+    const Vector share = whole.M.cwiseProduct(phi.cwiseAbs2());   // Mφ², up to a factor
+    phi /= std::sqrt(share.sum());
     LargestEigenvalue top;
-    top.value = pair.mu / total;
-    top.upper_bound = gershgorin_bound(whole.A, M) / total;
-    Vector phi = pair.y.cwiseQuotient((M * total).cwiseSqrt());
+    top.value = mu;
+    top.upper_bound = gershgorin_bound(whole.A, whole.M);
     const Eigen::Index largest = first_largest(phi);
     if (phi[largest] < 0) phi = -phi;
     top.vertex = whole.vertex[static_cast<std::size_t>(largest)];
     top.mode = to_all_vertices(whole, phi);
-    const Vector share = pair.y.cwiseAbs2();   // Mφ², summing to 1
     top.support = share.sum() * share.sum() / share.squaredNorm();
     return top;
+}
+
+LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) { return largest_eigenvalue_from(operator_with_mass(laplacian)); }
+
+LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double tolerance, const Vector& start) {
+    const double total = whole.M.sum();
+    const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
+    const SparseMatrix B = symmetric_form(whole.A, M);
+    Vector y;
+    if (start.size() == whole.all_vertices) y = start(whole.vertex).cwiseProduct(M.cwiseSqrt());
+    if (!y.allFinite() || !(y.squaredNorm() > 0)) y.resize(0);
+    const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : lanczos_top(B, tolerance, y);
+    return top_mode(whole, pair.mu / total, pair.y.cwiseQuotient(M.cwiseSqrt()));
 }
 
 /// D U = W − D is symmetric, so U is the operator of C = D U with masses D.
@@ -96,5 +107,9 @@ double step_in_model_units(double lambda, StepUnit unit, double critical, double
     }
     return lambda;
 }
+
+StepInUnits step_in_units(double raw, double critical, double mean_edge) { return {raw, raw / critical, raw / (mean_edge * mean_edge)}; }
+
+double smoothing_strength(double diffusion_time, double diagonal) { return std::sqrt(4 * diffusion_time) / diagonal; }
 
 }   // namespace meshfolio

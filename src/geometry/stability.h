@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/cotangent_laplacian.h"
+#include "geometry/vertices_with_mass.h"
 
 namespace meshfolio {
 
@@ -16,8 +17,18 @@ struct LargestEigenvalue {
 
 /// @throws SolverError if Lanczos does not converge
 LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian);
+/// The same among the vertices with mass.
+/// @param tolerance  of the residual, relative to μ_max
+/// @param start      a mode to begin with, one value a vertex of the whole mesh: that of an operator nearby; empty: none
+LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double tolerance = 1e-12, const Vector& start = {});
 /// For the uniform operator, which is symmetrised by the valences (its spectrum lies in [0, 2]).
 LargestEigenvalue largest_eigenvalue_uniform(const SparseMatrix& uniform, const Vector& valence);
+
+/// max_i Σ_j |A_ij|/M_i ≥ every eigenvalue of M⁻¹A (Gershgorin), its own rounding included: guaranteed, and O(entries).
+double gershgorin_bound(const SparseMatrix& A, const Vector& M);
+
+/// An eigenpair of the operator among the vertices with mass, described as above. `phi` need not be normalised.
+LargestEigenvalue top_mode(const OperatorWithMass& whole, double mu, Vector phi);
 
 /// λ_crit = 2/μ_max. [length²] (dimensionless for the uniform operator)
 double largest_stable_step(const LargestEigenvalue& top);
@@ -26,5 +37,15 @@ double largest_stable_step(const LargestEigenvalue& top);
 enum class StepUnit { raw, tau, h2 };
 StepUnit step_unit_named(const std::string& name);
 double step_in_model_units(double lambda, StepUnit unit, double critical, double mean_edge);
+
+/// One step in all its units. [length²], 1, 1
+struct StepInUnits {
+    double raw = 0, tau = 0, h2 = 0;
+};
+StepInUnits step_in_units(double raw, double critical, double mean_edge);
+
+/// How far explicit or implicit smoothing reaches: ℓ = √(4λt)/diagonal, the width of the heat kernel after the diffusion time λt, as a
+/// share of the box diagonal.
+double smoothing_strength(double diffusion_time, double diagonal);
 
 }   // namespace meshfolio

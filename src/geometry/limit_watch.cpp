@@ -1,0 +1,42 @@
+#include "geometry/limit_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "errors.h"
+#include "geometry/stability.h"
+
+namespace meshfolio {
+
+void LimitWatch::look(const OperatorWithMass& whole) {
+    if (!watching()) return;
+    bound_ = gershgorin_bound(whole.A, whole.M);
+    if (options_.adaptive > 0 && !std::isfinite(bound_)) {
+        throw SolverError("smoothing: the operator has no finite bound, so no step is proved stable", "repair triangles of zero area");
+    }
+    top_known_ = false;
+    if (!options_.monitor) return;
+    constexpr double tolerance = 1e-9;
+    try {
+        top_ = largest_eigenvalue_from(whole, tolerance, top_.mode);
+        top_known_ = true;
+    } catch (const SolverError&) {
+        // A run that watches its limit need not end where the limit cannot be found: the bound remains.
+    }
+}
+
+double LimitWatch::lambda() const {
+    if (!(options_.adaptive > 0) || !(bound_ > 0)) return options_.lambda;
+    return std::min(options_.lambda, options_.adaptive * 2 / bound_);
+}
+
+StepStability LimitWatch::step() const {
+    StepStability step;
+    step.lambda = lambda();
+    step.bound = step.lambda * bound_;
+    step.top = top_known_ ? step.lambda * top_.value : std::nan("");
+    step.vertex = top_known_ ? top_.vertex : -1;
+    return step;
+}
+
+}   // namespace meshfolio
