@@ -1,9 +1,12 @@
 #include <cmath>
 #include <memory>
+#include <tuple>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "geometry/curvature.h"
+#include "geometry/jet_fit.h"
 #include "geometry/mesh_operators.h"
 #include "number_text.h"
 
@@ -11,19 +14,37 @@ namespace meshfolio::cli {
 
 namespace {
 
-std::string curvature_table(const PreparedMesh& prepared, AreaForm form) {
-    const TriangleMesh& mesh = prepared.mesh;
-    const MeshOperators operators = mesh_operators(mesh, prepared.topology, form);
+struct NamedColumn {
+    std::string name;
+    Vector values;   // n; NaN is an empty cell
+};
+
+std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, bool with_jets) {
+    const auto& [mesh, topology] = std::tie(prepared.mesh, prepared.topology);
+    const MeshOperators operators = mesh_operators(mesh, topology, form);
     const Vector& areas = operators.areas(form);
-    const Vector h_uniform = uniform_mean_curvature(mesh, prepared.topology);
-    const Vector h_scaled = uniform_mean_curvature_scaled(mesh, prepared.topology);
-    std::string csv = "vertex,x,y,z,boundary,area,h_uniform,k_gauss,h_cotan,h_uniform_scaled\n";
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
+    std::vector<NamedColumn> columns{{"area", (areas.array() > 0).select(areas, std::nan(""))},
+                                     {"h_uniform", uniform_mean_curvature(mesh, topology)},
+                                     {"k_gauss", operators.K},
+                                     {"h_cotan", operators.H},
+                                     {"h_uniform_scaled", uniform_mean_curvature_scaled(mesh, topology)}};
+    if (with_jets) {
+        JetCurvature jet = jet_curvature(mesh, topology);
+        columns.push_back({"h_jet", std::move(jet.H)});
+        columns.push_back({"k_jet", std::move(jet.K)});
+    }
+    return columns;
+}
+
+std::string curvature_table(const PreparedMesh& prepared, const std::vector<NamedColumn>& columns) {
+    std::string csv = "vertex,x,y,z,boundary";
+    for (const NamedColumn& column : columns) csv += ',' + column.name;
+    csv += '\n';
+    for (int v = 0; v < prepared.mesh.vertex_count(); ++v) {
         csv += std::to_string(v);
-        for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(mesh.X(v, axis));
+        for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(prepared.mesh.X(v, axis));
         csv += prepared.topology.on_boundary[static_cast<std::size_t>(v)] ? ",1" : ",0";
-        const double area = areas[v] > 0 ? areas[v] : std::nan("");
-        for (const double value : {area, h_uniform[v], operators.K[v], operators.H[v], h_scaled[v]}) csv += ',' + exact_text(value);
+        for (const NamedColumn& column : columns) csv += ',' + exact_text(column.values[v]);
         csv += '\n';
     }
     return csv;
@@ -43,18 +64,20 @@ void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, 
 Command curvature_command(CLI::App& parent) {
     struct Options {
         std::string mesh, area = "barycentric", csv = "-";
+        bool jets = false;
     };
     const auto options = std::make_shared<Options>();
     CLI::App* app = parent.add_subcommand("curvature", "Areas and curvatures of every vertex as CSV");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("--area", options->area, "barycentric, voronoi or mixed")->capture_default_str();
+    app->add_flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
     app->add_option("--csv", options->csv, "file, or - for standard output")->capture_default_str();
     app->footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);
                 const PreparedMesh prepared = load_mesh(options->mesh);
                 warn_of_empty_areas(prepared, options->mesh, form);
-                print_to(options->csv, curvature_table(prepared, form));
+                print_to(options->csv, curvature_table(prepared, curvature_columns(prepared, form, options->jets)));
                 return ExitCode::ok;
             }};
 }

@@ -13,11 +13,14 @@ namespace {
 
 nlohmann::ordered_json everything() {
     nlohmann::ordered_json json{{"questions", nlohmann::ordered_json::array()},
+                                {"supporting", nlohmann::ordered_json::array()},
                                 {"meshes", nlohmann::ordered_json::array()},
                                 {"colormaps", nlohmann::ordered_json::array()},
                                 {"samples", nlohmann::ordered_json::array()}};
-    for (const Question& q : question_list())
-        json["questions"].push_back({{"name", q.id}, {"description", std::string(q.title) + ": " + std::string(q.asked)}});
+    for (const auto& [kind, list] : {std::pair{"questions", question_list()}, std::pair{"supporting", supporting_list()}}) {
+        for (const Question& q : list)
+            json[kind].push_back({{"name", q.id}, {"description", std::string(q.title) + ": " + std::string(q.asked)}});
+    }
     for (const MeshRole& role : mesh_role_list()) {
         json["meshes"].push_back(
             {{"name", role.role},

@@ -60,8 +60,7 @@ void take_environment(ReportSettings& settings) {
 }
 
 std::vector<std::string> chosen_questions(const std::string& text) {
-    std::vector<std::string> known;
-    for (const Question& question : question_list()) known.emplace_back(question.id);
+    const std::vector<std::string> known = section_ids();
     const std::vector<std::string> chosen = split(text, ',');
     for (const std::string& id : chosen) {
         if (std::find(known.begin(), known.end(), id) == known.end()) {

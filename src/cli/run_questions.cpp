@@ -79,6 +79,7 @@ private:
     ProgressDisplay& display_;
     std::atomic<bool> stop_ = false;
     std::atomic<int> done_ = 0;
+    const std::size_t sections_ = section_ids().size();
 
     Answer attempted(const Question& question) try {
         const auto progress = [&](std::string_view step) {
@@ -128,23 +129,23 @@ private:
         display_.milestone(section.id + (ok                                         ? ": answered in " + plain_text(seconds, 2) + " s"
                                          : section.status == report::Status::failed ? ": failed"
                                                                                     : ": stopped"));
-        display_.advance(0.7 * ++done_ / static_cast<double>(question_list().size()));
+        display_.advance(0.7 * ++done_ / static_cast<double>(sections_));
     }
 };
 
 }   // namespace
 
 std::vector<Answer> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display) {
-    const auto questions = question_list();
-    std::vector<Answer> answers(questions.size());
+    const std::vector<std::string> ids = section_ids();
+    std::vector<Answer> answers(ids.size());
     Runner runner(meshes, settings, display);
     // Handed out one by one and from the last: the later questions take longest.
-    std::atomic<std::size_t> left = questions.size();
+    std::atomic<std::size_t> left = ids.size();
     tbb::parallel_for(
-        std::size_t{0}, questions.size(),
+        std::size_t{0}, ids.size(),
         [&](std::size_t) {
             const std::size_t i = --left;
-            answers[i] = runner.answer(questions[i]);
+            answers[i] = runner.answer(*question_of_id(ids[i]));
         },
         tbb::simple_partitioner());
     return answers;

@@ -10,9 +10,9 @@
 
 namespace meshfolio::cli {
 
-/// One answer a question, in their order. A question that throws has a failed section with its message, one that was not asked for (or
-/// stopped by --fail-fast) a skipped one. Output meshes are placed where the settings say.
-/// MESHFOLIO_FAIL=q4,q6 in the environment makes these questions fail.
+/// One answer a question, then one a supporting section, in their order. A question that throws has a failed section with its message, one
+/// that was not asked for (or stopped by --fail-fast) a skipped one. Output meshes are placed where the settings say. MESHFOLIO_FAIL=q4,q6
+/// in the environment makes these questions fail.
 std::vector<Answer> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display);
 
 }   // namespace meshfolio::cli

@@ -22,12 +22,6 @@ constexpr std::uintmax_t largest_file = 1 << 20;
 const std::vector<std::string> taken_names{"images",  "tables",       "index.html", "report.md",     "report.pdf",
                                            "src.txt", "results.json", "SHA256SUMS", "submission.zip"};
 
-std::vector<std::string> question_ids() {
-    std::vector<std::string> ids;
-    for (const Question& question : question_list()) ids.emplace_back(question.id);
-    return ids;
-}
-
 std::vector<std::string> colormap_names() {
     std::vector<std::string> names;
     for (const render::Colormap& map : render::colormap_list()) names.emplace_back(map.name);
@@ -179,7 +173,7 @@ private:
         if (question.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\" … \"q7\"");
         const auto id = question.text("id");
         if (!id) return;
-        const std::vector<std::string> known = question_ids();
+        const std::vector<std::string> known = section_ids();
         if (!contains(known, *id)) {
             problems_.add(*question.node("id"), "unknown question '" + *id + "'", "did you mean '" + nearest_word(*id, known) + "'?");
         } else if (!settings_.questions.emplace(*id, std::move(read)).second) {

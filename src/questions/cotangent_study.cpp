@@ -114,6 +114,8 @@ ErrorHistory scaled_uniform_H(const CotangentRefinement& refinement) {
     return refinement.history([](const CotangentErrors& level) { return level.uniform.l2; });
 }
 
+double pentagon_excess() { return 3 / std::tan(54 * M_PI / 180) / (2 * std::sin(72 * M_PI / 180)) - 1; }
+
 CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source) {
     CotangentComparison c;
     c.subject = curvature_subject(std::move(source));

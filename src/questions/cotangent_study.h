@@ -31,6 +31,10 @@ using CotangentRefinement = Refinement<CotangentErrors>;
 ErrorHistory cotangent_H(const CotangentRefinement& refinement, std::size_t area_form, double FieldError::*norm = &FieldError::l2);
 ErrorHistory scaled_uniform_H(const CotangentRefinement& refinement);   // L2
 
+/// Barycentric H of a flat regular pentagon cap over its true value, less 1: where L∞ on the icosphere stalls, at its twelve vertices of
+/// valence 5.
+double pentagon_excess();
+
 /// One way of building the operator, on one mesh.
 struct OperatorVariant {
     std::string name;             // "clamped"

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "geometry/corrected_curvature.h"
@@ -194,6 +196,15 @@ GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progres
         });
     }
     truth.reference = panel_level(random_ellipsoid({1.5, 1, 0.7}, 10000, seed));
+    return truth;
+}
+
+std::shared_ptr<const GroundTruth> shared_ground_truth(const QuestionSettings& settings, const Progress& progress) {
+    static std::mutex mutex;
+    static std::map<std::pair<std::uint64_t, bool>, std::shared_ptr<const GroundTruth>> known;
+    const std::lock_guard lock(mutex);   // held meanwhile: whoever needs it too waits, rather than working it out again
+    auto& truth = known[{settings.seed, settings.quick}];
+    if (!truth) truth = std::make_shared<const GroundTruth>(ground_truth(settings.seed, settings.quick, progress));
     return truth;
 }
 

@@ -2,6 +2,7 @@
 /// The ground-truth panel: every estimator of curvature on every surface with a closed form, on every kind of mesh, finer and finer.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,9 @@ struct GroundTruth {
 
 /// Four refinements of up to 17 000 vertices, or three for a quick look.
 GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress);
+
+/// The panel of this run: worked out by the first section that asks, shared with those that cite it.
+std::shared_ptr<const GroundTruth> shared_ground_truth(const QuestionSettings& settings, const Progress& progress);
 
 /// Position of an estimator in estimators_of. @throws std::logic_error for an unknown key
 std::size_t estimator_index(Quantity quantity, const std::string& key);

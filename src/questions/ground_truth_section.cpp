@@ -81,7 +81,11 @@ report::Table error_table(const GroundTruth& truth, MeshKind kind) {
     table.columns = {{"of"}, {"estimator"}};
     const auto runs = runs_of(truth, kind);
     for (const char* norm : {"L2", "L∞"}) {
-        for (const PanelRun* run : runs) table.columns.push_back({run->surface + ", " + norm, "%", 3});
+        for (const PanelRun* run : runs) {
+            report::Column column{run->surface + ", " + norm, "%", 3};
+            column.heat = {0.1, 30};
+            table.columns.push_back(std::move(column));
+        }
     }
     for_each_estimator([&](Quantity quantity, std::size_t e) {
         std::vector<Cell> row = row_of(quantity, e);
@@ -90,7 +94,7 @@ report::Table error_table(const GroundTruth& truth, MeshKind kind) {
         }
         table.rows.push_back(std::move(row));
     });
-    table.caption = "Relative errors on the finest " + name + " meshes, L2 and L∞.";
+    table.caption = "Relative errors on the finest " + name + " meshes, L2 and L∞, shaded from 0.1 % to 30 % on a logarithmic scale.";
     return table;
 }
 
@@ -234,10 +238,7 @@ void add_findings(report::Section& section, const GroundTruth& truth) {
 }   // namespace
 
 report::Section ground_truth_section(const GroundTruth& truth) {
-    report::Section section;
-    section.id = "truth";
-    section.title = "Ground truth";
-    section.asked = "How far are estimates of curvature from the truth, on surfaces where it is known, and does refinement help?";
+    report::Section section = section_of("truth");
     section.extent = std::to_string(estimators_of(Quantity::H).size()) + " estimators of H and " +
                      std::to_string(estimators_of(Quantity::K).size()) + " of K on " +
                      std::to_string(runs_of(truth, MeshKind::regular).size()) + " surfaces in " + std::to_string(mesh_kinds.size()) +
@@ -259,6 +260,10 @@ report::Section ground_truth_section(const GroundTruth& truth) {
     section.checks = ground_truth_checks(truth);
     add_findings(section, truth);
     return section;
+}
+
+Answer answer_truth(const MeshLibrary&, const QuestionSettings& settings, const Progress& progress) {
+    return {ground_truth_section(*shared_ground_truth(settings, progress)), {}, {}};
 }
 
 }   // namespace meshfolio

@@ -33,6 +33,12 @@ struct Question {
 
 /// The seven, in order. A new question is one file and one line of question_list.cpp.
 std::span<const Question> question_list();
+/// What the answers rest on: sections of the same kind that follow the seven, with letters.
+std::span<const Question> supporting_list();
+/// The one of either list with this id, or null.
+const Question* question_of_id(std::string_view id);
+/// The ids of both lists, in order.
+std::vector<std::string> section_ids();
 
 Answer answer_q1(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q2(const MeshLibrary&, const QuestionSettings&, const Progress&);
@@ -41,5 +47,6 @@ Answer answer_q4(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q5(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q6(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q7(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_truth(const MeshLibrary&, const QuestionSettings&, const Progress&);
 
 }   // namespace meshfolio

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "questions/question.h"
@@ -21,6 +22,30 @@ std::span<const Question> question_list() {
         {"q7", "Denoising", "When does Laplacian denoising work, and when does it fail?", answer_q7},
     }};
     return questions;
+}
+
+std::span<const Question> supporting_list() {
+    static constexpr std::array<Question, 1> sections{{
+        {"truth", "Ground truth",
+         "How far are estimates of curvature from the truth, on surfaces where it is known, and does refinement help?", answer_truth},
+    }};
+    return sections;
+}
+
+const Question* question_of_id(std::string_view id) {
+    for (const auto& list : {question_list(), supporting_list()}) {
+        const auto it = std::find_if(list.begin(), list.end(), [&](const Question& q) { return q.id == id; });
+        if (it != list.end()) return &*it;
+    }
+    return nullptr;
+}
+
+std::vector<std::string> section_ids() {
+    std::vector<std::string> ids;
+    for (const auto& list : {question_list(), supporting_list()}) {
+        for (const Question& question : list) ids.emplace_back(question.id);
+    }
+    return ids;
 }
 
 }   // namespace meshfolio

@@ -7,13 +7,12 @@
 namespace meshfolio {
 
 report::Section section_of(std::string_view id) {
-    const auto questions = question_list();
-    const auto it = std::find_if(questions.begin(), questions.end(), [&](const Question& q) { return q.id == id; });
-    if (it == questions.end()) throw std::logic_error("no question " + std::string(id));
+    const Question* question = question_of_id(id);
+    if (question == nullptr) throw std::logic_error("no question " + std::string(id));
     report::Section section;
-    section.id = it->id;
-    section.title = it->title;
-    section.asked = it->asked;
+    section.id = question->id;
+    section.title = question->title;
+    section.asked = question->asked;
     return section;
 }
 

@@ -42,6 +42,11 @@ struct Column {
     std::string unit = {};                                           // "1/length"; empty: none
     int digits = 3;                                                  // significant digits for people; files get all
     enum class Best { none, smallest, largest } best = Best::none;   // which value is marked
+    /// A heat map: cells are shaded on a logarithmic scale, not at all up to `low`, fully from `high` on.
+    struct Heat {
+        double low, high;
+    };
+    std::optional<Heat> heat = {};
 };
 
 struct Table {

@@ -14,15 +14,15 @@ std::string question_of(const std::string& id) {
     return id.substr(0, end);
 }
 
-bool is_question(const std::string& id) { return !id.empty() && question_of(id) == id; }
-
 }   // namespace
+
+bool is_question(const Section& section) { return !section.id.empty() && question_of(section.id) == section.id; }
 
 std::vector<std::string> section_numbers(const Document& document) {
     std::vector<std::string> numbers;
     char letter = 'A';
     for (const Section& section : document.sections)
-        numbers.push_back(is_question(section.id) ? section.id.substr(1) : std::string(1, letter++));
+        numbers.push_back(is_question(section) ? section.id.substr(1) : std::string(1, letter++));
     return numbers;
 }
 
@@ -31,7 +31,7 @@ Numbering::Numbering(const Document& document, const std::vector<Work>& works) {
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         const Section& section = document.sections[s];
         status_[section.id] = section.status;
-        add(section.id, is_question(section.id) ? "Question " : "Section ", numbers[s]);
+        add(section.id, is_question(section) ? "Question " : "Section ", numbers[s]);
         int figures = 0, tables = 0, equations = 0;
         const auto next = [&](int& count) { return numbers[s] + "." + std::to_string(++count); };
         for (const Block& block : section.blocks) {
@@ -54,15 +54,22 @@ void Numbering::add(const std::string& id, const std::string& kind, const std::s
         throw std::logic_error("report: the id " + id + " is used twice");
 }
 
+/// The section whose blocks are called "<section>_…"; questions also where the document lacks them.
+std::string Numbering::owner_of(const std::string& id) const {
+    const std::string prefix = id.substr(0, id.find('_'));
+    return status_.contains(prefix) ? prefix : question_of(id);
+}
+
 Reference Numbering::resolve(const std::string& id) const {
     const std::size_t colon = id.find(':');
     const std::string key = colon == std::string::npos ? id : id.substr(colon + 1);
     if (const auto it = references_.find(key); it != references_.end()) return it->second;
-    const std::string question = question_of(key);
-    const auto status = status_.find(question);
+    const std::string owner = owner_of(key);
+    const auto status = status_.find(owner);
     const bool answered = status != status_.end() && status->second == Status::ok;
-    if (question.empty() || answered) throw std::logic_error("report: nothing has the id " + key + " that a text refers to");
-    return {question.substr(1), "Question " + question.substr(1), status == status_.end() ? "" : question};
+    if (owner.empty() || answered) throw std::logic_error("report: nothing has the id " + key + " that a text refers to");
+    if (status != status_.end()) return references_.at(owner);
+    return {owner.substr(1), "Question " + owner.substr(1), ""};
 }
 
 }   // namespace meshfolio::report

@@ -24,17 +24,20 @@ public:
     Numbering(const Document& document, const std::vector<Work>& works);
 
     /// Of a figure, table, plot, formula, question or cited work. "t:q1_errors" means "q1_errors".
-    /// What belongs to a question that failed or was not asked for is called by that question, without an anchor: one failure must
+    /// What belongs to a section that failed or was not asked for is called by that section, without an anchor: one failure must
     /// not take the other sections with it.
     /// @throws std::logic_error naming the id if nothing has it
     Reference resolve(const std::string& id) const;
 
 private:
     void add(const std::string& id, const std::string& kind, const std::string& number);
+    std::string owner_of(const std::string& id) const;
     std::map<std::string, Reference> references_;
-    std::map<std::string, Status> status_;   // of the questions in the document
+    std::map<std::string, Status> status_;   // of the sections in the document
 };
 
+/// "q4" and the like; other sections support the answers.
+bool is_question(const Section& section);
 /// "1" for the section "q1"; letters for sections that are no question.
 std::vector<std::string> section_numbers(const Document& document);
 

@@ -215,6 +215,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
         passed += passed_in(document.sections[s]);
         total += document.sections[s].checks.size();
         attempted.push_back(section_head(document.sections[s], numbers[s]));
+        attempted.back()["begins_supporting"] = s > 0 && is_question(document.sections[s - 1]) && !is_question(document.sections[s]);
         sections.push_back(section_view(document.sections[s], numbers[s], context));
     }
     json model = {

@@ -42,6 +42,13 @@ std::optional<double> best_of(const Table& table, std::size_t column) {
     return table.columns[column].best == Column::Best::smallest ? *smallest : *largest;
 }
 
+/// 0 (no shade) to 6, in steps of equal ratio.
+int heat_of(double x, const Column::Heat& heat) {
+    constexpr int steps = 6;
+    const double place = std::log(std::abs(x) / heat.low) / std::log(heat.high / heat.low);
+    return std::isnan(place) ? 0 : static_cast<int>(std::lround(steps * std::clamp(place, 0.0, 1.0)));
+}
+
 enum class Notation { whole, plain, scientific };
 
 /// Counts are shown whole. When one number of a column needs a power of ten, the others far from 1 are written with one too.
@@ -113,6 +120,9 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
         cell["padding"] = columns[c].paddings[r];
         cell["is_numeric"] = columns[c].numeric;
         cell["is_best"] = x && columns[c].best && *x == *columns[c].best;
+        const auto& heat = table.columns[c].heat;
+        cell["has_heat"] = x && heat;
+        cell["heat"] = x && heat ? std::to_string(heat_of(*x, *heat)) : "";
         cell["is_row_header"] = c == 0;
         cells.push_back(std::move(cell));
     }

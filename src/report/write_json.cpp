@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "report/numbering.h"
 #include "report/writers.h"
 
 namespace meshfolio::report {
@@ -154,7 +155,9 @@ std::string write_json(const Document& document, const DrawnFigures& figures, co
                  {"author", document.author},
                  {"course", document.course},
                  {"provenance", provenance_json(document)}};
-    json["questions"] = list_of(document.sections, [&](const Section& section) { return section_json(section, figures, options); });
+    json["questions"] = json["supporting"] = Json::array();
+    for (const Section& section : document.sections)
+        json[is_question(section) ? "questions" : "supporting"].push_back(section_json(section, figures, options));
     if (options.timings) json["timings"] = timings_json(document.timings);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -133,6 +133,20 @@ class Inspect(InFolder):
         facts = json.loads(self.run_here('inspect', mesh, '--json')[1])
         self.assertEqual((facts['dropped_duplicate_faces'], facts['dropped_degenerate_faces']), (1, 1))
 
+    def test_each_defect_names_the_questions_it_affects(self):
+        mesh = self.write('twice.obj', BOX + 'v 9 9 9\nf 1 2 4\nf 1 1 2\n')
+        found = json.loads(self.succeed('inspect', mesh, '--json'))['defects']
+        self.assertEqual({d['defect']: d['count'] for d in found},
+                         {'dropped_degenerate_faces': 1, 'dropped_duplicate_faces': 1, 'unreferenced_vertices': 1})
+        text = self.succeed('inspect', mesh)
+        for defect in found:
+            self.assertTrue(defect['affects'] and set(defect['affects']) <= {f'q{i}' for i in range(1, 8)})
+            for words in (defect['name'], defect['breaks'], defect['done'], defect['affects'][0].upper()):
+                self.assertIn(words, text)
+        box = self.write('box.obj', BOX)
+        self.assertEqual(json.loads(self.succeed('inspect', box, '--json'))['defects'], [])
+        self.assertIn('nothing found that affects a question', self.succeed('inspect', box))
+
 
 class Curvature(InFolder):
 
@@ -156,6 +170,13 @@ class Curvature(InFolder):
             for column in ('h_uniform', 'k_gauss', 'h_cotan'):
                 self.assertEqual(row[column] == '', row['boundary'] == '1', row)
         self.assertNotRegex(self.succeed('curvature', 'plane.obj'), '(?i)nan|inf')
+
+    def test_jets_on_request(self):
+        mesh = self.sample('sphere')
+        self.assertNotIn('h_jet', table(self.succeed('curvature', mesh))[0])
+        for row in table(self.succeed('curvature', mesh, '--jets')):
+            self.assertAlmostEqual(float(row['h_jet']), 1, delta=0.01)
+            self.assertAlmostEqual(float(row['k_jet']), 1, delta=0.02)
 
     def test_to_a_file(self):
         mesh = self.sample('cube8')
@@ -201,6 +222,7 @@ class Spectrum(InFolder):
         self.assertEqual(code, 0)
         self.assertEqual(len(table(out)), 8)
         self.assertIn('warning', err)
+        self.assertRegex(err, r'(?m)^meshfolio: certificate: residual .* 8 counted by inertia, 8 found; zero eigenvalues 1, components 1$')
 
     def test_reconstructions_need_their_modes_and_a_folder(self):
         mesh = self.sample('cube8')
@@ -444,7 +466,8 @@ class Verify(InFolder):
         self.assertEqual(lines[-1], f'{count} of {count} checks passed')
         self.assertGreater(count, 50)
         self.assertTrue(all(line.startswith('ok ') for line in lines[:-1]))
-        for law in ('stalls at 3 cot 54', 'jet of degree 3', 'no convergence', 'random ellipsoid'):
+        for law in ('stalls at 3 cot 54', 'jet of degree 3', 'no convergence', 'random ellipsoid', 'no eigenvalue missed',
+                    "planted fault 'one mode dropped' is caught by", "planted fault 'one face reversed' is caught by"):
             self.assertTrue(any(law in line for line in lines), law)
 
     def test_report_holds_every_number(self):
@@ -454,7 +477,10 @@ class Verify(InFolder):
         self.assertEqual(len({(r['surface'], r['mesh']) for r in rows}), 7 * 4)
         self.assertTrue(all(float(r['L2 error']) >= 0 and float(r['mean edge [length]']) > 0 for r in rows))
         facts = json.loads(read(self.path('truth/results.json')))
-        self.assertTrue(all(c['passed'] for c in facts['questions'][0]['checks']))
+        self.assertEqual([s['id'] for s in facts['supporting']], ['truth', 'certificates'])
+        self.assertTrue(all(c['passed'] for s in facts['supporting'] for c in s['checks']))
+        with open(self.path('truth/tables/certificates_faults.csv'), newline='', encoding='utf-8') as file:
+            self.assertEqual({row['caught'] for row in csv.DictReader(file)}, {'yes'})
         self.assertTrue(os.path.exists(self.path('truth/index.html')))
         self.refuse(4, 'verify', '--quick', '--out', 'truth/index.html/x')
 

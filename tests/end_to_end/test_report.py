@@ -81,7 +81,8 @@ class QuickReport(unittest.TestCase):
 
     def test_all_questions_are_complete(self):
         self.assertEqual([q["id"] for q in self.results["questions"]], QUESTIONS)
-        for question in self.results["questions"]:
+        self.assertIn("truth", [s["id"] for s in self.results["supporting"]])
+        for question in self.results["questions"] + self.results["supporting"]:
             self.assertEqual(question["status"], "ok", question["id"])
             self.assertTrue(question["checks"], question["id"])
             for check in question["checks"]:
@@ -177,6 +178,14 @@ class Failures(unittest.TestCase):
         status = {q["id"]: q["status"] for q in json.loads((out / "results.json").read_text())["questions"]}
         self.assertEqual(status, {q: "failed" if q == "q4" else "ok" for q in QUESTIONS})
         self.assertIn("q4", process.stderr)
+
+    def test_a_failing_supporting_section_leaves_those_that_cite_it(self):
+        out = temporary_folder(self) / "out"
+        process = run("report", "--quick", "--size", 64, "--out", out, "--only", "q1,truth", MESHFOLIO_FAIL="truth")
+        self.assertEqual(process.returncode, 1)
+        results = json.loads((out / "results.json").read_text())
+        status = {s["id"]: s["status"] for s in results["questions"] + results["supporting"]}
+        self.assertEqual((status["q1"], status["q2"], status["truth"]), ("ok", "skipped", "failed"))
 
     def test_a_bad_mesh_is_shown_in_the_report(self):
         folder = temporary_folder(self)

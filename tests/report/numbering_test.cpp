@@ -50,6 +50,18 @@ TEST(Numbering, PartsOfUnansweredQuestionsAreCalledByTheQuestion) {
     EXPECT_EQ(sample_numbering().resolve("q9_plot").anchor, "");
 }
 
+TEST(Numbering, PartsOfAFailedSupportingSectionAreCalledByTheSection) {
+    Document document;
+    document.sections.resize(2);
+    document.sections[0].id = "truth";
+    document.sections[1].id = "preflight";
+    document.sections[0].status = Status::skipped;
+    const Numbering numbering(document, {});
+    EXPECT_EQ(numbering.resolve("truth_overview").label, "Section A");
+    EXPECT_EQ(numbering.resolve("t:truth_overview").anchor, "truth");
+    EXPECT_NE(complaint([&] { (void)numbering.resolve("preflight_table"); }).find("preflight_table"), std::string::npos);
+}
+
 TEST(Numbering, UnknownIdIsNamed) {
     EXPECT_NE(complaint([] { (void)sample_numbering().resolve("q1_nothing"); }).find("q1_nothing"), std::string::npos);
     EXPECT_NE(complaint([] { (void)sample_numbering().resolve("qx"); }).find("qx"), std::string::npos);

@@ -88,8 +88,8 @@ TEST(WriteHtml, HostileNamesStayText) {
 
 TEST(WriteHtml, FailedQuestionIsARedBoxWithItsMessage) {
     const std::string page = body_of(sample_page());
-    EXPECT_NE(page.find("<strong>This question failed.</strong> ellipsoid.obj:3: not a number"), std::string::npos);
-    EXPECT_NE(page.find("This question was not asked for"), std::string::npos);
+    EXPECT_NE(page.find("<strong>This section failed.</strong> ellipsoid.obj:3: not a number"), std::string::npos);
+    EXPECT_NE(page.find("Not asked for in this run."), std::string::npos);
 }
 
 TEST(WriteHtml, SaysWhichMeshStandsInForAnother) {

@@ -59,7 +59,9 @@ TEST(WriteJson, SchemaRefusesWhatIsBroken) {
 
 TEST(WriteJson, QuestionsKeepTheirOrderAndStatus) {
     const json questions = sample()["questions"];
-    ASSERT_EQ(questions.size(), 4u);
+    ASSERT_EQ(questions.size(), 3u);
+    ASSERT_EQ(sample()["supporting"].size(), 1u);
+    EXPECT_EQ(sample()["supporting"][0]["id"], "ground_truth");
     EXPECT_EQ(questions[0]["id"], "q1");
     EXPECT_EQ(questions[0]["status"], "ok");
     EXPECT_EQ(questions[1]["status"], "failed");
