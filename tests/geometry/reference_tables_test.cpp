@@ -1,0 +1,186 @@
+// Areas, curvatures, stability limits and eigenvalues against tests/reference: tables made by another program, in long double, from other
+// formulas. The meshes of the project are always there; the shared ones skip where they are absent or another file has taken the name.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include "geometry/curvature.h"
+#include "geometry/laplace_spectrum.h"
+#include "geometry/mesh_operators.h"
+#include "geometry/operator_test_meshes.h"
+#include "geometry/reference_tables.h"
+#include "geometry/stability.h"
+#include "geometry/uniform_laplacian.h"
+#include "mesh/mesh_checks.h"
+#include "mesh/triangle_measures.h"
+#include "sha256.h"
+
+namespace meshfolio {
+namespace {
+
+using namespace testing;
+
+constexpr double relative = 1e-9;
+constexpr double relative_of_eigenvalues = 1e-8;
+/// A curvature or a Voronoi area is a sum whose terms may cancel, to 0 on a plane; its rounding is a fraction of the terms, not of the sum.
+constexpr double of_terms = 1e-13;
+
+/// Undefined in both, or within 1e-9 of the reference and 1e-13 of the terms it is the sum of.
+void expect_close(double ours, double reference, double terms, const std::string& what) {
+    EXPECT_EQ(std::isnan(ours), std::isnan(reference)) << what;
+    if (std::isnan(ours) || std::isnan(reference)) return;
+    EXPECT_LE(std::abs(ours - reference), relative * std::abs(reference) + of_terms * terms)
+        << what << ": " << ours << ", reference " << reference;
+}
+void expect_close(double ours, const TableRow& row, const std::string& column, double terms = 0) {
+    expect_close(ours, number(row, column), terms, column);
+}
+/// Of columns that have their terms beside them.
+void expect_close_for_terms(double ours, const TableRow& row, const std::string& column) {
+    expect_close(ours, row, column, number(row, column + "_terms"));
+}
+
+class ReferenceTables : public ::testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override {
+        const std::filesystem::path path = path_of_reference_mesh(GetParam());
+        if (!std::filesystem::exists(path)) {
+            ASSERT_FALSE(is_bundled(GetParam())) << path << " is gone; see tests/reference/README.md";
+            GTEST_SKIP() << "no mesh at " << path;
+        }
+        row = rows_of_mesh("meshes", GetParam()).at(0);
+        if (sha256(read_file(path)) != row.at("sha256")) {
+            ASSERT_FALSE(is_bundled(GetParam())) << path << " has changed: make the tables anew, see tests/reference/README.md";
+            GTEST_SKIP() << path << " is not the file the table was made from";
+        }
+        prepared = prepare_mesh(read_mesh(path));
+    }
+
+    const TriangleMesh& mesh() const { return prepared.mesh; }
+    const MeshTopology& topology() const { return prepared.topology; }
+
+    TableRow row;
+    PreparedMesh prepared;
+};
+
+std::string name_of_test(const ::testing::TestParamInfo<std::string>& mesh) {
+    std::string name = mesh.param;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, ReferenceTables, ::testing::ValuesIn(reference_meshes()), name_of_test);
+
+/// From the functions for one quantity, or from the one pass.
+MeshOperators one_by_one(const TriangleMesh& mesh, const MeshTopology& topology) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    return {laplacian.C,
+            laplacian.M,
+            vertex_areas(mesh, AreaForm::voronoi),
+            vertex_areas(mesh, AreaForm::mixed),
+            angle_deficit(mesh, topology),
+            cotangent_mean_curvature(mesh, topology, laplacian),
+            gaussian_curvature(mesh, topology, laplacian.M)};
+}
+
+void expect_vertices(const MeshOperators& ours, const std::vector<TableRow>& rows) {
+    for (const TableRow& row : rows) {
+        const int v = whole_number(row, "vertex");
+        SCOPED_TRACE("vertex " + std::to_string(v));
+        for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
+            expect_close(ours.areas(form)[v], row, std::string(name_of(form)), number(row, "barycentric"));
+        }
+        expect_close(ours.angle_deficit[v], row, "deficit", 2 * pi);
+        expect_close_for_terms(ours.H[v], row, "h_cotan");
+        expect_close_for_terms(ours.K[v], row, "k_gauss");
+    }
+}
+
+/// Over all vertices in use, so that none escapes.
+void expect_sums_of_areas(const MeshOperators& ours, const MeshTopology& topology, const TableRow& row) {
+    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
+        const std::string name(name_of(form));
+        std::vector<double> in_use;
+        for (int v = 0; v < ours.barycentric.size(); ++v) {
+            if (topology.vertex_faces.size(v) > 0) in_use.push_back(ours.areas(form)[v]);
+        }
+        const auto [least, largest] = std::minmax_element(in_use.begin(), in_use.end());
+        expect_close(ours.areas(form).sum(), row, name + "_sum");
+        expect_close(*least, row, name + "_min", number(row, "barycentric_min"));
+        expect_close(*largest, row, name + "_max");
+    }
+    expect_close(ours.angle_deficit.sum(), row, "deficit_sum", 2 * pi * number(row, "vertices"));
+}
+
+/// ∫|f| and √∫f² by barycentric areas where f is defined, and its signs.
+void expect_norms(const Vector& A, const Vector& f, const TableRow& row, const std::string& column) {
+    double l1 = 0, square = 0;
+    int negative = 0;
+    for (Eigen::Index v = 0; v < f.size(); ++v) {
+        if (std::isnan(f[v])) continue;
+        l1 += A[v] * std::abs(f[v]);
+        square += A[v] * f[v] * f[v];
+        negative += f[v] < 0 ? 1 : 0;
+    }
+    expect_close_for_terms(l1, row, column + "_l1");
+    expect_close_for_terms(std::sqrt(square), row, column + "_l2");
+    const int surely_negative = whole_number(row, column + "_negative");
+    EXPECT_GE(negative, surely_negative) << column;
+    EXPECT_LE(negative, surely_negative + whole_number(row, column + "_undecided")) << column;
+}
+
+void expect_as_in_the_tables(const MeshOperators& ours, const MeshTopology& topology, const TableRow& row) {
+    expect_vertices(ours, rows_of_mesh("vertices", row.at("mesh")));
+    expect_sums_of_areas(ours, topology, row);
+    expect_norms(ours.barycentric, ours.H, row, "h_cotan");
+    expect_norms(ours.barycentric, ours.K, row, "k_gauss");
+}
+
+TEST_P(ReferenceTables, Counts) {
+    EXPECT_EQ(prepared.preflight.vertices_in_use, whole_number(row, "vertices"));
+    EXPECT_EQ(prepared.preflight.triangles, whole_number(row, "triangles"));
+    EXPECT_EQ(prepared.preflight.euler_characteristic, whole_number(row, "euler"));
+    expect_close(prepared.preflight.area, row, "area");
+}
+
+TEST_P(ReferenceTables, AreasAndCurvaturesOneByOne) { expect_as_in_the_tables(one_by_one(mesh(), topology()), topology(), row); }
+
+TEST_P(ReferenceTables, AreasAndCurvaturesInOnePass) { expect_as_in_the_tables(mesh_operators(mesh(), topology()), topology(), row); }
+
+TEST_P(ReferenceTables, UniformMeanCurvature) {
+    const Vector H = uniform_mean_curvature(mesh(), topology());
+    for (const TableRow& vertex : rows_of_mesh("vertices", GetParam())) {
+        SCOPED_TRACE("vertex " + vertex.at("vertex"));
+        expect_close_for_terms(H[whole_number(vertex, "vertex")], vertex, "h_uniform");
+    }
+    expect_norms(vertex_areas(mesh(), AreaForm::barycentric), H, row, "h_uniform");
+}
+
+TEST_P(ReferenceTables, StabilityLimits) {
+    const LargestEigenvalue top = largest_eigenvalue(laplace_beltrami(mesh()));
+    expect_close(top.value, row, "mu_max");
+    expect_close(largest_stable_step(top), row, "lambda_crit");
+    expect_close(top.upper_bound, row, "gershgorin");
+
+    Vector valence(mesh().X.rows());
+    for (int v = 0; v < mesh().vertex_count(); ++v) valence[v] = topology().neighbours.size(v);
+    expect_close(largest_stable_step(largest_eigenvalue_uniform(uniform_laplacian(topology()), valence)), row, "lambda_crit_uniform");
+}
+
+TEST_P(ReferenceTables, Eigenvalues) {
+    const std::vector<TableRow> rows = rows_of_mesh("eigenvalues", GetParam());
+    const Spectrum spectrum = smallest_eigenpairs(laplace_beltrami(mesh()), whole_number(rows.back(), "index") + 1);
+    for (const TableRow& wanted : rows) {
+        const int i = whole_number(wanted, "index");
+        const double mu = number(wanted, "eigenvalue");
+        EXPECT_LE(std::abs(spectrum.eigenvalues[i] - mu), relative_of_eigenvalues * mu)
+            << "eigenvalue " << i << ": " << spectrum.eigenvalues[i] << ", reference " << mu;
+    }
+}
+
+}   // namespace
+}   // namespace meshfolio
