@@ -1,4 +1,3 @@
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -6,9 +5,9 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "geometry/curvature.h"
 #include "geometry/stability.h"
 #include "number_text.h"
+#include "questions/mesh_defects.h"
 
 namespace meshfolio::cli {
 
@@ -18,23 +17,18 @@ using nlohmann::ordered_json;
 
 struct Inspection {
     PreparedMesh prepared;
-    double total_deficit = 0;               // Σ angle deficit [rad]
-    int floored = 0;                        // triangles whose cotangents were floored
+    MeshFacts facts;
     std::optional<LargestEigenvalue> top;   // of −L; nothing when it could not be computed
 
-    double gauss_bonnet_residual() const {
-        return std::abs(total_deficit / (2 * std::numbers::pi) - prepared.preflight.euler_characteristic);
-    }
+    double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };
 
 Inspection inspection_of(const std::string& file) {
     Inspection inspection;
     inspection.prepared = load_mesh(file);
-    const TriangleMesh& mesh = inspection.prepared.mesh;
-    inspection.total_deficit = angle_deficit(mesh, inspection.prepared.topology).sum();
-    corner_cotangents(mesh, &inspection.floored);
+    inspection.facts = mesh_facts(inspection.prepared);
     try {
-        inspection.top = largest_eigenvalue(laplace_beltrami(mesh));
+        inspection.top = largest_eigenvalue(laplace_beltrami(inspection.prepared.mesh));
     } catch (const SolverError& error) {
         warn(file + ": largest stable step not computed: " + error.what());
     }
@@ -46,6 +40,18 @@ std::string facts_line(const Preflight& p) {
     return "V=" + std::to_string(p.vertices_in_use) + " F=" + std::to_string(p.triangles) +
            " chi=" + std::to_string(p.euler_characteristic) + " comps=" + std::to_string(p.components) +
            " bedges=" + std::to_string(p.boundary_edges) + " area=" + plain_text(p.area, 10) + "\n";
+}
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+/// What was found, which questions it affects and what was done.
+std::string consequences(const MeshFacts& facts) {
+    std::string text;
+    for (const auto& [defect, count] : defects_of(facts)) {
+        text += "  " + std::to_string(count) + " x " + std::string(defect->name) + "\n    affects " + affected_for_people(*defect) + ": " +
+                std::string(defect->breaks) + "\n    done: " + std::string(defect->done) + "\n";
+    }
+    return text.empty() ? "nothing found that affects a question\n" : "found\n" + text;
 }
 
 std::string told(const Inspection& inspection) {
@@ -66,16 +72,33 @@ std::string told(const Inspection& inspection) {
     text += count("flipped faces", p.flipped_faces) + count("inside-out components", p.inside_out_components);
     if (p.closed()) text += line("volume", plain_text(p.volume));
     text += line("mean edge", plain_text(p.mean_edge));
+    text += line("edge lengths", plain_text(inspection.facts.shortest_edge) + " to " + plain_text(inspection.facts.longest_edge));
+    text += line("smallest angle", plain_text(degrees(inspection.facts.smallest_angle), 4) + " degrees");
     const Vector3 extent = p.box_high - p.box_low;
-    text += line("box", plain_text(extent.x()) + " x " + plain_text(extent.y()) + " x " + plain_text(extent.z()));
-    text += line("Gauss-Bonnet", "sum of deficits / 2 pi = " + plain_text(inspection.total_deficit / (2 * std::numbers::pi), 12) +
-                                     (p.manifold() ? ", off by " + plain_text(inspection.gauss_bonnet_residual(), 2) : ", not manifold"));
+    text += line("box", plain_text(extent.x()) + " x " + plain_text(extent.y()) + " x " + plain_text(extent.z()) + ", " +
+                            plain_text(inspection.facts.offset, 3) + " diagonals from the origin (centred and scaled inside)");
+    text +=
+        line("Gauss-Bonnet", "sum of deficits / 2 pi = " + plain_text(inspection.deficits_over_2pi(), 12) +
+                                 (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
     if (inspection.top) {
         text += line("largest stable lambda", plain_text(largest_stable_step(*inspection.top), 8) +
                                                   " (always safe: " + plain_text(2 / inspection.top->upper_bound, 4) + "), set at vertex " +
                                                   std::to_string(inspection.top->vertex));
     }
-    return text;
+    return text + consequences(inspection.facts);
+}
+
+ordered_json consequences_json(const MeshFacts& facts) {
+    ordered_json list = ordered_json::array();
+    for (const auto& [defect, count] : defects_of(facts)) {
+        list.push_back({{"defect", defect->key},
+                        {"name", defect->name},
+                        {"count", count},
+                        {"affects", affected_questions(*defect)},
+                        {"breaks", defect->breaks},
+                        {"done", defect->done}});
+    }
+    return list;
 }
 
 ordered_json as_json(const Inspection& inspection) {
@@ -97,7 +120,7 @@ ordered_json as_json(const Inspection& inspection) {
                       {"nonmanifold_vertices", p.nonmanifold_vertices},
                       {"zero_area_faces", p.zero_area_faces},
                       {"needle_faces", p.needle_faces},
-                      {"floored_cotangents", inspection.floored},
+                      {"floored_cotangents", inspection.facts.floored_cotangents},
                       {"duplicated_positions", p.duplicated_positions},
                       {"dropped_degenerate_faces", p.dropped_degenerate_faces},
                       {"dropped_duplicate_faces", p.dropped_duplicate_faces},
@@ -109,8 +132,16 @@ ordered_json as_json(const Inspection& inspection) {
                       {"box_low", row(p.box_low)},
                       {"box_high", row(p.box_high)},
                       {"gauss_bonnet",
-                       {{"deficit_sum_over_2pi", inspection.total_deficit / (2 * std::numbers::pi)},
-                        {"residual", p.manifold() ? ordered_json(inspection.gauss_bonnet_residual()) : ordered_json()}}}};
+                       {{"deficit_sum_over_2pi", inspection.deficits_over_2pi()},
+                        {"residual", p.manifold() ? ordered_json(inspection.facts.gauss_bonnet_residual) : ordered_json()}}},
+                      {"unreferenced_vertices", inspection.facts.unreferenced_vertices},
+                      {"shortest_edge", inspection.facts.shortest_edge},
+                      {"longest_edge", inspection.facts.longest_edge},
+                      {"smallest_angle_deg", degrees(inspection.facts.smallest_angle)},
+                      {"box_diagonal", inspection.facts.diagonal},
+                      {"offset_in_diagonals", inspection.facts.offset},
+                      {"coordinate_rounding", inspection.facts.coordinate_rounding},
+                      {"defects", consequences_json(inspection.facts)}};
     if (inspection.top) {
         json["lambda_crit"] = largest_stable_step(*inspection.top);
         json["lambda_safe"] = 2 / inspection.top->upper_bound;

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "geometry/spectral_reconstruction.h"
+#include "geometry/spectrum_certificate.h"
 #include "number_text.h"
 #include "output/folder_system.h"
 
@@ -46,6 +47,19 @@ struct Options {
 
 constexpr int largest_k = 100000;
 
+/// One line for people.
+std::string told(const SpectrumCertificate& c) {
+    const auto within = [](const std::string& what, double measured, double limit) {
+        return what + " " + plain_text(measured, 2) + (measured <= limit ? " (at most " : " (ABOVE ") + plain_text(limit, 2) + "), ";
+    };
+    return "certificate: " + std::string(c.holds() ? "" : "FAILED: ") + within("residual", c.residual, c.residual_limit) +
+           within("orthonormality", c.orthonormality_error, SpectrumCertificate::orthonormality_limit) +
+           within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "below " + plain_text(c.shift, 6) + ": " +
+           (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) + " counted by inertia, " +
+           std::to_string(c.found_below) + " found; zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " +
+           std::to_string(c.expected_zeros);
+}
+
 void write_reconstructions(const Options& options, const std::vector<int>& counts, const TriangleMesh& mesh, const Spectrum& spectrum,
                            const Vector& M) {
     const std::string stem = std::filesystem::path(options.mesh).stem().string();
@@ -69,12 +83,14 @@ ExitCode run_spectrum(const Options& options) {
     if (found < k) {
         warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) + " asked for");
     }
+    const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum);
+    complain(told(certificate));
     if (!counts.empty()) write_reconstructions(options, counts, prepared.mesh, spectrum, laplacian.M);
     if (!options.vectors.empty()) print_to(options.vectors, npy_of(spectrum.eigenvectors));
     if (!options.csv.empty() || (options.vectors.empty() && options.out.empty())) {
         print_to(options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     }
-    return ExitCode::ok;
+    return certificate.holds() ? ExitCode::ok : ExitCode::failed;
 }
 
 }   // namespace
@@ -89,7 +105,9 @@ Command spectrum_command(CLI::App& parent) {
     app->add_option("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
     app->add_option("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
     app->add_option("--out", options->out, "folder for <mesh>_k<k>.ply");
-    app->footer("Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
+    app->footer(
+        "Prints a certificate of the eigenpairs on stderr; exit code 1 when it fails.\n"
+        "Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
     return {app, [options] { return run_spectrum(*options); }};
 }
 

@@ -4,6 +4,7 @@
 
 #include "number_text.h"
 #include "questions/discussions.h"
+#include "questions/law_checks.h"
 #include "questions/section_tools.h"
 #include "questions/six_view_figure.h"
 #include "questions/study_list.h"
@@ -14,7 +15,6 @@ namespace meshfolio {
 namespace {
 
 using report::check_at_most;
-using report::check_near;
 using report::math;
 
 // ---- results ----------------------------------------------------------------------------------------------------------
@@ -116,21 +116,11 @@ void add_eigenvalue_table(report::Section& section, const SpectralStudy& study) 
 
 void add_checks(report::Section& section, const SpectralStudy& study) {
     const std::string on = " on " + study.name();
-    const Spectrum& spectrum = study.spectrum;
     const int needles = study.source->prepared->preflight.needle_faces + study.source->prepared->preflight.zero_area_faces;
     const std::string note = needles > 0 ? counted(needles, "needle or empty face") + ": rounding there limits what can be reached" : "";
-    section.checks.push_back(check_at_most("largest eigenpair residual" + on, 1e-8, spectrum.residuals.maxCoeff(), 0, note));
-    section.checks.push_back(check_at_most("‖ΦᵀMΦ − I‖" + on, 1e-9, orthonormality_error(spectrum, study.laplacian.M), 0, note));
-    const int components = study.source->prepared->preflight.components;
-    const auto zeros = (spectrum.eigenvalues.array() == 0).count();
-    section.checks.push_back(check_near("zero eigenvalues = components" + on, std::min(components, study.modes()), double(zeros), 0));
-    if (spectrum.inertia_count >= 0) {
-        section.checks.push_back(
-            check_near("eigenvalues below " + plain_text(spectrum.inertia_shift, 4) + " found = counted by inertia" + on,
-                       spectrum.inertia_count, spectrum.found_below, 0));
-    }
-    section.checks.push_back(
-        check_at_most("Parseval: |predicted − measured rms| / box diagonal" + on, 0, largest_parseval_gap(study) / study.diagonal, 1e-9));
+    for (report::Check& check : spectrum_checks(study.certificate, on, note)) section.checks.push_back(std::move(check));
+    section.checks.push_back(check_at_most("rms from the coefficients = rms of the meshes: difference / box diagonal" + on, 0,
+                                           largest_parseval_gap(study) / study.diagonal, 1e-9));
     section.checks.push_back(
         check_at_most("error never rises with k: largest rise / box diagonal" + on, 0, largest_rise(study.rms) / study.diagonal, 1e-12));
     if (study.modes() == study.vertices()) {
@@ -158,11 +148,11 @@ void add_method(report::Section& section) {
         "The largest k is solved once; every smaller k is a prefix of it. Completeness is proved, not assumed: by Sylvester's law the "
         "negative pivots of a factorisation of ",
         math("−C − σM"), " count the eigenvalues below σ.");
-    section.code = {
-        {"smallest_eigenpairs", "src/geometry/laplace_spectrum.cpp", "the k smallest eigenpairs, with residuals and inertia count"},
-        {"reconstruct", "src/geometry/spectral_reconstruction.cpp", "X_k = Φ_k Φ_kᵀ M X"},
-        {"reconstruction_rms", "src/geometry/spectral_reconstruction.cpp", "error for every k by Parseval"},
-        {"answer_q4", "src/questions/q4_spectral_reconstruction.cpp", "this section"}};
+    section.code = {{"smallest_eigenpairs", "src/geometry/laplace_spectrum.cpp", "the k smallest eigenpairs"},
+                    {"certify_spectrum", "src/geometry/spectrum_certificate.cpp", "that they are right and none is missing"},
+                    {"reconstruct", "src/geometry/spectral_reconstruction.cpp", "X_k = Φ_k Φ_kᵀ M X"},
+                    {"reconstruction_rms", "src/geometry/spectral_reconstruction.cpp", "error for every k by Parseval"},
+                    {"answer_q4", "src/questions/q4_spectral_reconstruction.cpp", "this section"}};
 }
 
 void add_findings(report::Section& section, const SpectralStudy& study) {

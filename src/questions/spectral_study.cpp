@@ -35,6 +35,7 @@ SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const Qu
     study.laplacian = laplace_beltrami(study.mesh());
     const std::vector<int> counts = mode_counts(settings, study.vertices());
     study.spectrum = smallest_eigenpairs(study.laplacian, counts.back());
+    study.certificate = certify_spectrum(study.mesh(), study.laplacian, study.spectrum);
     const Positions& X = study.mesh().X;
     study.rms = reconstruction_rms(study.spectrum, study.laplacian.M, X);
     for (const int k : counts) {

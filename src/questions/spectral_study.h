@@ -8,6 +8,7 @@
 
 #include "geometry/laplace_spectrum.h"
 #include "geometry/mesh_error.h"
+#include "geometry/spectrum_certificate.h"
 #include "questions/mesh_library.h"
 #include "questions/settings.h"
 
@@ -26,6 +27,7 @@ struct SpectralStudy {
     double diagonal = 0;   // of the bounding box [length]
     LaplaceBeltrami laplacian;
     Spectrum spectrum;
+    SpectrumCertificate certificate;               // measured anew, whatever the solver says
     Vector rms;                                    // entry k: predicted error of k modes [length]
     std::vector<Reconstruction> reconstructions;   // ascending k
 
