@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <tuple>
@@ -7,6 +8,7 @@
 #include "cli/console.h"
 #include "geometry/curvature.h"
 #include "geometry/jet_fit.h"
+#include "geometry/laplace_operator.h"
 #include "geometry/mesh_operators.h"
 #include "number_text.h"
 
@@ -19,7 +21,15 @@ struct NamedColumn {
     Vector values;   // n; NaN is an empty cell
 };
 
-std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, bool with_jets) {
+/// h_idt, h_cotan_no_half, …
+NamedColumn operator_column(const PreparedMesh& prepared, AreaForm form, OperatorKind kind) {
+    std::string name = "h_" + std::string(operator_entry(kind).name);
+    std::replace(name.begin(), name.end(), '-', '_');
+    const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
+    return {name, operator_mean_curvature(prepared.mesh, prepared.topology, kind, laplacian)};
+}
+
+std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets) {
     const auto& [mesh, topology] = std::tie(prepared.mesh, prepared.topology);
     const MeshOperators operators = mesh_operators(mesh, topology, form);
     const Vector& areas = operators.areas(form);
@@ -33,6 +43,8 @@ std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaFor
         columns.push_back({"h_jet", std::move(jet.H)});
         columns.push_back({"k_jet", std::move(jet.K)});
     }
+    const bool has_column = kind == OperatorKind::cotan || kind == OperatorKind::uniform;   // h_cotan, h_uniform_scaled
+    if (!has_column) columns.push_back(operator_column(prepared, form, kind));
     return columns;
 }
 
@@ -63,21 +75,24 @@ void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, 
 
 Command curvature_command(CLI::App& parent) {
     struct Options {
-        std::string mesh, area = "barycentric", csv = "-";
+        std::string mesh, area = "barycentric", laplacian = "cotan", csv = "-";
         bool jets = false;
     };
     const auto options = std::make_shared<Options>();
     CLI::App* app = parent.add_subcommand("curvature", "Areas and curvatures of every vertex as CSV");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("--area", options->area, "barycentric, voronoi or mixed")->capture_default_str();
+    app->add_option("--operator", options->laplacian, "adds the mean curvature by another operator, as h_<its name>: " + operator_names())
+        ->capture_default_str();
     app->add_flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
     app->add_option("--csv", options->csv, "file, or - for standard output")->capture_default_str();
     app->footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);
+                const OperatorKind kind = operator_named(options->laplacian);
                 const PreparedMesh prepared = load_mesh(options->mesh);
                 warn_of_empty_areas(prepared, options->mesh, form);
-                print_to(options->csv, curvature_table(prepared, curvature_columns(prepared, form, options->jets)));
+                print_to(options->csv, curvature_table(prepared, curvature_columns(prepared, form, kind, options->jets)));
                 return ExitCode::ok;
             }};
 }

@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "geometry/curvature.h"
+#include "geometry/laplace_operator.h"
 #include "mesh/triangle_measures.h"
 #include "nearest_word.h"
 #include "number_text.h"
@@ -36,7 +37,14 @@ std::string_view next_line(std::string_view& text) {
 
 }   // namespace
 
-std::vector<std::string> field_names() { return {"none", "h-uniform", "h-cotan", "gauss", "area", "x", "y", "z", "id"}; }
+std::vector<std::string> field_names() {
+    std::vector<std::string> names{"none", "h-uniform"};
+    for (const OperatorEntry& entry : operator_list()) {
+        if (entry.kind != OperatorKind::uniform) names.push_back("h-" + std::string(entry.name));
+    }
+    names.insert(names.end(), {"gauss", "area", "x", "y", "z", "id"});
+    return names;
+}
 
 // Only the mean over the neighbours asks who they are.
 Checks checks_for(const std::string& name) { return name == "h-uniform" ? Checks::all : Checks::for_pictures; }
@@ -45,8 +53,10 @@ Field field_of(const PreparedMesh& mesh, const std::string& name) {
     if (name == "none" || name == "id") return {};
     const double diagonal = Box{mesh.preflight.box_low, mesh.preflight.box_high}.diagonal();
     if (name == "h-uniform") return {uniform_mean_curvature(mesh.mesh, mesh.topology), "½‖Δx‖, uniform", "length", true, 1e-9 * diagonal};
-    if (name == "h-cotan") {
-        return {cotangent_mean_curvature(mesh.mesh, mesh.topology, laplace_beltrami(mesh.mesh)), "mean curvature H", "1/length", true,
+    for (const OperatorEntry& entry : operator_list()) {
+        if (name != "h-" + std::string(entry.name)) continue;
+        const LaplaceBeltrami laplacian = laplace_operator(mesh.mesh, entry.kind);
+        return {operator_mean_curvature(mesh.mesh, mesh.topology, entry.kind, laplacian), "mean curvature H", "1/length", true,
                 1e-6 / diagonal};
     }
     if (name == "gauss") {

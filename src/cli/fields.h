@@ -16,7 +16,7 @@ struct Field {
     double floor = 0;             // narrowest range that is worth colours
 };
 
-std::vector<std::string> field_names();   // none, h-uniform, h-cotan, gauss, area, x, y, z, id
+std::vector<std::string> field_names();   // none, h-uniform, h-cotan and the other operators, gauss, area, x, y, z, id
 /// What must be known of the mesh before a field can be computed.
 Checks checks_for(const std::string& name);
 /// @throws UsageError for an unknown name

@@ -188,6 +188,16 @@ ExitCode run_render(const Options& options) {
     return ExitCode::ok;
 }
 
+/// "h-cotan-no-half, h-clamped, …"
+std::string other_curvatures() {
+    std::string names;
+    for (const std::string& name : field_names()) {
+        if (!name.starts_with("h-") || name == "h-uniform" || name == "h-cotan") continue;
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    return names;
+}
+
 }   // namespace
 
 Command render_command(CLI::App& parent) {
@@ -197,7 +207,9 @@ Command render_command(CLI::App& parent) {
     app->add_option("--out", options->out, "folder for +x.png … -z.png and sheet.png")->capture_default_str();
     app->add_option("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
     app->add_option("--size", options->size, "pixels of one view: N or WxH")->capture_default_str();
-    app->add_option("--field", options->field, "none, h-uniform, h-cotan, gauss, area, x, y, z, id")->capture_default_str();
+    app->add_option("--field", options->field,
+                    "none, h-uniform, h-cotan, gauss, area, x, y, z, id, or the mean curvature by another operator: " + other_curvatures())
+        ->capture_default_str();
     app->add_option("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
     app->add_option("--colormap", options->colormap, "see meshfolio list; default: diverging for signed values, viridis otherwise");
     app->add_option("--range", options->range, "lo,hi of the colours; default: robust");

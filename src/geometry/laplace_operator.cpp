@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "errors.h"
+#include "geometry/curvature.h"
 #include "geometry/intrinsic_delaunay.h"
 #include "geometry/tufted_cover.h"
 #include "geometry/uniform_laplacian.h"
@@ -97,6 +98,11 @@ LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, Ar
             return tufted_laplacian(mesh, area);
     }
     throw UsageError("laplace_operator: unknown operator");
+}
+
+Vector operator_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, OperatorKind kind,
+                               const LaplaceBeltrami& laplacian) {
+    return is_dimensionless(kind) ? uniform_mean_curvature_scaled(mesh, topology) : cotangent_mean_curvature(mesh, topology, laplacian);
 }
 
 }   // namespace meshfolio

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "geometry/cotangent_laplacian.h"
+#include "mesh/mesh_topology.h"
 
 namespace meshfolio {
 
@@ -36,5 +37,10 @@ bool is_dimensionless(OperatorKind kind);
 ///              of the intrinsic triangles.
 /// @throws SolverError if the flips of an intrinsic Delaunay triangulation do not end
 LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, AreaForm area = AreaForm::barycentric);
+
+/// Mean curvature by the operator: ½‖Lx‖ with the sign of −Lx · n; that of a dimensionless one is scaled by 4/h², h² the mean squared edge
+/// of the one-ring. NaN where cotangent_mean_curvature has it. [1/length]
+/// @param laplacian  laplace_operator(mesh, kind, …)
+Vector operator_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, OperatorKind kind, const LaplaceBeltrami& laplacian);
 
 }   // namespace meshfolio

@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/stability.h"
 #include "geometry/uniform_laplacian.h"
 #include "geometry/vertices_with_mass.h"
 
@@ -107,5 +108,34 @@ TEST(LaplaceOperator, SmoothingStepsHaveTheUnitOfTheOperator) {
         const SmoothingOptions one{.laplacian = entry.kind, .lambda = 1e-4};
         const Positions expected = mesh.X + 1e-4 * (dense_L(laplace_operator(mesh, entry.kind)) * mesh.X);
         EXPECT_LT((smooth(mesh, one).X - expected).cwiseAbs().maxCoeff(), 1e-13) << entry.name;
+    }
+}
+
+TEST(LaplaceOperator, MeanCurvatureOfTheSphere) {
+    const TriangleMesh mesh = icosphere(3);
+    const MeshTopology topology = topology_of(mesh);
+    for (const OperatorEntry& entry : operator_list()) {
+        const Vector H = operator_mean_curvature(mesh, topology, entry.kind, laplace_operator(mesh, entry.kind));
+        const double tolerance = entry.kind == OperatorKind::uniform ? 0.3 : 0.03;   // the uniform one drifts along the surface
+        EXPECT_NEAR(H.mean(), entry.kind == OperatorKind::cotan_no_half ? 2 : 1, tolerance) << entry.name;
+        const TriangleMesh larger = scaled(mesh, 5);
+        const Vector smaller = operator_mean_curvature(larger, topology, entry.kind, laplace_operator(larger, entry.kind));
+        EXPECT_LT((5 * smaller - H).cwiseAbs().maxCoeff(), 1e-9) << entry.name << ": curvature is 1/length";
+    }
+}
+
+// Mesh, ratio to the default of idt and of idt-original-mass, as measured by other means.
+TEST(LaplaceOperator, LimitsOfIntrinsicDelaunayOnTheSharedMeshes) {
+    struct Known {
+        const char* file;
+        double idt, own_areas;
+    };
+    for (const Known& known : {Known{"classic/cow.off", 6.5, 7.1}, Known{"coursework/smoothing/fandisk_ns.obj", 1.09, 1.57},
+                               Known{"coursework/decompose/armadillo.obj", 0.85, 1.34}, Known{"classic/bunny.off", 0.60, 1.87}}) {
+        SHARED_MESH_OR_SKIP(mesh, known.file);
+        const auto limit = [&](OperatorKind kind) { return largest_stable_step(largest_eigenvalue(laplace_operator(mesh, kind))); };
+        const double standard = limit(OperatorKind::cotan);
+        EXPECT_NEAR(limit(OperatorKind::idt) / standard / known.idt, 1, 0.01) << known.file;
+        EXPECT_NEAR(limit(OperatorKind::idt_original_mass) / standard / known.own_areas, 1, 0.01) << known.file;
     }
 }

@@ -1,0 +1,32 @@
+/// @file
+/// What can be said of a discrete Laplacian without knowing where it comes from.
+#pragma once
+
+#include "geometry/cotangent_laplacian.h"
+#include "mesh/mesh_topology.h"
+
+namespace meshfolio {
+
+struct OperatorScores {
+    double asymmetry = 0;           // ‖C − Cᵀ‖/‖C‖
+    int negative_eigenvalues = 0;   // of −C, below −1e-10 of its largest diagonal entry, counted by the pivots of an LDLᵀ
+    int weights = 0;                // pairs of vertices joined by C
+    int negative_inside = 0;        // of them, with a weight below −1e-9 of the largest and an end that is not on the boundary
+    int negative_boundary = 0;      // the same with both ends on the boundary
+    double smallest_weight = 0;     // smallest C_ij off the diagonal
+    int without_mass = 0;           // vertices in use with M ≤ 0, which leave no L = M⁻¹C
+    double critical = 0;            // λ_crit = 2/μ_max; NaN where vertices are without mass [length²]
+};
+/// @throws SolverError if an eigenvalue cannot be computed
+OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology);
+
+/// The `count` smallest eigenvalues above zero, ascending; fewer on meshes with fewer, none where vertices are without mass. [1/length²]
+Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const MeshTopology& topology, int count);
+
+/// max |μ_i/reference_i − 1| over the values both have; NaN when there is none.
+double largest_relative_change(const Vector& eigenvalues, const Vector& reference);
+
+/// Largest ½‖(Lx)_i‖ over vertices whose triangles lie in one plane, where linear functions should give 0; NaN without any. [1/length]
+double linear_precision(const LaplaceBeltrami& laplacian, const TriangleMesh& mesh, const MeshTopology& topology);
+
+}   // namespace meshfolio
