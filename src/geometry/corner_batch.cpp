@@ -1,143 +1,129 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/corner_batch.cpp"
+#include <hwy/foreach_target.h>
+
+#include "geometry/arctangent-inl.h"
 #include "geometry/corner_batch.h"
+#include "geometry/vectors-inl.h"
 
-#include <cmath>
+HWY_BEFORE_NAMESPACE();
+namespace meshfolio::HWY_NAMESPACE {
 
-// Nobody reads floating-point exceptions here, which would keep the loops from becoming vector instructions. These are also compiled for
-// wider vectors, chosen at run time: only +, −, ×, ÷, √ and comparisons, never contracted, so the numbers are the same.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-trapping-math")
-#define MESHFOLIO_WIDER_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
-#define MESHFOLIO_INDEPENDENT _Pragma("GCC ivdep")
-#else
-#define MESHFOLIO_WIDER_VECTORS
-#define MESHFOLIO_INDEPENDENT
-#endif
-
-#include "geometry/arctangent.h"
-
-namespace meshfolio {
-namespace {
-
-struct Arrow {
-    double x, y, z;
-};
-Arrow operator*(double s, const Arrow& a) { return {s * a.x, s * a.y, s * a.z}; }
-Arrow operator-(const Arrow& a, const Arrow& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Arrow& a, const Arrow& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Arrow cross(const Arrow& a, const Arrow& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-
-double larger(double a, double b) { return a > b ? a : b; }
-double either(bool first, double a, double b) { return first ? a : b; }
-Arrow either(bool first, const Arrow& a, const Arrow& b) {
-    return {either(first, a.x, b.x), either(first, a.y, b.y), either(first, a.z, b.z)};
+void FindSides(const TriangleMesh& mesh, CornerBatch& b) {
+    const Ints d;
+    const int* const corners = mesh.F.data();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
+        const IntVector here = hn::LoadU(d, b.here.data() + i), t = hn::LoadU(d, b.triangle.data() + i);
+        const IntVector first = hn::Add(t, hn::Add(t, t));
+        const IntVector a0 = hn::GatherIndex(d, corners, first), a1 = hn::GatherIndex(d, corners + 1, first);
+        const IntVector a2 = hn::GatherIndex(d, corners + 2, first);
+        const auto second = hn::Eq(a1, here), third = hn::Eq(a2, here);
+        const IntVector place = hn::IfThenElse(second, hn::Set(d, 1), hn::IfThenElseZero(third, hn::Set(d, 2)));
+        hn::StoreU(hn::IfThenElse(second, a2, hn::IfThenElse(third, a0, a1)), d, b.next.data() + i);
+        hn::StoreU(hn::IfThenElse(second, a0, hn::IfThenElse(third, a1, a2)), d, b.previous.data() + i);
+        store(hn::PromoteTo(Doubles(), place), b.place.data() + i);
+    }
 }
 
-/// What loops over a batch read and write.
-struct Three {
-    double *x, *y, *z;
-    explicit Three(CornerBatch::Points& p) : x(p.x.data()), y(p.y.data()), z(p.z.data()) {}
-    Arrow operator[](int i) const { return {x[i], y[i], z[i]}; }
-    void set(int i, const Arrow& a) const {
-        x[i] = a.x;
-        y[i] = a.y;
-        z[i] = a.z;
-    }
-};
+HWY_INLINE Arrow points_of(const TriangleMesh& mesh, const int* vertices) {
+    const Doubles d;
+    const auto v = hn::PromoteTo(Longs(), hn::LoadU(Ints(), vertices)), x = hn::Add(v, hn::Add(v, v));
+    return {hn::GatherIndex(d, mesh.X.data(), x), hn::GatherIndex(d, mesh.X.data() + 1, x), hn::GatherIndex(d, mesh.X.data() + 2, x)};
+}
 
-MESHFOLIO_WIDER_VECTORS void find_dots_and_normals(CornerBatch& b, double scale) {
-    const Three at_here(b.at_here), at_next(b.at_next), at_previous(b.at_previous), normal(b.normal);
-    const double* const place = b.place.data();
-    double *const dot_here = b.dot_here.data(), *const dot_next = b.dot_next.data(), *const dot_previous = b.dot_previous.data();
-    double *const squared_here = b.squared_here.data(), *const squared_next = b.squared_next.data();
-    double *const squared_previous = b.squared_previous.data(), *const squared_cross = b.cross.data();
-    const int size = b.size;
-    MESHFOLIO_INDEPENDENT
-    for (int i = 0; i < size; ++i) {
-        const Arrow here = scale * (at_previous[i] - at_next[i]), next = scale * (at_here[i] - at_previous[i]);   // edges opposite
-        const Arrow previous = scale * (at_next[i] - at_here[i]);
-        const double l = dot(here, here), m = dot(next, next), n = dot(previous, previous);
+void FindShapes(const TriangleMesh& mesh, double scale, CornerBatch& b) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
+        const Arrow at_here = points_of(mesh, b.here.data() + i), at_next = points_of(mesh, b.next.data() + i);
+        const Arrow at_previous = points_of(mesh, b.previous.data() + i);
+        const Arrow here = scale * (at_previous - at_next), next = scale * (at_here - at_previous);   // edges opposite
+        const Arrow previous = scale * (at_next - at_here);
+        const Number l = dot(here, here), m = dot(next, next), n = dot(previous, previous), place = numbers_at(b.place.data() + i);
         // The longest edge; of equal ones the first in the order in which the triangle is stored: here comes before next unless it is
         // corner 2, before previous if it is corner 0, next before previous unless here is corner 1.
-        const bool over_next = (l > m) | ((l == m) & (place[i] != 2)), over_previous = (l > n) | ((l == n) & (place[i] == 0));
-        const bool next_over = (m > n) | ((m == n) & (place[i] != 1)), longest = over_next & over_previous;
+        const Truth over_next = (l > m) | ((l == m) & (place != 2)), over_previous = (l > n) | ((l == n) & (place == 0));
+        const Truth next_over = (m > n) | ((m == n) & (place != 1)), longest = over_next & over_previous;
         const Arrow u = either(longest, next, either(next_over, previous, here));
         const Arrow v = either(longest, previous, either(next_over, here, next));
-        const Arrow uv = cross(u, v);
-        dot_here[i] = -dot(next, previous);
-        dot_next[i] = -dot(previous, here);
-        dot_previous[i] = -dot(here, next);
-        squared_here[i] = l;
-        squared_next[i] = m;
-        squared_previous[i] = n;
-        normal.set(i, uv);
-        squared_cross[i] = dot(uv, uv);
+        const Arrow normal = cross(u, v);
+        store(-dot(next, previous), b.dot_here.data() + i);
+        store(-dot(previous, here), b.dot_next.data() + i);
+        store(-dot(here, next), b.dot_previous.data() + i);
+        store(l, b.squared_here.data() + i);
+        store(m, b.squared_next.data() + i);
+        store(n, b.squared_previous.data() + i);
+        store(normal.x, b.normal.x.data() + i);
+        store(normal.y, b.normal.y.data() + i);
+        store(normal.z, b.normal.z.data() + i);
+        store(square_root(dot(normal, normal)), b.cross.data() + i);
     }
 }
 
 /// |u × v|, below which it is rounding noise.
-double cross_floor(double squared_here, double squared_next, double squared_previous) {
-    return 1e-12 * larger(squared_here, larger(squared_next, squared_previous));
+HWY_INLINE Number cross_floor(const CornerBatch& b, std::size_t i) {
+    const Number l = numbers_at(b.squared_here.data() + i), m = numbers_at(b.squared_next.data() + i);
+    return 1e-12 * larger(l, larger(m, numbers_at(b.squared_previous.data() + i)));
 }
 
-}   // namespace
+void FindCotangents(CornerBatch& b) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
+        const Number denominator = larger(numbers_at(b.cross.data() + i), cross_floor(b, i));
+        const Number divisor = either(denominator > 0, denominator, 1);   // all corners coincide: 0/1
+        store(numbers_at(b.dot_next.data() + i) / divisor, b.cotangent_next.data() + i);
+        store(numbers_at(b.dot_previous.data() + i) / divisor, b.cotangent_previous.data() + i);
+    }
+}
 
-void CornerBatch::resize(int corners) {
+void FindAreaShares(CornerBatch& b) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
+        const Number cross = numbers_at(b.cross.data() + i), area = 0.5 * cross;
+        const Number of_next = numbers_at(b.cotangent_next.data() + i) * numbers_at(b.squared_next.data() + i) * 0.125;
+        const Number of_previous = numbers_at(b.cotangent_previous.data() + i) * numbers_at(b.squared_previous.data() + i) * 0.125;
+        const Number cell = either(cross > cross_floor(b, i), of_next + of_previous, 0);
+        const Truth obtuse_here = numbers_at(b.dot_here.data() + i) < 0;
+        const Truth obtuse_elsewhere = (numbers_at(b.dot_next.data() + i) < 0) | (numbers_at(b.dot_previous.data() + i) < 0);
+        store(area / 3, b.barycentric.data() + i);
+        store(cell, b.voronoi.data() + i);
+        store(either(obtuse_here, area * 0.5, either(obtuse_elsewhere, area * 0.25, cell)), b.mixed.data() + i);
+    }
+}
+
+void FindAngles(CornerBatch& b) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
+        store(angle_of(numbers_at(b.cross.data() + i), numbers_at(b.dot_here.data() + i)), b.angle.data() + i);
+    }
+}
+
+}   // namespace meshfolio::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace meshfolio {
+
+HWY_EXPORT(FindSides);
+HWY_EXPORT(FindShapes);
+HWY_EXPORT(FindCotangents);
+HWY_EXPORT(FindAreaShares);
+HWY_EXPORT(FindAngles);
+
+void CornerBatch::resize(int corners, int rings) {
     size = corners;
+    ring_start.resize(static_cast<std::size_t>(rings) + 1);
+    diagonal_place.resize(static_cast<std::size_t>(rings));
     if (corners <= room_) return;
     room_ = corners;
-    for (Points* points : {&at_here, &at_next, &at_previous, &normal}) {
-        for (Numbers* numbers : {&points->x, &points->y, &points->z}) numbers->resize(static_cast<std::size_t>(room_ + spare));
-    }
-    for (Numbers* numbers : {&place, &dot_here, &dot_next, &dot_previous, &squared_here, &squared_next, &squared_previous, &cross,
-                             &cotangent_next, &cotangent_previous, &barycentric, &voronoi, &mixed, &angle}) {
-        numbers->resize(static_cast<std::size_t>(room_ + spare));
-    }
-    for (Vertices* vertices : {&next, &previous}) vertices->resize(static_cast<std::size_t>(room_ + spare));
-}
-
-void find_shapes(CornerBatch& batch, double scale) {
-    find_dots_and_normals(batch, scale);
-    for (int i = 0; i < batch.size; ++i) batch.cross[static_cast<std::size_t>(i)] = std::sqrt(batch.cross[static_cast<std::size_t>(i)]);
-}
-
-MESHFOLIO_WIDER_VECTORS void find_cotangents(CornerBatch& b) {
-    const double *const l = b.squared_here.data(), *const m = b.squared_next.data(), *const n = b.squared_previous.data();
-    const double *const cross = b.cross.data(), *const dot_next = b.dot_next.data(), *const dot_previous = b.dot_previous.data();
-    double *const cotangent_next = b.cotangent_next.data(), *const cotangent_previous = b.cotangent_previous.data();
-    const int size = b.size;
-    MESHFOLIO_INDEPENDENT
-    for (int i = 0; i < size; ++i) {
-        const double denominator = larger(cross[i], cross_floor(l[i], m[i], n[i]));
-        const double divisor = denominator > 0 ? denominator : 1;   // all corners coincide: 0/1
-        cotangent_next[i] = dot_next[i] / divisor;
-        cotangent_previous[i] = dot_previous[i] / divisor;
+    const auto with_spare = static_cast<std::size_t>(room_ + spare);
+    for (Vertices* vertices : {&here, &triangle, &next, &previous, &place_of_next, &place_of_previous}) vertices->resize(with_spare);
+    for (Numbers* numbers : {&place, &dot_here, &dot_next, &dot_previous, &squared_here, &squared_next, &squared_previous, &normal.x,
+                             &normal.y, &normal.z, &cross, &cotangent_next, &cotangent_previous, &barycentric, &voronoi, &mixed, &angle}) {
+        numbers->resize(with_spare);
     }
 }
 
-MESHFOLIO_WIDER_VECTORS void find_area_shares(CornerBatch& b) {
-    const double *const l = b.squared_here.data(), *const m = b.squared_next.data(), *const n = b.squared_previous.data();
-    const double *const cross = b.cross.data(), *const cotangent_next = b.cotangent_next.data();
-    const double *const cotangent_previous = b.cotangent_previous.data(), *const dot_here = b.dot_here.data();
-    const double *const dot_next = b.dot_next.data(), *const dot_previous = b.dot_previous.data();
-    double *const barycentric = b.barycentric.data(), *const voronoi = b.voronoi.data(), *const mixed = b.mixed.data();
-    const int size = b.size;
-    MESHFOLIO_INDEPENDENT
-    for (int i = 0; i < size; ++i) {
-        const double area = 0.5 * cross[i], of_edges = cotangent_next[i] * m[i] / 8 + cotangent_previous[i] * n[i] / 8;
-        const double cell = cross[i] > cross_floor(l[i], m[i], n[i]) ? of_edges : 0;
-        const bool obtuse_elsewhere = (dot_next[i] < 0) | (dot_previous[i] < 0);
-        barycentric[i] = area / 3;
-        voronoi[i] = cell;
-        mixed[i] = dot_here[i] < 0 ? area / 2 : obtuse_elsewhere ? area / 4 : cell;
-    }
-}
-
-MESHFOLIO_WIDER_VECTORS void find_angles(CornerBatch& b) {
-    const double *const cross = b.cross.data(), *const dot_here = b.dot_here.data();
-    double* const angle = b.angle.data();
-    const int size = b.size;
-    MESHFOLIO_INDEPENDENT
-    for (int i = 0; i < size; ++i) angle[i] = angle_of(cross[i], dot_here[i]);
-}
+void find_sides(const TriangleMesh& mesh, CornerBatch& batch) { HWY_DYNAMIC_DISPATCH(FindSides)(mesh, batch); }
+void find_shapes(const TriangleMesh& mesh, double scale, CornerBatch& batch) { HWY_DYNAMIC_DISPATCH(FindShapes)(mesh, scale, batch); }
+void find_cotangents(CornerBatch& batch) { HWY_DYNAMIC_DISPATCH(FindCotangents)(batch); }
+void find_area_shares(CornerBatch& batch) { HWY_DYNAMIC_DISPATCH(FindAreaShares)(batch); }
+void find_angles(CornerBatch& batch) { HWY_DYNAMIC_DISPATCH(FindAngles)(batch); }
 
 }   // namespace meshfolio
+#endif

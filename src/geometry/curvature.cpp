@@ -91,8 +91,8 @@ Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& to
 Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
     require_size("angle_deficit", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
     const double scale = unit_scale(mesh, topology.vertex_faces);
-    const auto measure = [scale](CornerBatch& corners) {
-        find_shapes(corners, scale);
+    const auto measure = [&](CornerBatch& corners) {
+        find_shapes(mesh, scale, corners);
         find_angles(corners);
     };
     Vector deficit(mesh.X.rows());

@@ -7,22 +7,6 @@
 #include "large_pages.h"
 
 namespace meshfolio {
-namespace {
-
-/// Corners around a vertex; nearly all have no more.
-constexpr int few = 8;
-static_assert(few <= CornerBatch::spare);
-
-/// For each of eight values, how many of the first `size` of `among` are smaller.
-void count_smaller(const int* among, int size, const int* values, int* count) {
-    for (int i = 0; i < few; ++i) count[i] = 0;
-    for (int j = 0; j < size; ++j) {
-        for (int i = 0; i < few; ++i) count[i] += among[j] < values[i] ? 1 : 0;
-    }
-}
-
-}   // namespace
-
 SparseMatrix matrix_with_room_for(const Incidence& neighbours) {
     const int n = static_cast<int>(neighbours.start.size()) - 1;
     SparseMatrix C(n, n);
@@ -38,8 +22,12 @@ SparseMatrix matrix_with_room_for(const Incidence& neighbours) {
 void StiffnessRows::write(const Ring& ring) {
     const int begin = C_.outerIndexPtr()[ring.vertex], size = C_.outerIndexPtr()[ring.vertex + 1] - begin;
     const Row row{ring.vertex, size, C_.innerIndexPtr() + begin, C_.valuePtr() + begin};
-    int diagonal = ring.size + 1 == size && ring.size <= few ? write_closed_fan(ring, row) : not_closed;
-    if (diagonal == not_closed) diagonal = write_sorted(ring, row);
+    int diagonal = ring.size + 1 == size ? ring.batch.diagonal_place[static_cast<std::size_t>(ring.index)] : CornerBatch::not_closed;
+    if (diagonal == CornerBatch::not_closed) {
+        diagonal = write_sorted(ring, row);
+    } else {
+        write_closed_fan(ring, row);
+    }
     double sum = 0;
     for (int i = 0; i < diagonal; ++i) sum += row.value[i];
     for (int i = diagonal + 1; i < row.size; ++i) sum += row.value[i];
@@ -47,38 +35,18 @@ void StiffnessRows::write(const Ring& ring) {
     row.value[diagonal] = 0 - sum;
 }
 
-/// Nearly always every neighbour is `next` of one corner and `previous` of another. Its place in the row is the number of smaller ones,
-/// and one more above the diagonal: all are compared with all, without a sort.
-/// @return  the place of the diagonal, or not_closed
-int StiffnessRows::write_closed_fan(const Ring& ring, const Row& row) const {
-    const int* const next = ring.batch.next.data() + ring.first;
-    const int* const previous = ring.batch.previous.data() + ring.first;
-    const double* const to_next = ring.batch.cotangent_previous.data() + ring.first;
-    const double* const to_previous = ring.batch.cotangent_next.data() + ring.first;
-    int place_of_next[few], place_of_previous[few];
-    count_smaller(next, ring.size, next, place_of_next);
-    count_smaller(next, ring.size, previous, place_of_previous);
-    unsigned nexts = 0, previouses = 0;   // places taken
-    for (int i = 0; i < ring.size; ++i) {
-        nexts |= 1U << place_of_next[i];
-        previouses |= 1U << place_of_previous[i];
+/// Every neighbour is `next` of one corner and `previous` of another.
+void StiffnessRows::write_closed_fan(const Ring& ring, const Row& row) const {
+    const CornerBatch& b = ring.batch;
+    const auto first = static_cast<std::size_t>(ring.first), end = first + static_cast<std::size_t>(ring.size);
+    for (std::size_t i = first; i < end; ++i) {
+        row.column[b.place_of_next[i]] = b.next[i];
+        row.value[b.place_of_next[i]] = 0 + b.cotangent_previous[i];   // +0 also where that is −0, as in the other sum
     }
-    const unsigned all = (1U << ring.size) - 1;
-    if (nexts != all || previouses != all) return not_closed;
-    int diagonal = 0;
-    for (int i = 0; i < ring.size; ++i) {
-        const int place = place_of_next[i] + (next[i] > row.vertex ? 1 : 0);
-        diagonal += next[i] < row.vertex ? 1 : 0;
-        row.column[place] = next[i];
-        row.value[place] = 0 + to_next[i];   // +0 also where that is −0, as in the other sum
+    for (std::size_t i = first; i < end; ++i) {
+        double& value = row.value[b.place_of_previous[i]];
+        value = edge_weight(value + b.cotangent_next[i], 2, options_);
     }
-    bool matches = true;
-    for (int i = 0; i < ring.size; ++i) {
-        const int place = place_of_previous[i] + (previous[i] > row.vertex ? 1 : 0);
-        matches &= row.column[place] == previous[i] && previous[i] != row.vertex;
-        row.value[place] = edge_weight(row.value[place] + to_previous[i], 2, options_);
-    }
-    return matches ? diagonal : not_closed;
 }
 
 /// Stable, so that the cotangents of an edge are added in the order of the triangles.

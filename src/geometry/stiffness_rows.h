@@ -27,7 +27,8 @@ class StiffnessRows {
 public:
     explicit StiffnessRows(SparseMatrix& C, const CotangentOptions& options = {}) : C_(C), options_(options) {}
 
-    /// The ring must have its cotangents. @throws MeshError if it has not as many neighbours as there is room for
+    /// The batch of the ring must have its closed fans and cotangents. @throws MeshError if it has not as many neighbours as there is room
+    /// for
     void write(const Ring& ring);
 
 private:
@@ -41,8 +42,7 @@ private:
         double* value;
     };
 
-    static constexpr int not_closed = -1;
-    int write_closed_fan(const Ring& ring, const Row& row) const;
+    void write_closed_fan(const Ring& ring, const Row& row) const;
     int write_sorted(const Ring& ring, const Row& row);
 
     SparseMatrix& C_;

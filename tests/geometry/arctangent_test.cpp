@@ -1,4 +1,4 @@
-#include "geometry/arctangent.h"
+#include "geometry/arctangent-inl.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,8 @@ namespace meshfolio {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+
+double angle_of(double sine, double cosine) { return hwy::HWY_NAMESPACE::GetLane(HWY_NAMESPACE::angle_of(sine, cosine).lanes); }
 
 // Two units in the last place, for sides of very different size, and next to the bounds between the cases.
 TEST(Arctangent, HasItsDigits) {

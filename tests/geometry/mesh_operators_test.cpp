@@ -1,6 +1,7 @@
 #include "geometry/mesh_operators.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <tbb/global_control.h>
 
 #include <cstring>
@@ -27,18 +28,6 @@ TriangleMesh crowded_mesh() {
     return mesh;
 }
 
-std::vector<TriangleMesh> many_meshes() {
-    return {irregular_sphere(3),
-            with_shuffled_vertices(irregular_sphere(4)).mesh,
-            irregular_plane(12),
-            torus_mesh(20, 9, 2, 0.7),
-            cube_mesh(4),
-            grid_mesh(9, 9, 1, 1),
-            crowded_mesh(),
-            scaled(irregular_sphere(2), 1e-30),
-            triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1})};
-}
-
 /// Apart from each other: (a, b, c), (b, c, a), (c, a, b), whose edges are equal, many of them to the last bit.
 TriangleMesh equilateral_triangles(int count) {
     TriangleMesh mesh{Positions(3 * count, 3), Faces(count, 3)};
@@ -51,6 +40,35 @@ TriangleMesh equilateral_triangles(int count) {
     return mesh;
 }
 
+/// Apart from each other, with two sides that are equal to the last bit and longer than the third; the apex is stored as every corner.
+TriangleMesh isosceles_triangles(int count) {
+    TriangleMesh mesh{Positions::Zero(3 * count, 3), Faces(count, 3)};
+    NormalNumbers random(6);
+    for (int t = 0; t < count; ++t) {
+        const double a = 1 + random.uniform(), b = 1 + random.uniform(), c = 1 + random.uniform();
+        for (const int x : {0, 1, 2}) {   // (a, b, c) and (b, a, c), their axes renamed
+            mesh.X(3 * t + 1, (x + t / 3) % 3) = x == 0 ? a : x == 1 ? b : c;
+            mesh.X(3 * t + 2, (x + t / 3) % 3) = x == 0 ? b : x == 1 ? a : c;
+            mesh.F(t, (x + t) % 3) = 3 * t + x;
+        }
+    }
+    return mesh;
+}
+
+std::vector<TriangleMesh> many_meshes() {
+    return {irregular_sphere(3),
+            with_shuffled_vertices(irregular_sphere(4)).mesh,
+            irregular_plane(12),
+            torus_mesh(20, 9, 2, 0.7),
+            equilateral_triangles(100),
+            isosceles_triangles(100),
+            cube_mesh(4),
+            grid_mesh(9, 9, 1, 1),
+            crowded_mesh(),
+            scaled(irregular_sphere(2), 1e-30),
+            triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1})};
+}
+
 bool same_bytes(const Vector& a, const Vector& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
 }
@@ -59,6 +77,15 @@ bool same_bytes(const SparseMatrix& A, const SparseMatrix& B) {
     const auto bytes = [&](auto* a, auto* b, Eigen::Index n) { return std::memcmp(a, b, static_cast<std::size_t>(n) * sizeof(*a)) == 0; };
     return A.nonZeros() == B.nonZeros() && bytes(A.outerIndexPtr(), B.outerIndexPtr(), A.cols() + 1) &&
            bytes(A.innerIndexPtr(), B.innerIndexPtr(), A.nonZeros()) && bytes(A.valuePtr(), B.valuePtr(), A.nonZeros());
+}
+
+/// Every number of the operators, to be compared.
+void expect_same_bytes(const MeshOperators& a, const MeshOperators& b) {
+    EXPECT_TRUE(same_bytes(a.C, b.C));
+    for (Vector MeshOperators::*values : {&MeshOperators::barycentric, &MeshOperators::voronoi, &MeshOperators::mixed,
+                                          &MeshOperators::angle_deficit, &MeshOperators::H, &MeshOperators::K}) {
+        EXPECT_TRUE(same_bytes(a.*values, b.*values));
+    }
 }
 
 /// Largest difference, NaN being equal to NaN.
@@ -112,8 +139,9 @@ TEST(MeshOperators, AngleDeficitIsThatOfTheCornerAngles) {
 
 // Equal edges are where the three corners of a triangle could disagree on which is the longest.
 TEST(MeshOperators, SymmetricToTheLastBit) {
-    for (const TriangleMesh& mesh : {equilateral_triangles(200), grid_mesh(9, 9, 1, 1), rotated_and_moved(grid_mesh(9, 9, 1, 1)),
-                                     rotated_and_moved(icosphere(3)), with_shuffled_vertices(rotated_and_moved(cube_mesh(5))).mesh}) {
+    for (const TriangleMesh& mesh :
+         {equilateral_triangles(200), isosceles_triangles(200), grid_mesh(9, 9, 1, 1), rotated_and_moved(grid_mesh(9, 9, 1, 1)),
+          rotated_and_moved(icosphere(3)), with_shuffled_vertices(rotated_and_moved(cube_mesh(5))).mesh}) {
         const SparseMatrix C = mesh_operators(mesh, topology_of(mesh)).C;
         EXPECT_TRUE(same_bytes(C, SparseMatrix(C.transpose())));
     }
@@ -129,12 +157,30 @@ TEST(MeshOperators, SameBytesForAnyNumberOfThreads) {
     };
     const MeshOperators one = with_threads(1);
     for (const std::size_t threads : {2, 3}) {
-        const MeshOperators more = with_threads(threads);
-        EXPECT_TRUE(same_bytes(one.C, more.C));
-        for (Vector MeshOperators::*values : {&MeshOperators::barycentric, &MeshOperators::voronoi, &MeshOperators::mixed,
-                                              &MeshOperators::angle_deficit, &MeshOperators::H, &MeshOperators::K}) {
-            EXPECT_TRUE(same_bytes(one.*values, more.*values));
-        }
+        expect_same_bytes(one, with_threads(threads));
+    }
+}
+
+/// With one instruction set only, where the processor has it.
+class MeshOperatorsInstructionSet : public ::testing::TestWithParam<std::pair<const char*, std::int64_t>> {
+protected:
+    void SetUp() override {
+        if ((hwy::SupportedTargets() & GetParam().second) == 0) GTEST_SKIP() << "this processor has no " << GetParam().first;
+    }
+    void TearDown() override { hwy::SetSupportedTargetsForTest(0); }
+};
+INSTANTIATE_TEST_SUITE_P(All, MeshOperatorsInstructionSet,
+                         ::testing::Values(std::pair("SSSE3", HWY_SSSE3), std::pair("SSE4", HWY_SSE4), std::pair("AVX2", HWY_AVX2),
+                                           std::pair("AVX512", HWY_AVX3)),
+                         [](const auto& set) { return std::string(set.param.first); });
+
+TEST_P(MeshOperatorsInstructionSet, SameBytesAsWithoutVectors) {
+    for (const TriangleMesh& mesh : many_meshes()) {
+        const MeshTopology topology = topology_of(mesh);
+        hwy::SetSupportedTargetsForTest(HWY_EMU128);
+        const MeshOperators least = mesh_operators(mesh, topology);
+        hwy::SetSupportedTargetsForTest(GetParam().second);
+        expect_same_bytes(mesh_operators(mesh, topology), least);
     }
 }
 
