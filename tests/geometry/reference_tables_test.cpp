@@ -24,23 +24,23 @@ namespace {
 using namespace testing;
 
 constexpr double relative = 1e-9;
+/// Closer, so that one vertex among thousands is not lost in a sum.
+constexpr double relative_of_sums = 1e-12;
 constexpr double relative_of_eigenvalues = 1e-8;
 /// A curvature or a Voronoi area is a sum whose terms may cancel, to 0 on a plane; its rounding is a fraction of the terms, not of the sum.
 constexpr double of_terms = 1e-13;
 
-/// Undefined in both, or within 1e-9 of the reference and 1e-13 of the terms it is the sum of.
-void expect_close(double ours, double reference, double terms, const std::string& what) {
-    EXPECT_EQ(std::isnan(ours), std::isnan(reference)) << what;
+/// Undefined in both, or as close as asked to the reference or to 1e-13 of the terms it is the sum of.
+void expect_close(double ours, const TableRow& row, const std::string& column, double terms = 0, double asked = relative) {
+    const double reference = number(row, column);
+    EXPECT_EQ(std::isnan(ours), std::isnan(reference)) << column;
     if (std::isnan(ours) || std::isnan(reference)) return;
-    EXPECT_LE(std::abs(ours - reference), relative * std::abs(reference) + of_terms * terms)
-        << what << ": " << ours << ", reference " << reference;
-}
-void expect_close(double ours, const TableRow& row, const std::string& column, double terms = 0) {
-    expect_close(ours, number(row, column), terms, column);
+    EXPECT_LE(std::abs(ours - reference), asked * std::abs(reference) + of_terms * terms)
+        << column << ": " << ours << ", reference " << reference;
 }
 /// Of columns that have their terms beside them.
-void expect_close_for_terms(double ours, const TableRow& row, const std::string& column) {
-    expect_close(ours, row, column, number(row, column + "_terms"));
+void expect_close_for_terms(double ours, const TableRow& row, const std::string& column, double asked = relative) {
+    expect_close(ours, row, column, number(row, column + "_terms"), asked);
 }
 
 class ReferenceTables : public ::testing::TestWithParam<std::string> {
@@ -109,11 +109,11 @@ void expect_sums_of_areas(const MeshOperators& ours, const MeshTopology& topolog
             if (topology.vertex_faces.size(v) > 0) in_use.push_back(ours.areas(form)[v]);
         }
         const auto [least, largest] = std::minmax_element(in_use.begin(), in_use.end());
-        expect_close(ours.areas(form).sum(), row, name + "_sum");
+        expect_close(ours.areas(form).sum(), row, name + "_sum", 0, relative_of_sums);
         expect_close(*least, row, name + "_min", number(row, "barycentric_min"));
         expect_close(*largest, row, name + "_max");
     }
-    expect_close(ours.angle_deficit.sum(), row, "deficit_sum", 2 * pi * number(row, "vertices"));
+    expect_close(ours.angle_deficit.sum(), row, "deficit_sum", 2 * pi * number(row, "vertices"), relative_of_sums);
 }
 
 /// ∫|f| and √∫f² by barycentric areas where f is defined, and its signs.
@@ -126,8 +126,8 @@ void expect_norms(const Vector& A, const Vector& f, const TableRow& row, const s
         square += A[v] * f[v] * f[v];
         negative += f[v] < 0 ? 1 : 0;
     }
-    expect_close_for_terms(l1, row, column + "_l1");
-    expect_close_for_terms(std::sqrt(square), row, column + "_l2");
+    expect_close_for_terms(l1, row, column + "_l1", relative_of_sums);
+    expect_close_for_terms(std::sqrt(square), row, column + "_l2", relative_of_sums);
     const int surely_negative = whole_number(row, column + "_negative");
     EXPECT_GE(negative, surely_negative) << column;
     EXPECT_LE(negative, surely_negative + whole_number(row, column + "_undecided")) << column;
@@ -179,6 +179,36 @@ TEST_P(ReferenceTables, Eigenvalues) {
         const double mu = number(wanted, "eigenvalue");
         EXPECT_LE(std::abs(spectrum.eigenvalues[i] - mu), relative_of_eigenvalues * mu)
             << "eigenvalue " << i << ": " << spectrum.eigenvalues[i] << ", reference " << mu;
+    }
+}
+
+// The tables themselves: what must hold of them whoever made them.
+TEST(ReferenceTablesThemselves, CoverEveryBundledMesh) {
+    const std::vector<std::string> known = reference_meshes();
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data")) {
+        if (entry.path().extension() != ".obj") continue;
+        const std::string name = "data/" + entry.path().filename().string();
+        EXPECT_EQ(std::count(known.begin(), known.end(), name), 1) << name << " has no reference values; see tests/reference/README.md";
+    }
+}
+
+TEST(ReferenceTablesThemselves, ObeyTheLaws) {
+    for (const TableRow& row : reference_table("meshes")) {
+        SCOPED_TRACE(row.at("mesh"));
+        EXPECT_NEAR(number(row, "deficit_sum"), 2 * pi * number(row, "euler"), 1e-14);   // Gauss–Bonnet
+        for (const std::string form : {"barycentric", "voronoi", "mixed"}) {
+            EXPECT_NEAR(number(row, form + "_sum") / number(row, "area"), 1, 1e-15) << form;
+        }
+        EXPECT_LT(number(row, "mu_max"), number(row, "gershgorin"));
+        EXPECT_GE(number(row, "lambda_crit_uniform"), 1);   // the spectrum lies in [0, 2]
+    }
+    double before = 0;
+    for (const TableRow& row : reference_table("eigenvalues")) {
+        const double mu = number(row, "eigenvalue");
+        const bool first = whole_number(row, "index") == 0;
+        EXPECT_EQ(mu == 0, first) << row.at("mesh");   // every mesh here is one component
+        EXPECT_GE(mu, first ? 0 : before * (1 - 1e-12)) << row.at("mesh");
+        before = mu;
     }
 }
 
