@@ -88,10 +88,11 @@ void add_operator_table(report::Section& section, const std::vector<Certified>& 
 }
 
 std::string requirement(const report::Check& check) {
-    const std::string limit = readable(check.expected);
+    const bool whole = check.expected == std::round(check.expected);
+    const std::string limit = whole ? std::to_string(std::lround(check.expected)) : readable(check.expected, 2);
     if (check.kind == report::Check::Kind::at_most) return "≤ " + limit;
     if (check.kind == report::Check::Kind::at_least) return "≥ " + limit;
-    return check.tolerance > 0 ? limit + " ± " + readable(check.tolerance) : limit;
+    return check.tolerance > 0 ? limit + " ± " + readable(check.tolerance, 2) : limit;
 }
 
 void add_fault_table(report::Section& section, const std::vector<FaultTrial>& trials) {

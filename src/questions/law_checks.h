@@ -29,7 +29,7 @@ inline constexpr const char* gauss_bonnet = "Gauss–Bonnet: |Σ deficits / 2π 
 inline constexpr const char* residual = "largest eigenpair residual";
 inline constexpr const char* orthonormal = "‖ΦᵀMΦ − I‖";
 inline constexpr const char* parseval = "Parseval: |‖x‖² − Σ|ĉ|² − ‖x − Φĉ‖²| / ‖x‖²";
-inline constexpr const char* complete = "no eigenvalue missed: counted below σ by inertia = found";
+inline constexpr const char* complete = "no eigenvalue missed: counted below σ by inertia − found";
 inline constexpr const char* zeros = "zero eigenvalues = components";
 inline constexpr const char* ascending = "eigenvalues ascend: largest step down / largest eigenvalue";
 }   // namespace law

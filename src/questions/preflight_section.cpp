@@ -104,24 +104,39 @@ void add_geometry_table(report::Section& section, const std::vector<Inspected>& 
     section.blocks.push_back(std::move(table));
 }
 
-int defect_rows(const std::vector<Inspected>& meshes) {
-    int rows = 0;
-    for (const Inspected& mesh : meshes) rows += static_cast<int>(mesh.defects.size());
-    return rows;
+/// Where a defect was found, in the order of the meshes: "plane 1, lily 2".
+struct Occurrence {
+    std::string where;
+    int meshes = 0;
+    double count = 0;
+};
+Occurrence occurrence_of(const Defect& defect, const std::vector<Inspected>& meshes) {
+    Occurrence all;
+    for (const Inspected& mesh : meshes) {
+        const int count = defect.count(mesh.facts);
+        if (count <= 0) continue;
+        all.where += (all.meshes++ == 0 ? "" : ", ") + mesh.name() + " " + std::to_string(count);
+        all.count += count;
+    }
+    return all;
+}
+
+int kinds_found(const std::vector<Inspected>& meshes) {
+    return static_cast<int>(std::count_if(defect_list().begin(), defect_list().end(),
+                                          [&](const Defect& defect) { return occurrence_of(defect, meshes).meshes > 0; }));
 }
 
 void add_defect_table(report::Section& section, const std::vector<Inspected>& meshes) {
-    if (defect_rows(meshes) == 0) return;
+    if (kinds_found(meshes) == 0) return;
     report::Table table;
     table.id = "preflight_defects";
     table.caption = "What departs from one closed, well-shaped surface, what it affects and what was done about it.";
-    table.columns = {{"mesh", "", 3},    {"found", "", 3},          {"count", "", 8},
-                     {"affects", "", 3}, {"what it breaks", "", 3}, {"what was done", "", 3}};
-    for (const Inspected& mesh : meshes) {
-        for (const auto& [defect, count] : mesh.defects) {
-            table.rows.push_back({mesh.name(), std::string(defect->name), double(count), affected_for_people(*defect),
-                                  std::string(defect->breaks), std::string(defect->done)});
-        }
+    table.columns = {{"found"}, {"count", "", 8}, {"where"}, {"affects"}, {"what it breaks"}, {"what was done"}};
+    for (const Defect& defect : defect_list()) {
+        const Occurrence found = occurrence_of(defect, meshes);
+        if (found.meshes == 0) continue;
+        table.rows.push_back({std::string(defect.name), found.count, found.where, affected_for_people(defect), std::string(defect.breaks),
+                              std::string(defect.done)});
     }
     section.blocks.push_back(std::move(table));
 }
@@ -132,14 +147,8 @@ void add_search_table(report::Section& section, const std::vector<Inspected>& me
     table.caption = "All that was looked for, in " + counted(static_cast<int>(meshes.size()), "mesh", "meshes") + ".";
     table.columns = {{"looked for", "", 3}, {"affects", "", 3}, {"meshes with it", "", 8}, {"count in all", "", 10}};
     for (const Defect& defect : defect_list()) {
-        int with = 0;
-        double total = 0;
-        for (const Inspected& mesh : meshes) {
-            const int count = std::max(0, defect.count(mesh.facts));
-            with += count > 0 ? 1 : 0;
-            total += count;
-        }
-        table.rows.push_back({std::string(defect.name), affected_for_people(defect), double(with), total});
+        const Occurrence found = occurrence_of(defect, meshes);
+        table.rows.push_back({std::string(defect.name), affected_for_people(defect), double(found.meshes), found.count});
     }
     section.blocks.push_back(std::move(table));
 }
@@ -221,11 +230,12 @@ void add_findings(report::Section& section, const std::vector<Inspected>& meshes
     const std::string holds = manifold == 0 ? "none of them is manifold"
                                             : "Gauss–Bonnet holds to rounding on " + std::to_string(exact) + " of " +
                                                   counted(manifold, "manifold mesh", "manifold meshes");
-    section.findings.push_back({report::text("Preflight of ", counted(static_cast<int>(meshes.size()), "mesh", "meshes"), ": ", holds, ", ",
-                                             defect_rows(meshes) == 0 ? std::string("nothing was found that breaks an answer")
-                                                                      : counted(defect_rows(meshes), "finding") + " with what each affects",
-                                             "."),
-                                5});
+    section.findings.push_back(
+        {report::text("Preflight of ", counted(static_cast<int>(meshes.size()), "mesh", "meshes"), ": ", holds, ", ",
+                      kinds_found(meshes) == 0 ? std::string("nothing was found that breaks an answer")
+                                               : counted(kinds_found(meshes), "kind") + " of finding, each with what it affects",
+                      "."),
+         5});
 }
 
 }   // namespace

@@ -48,5 +48,7 @@ Answer answer_q5(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q6(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q7(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_truth(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_certificates(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_preflight(const MeshLibrary&, const QuestionSettings&, const Progress&);
 
 }   // namespace meshfolio

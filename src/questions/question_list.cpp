@@ -25,10 +25,16 @@ std::span<const Question> question_list() {
 }
 
 std::span<const Question> supporting_list() {
-    static constexpr std::array<Question, 1> sections{{
-        {"truth", "Ground truth",
-         "How far are estimates of curvature from the truth, on surfaces where it is known, and does refinement help?", answer_truth},
-    }};
+    static constexpr std::array sections{
+        Question{"truth", "Ground truth",
+                 "How far are estimates of curvature from the truth, on surfaces where it is known, and does refinement help?",
+                 answer_truth},
+        Question{"certificates", "Certificates",
+                 "Are the spectra right and complete, do the operators obey their laws, and would the checks see a fault?",
+                 answer_certificates},
+        Question{"preflight", "Preflight", "What is each mesh, what is wrong with it, what does that affect, and what was done?",
+                 answer_preflight},
+    };
     return sections;
 }
 
