@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "geometry/laplace_operator.h"
 #include "geometry/stability.h"
 #include "number_text.h"
 #include "questions/mesh_defects.h"
@@ -23,12 +24,12 @@ struct Inspection {
     double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };
 
-Inspection inspection_of(const std::string& file) {
+Inspection inspection_of(const std::string& file, OperatorKind kind) {
     Inspection inspection;
     inspection.prepared = load_mesh(file);
     inspection.facts = mesh_facts(inspection.prepared);
     try {
-        inspection.top = largest_eigenvalue(laplace_beltrami(inspection.prepared.mesh));
+        inspection.top = largest_eigenvalue(laplace_operator(inspection.prepared.mesh, kind));
     } catch (const SolverError& error) {
         warn(file + ": largest stable step not computed: " + error.what());
     }
@@ -159,16 +160,17 @@ ordered_json as_json(const Inspection& inspection) {
 
 Command inspect_command(CLI::App& parent) {
     struct Options {
-        std::string mesh;
+        std::string mesh, laplacian = "cotan";
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
     CLI::App* app = parent.add_subcommand("inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
+    app->add_option("--operator", options->laplacian, "whose largest stable step: " + operator_names())->capture_default_str();
     app->add_flag("--json", options->json, "for programs");
     app->footer("Example: meshfolio inspect bunny.off --json");
     return {app, [options] {
-                const Inspection inspection = inspection_of(options->mesh);
+                const Inspection inspection = inspection_of(options->mesh, operator_named(options->laplacian));
                 print(options->json ? as_json(inspection).dump(2) + "\n" : told(inspection));
                 return ExitCode::ok;
             }};

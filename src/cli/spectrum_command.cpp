@@ -6,6 +6,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "geometry/laplace_operator.h"
 #include "geometry/spectral_reconstruction.h"
 #include "geometry/spectrum_certificate.h"
 #include "number_text.h"
@@ -42,7 +43,7 @@ std::string eigenvalue_table(const Spectrum& spectrum) {
 }
 
 struct Options {
-    std::string mesh, area = "barycentric", k, csv, vectors, reconstruct, out;
+    std::string mesh, area = "barycentric", laplacian = "cotan", k, csv, vectors, reconstruct, out;
 };
 
 constexpr int largest_k = 100000;
@@ -73,11 +74,12 @@ void write_reconstructions(const Options& options, const std::vector<int>& count
 
 ExitCode run_spectrum(const Options& options) {
     const AreaForm form = area_form_named(options.area);
+    const OperatorKind kind = operator_named(options.laplacian);
     const int k = static_cast<int>(integer_between("-k", options.k, 1, largest_k));
     const std::vector<int> counts = integers_between("--reconstruct", options.reconstruct, 1, k);
     if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
     const PreparedMesh prepared = load_mesh(options.mesh);
-    const LaplaceBeltrami laplacian = laplace_beltrami(prepared.mesh, form);
+    const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
     const Spectrum spectrum = smallest_eigenpairs(laplacian, k);
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
     if (found < k) {
@@ -97,10 +99,11 @@ ExitCode run_spectrum(const Options& options) {
 
 Command spectrum_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("spectrum", "The smallest eigenpairs of the cotangent Laplace-Beltrami operator");
+    CLI::App* app = parent.add_subcommand("spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("-k", options->k, "how many eigenpairs, 1 to 100000")->required();
     app->add_option("--area", options->area, "barycentric, voronoi or mixed")->capture_default_str();
+    app->add_option("--operator", options->laplacian, operator_names())->capture_default_str();
     app->add_option("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
     app->add_option("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
     app->add_option("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/common.hpp>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -36,7 +37,7 @@ struct Work {
 };
 
 int cell_of(const FigureRequest& request, const DrawSettings& settings) {
-    return std::min(request.panels.size() == 1 ? settings.sheet_cell : settings.strip_cell, settings.width);
+    return std::min(request.panels.size() == 1 || request.three_quarter ? settings.sheet_cell : settings.strip_cell, settings.width);
 }
 
 /// Names become files: unique in the whole report, and nothing but a name.
@@ -91,6 +92,7 @@ std::string view_file(const Panel& panel, const render::View& view) {
 void draw_panel(Work& work, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const Panel& panel = work.request->panels[index];
     render::DrawOptions options = work.options;
+    options.marked_vertices = panel.marked_vertices;
     const bool colored = panel.values.size() > 0 && work.request->range.has_value();
     const std::vector<render::View> directions = views_of(*work.request);
     std::vector<render::Image> views = render::draw_views(surface_of(*panel.mesh, colored ? &panel.values : nullptr), directions, options);
@@ -113,6 +115,16 @@ bool has_undefined(const FigureRequest& request) {
     return false;
 }
 
+/// One picture a panel: small multiples, side by side and named below, rather than a row each.
+void fold_into_grid(render::ContactSheet& sheet) {
+    render::SheetRow all;
+    for (render::SheetRow& row : sheet.rows) {
+        sheet.view_names.push_back(std::move(row.label));
+        std::move(row.pictures.begin(), row.pictures.end(), std::back_inserter(all.pictures));
+    }
+    sheet.rows = {std::move(all)};
+}
+
 void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *work.request;
     render::ContactSheet sheet;
@@ -121,6 +133,7 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     if (!request.three_quarter)
         for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
     sheet.rows = std::move(work.rows);
+    if (request.three_quarter && request.panels.size() > 1) fold_into_grid(sheet);
     if (request.range) {
         sheet.color_bar = color_bar_of(*request.range, has_undefined(request), work.options.undefined_color);
         // of these panels: several figures may share a range

