@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "errors.h"
-#include "geometry/vertices_with_mass.h"
+#include "number_text.h"
 
 namespace meshfolio {
 
@@ -33,8 +34,12 @@ TopPair lanczos_top(const SparseMatrix& B, double tolerance, const Vector& start
     for (const int basis : {30, 60, 120}) {
         Spectra::SparseSymMatProd<double> product(B);
         Spectra::SymEigsSolver<Spectra::SparseSymMatProd<double>> lanczos(product, 1, basis);
-        start.size() > 0 ? lanczos.init(start.data()) : lanczos.init();
-        lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance);
+        try {
+            start.size() > 0 ? lanczos.init(start.data()) : lanczos.init();
+            lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance);
+        } catch (const std::runtime_error&) {
+            continue;   // the small eigenproblem inside did not converge
+        }
         if (lanczos.info() == Spectra::CompInfo::Successful) return {lanczos.eigenvalues()[0], lanczos.eigenvectors(1)};
     }
     throw SolverError("largest eigenvalue: Lanczos did not converge on " + std::to_string(B.rows()) + " vertices");
@@ -53,6 +58,12 @@ double gershgorin_bound(const SparseMatrix& A, const Vector& M) {
     }
     const double rounding = (entries.maxCoeff() + 2) * std::numeric_limits<double>::epsilon();   // of a sum and a quotient
     return row_sum.cwiseQuotient(M).maxCoeff() * (1 + rounding);
+}
+
+Vector irregular_direction(int n) {
+    Vector y(n);
+    for (int i = 0; i < n; ++i) y[i] = static_cast<double>((i * 2654435761LL + 12345) % 1000003) / 1000003 - 0.5;
+    return y.normalized();
 }
 
 LargestEigenvalue top_mode(const OperatorWithMass& whole, double mu, Vector phi) {
@@ -77,9 +88,14 @@ LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double 
     const SparseMatrix B = symmetric_form(whole.A, M);
     Vector y;
     if (start.size() == whole.all_vertices) y = start(whole.vertex).cwiseProduct(M.cwiseSqrt());
-    if (!y.allFinite() || !(y.squaredNorm() > 0)) y.resize(0);
+    const bool usable = y.allFinite() && y.squaredNorm() > 0;
+    // Started from an eigenvector alone, Lanczos would have nowhere to go.
+    y = usable ? Vector(y.normalized() + 0.1 * irregular_direction(whole.size())) : Vector();
     const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : lanczos_top(B, tolerance, y);
-    return top_mode(whole, pair.mu / total, pair.y.cwiseQuotient(M.cwiseSqrt()));
+    const LargestEigenvalue top = top_mode(whole, pair.mu / total, pair.y.cwiseQuotient(M.cwiseSqrt()));
+    if (top.value <= top.upper_bound * (1 + 1e-9)) return top;
+    throw SolverError("largest eigenvalue: Lanczos gave " + plain_text(top.value) + ", beyond the bound of Gershgorin, " +
+                      plain_text(top.upper_bound));
 }
 
 /// D U = W − D is symmetric, so U is the operator of C = D U with masses D.

@@ -27,6 +27,9 @@ LargestEigenvalue largest_eigenvalue_uniform(const SparseMatrix& uniform, const 
 /// max_i Σ_j |A_ij|/M_i ≥ every eigenvalue of M⁻¹A (Gershgorin), its own rounding included: guaranteed, and O(entries).
 double gershgorin_bound(const SparseMatrix& A, const Vector& M);
 
+/// A unit vector with a little of every mode: no symmetry of a mesh makes it orthogonal to one. The same on every machine.
+Vector irregular_direction(int n);
+
 /// An eigenpair of the operator among the vertices with mass, described as above. `phi` need not be normalised.
 LargestEigenvalue top_mode(const OperatorWithMass& whole, double mu, Vector phi);
 

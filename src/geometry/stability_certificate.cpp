@@ -98,7 +98,7 @@ private:
     /// y ← (σM − A)⁻¹My from y and a little of every mode. @return whether the quotient grew
     bool turn() {
         const double before = quotient_;
-        Vector y = y_ + 0.1 * any_direction();
+        Vector y = y_ + 0.1 * irregular_direction(whole_.size());
         for (int i = 0; i < 8; ++i) y = factor_->solve(Vector(whole_.M.cwiseProduct(y))).normalized();
         take(y);
         return quotient_ > before;
@@ -111,13 +111,6 @@ private:
         low_ = std::max(low_, quotient.proved);
         below_ = std::max(below_, low_);
         y_ = y;
-    }
-
-    /// Irregular, but the same on every machine: no symmetry of a mesh makes it orthogonal to the top mode.
-    Vector any_direction() const {
-        Vector y(whole_.size());
-        for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = static_cast<double>((i * 2654435761LL + 12345) % 1000003) / 1000003 - 0.5;
-        return y.normalized();
     }
 
     [[noreturn]] void too_wide(double width) const {

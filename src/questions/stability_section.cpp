@@ -1,0 +1,79 @@
+// The section "stability": the limit of explicit smoothing proved, and what happens on both sides of it.
+#include "questions/stability_section.h"
+
+#include "number_text.h"
+#include "questions/section_tools.h"
+#include "questions/stability_figures.h"
+#include "questions/study_list.h"
+
+namespace meshfolio {
+
+namespace {
+
+using report::math;
+using report::ref;
+
+void add_method(report::Section& section) {
+    add_heading(section, "Method");
+    add_paragraph(section, "A step of explicit smoothing multiplies each mode by ", math("1 − λμ"), ", so that no mode grows as long as");
+    add_formula(section, "stability_limit", "stability_eq_limit");
+    add_paragraph(
+        section, "Lanczos finds ", math("μ_max"),
+        " but proves nothing: what it returns may be too small, and the step too large. Two facts enclose it. Every vector proves a "
+        "lower bound by its Rayleigh quotient, and a Cholesky factorisation that runs to its end proves an upper one:");
+    add_formula(section, "stability_certificate", "stability_eq_certificate");
+    add_paragraph(
+        section,
+        "The rounding of the quotient and of the factorisation is bounded beforehand and counted in; the latter by the machine "
+        "precision times the entries of the factor ",
+        ref("rump_2006"),
+        ". So the bounds hold for the matrices as stored, whose own entries were rounded when they were assembled. If Lanczos had "
+        "missed the top, the factorisation just above its value would break down, and bisection with inverse iteration would find "
+        "it. The bound of Gershgorin needs neither and is enough where a safe step will do:");
+    add_formula(section, "gershgorin_bound");
+    section.code = {{"stability_certificate", "src/geometry/stability_certificate.cpp", "both bounds of μ_max, and the repair"},
+                    {"largest_eigenvalue", "src/geometry/stability.cpp", "Lanczos, Gershgorin bound, units of λ"},
+                    {"mode_growth", "src/geometry/mode_growth.cpp", "the top mode measured over many steps"},
+                    {"LimitWatch", "src/geometry/limit_watch.cpp", "λμ_max of every step, and steps that keep the limit"},
+                    {"answer_stability", "src/questions/stability_section.cpp", "this section"}};
+}
+
+}   // namespace
+
+Answer answer_stability(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
+    Answer answer;
+    report::Section& section = answer.section;
+    section = section_of("stability");
+    const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
+    add_method(section);
+
+    add_heading(section, "Results");
+    const auto studies = studies_of(meshes, "limit of explicit smoothing", settings, progress, stability_study);
+    progress("rebuilt flow of " + studies.back().name());
+    const RebuiltFlow flow = rebuilt_flow(studies.back(), settings);
+    section.blocks.emplace_back(certificate_table(studies));
+    section.blocks.emplace_back(unit_table(studies));
+    add_limiting_vertex_figures(answer, studies, settings.colormap);
+    section.blocks.emplace_back(growth_table(studies));
+    for (const StabilityStudy& study : studies) section.blocks.emplace_back(growth_plot(study));
+    section.blocks.emplace_back(flow_table(flow));
+    section.blocks.emplace_back(flow_plot(flow));
+    add_stability_discussion(section, studies, flow);
+    section.checks = stability_checks(studies, flow);
+
+    for (const StabilityStudy& study : studies) {
+        section.parameters["λ_crit of " + study.name()] = plain_text(study.cotangent.critical(), 10);
+    }
+    section.parameters["steps of the runs at 0.99 and 1.01 λ_crit"] = std::to_string(studies.front().cotangent.beyond.steps());
+    section.parameters["operator"] = "cotangent with barycentric areas; uniform";
+    section.extent = "the limits of two operators on " + listed(names_of(meshes)) +
+                     " proved from both sides; runs a hundredth below and beyond; rebuilt flow with fixed and adaptive steps";
+    const StabilityStudy& last = studies.back();
+    section.findings.push_back({report::text("The largest stable λ of ", last.name(), ", ", readable(last.cotangent.critical(), 5),
+                                             ", is proved to ", readable(last.cotangent.certificate.relative_width(), 1),
+                                             " relative; vertex ", std::to_string(last.limiting.vertex), " sets it."),
+                                70});
+    return answer;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,65 @@
+/// @file
+/// What the section "stability" measures: the limit of explicit smoothing proved, tried a hundredth below and beyond, and watched while
+/// the operator is rebuilt.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/laplacian_smoothing.h"
+#include "geometry/mode_growth.h"
+#include "geometry/stability_certificate.h"
+#include "questions/mesh_library.h"
+#include "questions/settings.h"
+
+namespace meshfolio {
+
+/// One operator on one mesh.
+struct OperatorLimit {
+    std::string name;   // "cotangent", "uniform"
+    StabilityCertificate certificate;
+    ModeGrowth below, beyond;   // at 0.99 and 1.01 of the limit, the top mode seeded a thousandth of the mean edge high
+
+    double critical() const { return largest_stable_step(certificate.top); }
+};
+
+/// Why that vertex: its area and its weights beside those of the others.
+struct LimitingVertex {
+    int vertex = -1;
+    double area_share = 0;        // its area over the mean area
+    double stiffness_share = 0;   // its −C_ii over the median
+    double smallest_angle = 0;    // of the triangles around it [rad]
+};
+
+struct StabilityStudy {
+    std::shared_ptr<const LibraryMesh> source;
+    OperatorLimit cotangent, uniform;
+    LimitingVertex limiting;   // of the cotangent operator
+    double mean_edge = 0;      // [length]
+    double diagonal = 0;       // of the bounding box [length]
+
+    const TriangleMesh& mesh() const { return source->mesh(); }
+    const std::string& name() const { return source->name; }
+    std::array<const OperatorLimit*, 2> operators() const { return {&cotangent, &uniform}; }
+};
+StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+
+/// Curvature flow with the operator rebuilt at every step, from half the limit of the input.
+struct RebuiltFlow {
+    std::shared_ptr<const LibraryMesh> source;
+    double lambda = 0;    // asked for [length²]
+    double share = 0;     // of the proved limit, kept by the adaptive run
+    int iterations = 0;   // asked for
+    Smoothed fixed, adaptive;
+    int fixed_inverted = 0, adaptive_inverted = 0;   // faces turned against the input at the end
+
+    const std::string& name() const { return source->name; }
+};
+RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& settings);
+
+/// Largest λμ_max of a run; NaN values are left out.
+double largest_product(const Smoothed& run);
+
+}   // namespace meshfolio

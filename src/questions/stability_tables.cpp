@@ -1,0 +1,220 @@
+// Tables, plots and checks of the section "stability".
+#include <algorithm>
+#include <cmath>
+
+#include "number_text.h"
+#include "questions/section_tools.h"
+#include "questions/stability_section.h"
+#include "questions/study_list.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// |1 − λμ|ᵗ or what was measured of it, at some thirty steps of the run.
+report::Series curve(const std::string& name, const ModeGrowth& growth, bool measured) {
+    report::Series series;
+    series.name = name;
+    series.style = measured ? report::Series::Style::points : report::Series::Style::dashed;
+    const int stride = std::max(1, growth.steps() / 25);
+    for (int t = 0; t <= growth.steps(); t += stride) {
+        series.x.push_back(t);
+        series.y.push_back(measured ? growth.factor[static_cast<std::size_t>(t)] : growth.predicted(t));
+    }
+    return series;
+}
+
+std::string vertex_text(int vertex) { return vertex >= 0 ? std::to_string(vertex) : "–"; }
+
+std::vector<report::Cell> flow_row(const std::string& name, const Smoothed& run, const RebuiltFlow& flow, int inverted) {
+    const report::Cell none = std::string("never");
+    const report::Cell crossing = run.crossing_iteration > 0 ? report::Cell(double(run.crossing_iteration)) : none;
+    const report::Cell blow_up = run.blew_up ? report::Cell(double(run.blow_up_iteration)) : none;
+    return {name,
+            run.steps.front().top,
+            largest_product(run),
+            crossing,
+            vertex_text(run.crossing_vertex),
+            blow_up,
+            vertex_text(run.blow_up_vertex),
+            run.steps.back().lambda / flow.lambda,
+            run.time,
+            100 * run.time / (flow.lambda * flow.iterations),
+            double(inverted)};
+}
+
+}   // namespace
+
+report::Table certificate_table(const std::vector<StabilityStudy>& studies) {
+    report::Table table;
+    table.id = "stability_certificates";
+    table.caption =
+        "The limit of explicit smoothing between two proved bounds. Relative width: how far they are apart. Factorisations: 1 when the "
+        "Cholesky factorisation just above the value of Lanczos ran to its end at once. Safe λ: twice the inverse of the Gershgorin bound. "
+        "λ of the uniform operator has no unit.";
+    table.columns = {{"mesh", "", 3},
+                     {"operator", "", 3},
+                     {"vertices", "", 7},
+                     {"proved stable up to λ", "length²", 10},
+                     {"proved unstable beyond λ", "length²", 10},
+                     {"relative width", "", 2},
+                     {"factorisations", "", 3},
+                     {"safe λ (Gershgorin)", "length²", 4},
+                     {"Gershgorin bound / μ_max", "", 4},
+                     {"vertex", "", 8},
+                     {"vertices sharing the mode", "", 3}};
+    for (const StabilityStudy& study : studies) {
+        for (const OperatorLimit* limit : study.operators()) {
+            const StabilityCertificate& proved = limit->certificate;
+            table.rows.push_back({study.name(), limit->name, double(study.mesh().vertex_count()), proved.lambda_low(), proved.lambda_high(),
+                                  proved.relative_width(), double(proved.factorisations), 2 / proved.top.upper_bound,
+                                  proved.top.upper_bound / proved.top.value, double(proved.top.vertex), proved.top.support});
+        }
+    }
+    return table;
+}
+
+report::Table unit_table(const std::vector<StabilityStudy>& studies) {
+    report::Table table;
+    table.id = "stability_units";
+    table.caption =
+        "Steps of the cotangent operator in all units: raw (an area), τ = λμ_max/2, which is 1 at the limit, and λ over the squared mean "
+        "edge. The last column is how far ten such steps reach: ℓ = √(4λt) as a share of the box diagonal.";
+    table.columns = {{"mesh", "", 3}, {"step", "", 3}, {"λ", "length²", 4},
+                     {"τ", "", 4},    {"λ/h̄²", "", 3}, {"ten steps reach", "% of box", 3}};
+    for (const StabilityStudy& study : studies) {
+        const double critical = study.cotangent.critical();
+        const std::vector<std::pair<std::string, double>> steps = {{"limit", critical},
+                                                                   {"largest without overshoot", 0.5 * critical},
+                                                                   {"safe by Gershgorin", 2 / study.cotangent.certificate.top.upper_bound},
+                                                                   {"one hundredth of h̄²", 0.01 * study.mean_edge * study.mean_edge}};
+        for (const auto& [name, lambda] : steps) {
+            const StepInUnits units = step_in_units(lambda, critical, study.mean_edge);
+            table.rows.push_back(
+                {study.name(), name, units.raw, units.tau, units.h2, 100 * smoothing_strength(10 * lambda, study.diagonal)});
+        }
+    }
+    return table;
+}
+
+report::Table growth_table(const std::vector<StabilityStudy>& studies) {
+    report::Table table;
+    table.id = "stability_growth";
+    table.caption =
+        "The coefficient of the top mode after many steps of the frozen operator, over that at the start, where the mode is a thousandth "
+        "of "
+        "the mean edge high: measured beside the predicted |1 − λμ_max|ᵗ. Energy: Dirichlet energy at the end over that at the start.";
+    table.columns = {{"mesh", "", 3},
+                     {"operator", "", 3},
+                     {"λ/λ_crit", "", 3},
+                     {"steps", "", 5},
+                     {"predicted factor", "", 6},
+                     {"measured factor", "", 6},
+                     {"measured/predicted − 1", "", 2},
+                     {"energy", "of start", 3}};
+    for (const StabilityStudy& study : studies) {
+        for (const OperatorLimit* limit : study.operators()) {
+            for (const ModeGrowth* growth : {&limit->below, &limit->beyond}) {
+                const double predicted = growth->predicted(growth->steps());
+                table.rows.push_back({study.name(), limit->name, growth->lambda / limit->critical(), double(growth->steps()), predicted,
+                                      growth->factor.back(), growth->factor.back() / predicted - 1, growth->energy_ratio});
+            }
+        }
+    }
+    return table;
+}
+
+report::Plot growth_plot(const StabilityStudy& study) {
+    report::Plot plot;
+    plot.id = id_of("stability", study.name(), "growth");
+    plot.x_label = "step";
+    plot.y_label = "top mode / that at the start";
+    plot.log_y = true;
+    for (const OperatorLimit* limit : study.operators()) {
+        plot.series.push_back(curve(limit->name + ", 1.01 λ_crit", limit->beyond, true));
+        plot.series.push_back(curve(limit->name + ", 0.99 λ_crit", limit->below, true));
+    }
+    plot.series.push_back(curve("predicted, 1.01 λ_crit", study.cotangent.beyond, false));
+    plot.series.push_back(curve("predicted, 0.99 λ_crit", study.cotangent.below, false));
+    const int steps = study.cotangent.beyond.steps();
+    plot.caption = "The top mode of " + study.name() + " over " + std::to_string(steps) + " explicit steps: at 1.01 λ_crit it ends at " +
+                   readable(study.cotangent.beyond.factor.back(), 4) + " times its start (cotangent) and " +
+                   readable(study.uniform.beyond.factor.back(), 4) + " times (uniform), at 0.99 λ_crit at " +
+                   readable(study.cotangent.below.factor.back(), 3) + " and " + readable(study.uniform.below.factor.back(), 3) +
+                   ". Dashed: |1 − λμ_max|ᵗ.";
+    plot.alt = plot.caption;
+    return plot;
+}
+
+report::Table flow_table(const RebuiltFlow& flow) {
+    report::Table table;
+    table.id = id_of("stability", flow.name(), "flow_table");
+    table.caption = "Curvature flow of " + flow.name() + " with the operator rebuilt before each of " + counted(flow.iterations, "step") +
+                    ", from λ = " + readable(flow.lambda, 4) + ", half the limit of the input. Adaptive: no step exceeds " +
+                    readable(flow.share, 3) + " of the limit that the Gershgorin bound of its operator proves.";
+    table.columns = {{"step", "", 3},
+                     {"λμ_max at first", "", 4},
+                     {"largest λμ_max", "", 4},
+                     {"beyond 2 in step", "", 5},
+                     {"at vertex", "", 8},
+                     {"blew up in step", "", 5},
+                     {"first at vertex", "", 8},
+                     {"last λ", "of first asked", 3},
+                     {"time reached", "length²", 4},
+                     {"time reached", "% of steps × λ", 4},
+                     {"inverted faces", "", 6}};
+    table.rows.push_back(flow_row("fixed", flow.fixed, flow, flow.fixed_inverted));
+    table.rows.push_back(flow_row("adaptive", flow.adaptive, flow, flow.adaptive_inverted));
+    return table;
+}
+
+report::Plot flow_plot(const RebuiltFlow& flow) {
+    report::Plot plot;
+    plot.id = id_of("stability", flow.name(), "flow");
+    plot.x_label = "step";
+    plot.y_label = "λμ_max of the operator in use";
+    plot.log_y = true;
+    for (const auto& [name, run] : {std::pair{"fixed λ", &flow.fixed}, std::pair{"adaptive λ", &flow.adaptive}}) {
+        report::Series series;
+        series.name = name;
+        series.style = report::Series::Style::line_and_points;
+        for (std::size_t t = 0; t < run->steps.size(); ++t) {
+            series.x.push_back(double(t + 1));
+            series.y.push_back(run->steps[t].top);
+        }
+        plot.series.push_back(std::move(series));
+    }
+    plot.series.push_back({"limit 2", {1, double(flow.iterations)}, {2, 2}, {}, {}, report::Series::Style::dashed});
+    plot.caption = "λμ_max of the curvature flow of " + flow.name() + ", the operator rebuilt in every step: with fixed λ it goes from " +
+                   readable(flow.fixed.steps.front().top, 3) + " to " + readable(largest_product(flow.fixed), 3) +
+                   " at most, with the adaptive step it stays at or below " + readable(largest_product(flow.adaptive), 3) + ".";
+    plot.alt = plot.caption;
+    return plot;
+}
+
+std::vector<report::Check> stability_checks(const std::vector<StabilityStudy>& studies, const RebuiltFlow& flow) {
+    using report::check_at_least;
+    using report::check_at_most;
+    using report::check_near;
+    std::vector<report::Check> checks;
+    for (const StabilityStudy& study : studies) {
+        for (const OperatorLimit* limit : study.operators()) {
+            const std::string on = " of the " + limit->name + " operator on " + study.name();
+            const StabilityCertificate& proved = limit->certificate;
+            checks.push_back(check_at_most("Relative width of the proved bounds" + on, 1e-8, proved.relative_width()));
+            checks.push_back(
+                check_at_least("Gershgorin bound / proved upper bound" + on, 1, proved.top.upper_bound / proved.mu_high, 1e-8));
+            checks.push_back(check_near("Growth at 1.01 λ_crit, measured / predicted" + on, 1,
+                                        limit->beyond.factor.back() / limit->beyond.predicted(limit->beyond.steps()), 1e-3));
+            checks.push_back(check_at_most("Largest factor of the top mode at 0.99 λ_crit after the start" + on, 1,
+                                           *std::max_element(limit->below.factor.begin() + 1, limit->below.factor.end())));
+            checks.push_back(check_at_most("Factor of the top mode at 0.99 λ_crit, less that predicted" + on, 0,
+                                           limit->below.factor.back() - limit->below.predicted(limit->below.steps()), 1e-6));
+        }
+        checks.push_back(check_at_most("Uniform μ_max lies in (0, 2] on " + study.name(), 2, study.uniform.certificate.mu_low));
+    }
+    checks.push_back(check_at_most("Largest λμ_max of the adaptive flow of " + flow.name(), 2, largest_product(flow.adaptive)));
+    return checks;
+}
+
+}   // namespace meshfolio
