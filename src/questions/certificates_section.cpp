@@ -101,8 +101,8 @@ void add_fault_table(report::Section& section, const std::vector<FaultTrial>& tr
     table.caption =
         "Faults planted in sound data, each against the check that is to see it; also seen by: how many of the other checks passed "
         "without the fault and failed with it.";
-    table.columns = {{"planted fault", "", 3},  {"named check", "", 3}, {"must be", "", 3},     {"sound", "", 3},
-                     {"with the fault", "", 3}, {"caught", "", 3},      {"also seen by", "", 3}};
+    table.columns = {{"planted fault"},         {"named check"}, {"must be"},     {"sound", "", 5},
+                     {"with the fault", "", 5}, {"caught"},      {"also seen by"}};
     for (const FaultTrial& trial : trials) {
         table.rows.push_back({trial.fault, trial.sound.name, requirement(trial.sound), cell_of(trial.sound.measured),
                               cell_of(trial.faulty.measured), std::string(trial.caught() ? "yes" : "no"),
@@ -117,7 +117,8 @@ void add_method(report::Section& section) {
     add_heading(section, "Method");
     add_paragraph(section,
                   "A certificate takes a spectrum from wherever it comes and measures, on the operator and the mesh alone, the residual of "
-                  "each pair, M-orthonormality, and Parseval's identity with the tail ‖x − Φĉ‖² measured by itself:");
+                  "each pair, M-orthonormality, and Parseval's identity with the tail ‖x − Φĉ‖² measured by itself. The residual is "
+                  "relative to μ, and to 1/ΣM where μ is smaller:");
     add_formula(section, "residual", "certificates_eq_residual");
     add_formula(section, "m_orthonormal");
     add_paragraph(section,

@@ -14,10 +14,10 @@ namespace meshfolio {
 /// The names of the checks, before " on <mesh>".
 namespace law {
 // of an operator
-inline constexpr const char* symmetric = "C is symmetric: largest |C_ij − C_ji| / largest |C_ij|";
-inline constexpr const char* row_sums = "rows of C sum to 0: largest |Σ_j C_ij| / largest |C_ij|";
+inline constexpr const char* symmetric = "C is symmetric: largest |C − Cᵀ| / largest |C|";
+inline constexpr const char* row_sums = "rows of C sum to 0: largest |row sum| / largest |C|";
 inline constexpr const char* energy = "Dirichlet energy of the positions / area = 1";
-inline constexpr const char* first_variation = "CX = −∇area: largest deviation at a vertex / Σ_j |C_ij| |x_j − x_i|";
+inline constexpr const char* first_variation = "CX = −∇area: largest relative deviation at a vertex";
 inline constexpr const char* mass = "ΣM / area = 1";
 inline constexpr const char* semidefinite = "−C ⪰ 0: eigenvalues below −0.001/ΣM, by inertia";
 // of a surface
