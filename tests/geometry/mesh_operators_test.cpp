@@ -28,6 +28,14 @@ TriangleMesh crowded_mesh() {
     return mesh;
 }
 
+/// Vertex 0 has as many neighbours as triangles, but one of them in three triangles and one in one.
+TriangleMesh three_triangles_at_an_edge() {
+    TriangleMesh mesh{Positions(4, 3), Faces(3, 3)};
+    mesh.X << 0, 0, 0, 1, 0, 0.2, 0, 1, 0.3, 0.7, 0.6, 0.5;
+    mesh.F << 0, 1, 3, 0, 2, 3, 0, 3, 1;
+    return mesh;
+}
+
 /// Apart from each other: (a, b, c), (b, c, a), (c, a, b), whose edges are equal, many of them to the last bit.
 TriangleMesh equilateral_triangles(int count) {
     TriangleMesh mesh{Positions(3 * count, 3), Faces(count, 3)};
@@ -40,17 +48,15 @@ TriangleMesh equilateral_triangles(int count) {
     return mesh;
 }
 
-/// Apart from each other, with two sides that are equal to the last bit and longer than the third; the apex is stored as every corner.
+/// Apart from each other, with two sides longer than the third and many times equal to the last bit; their common end is stored as every
+/// corner.
 TriangleMesh isosceles_triangles(int count) {
-    TriangleMesh mesh{Positions::Zero(3 * count, 3), Faces(count, 3)};
+    TriangleMesh mesh{Positions(3 * count, 3), Faces(count, 3)};
     NormalNumbers random(6);
     for (int t = 0; t < count; ++t) {
         const double a = 1 + random.uniform(), b = 1 + random.uniform(), c = 1 + random.uniform();
-        for (const int x : {0, 1, 2}) {   // (a, b, c) and (b, a, c), their axes renamed
-            mesh.X(3 * t + 1, (x + t / 3) % 3) = x == 0 ? a : x == 1 ? b : c;
-            mesh.X(3 * t + 2, (x + t / 3) % 3) = x == 0 ? b : x == 1 ? a : c;
-            mesh.F(t, (x + t) % 3) = 3 * t + x;
-        }
+        mesh.X.middleRows(3 * t, 3) << 0, 0, 0, a, b, c, b, c, a;
+        for (const int k : {0, 1, 2}) mesh.F(t, (k + t) % 3) = 3 * t + k;
     }
     return mesh;
 }
@@ -65,6 +71,7 @@ std::vector<TriangleMesh> many_meshes() {
             cube_mesh(4),
             grid_mesh(9, 9, 1, 1),
             crowded_mesh(),
+            three_triangles_at_an_edge(),
             scaled(irregular_sphere(2), 1e-30),
             triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1})};
 }
@@ -191,6 +198,10 @@ TEST(MeshOperators, NeedNoEdgesButTheRightTopology) {
     MeshTopology wrong = topology_of(mesh);
     for (std::size_t v = 4; v < wrong.neighbours.start.size(); ++v) --wrong.neighbours.start[v];
     EXPECT_THROW(mesh_operators(mesh, wrong), MeshError);
+    const TriangleMesh turned{triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}).X, Faces{{0, 2, 1}}};
+    MeshTopology one_neighbour = topology_of(turned);
+    for (std::size_t v = 1; v < one_neighbour.neighbours.start.size(); ++v) --one_neighbour.neighbours.start[v];
+    EXPECT_THROW(mesh_operators(turned, one_neighbour), MeshError);
 }
 
 }   // namespace
