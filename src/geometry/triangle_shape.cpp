@@ -1,9 +1,7 @@
 #include "geometry/triangle_shape.h"
 
 #include <cmath>
-#include <utility>
 
-#include "mesh/parallel.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -34,23 +32,7 @@ double scale_of(double extent) {
 double unit_scale(const TriangleMesh& mesh) { return scale_of(bounding_box(mesh).extent().maxCoeff()); }
 
 double unit_scale(const TriangleMesh& mesh, const Incidence& triangles) {
-    if (mesh.face_count() == 0) return unit_scale(mesh);
-    const Vector3 any = mesh.X.row(mesh.F(0, 0));
-    const auto boxes = of_blocks(mesh.vertex_count(), [&](int begin, int end) {
-        Vector3 low = any, high = any;
-        for (int v = begin; v < end; ++v) {
-            if (triangles.size(v) == 0) continue;
-            low = low.cwiseMin(mesh.X.row(v).transpose());
-            high = high.cwiseMax(mesh.X.row(v).transpose());
-        }
-        return std::pair(low, high);
-    });
-    Vector3 low = any, high = any;
-    for (const auto& [box] : boxes) {
-        low = low.cwiseMin(box.first);
-        high = high.cwiseMax(box.second);
-    }
-    return scale_of((high - low).maxCoeff());
+    return scale_of(bounding_box(mesh, triangles).extent().maxCoeff());
 }
 
 }   // namespace meshfolio

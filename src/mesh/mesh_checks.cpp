@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -71,26 +70,6 @@ std::vector<char> repeated_faces(const TriangleMesh& mesh, const Incidence& arou
     return repeated;
 }
 
-/// Smallest box of the vertices in use.
-Box box_in_use(const TriangleMesh& mesh, const Incidence& vertex_faces) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto boxes = of_blocks(mesh.vertex_count(), [&](int begin, int end) {
-        Box box{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
-        for (int v = begin; v < end; ++v) {
-            if (vertex_faces.size(v) == 0) continue;
-            box.low = box.low.cwiseMin(mesh.X.row(v).transpose());
-            box.high = box.high.cwiseMax(mesh.X.row(v).transpose());
-        }
-        return box;
-    });
-    Box box = boxes.front().value;
-    for (const auto& block : boxes) {
-        box.low = box.low.cwiseMin(block.value.low);
-        box.high = box.high.cwiseMax(block.value.high);
-    }
-    return box;
-}
-
 /// Takes a loaded mesh through repairs and counts, and keeps what there is to say.
 class Preparation {
 public:
@@ -102,7 +81,7 @@ public:
 
     PreparedMesh run() {
         drop_faces();
-        const Box box = box_in_use(mesh(), topology().vertex_faces);
+        const Box box = bounding_box(mesh(), topology().vertex_faces);
         if (box.low == box.high) {
             throw InputError({prepared_.file, 0}, "all vertices coincide (the bounding box is a point)",
                              "the export may have lost the coordinates");

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "mesh/parallel.h"
 #include "mesh/prefetch.h"
@@ -35,27 +36,44 @@ double angle_at(const TriangleMesh& mesh, int t, int k) {
     return std::atan2(length(u.cross(v)), u.dot(v));
 }
 
-}   // namespace
+void include(const Vector3& x, Box& box) {
+    box.low = box.low.cwiseMin(x);
+    box.high = box.high.cwiseMax(x);
+}
 
-Box bounding_box(const TriangleMesh& mesh) {
-    if (mesh.vertex_count() == 0) return {Vector3::Zero(), Vector3::Zero()};
-    if (mesh.face_count() == 0) return {mesh.X.colwise().minCoeff(), mesh.X.colwise().maxCoeff()};
-    const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
-        Box box{corner(mesh, begin, 0), corner(mesh, begin, 0)};
-        for (int t = begin; t < end; ++t) {
-            for (int k = 0; k < 3; ++k) {
-                box.low = box.low.cwiseMin(corner(mesh, t, k));
-                box.high = box.high.cwiseMax(corner(mesh, t, k));
-            }
-        }
+/// Box of all that add(i, box) includes for i below n.
+template <class Add>
+Box box_of(int n, Add add) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
+    const auto boxes = of_blocks(n, [&](int begin, int end) {
+        Box box = nothing;
+        for (int i = begin; i < end; ++i) add(i, box);
         return box;
     });
-    Box box = boxes.front().value;
+    Box box = nothing;
     for (const auto& block : boxes) {
         box.low = box.low.cwiseMin(block.value.low);
         box.high = box.high.cwiseMax(block.value.high);
     }
     return box;
+}
+
+}   // namespace
+
+Box bounding_box(const TriangleMesh& mesh) {
+    if (mesh.vertex_count() == 0) return {Vector3::Zero(), Vector3::Zero()};
+    if (mesh.face_count() == 0) return {mesh.X.colwise().minCoeff(), mesh.X.colwise().maxCoeff()};
+    return box_of(mesh.face_count(), [&](int t, Box& box) {
+        for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), box);
+    });
+}
+
+Box bounding_box(const TriangleMesh& mesh, const Incidence& vertex_faces) {
+    if (mesh.face_count() == 0) return bounding_box(mesh);
+    return box_of(mesh.vertex_count(), [&](int v, Box& box) {
+        if (vertex_faces.size(v) > 0) include(mesh.X.row(v), box);
+    });
 }
 
 CornerValues edge_lengths(const TriangleMesh& mesh) {

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "mesh/parallel.h"
 #include "mesh/small_meshes.h"
 
 using namespace meshfolio;
@@ -89,4 +90,18 @@ TEST(TriangleMeasures, BoxLeavesUnusedVerticesOut) {
     EXPECT_EQ(bounding_box(mesh).centre(), Vector3(0.5, 1, -1.5));
     mesh.F.resize(0, 3);
     EXPECT_EQ(bounding_box(mesh).high, Vector3(99, 99, 99));
+}
+
+// The vertices in use are all in one block of those that processors share out.
+TEST(TriangleMeasures, BoxOfFewAmongManyUnusedVertices) {
+    constexpr int n = 3 * block_length;
+    for (const int first : {0, n / 2, n - 3}) {
+        TriangleMesh mesh{Positions::Constant(n, 3, 99), Faces(1, 3)};
+        mesh.X.middleRows(first, 3) << 0, 0, -3, 1, 0, 0, 0, 2, 0;
+        mesh.F << first, first + 1, first + 2;
+        const Box box = bounding_box(mesh, triangles_around(mesh));
+        EXPECT_EQ(box.low, Vector3(0, 0, -3));
+        EXPECT_EQ(box.high, Vector3(1, 2, 0));
+        EXPECT_EQ(box.diagonal(), bounding_box(mesh).diagonal());
+    }
 }
