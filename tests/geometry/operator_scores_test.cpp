@@ -31,16 +31,19 @@ TEST(OperatorScores, AgreeWithDenseMatrices) {
         EXPECT_EQ(scores.negative_eigenvalues, (eigenvalues.array() < -1e-9 * largest).count()) << entry.name;
         EXPECT_LT(scores.asymmetry, 1e-15) << entry.name;
         double smallest = INFINITY;
-        int negative = 0, weights = 0;
+        int negative = 0, at_boundary = 0, weights = 0;
         for (int j = 0; j < C.cols(); ++j) {
             for (int i = 0; i < j; ++i) {
                 if (laplacian.C.coeff(i, j) == 0) continue;
                 ++weights;
                 smallest = std::min(smallest, C(i, j));
+                const auto edge_of_sheet = [&](int v) { return topology.on_boundary[static_cast<std::size_t>(v)] != 0; };
                 negative += C(i, j) < -1e-8 ? 1 : 0;
+                at_boundary += C(i, j) < -1e-8 && edge_of_sheet(i) && edge_of_sheet(j) ? 1 : 0;
             }
         }
         EXPECT_EQ(scores.negative_inside + scores.negative_boundary, negative) << entry.name;
+        EXPECT_EQ(scores.negative_boundary, at_boundary) << entry.name;
         EXPECT_GE(scores.weights, weights) << entry.name << ": entries that are 0 count as well";
         EXPECT_TRUE(negative == 0 || scores.smallest_weight == smallest) << entry.name;
         EXPECT_EQ(scores.without_mass, 0) << entry.name;
