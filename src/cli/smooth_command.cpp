@@ -14,7 +14,7 @@ namespace {
 
 struct Options {
     std::string mesh, output, scheme = "explicit", laplacian = "cotan", lambda, unit = "raw", mu, iterations = "1";
-    bool rebuild = false;
+    bool rebuild = false, adaptive = false;
 };
 
 /// All but the step, which needs the mesh.
@@ -24,6 +24,11 @@ SmoothingOptions smoothing_options(const Options& options) {
     smoothing.laplacian = operator_named(options.laplacian);
     smoothing.iterations = static_cast<int>(integer_between("--iterations", options.iterations, 0, 1000000));
     smoothing.rebuild = options.rebuild;
+    const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
+    if (options.adaptive && !is_explicit)
+        throw UsageError("--adaptive is for --scheme explicit", "leave it off: only explicit steps have a limit");
+    smoothing.adaptive = options.adaptive ? 0.95 : 0;
+    smoothing.monitor = is_explicit && options.rebuild;
     if (!options.mu.empty()) smoothing.taubin_mu = finite_number("--mu", options.mu);
     if (!options.lambda.empty()) smoothing.lambda = number_above_zero("--lambda", options.lambda);
     if (is_dimensionless(smoothing.laplacian) && step_unit_named(options.unit) == StepUnit::h2) {
@@ -43,11 +48,25 @@ double step_of(const Options& options, const SmoothingOptions& smoothing, const 
         return 0.5 * critical;
     }
     const double step = step_in_model_units(smoothing.lambda, unit, critical, mean_edge_length(prepared.mesh));
-    if (is_explicit && step > critical) {
+    if (is_explicit && !options.adaptive && step > critical) {
         warn("lambda = " + plain_text(step) + " is beyond the largest stable step of " + plain_text(critical) +
              "; the highest modes will grow");
     }
     return step;
+}
+
+/// What became of the limit of a run whose operator was rebuilt, or whose steps were cut.
+void tell_about_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
+    if (result.crossing_iteration > 0) {
+        const StepStability& step = result.steps[static_cast<std::size_t>(result.crossing_iteration) - 1];
+        warn("lambda mu_max = " + plain_text(step.top, 4) + " is beyond 2 in iteration " + std::to_string(result.crossing_iteration) +
+             ", at vertex " + std::to_string(result.crossing_vertex) + "; take a smaller --lambda or --adaptive");
+    }
+    if (!(smoothing.adaptive > 0)) return;
+    const double asked = smoothing.lambda * smoothing.iterations;
+    if (result.time < asked * (1 - 1e-12)) {
+        warn("steps were cut to stay stable: diffusion time " + plain_text(result.time) + " of " + plain_text(asked) + " reached");
+    }
 }
 
 ExitCode run_smooth(const Options& options) {
@@ -56,6 +75,7 @@ ExitCode run_smooth(const Options& options) {
     smoothing.lambda = step_of(options, smoothing, prepared);
     const Smoothed result = smooth(prepared.mesh, smoothing);
     write_mesh_to(options.output, moved_to(prepared.mesh, result.X));
+    tell_about_limit(smoothing, result);
     if (!result.blew_up) return ExitCode::ok;
     complain(options.mesh + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
              std::to_string(result.blow_up_vertex) + "; " + options.output +
@@ -78,6 +98,7 @@ Command smooth_command(CLI::App& parent) {
     app->add_option("--mu", options->mu, "Taubin's negative step, in model units; default: from pass-band 0.1");
     app->add_option("--iterations", options->iterations, "how many")->capture_default_str();
     app->add_flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");
+    app->add_flag("--adaptive", options->adaptive, "cut explicit steps below the proved limit of the operator they use");
     app->footer("Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
     return {app, [options] { return run_smooth(*options); }};
 }
