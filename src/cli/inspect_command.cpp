@@ -6,7 +6,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "geometry/laplace_operator.h"
-#include "geometry/stability.h"
+#include "geometry/stability_certificate.h"
 #include "number_text.h"
 #include "questions/mesh_defects.h"
 
@@ -19,19 +19,27 @@ using nlohmann::ordered_json;
 struct Inspection {
     PreparedMesh prepared;
     MeshFacts facts;
-    std::optional<LargestEigenvalue> top;   // of −L; nothing when it could not be computed
+    std::optional<LargestEigenvalue> top;         // of −L; nothing when it could not be computed
+    std::optional<StabilityCertificate> proved;   // nothing on large meshes, or when rounding forbids a proof
 
     double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };
+
+/// A proof costs as much again as the estimate, and from about a million vertices rounding forbids it.
+constexpr int proved_up_to = 200000;   // vertices
 
 Inspection inspection_of(const std::string& file, OperatorKind kind) {
     Inspection inspection;
     inspection.prepared = load_mesh(file);
     inspection.facts = mesh_facts(inspection.prepared);
     try {
-        inspection.top = largest_eigenvalue(laplace_operator(inspection.prepared.mesh, kind));
+        const LaplaceBeltrami laplacian = laplace_operator(inspection.prepared.mesh, kind);
+        inspection.top = largest_eigenvalue(laplacian);
+        if (inspection.prepared.mesh.vertex_count() > proved_up_to) return inspection;
+        inspection.proved = stability_certificate(laplacian, *inspection.top);
+        inspection.top = inspection.proved->top;
     } catch (const SolverError& error) {
-        warn(file + ": largest stable step not computed: " + error.what());
+        warn(file + ": largest stable step not " + (inspection.top ? "proved: " : "computed: ") + error.what());
     }
     return inspection;
 }
@@ -85,6 +93,10 @@ std::string told(const Inspection& inspection) {
         text += line("largest stable lambda", plain_text(largest_stable_step(*inspection.top), 8) +
                                                   " (always safe: " + plain_text(2 / inspection.top->upper_bound, 4) + "), set at vertex " +
                                                   std::to_string(inspection.top->vertex));
+    }
+    if (inspection.proved) {
+        text += line("proved", "stable up to " + plain_text(inspection.proved->lambda_low(), 10) + ", unstable from " +
+                                   plain_text(inspection.proved->lambda_high(), 10));
     }
     return text + consequences(inspection.facts);
 }
@@ -150,6 +162,8 @@ ordered_json as_json(const Inspection& inspection) {
     } else {
         json["lambda_crit"] = json["lambda_safe"] = json["lambda_crit_vertex"] = nullptr;
     }
+    json["lambda_crit_proved"] =
+        inspection.proved ? ordered_json::array({inspection.proved->lambda_low(), inspection.proved->lambda_high()}) : ordered_json();
     json["warnings"] = ordered_json::array();
     for (const MeshWarning& warning : inspection.prepared.warnings)
         json["warnings"].push_back({{"line", warning.line}, {"message", printable(warning.message)}});

@@ -162,11 +162,11 @@ std::vector<IndicatorTrial> indicator_trials(const QuestionSettings& settings) {
     for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
         for (const KnownSurface& surface : known_surfaces()) {
             const SampledSurface s = sampled(surface, level, triangulation, settings.seed);
-            trials.push_back(trial_on(surface.name + ", " + name_of(triangulation), s.mesh, s.topology, s.H, s.areas));
+            trials.push_back(trial_on(name_of(triangulation) + " " + surface.name, s.mesh, s.topology, s.H, s.areas));
         }
     }
     const TruthMesh random = random_ellipsoid({1.5, 1, 0.7}, settings.quick ? 2500 : 10000, settings.seed);
-    trials.push_back(trial_on("ellipsoid, random points", random.mesh, random.topology, random.H, random.areas));
+    trials.push_back(trial_on("random points on the ellipsoid", random.mesh, random.topology, random.H, random.areas));
     return trials;
 }
 

@@ -22,7 +22,7 @@ Disagreement disagreement_with_jet(const CotangentComparison& c);
 
 /// What the indicator is worth, where the truth is known.
 struct IndicatorTrial {
-    std::string mesh;   // "torus, jittered"
+    std::string mesh;   // "jittered torus"
     int vertices = 0;
     double indicated = 0;   // √(Σ A (H_cotan − H_jet)² / Σ A H²)
     double actual = 0;      // the same with the closed form in place of the jet

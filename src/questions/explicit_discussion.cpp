@@ -118,6 +118,7 @@ report::Text units_of_lambda(const std::vector<ExplicitStudy>& studies) {
                    readable(uniform_low, 3));
     if (studies.size() > 1) report::extend(t, " to ", readable(uniform_high, 3));
     report::extend(t, uniform_low > 1 && uniform_high < 1.5 ? " here, which is why λ = 1 works there and λ = 1.5 does not." : " here.");
+    report::extend(t, " That the limits are what they are is proved in ", ref("stability"), ".");
     return t;
 }
 

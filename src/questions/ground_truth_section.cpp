@@ -74,48 +74,52 @@ report::Table overview(const GroundTruth& truth) {
     return table;
 }
 
-report::Table error_table(const GroundTruth& truth, MeshKind kind) {
-    report::Table table;
-    const std::string name(name_of(kind));
-    table.id = "truth_errors_" + name;
+struct Norm {
+    double EstimateError::*of;
+    std::string key, name;
+};
+const std::array<Norm, 2>& norms() {
+    static const std::array<Norm, 2> list{{{&EstimateError::l2, "l2", "L2"}, {&EstimateError::linf, "linf", "L∞"}}};
+    return list;
+}
+
+/// One row an estimator, one column a surface: what `cell` says of each.
+template <class CellOf>
+void fill(report::Table& table, const GroundTruth& truth, MeshKind kind, const report::Column& column, CellOf cell) {
     table.columns = {{"of"}, {"estimator"}};
     const auto runs = runs_of(truth, kind);
-    for (const char* norm : {"L2", "L∞"}) {
-        for (const PanelRun* run : runs) {
-            report::Column column{run->surface + ", " + norm, "%", 3};
-            column.heat = {0.1, 30};
-            table.columns.push_back(std::move(column));
-        }
+    for (const PanelRun* run : runs) {
+        table.columns.push_back(column);
+        table.columns.back().name = run->surface;
     }
     for_each_estimator([&](Quantity quantity, std::size_t e) {
         std::vector<Cell> row = row_of(quantity, e);
-        for (const auto norm : {&EstimateError::l2, &EstimateError::linf}) {
-            for (const PanelRun* run : runs) row.push_back(cell_of(100 * (run->finest(quantity, e).*norm)));
-        }
+        for (const PanelRun* run : runs) row.push_back(cell(*run, quantity, e));
         table.rows.push_back(std::move(row));
     });
-    table.caption = "Relative errors on the finest " + name + " meshes, L2 and L∞, shaded from 0.1 % to 30 % on a logarithmic scale.";
+}
+
+report::Table error_table(const GroundTruth& truth, MeshKind kind, const Norm& norm) {
+    const std::string name(name_of(kind));
+    report::Table table;
+    table.id = "truth_errors_" + name + "_" + norm.key;
+    table.caption =
+        "Relative " + norm.name + " errors on the finest " + name + " meshes, shaded from 0.1 % to 30 % on a logarithmic scale.";
+    report::Column percent{"", "%", 3};
+    percent.heat = {0.1, 30};
+    fill(table, truth, kind, percent,
+         [&](const PanelRun& run, Quantity quantity, std::size_t e) { return cell_of(100 * (run.finest(quantity, e).*norm.of)); });
     return table;
 }
 
-report::Table order_table(const GroundTruth& truth, MeshKind kind) {
-    report::Table table;
+report::Table order_table(const GroundTruth& truth, MeshKind kind, const Norm& norm) {
     const std::string name(name_of(kind));
-    table.id = "truth_orders_" + name;
-    table.caption = "Order p of error ≈ c·h^p on " + name + " meshes with its standard error, fitted over " +
+    report::Table table;
+    table.id = "truth_orders_" + name + "_" + norm.key;
+    table.caption = "Order p of " + norm.name + " error ≈ c·h^p on " + name + " meshes with its standard error, fitted over " +
                     counted(static_cast<int>(truth.runs.front().levels.size()), "refinement") + "; exact: the error is rounding.";
-    table.columns = {{"of"}, {"estimator"}};
-    const auto runs = runs_of(truth, kind);
-    for (const char* norm : {"L2", "L∞"}) {
-        for (const PanelRun* run : runs) table.columns.push_back({run->surface + ", " + norm});
-    }
-    for_each_estimator([&](Quantity quantity, std::size_t e) {
-        std::vector<Cell> row = row_of(quantity, e);
-        for (const auto norm : {&EstimateError::l2, &EstimateError::linf}) {
-            for (const PanelRun* run : runs) row.emplace_back(words_of(truth.order(*run, quantity, e, norm)));
-        }
-        table.rows.push_back(std::move(row));
-    });
+    fill(table, truth, kind, {},
+         [&](const PanelRun& run, Quantity quantity, std::size_t e) { return words_of(truth.order(run, quantity, e, norm.of)); });
     return table;
 }
 
@@ -164,7 +168,7 @@ void add_method(report::Section& section, const GroundTruth& truth) {
     add_paragraph(
         section, "Every estimator runs on every surface with a closed form: ", listed(surfaces), "; each as ",
         counted(static_cast<int>(truth.runs.front().levels.size()), "refinement"), " of up to ",
-        readable(truth.run("saddle", MeshKind::regular).levels.back().vertices, 5),
+        std::to_string(truth.run("saddle", MeshKind::regular).levels.back().vertices),
         " vertices of four kinds. Regular: each refinement halves the edges. Random: hulls of independent points on the sphere and "
         "the ellipsoid, elsewhere points that wandered over the surface, with edges flipped to Delaunay. Noisy: regular, moved "
         "along the normal by 1 % of the mean edge. Anisotropic: triangles stretched about four to one.");
@@ -253,8 +257,10 @@ report::Section ground_truth_section(const GroundTruth& truth) {
     section.blocks.emplace_back(overview(truth));
     for (const MeshKind kind : mesh_kinds) {
         for (const Quantity quantity : quantities) section.blocks.emplace_back(convergence_plot(truth, kind, quantity));
-        section.blocks.emplace_back(error_table(truth, kind));
-        section.blocks.emplace_back(order_table(truth, kind));
+        for (const Norm& norm : norms()) {
+            section.blocks.emplace_back(error_table(truth, kind, norm));
+            section.blocks.emplace_back(order_table(truth, kind, norm));
+        }
     }
     add_discussion(section, truth);
     section.checks = ground_truth_checks(truth);

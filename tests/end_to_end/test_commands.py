@@ -148,6 +148,27 @@ class Inspect(InFolder):
         self.assertIn('nothing found that affects a question', self.succeed('inspect', box))
 
 
+class ProvedLimit(InFolder):
+
+    def test_inspect_proves_the_limit_and_spectrum_agrees(self):
+        mesh = self.sample('sphere')
+        facts = json.loads(self.succeed('inspect', mesh, '--json'))
+        low, high = facts['lambda_crit_proved']
+        self.assertTrue(low <= facts['lambda_crit'] <= high)
+        self.assertLess(high / low - 1, 1e-8)
+        self.assertLessEqual(facts['lambda_safe'], low)
+        self.assertIn('proved', self.succeed('inspect', mesh))
+
+    def test_adaptive_steps_survive_where_a_fixed_one_does_not(self):
+        mesh = self.sample('creature')
+        limit = json.loads(self.succeed('inspect', mesh, '--json'))['lambda_crit']
+        run = ['smooth', mesh, '--lambda', repr(limit), '--iterations', '40', '--rebuild', '-o']
+        _, _, complaint = self.run_here(*run, 'fixed.ply')
+        self.assertIn('is beyond 2 in iteration', complaint)
+        code, _, complaint = self.run_here(*run, 'adaptive.ply', '--adaptive')
+        self.assertEqual((code, 'beyond 2' in complaint), (0, False))
+
+
 class Curvature(InFolder):
 
     def test_columns_and_laws(self):

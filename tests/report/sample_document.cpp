@@ -17,6 +17,7 @@ Table error_table() {
                  {"order", "", 2, Column::Best::largest},
                  {"H", "1/length", 4}},
                 {}};
+    table.columns[2].heat = {1, 100};
     table.rows = {{std::string("sphere"), 642.0, 0.88, 1.02, 1.0},
                   {std::string("torus"), 2048.0, 0.0352, 2.0, 1e-9},
                   {std::string("ellipsoid"), 10242.0, 28.1, Cell(), 123456789.0},

@@ -55,6 +55,19 @@ TEST(ViewTable, OnePowerOfTenBringsTheOthersWithIt) {
     EXPECT_EQ(numbers_of(view_of(column({3.59e-5, 1.795e-4, 0.5}))), (Words{"3.59\u202f×\u202f10⁻⁵", "1.79\u202f×\u202f10⁻⁴", "0.500"}));
 }
 
+TEST(ViewTable, HeatRisesWithTheLogarithmBetweenItsLimits) {
+    Table table = column({1e-9, 0.1, 1.0, std::sqrt(1e3), 1e3, 1e6, Cell()});
+    table.columns[0].heat = {1, 1e3};
+    const json view = view_of(table);
+    std::string heats;
+    for (const json& row : view["rows"]) {
+        const json& cell = row["cells"][0];
+        heats += cell["has_heat"] == true ? cell["heat"].get<std::string>() : "-";
+    }
+    EXPECT_EQ(heats, "000366-");
+    EXPECT_EQ(view_of(column({1.0}))["rows"][0]["cells"][0]["has_heat"], false);
+}
+
 // Right-aligned with these figure spaces all points stand under each other.
 TEST(ViewTable, PaddingPutsPointsUnderEachOther) {
     const json view = view_of(column({0.0352, 28.1, 120.0, Cell()}));
