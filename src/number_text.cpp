@@ -74,6 +74,15 @@ std::string without_trailing_zeros(std::string s) {
 
 }   // namespace
 
+double rounded_down(double x, int digits) {
+    if (x == 0 || !std::isfinite(x)) return x;
+    const auto nearest = [&](double y) { return std::strtod(chars_of(y, std::chars_format::scientific, digits - 1).c_str(), nullptr); };
+    const double y = nearest(x);
+    return y <= x ? y : nearest(y - std::pow(10.0, scientific(x, digits).exponent - digits + 1));
+}
+
+double rounded_up(double x, int digits) { return -rounded_down(-x, digits); }
+
 std::string exact_text(double x) { return std::isfinite(x) ? chars_of(x) : ""; }
 
 std::string readable(double x, int digits) {

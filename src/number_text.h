@@ -18,6 +18,11 @@ std::string readable(double x, int digits = 3);
 /// The same without typography: -1.23e-07. For axis labels that programs read, CSV and plain logs.
 std::string plain_text(double x, int digits = 6);
 
+/// The numbers of `digits` significant digits nearest to x that are not above, or not below it: what a bound may be printed as without
+/// claiming too much.
+double rounded_down(double x, int digits);
+double rounded_up(double x, int digits);
+
 /// A percentage of `fraction` with `digits` significant digits: readable_percent(0.1234) = "12.3 %".
 std::string readable_percent(double fraction, int digits = 3);
 

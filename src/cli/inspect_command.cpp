@@ -91,12 +91,12 @@ std::string told(const Inspection& inspection) {
                                  (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
     if (inspection.top) {
         text += line("largest stable lambda", plain_text(largest_stable_step(*inspection.top), 8) +
-                                                  " (always safe: " + plain_text(2 / inspection.top->upper_bound, 4) + "), set at vertex " +
-                                                  std::to_string(inspection.top->vertex));
+                                                  " (always safe: " + plain_text(rounded_down(2 / inspection.top->upper_bound, 4), 4) +
+                                                  "), set at vertex " + std::to_string(inspection.top->vertex));
     }
     if (inspection.proved) {
-        text += line("proved", "stable up to " + plain_text(inspection.proved->lambda_low(), 10) + ", unstable from " +
-                                   plain_text(inspection.proved->lambda_high(), 10));
+        text += line("proved", "stable up to " + plain_text(rounded_down(inspection.proved->lambda_low(), 10), 10) + ", unstable from " +
+                                   plain_text(rounded_up(inspection.proved->lambda_high(), 10), 10));
     }
     return text + consequences(inspection.facts);
 }

@@ -87,8 +87,7 @@ ExitCode summary(const report::Document& document) {
         if (section.status == report::Status::failed) failures.push_back(section.id + " failed: " + section.failure);
         for (const report::Check& check : section.checks) {
             if (check.passed) continue;
-            checks.push_back(section.id + ": check failed: " + check.name + ": expected " + plain_text(check.expected) + ", measured " +
-                             plain_text(check.measured) + ", tolerance " + plain_text(check.tolerance) +
+            checks.push_back(section.id + ": check failed: " + check.name + ": " + words_of(check) +
                              (check.note.empty() ? "" : " (" + check.note + ")"));
         }
         for (const std::string& warning : section.warnings) warnings.insert("warning: " + warning);

@@ -22,16 +22,9 @@ struct Options {
     bool quick = false;
 };
 
-/// "ok      name: measured 1.99, expected 2 ± 0.15".
+/// "ok      name: measured 1.99, expected 2, tolerance 0.15".
 std::string told(const report::Check& check) {
-    using Kind = report::Check::Kind;
-    const std::string limit = plain_text(check.expected, 5);
-    const std::string expected = check.kind == Kind::at_most    ? "at most " + limit
-                                 : check.kind == Kind::at_least ? "at least " + limit
-                                                                : "expected " + limit;
-    const std::string tolerance = check.tolerance > 0 ? ", tolerance " + plain_text(check.tolerance, 3) : "";
-    return std::string(check.passed ? "ok      " : "FAILED  ") + check.name + ": " + plain_text(check.measured, 5) + " (" + expected +
-           tolerance + ")\n";
+    return std::string(check.passed ? "ok      " : "FAILED  ") + check.name + ": " + words_of(check) + "\n";
 }
 
 /// The sections as a report of their own, and everything measured on curvature as tables/truth_all.csv.

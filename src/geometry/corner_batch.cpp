@@ -87,9 +87,16 @@ void FindAreaShares(CornerBatch& b) {
     }
 }
 
+/// The angles of a triangle add up to π whatever its shape, or Gauss–Bonnet would not hold: at both ends of a side without length they are
+/// right, and where all three points are one they are alike.
 void FindAngles(CornerBatch& b) {
+    constexpr double tan_third = 1.7320508075688772;   // tan π/3
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
-        store(angle_of(numbers_at(b.cross.data() + i), numbers_at(b.dot_here.data() + i)), b.angle.data() + i);
+        const Number cross = numbers_at(b.cross.data() + i), dot_here = numbers_at(b.dot_here.data() + i);
+        const Truth no_angle = larger(cross, larger(dot_here, -dot_here)) <= 0;
+        const Truth one_point = no_angle & (numbers_at(b.squared_here.data() + i) <= 0);
+        const Number sine = either(no_angle, either(one_point, tan_third, 1), cross), cosine = either(one_point, 1, dot_here);
+        store(angle_of(sine, cosine), b.angle.data() + i);
     }
 }
 

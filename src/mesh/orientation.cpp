@@ -15,8 +15,10 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+constexpr int nobody = -1, several = -2;   // in place of the one neighbour across an edge
+
 struct Neighbour {
-    int face = -1;           // −1: the edge has one triangle, or more than two
+    int face = nobody;
     bool same_way = false;   // both run through the edge the same way: they disagree
 };
 using FaceNeighbours = std::vector<std::array<Neighbour, 3>>;   // [t][k]: across the edge from corner k to corner k + 1
@@ -37,6 +39,7 @@ void join_pairs(const std::vector<Side>& sides, FaceNeighbours& neighbours) {
             neighbours[at(s.face)][at(s.k)] = {u.face, s.forwards == u.forwards};
             neighbours[at(u.face)][at(u.k)] = {s.face, s.forwards == u.forwards};
         }
+        for (std::size_t j = i; end > i + 2 && j < end; ++j) neighbours[at(sides[j].face)][at(sides[j].k)].face = several;
         i = end;
     }
 }
@@ -69,17 +72,38 @@ struct Piece {
     bool orientable = true;
 };
 
-Piece walk_from(int start, const FaceNeighbours& neighbours, std::vector<char>& seen, std::vector<char>& flip) {
+/// A side of a piece at an edge of several triangles, and which way the piece, as it is oriented, runs through it.
+struct LooseSide {
+    int smaller, larger, direction;   // +1 or −1
+};
+
+/// Does a piece run through each of these edges as often one way as the other? Then it is closed there without its neighbours, as
+/// each of two boxes is that share an edge.
+bool cancel(std::vector<LooseSide>& sides) {
+    const auto edge_of = [](const LooseSide& s) { return std::pair(s.smaller, s.larger); };
+    std::sort(sides.begin(), sides.end(), [&](const LooseSide& s, const LooseSide& u) { return edge_of(s) < edge_of(u); });
+    for (std::size_t i = 0; i < sides.size();) {
+        int sum = 0;
+        const auto edge = edge_of(sides[i]);
+        for (; i < sides.size() && edge_of(sides[i]) == edge; ++i) sum += sides[i].direction;
+        if (sum != 0) return false;
+    }
+    return true;
+}
+
+Piece walk_from(const TriangleMesh& mesh, int start, const FaceNeighbours& neighbours, std::vector<char>& seen, std::vector<char>& flip) {
     Piece piece;
+    std::vector<LooseSide> loose;
     piece.faces.push_back(start);
     seen[at(start)] = 1;
     for (std::size_t i = 0; i < piece.faces.size(); ++i) {
         const int t = piece.faces[i];
-        for (const Neighbour& n : neighbours[at(t)]) {
-            if (n.face < 0) {
-                piece.closed = false;
-                continue;
-            }
+        for (int k = 0; k < 3; ++k) {
+            const Neighbour& n = neighbours[at(t)][at(k)];
+            const int from = mesh.F(t, k), to = mesh.F(t, (k + 1) % 3);
+            if (n.face == several) loose.push_back({std::min(from, to), std::max(from, to), (from < to) == (flip[at(t)] == 0) ? 1 : -1});
+            if (n.face == nobody) piece.closed = false;
+            if (n.face < 0) continue;
             const char turned = static_cast<char>(flip[at(t)] ^ static_cast<char>(n.same_way));
             if (seen[at(n.face)] == 0) {
                 seen[at(n.face)] = 1;
@@ -90,6 +114,7 @@ Piece walk_from(int start, const FaceNeighbours& neighbours, std::vector<char>& 
             }
         }
     }
+    piece.closed = piece.closed && cancel(loose);
     return piece;
 }
 
@@ -183,7 +208,7 @@ Orientation consistent_orientation(const TriangleMesh& mesh) {
     std::vector<char> seen(at(mesh.face_count()), 0);
     for (int t = 0; t < mesh.face_count(); ++t) {
         if (seen[at(t)] != 0) continue;
-        Piece piece = walk_from(t, neighbours, seen, result.flip);
+        Piece piece = walk_from(mesh, t, neighbours, seen, result.flip);
         orient(mesh, piece, result);
     }
     return result;

@@ -19,8 +19,8 @@ struct Orientation {
     int first_unorientable = -1;
 };
 
-/// Pieces are joined through edges of exactly two triangles. Within a piece all agree with the majority; where it has no
-/// boundary, normals point out of the volume it encloses. Every triangle must name three different vertices.
+/// Pieces are joined through edges of exactly two triangles. Within a piece all agree with the majority; where it is closed, be it at edges
+/// it shares with other pieces, normals point out of the volume it encloses. Every triangle must name three different vertices.
 Orientation consistent_orientation(const TriangleMesh& mesh);
 /// The same where the topology is known, which takes a fraction of the time when it is that of an oriented manifold.
 Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology);

@@ -124,8 +124,8 @@ report::Text trial_words(const std::vector<IndicatorTrial>& trials) {
     if (large > 0) {
         report::extend(t, "On the ", counted(large, "mesh", "meshes"),
                        " with known truth where the cotangent formula errs by 5 % or more, its ", "distance from the jet is ",
-                       readable(low, 3), " to ", readable(high, 3), " of its true error, and at least ", readable_percent(found, 2),
-                       " of the worst vertices are found. ");
+                       readable(low, 3), " to ", readable(high, 3), " of its true error, and at least ",
+                       readable_percent(std::floor(100 * found) / 100, 2), " of the worst vertices are found. ");
     }
     report::extend(t, "Where both are good the indicator says only that: on the ", smallest->mesh, " it shows ",
                    readable_percent(smallest->indicated, 2), " for an error of ", readable_percent(smallest->actual, 2), " (",

@@ -42,6 +42,8 @@ struct Column {
     std::string unit = {};                                           // "1/length"; empty: none
     int digits = 3;                                                  // significant digits for people; files get all
     enum class Best { none, smallest, largest } best = Best::none;   // which value is marked
+    /// How people's digits are rounded: bounds outwards. Files get all digits anyway.
+    enum class Rounding { nearest, down, up } rounding = Rounding::nearest;
     /// A heat map: cells are shaded on a logarithmic scale, not at all up to `low`, fully from `high` on.
     struct Heat {
         double low, high;
@@ -105,6 +107,8 @@ struct Check {
     Kind kind = Kind::near;
     std::string note = {};   // why a failure is expected, or what is compared
 };
+/// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1".
+std::string words_of(const Check& check);
 Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
 Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
 Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");

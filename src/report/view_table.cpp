@@ -63,6 +63,18 @@ Notation notation_of(const Table& table, std::size_t column) {
     return whole ? Notation::whole : power ? Notation::scientific : Notation::plain;
 }
 
+double rounded(double x, const Column& column) {
+    switch (column.rounding) {
+        case Column::Rounding::down:
+            return rounded_down(x, column.digits);
+        case Column::Rounding::up:
+            return rounded_up(x, column.digits);
+        case Column::Rounding::nearest:
+            break;
+    }
+    return x;
+}
+
 std::string number_text(double x, Notation notation, int digits) {
     const bool near_one = std::abs(x) >= 0.01 && std::abs(x) < 1000;
     if (notation == Notation::scientific && !near_one) return scientific(x, digits);
@@ -75,7 +87,7 @@ std::vector<std::string> number_texts(const Table& table, std::size_t column) {
     std::vector<std::string> texts;
     for (const auto& row : table.rows) {
         const double* x = number_in(row, column);
-        texts.push_back(x ? number_text(*x, notation, table.columns[column].digits) : "–");
+        texts.push_back(x ? number_text(rounded(*x, table.columns[column]), notation, table.columns[column].digits) : "–");
     }
     return texts;
 }

@@ -7,6 +7,23 @@
 
 using namespace meshfolio;
 
+TEST(NumberText, BoundsAreRoundedOutwards) {
+    EXPECT_EQ(rounded_down(1.2345, 3), 1.23);
+    EXPECT_EQ(rounded_up(1.2345, 3), 1.24);
+    EXPECT_EQ(rounded_down(1.9999, 3), 1.99);
+    EXPECT_EQ(rounded_up(9.999e-7, 2), 1e-6);
+    EXPECT_EQ(rounded_down(-1.234, 3), -1.24);
+    EXPECT_EQ(rounded_down(0.5, 3), 0.5);
+    EXPECT_EQ(rounded_up(0, 3), 0);
+    for (double x = 1e-9; x < 1e9; x *= 1.37) {
+        for (const int digits : {1, 4, 10}) {
+            EXPECT_LE(rounded_down(x, digits), x);
+            EXPECT_GE(rounded_up(x, digits), x);
+            EXPECT_LE(rounded_up(x, digits) - rounded_down(x, digits), 10.0000001 * x * std::pow(10.0, 1 - digits));
+        }
+    }
+}
+
 TEST(NumberText, ExactTextReadsBackAsTheSameNumber) {
     for (const double x : {0.1, 1.0 / 3, 6.02e23, -5e-324, 1e308, 123456789.0}) EXPECT_EQ(parse_number(exact_text(x)), x);
     EXPECT_EQ(exact_text(std::nan("")), "");

@@ -227,6 +227,17 @@ TEST(Curvature, GaussBonnet) {
     expect_gauss_bonnet(scaled(irregular_sphere(2), 1e-30), "tiny sphere");
 }
 
+// Neighbours at one point leave triangles with sides of no length, or with none at all.
+TEST(Curvature, GaussBonnetWhereVerticesCoincide) {
+    TriangleMesh mesh = irregular_sphere(2);
+    mesh.X.row(mesh.F(7, 1)) = mesh.X.row(mesh.F(7, 0));
+    expect_gauss_bonnet(mesh, "two at one point");
+    mesh.X.row(mesh.F(7, 2)) = mesh.X.row(mesh.F(7, 0));
+    expect_gauss_bonnet(mesh, "a triangle at one point");
+    mesh.X.row(mesh.F(20, 0)) = 0.5 * (mesh.X.row(mesh.F(20, 1)) + mesh.X.row(mesh.F(20, 2)));
+    expect_gauss_bonnet(mesh, "a triangle on a line");
+}
+
 TEST(Curvature, AngleDeficitOfCubeAndSquare) {
     const TriangleMesh cube = cube_mesh(1);
     for (const double deficit : angle_deficit(cube, topology_of(cube))) EXPECT_NEAR(deficit, pi / 2, 1e-14);

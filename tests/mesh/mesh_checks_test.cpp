@@ -122,6 +122,36 @@ TEST(MeshChecks, ClosedPiecesAreTurnedOutwardsEachOnItsOwn) {
     EXPECT_EQ(warnings_of(result), "113: 1 closed component was inside out (negative volume), reoriented\n");
 }
 
+// The second box lies across the first one's edge, so that the edge has four triangles; it is closed all the same.
+TEST(MeshChecks, ClosedPiecesThatShareAnEdgeAreTurnedOutwardsEachOnItsOwn) {
+    TriangleMesh beside = unit_cube();
+    for (int t = 0; t < beside.face_count(); ++t) flip(beside, t);
+    beside.X = moved(beside.X, {1, 1, 0}, 1);
+    TriangleMesh both = joined(unit_cube(), beside);
+    for (int corner = 0; corner < both.F.size(); ++corner) {   // the second box takes the first one's vertices where they meet
+        int& v = both.F.data()[corner];
+        for (int u = 0; u < v; ++u) {
+            if (both.X.row(u) == both.X.row(v)) v = u;
+        }
+    }
+    const PreparedMesh result = prepared(both);
+    EXPECT_EQ(result.preflight.nonmanifold_edges, 1);
+    EXPECT_EQ(result.preflight.inside_out_components, 1);
+    EXPECT_NEAR(result.preflight.volume, 2, 1e-14);
+}
+
+// Three pages of a book share a spine; none of them encloses anything, whichever way it is turned.
+TEST(MeshChecks, PagesOfABookAreNotTurned) {
+    TriangleMesh book;
+    book.X.resize(5, 3);
+    book.X << 0, 0, 0, 0, 0, 1, 1, 0, 0, -1, 1, 0, -1, -1, 0;
+    book.F.resize(3, 3);
+    book.F << 0, 1, 2, 0, 1, 3, 1, 0, 4;
+    const PreparedMesh result = prepared(book);
+    EXPECT_EQ(result.preflight.inside_out_components, 0);
+    EXPECT_EQ(result.mesh.F, book.F);
+}
+
 TEST(MeshChecks, OrientationHoldsFarFromTheOriginAndAtAnyScale) {
     TriangleMesh mesh = unit_cube();
     for (int t = 0; t < mesh.face_count(); ++t) flip(mesh, t);
