@@ -8,6 +8,12 @@
 
 namespace meshfolio {
 
+/// Seconds of one thread spent on each part.
+struct SpectrumTimes {
+    double factor = 0, solve = 0, orthogonalise = 0, rayleigh_ritz = 0;
+    SpectrumTimes& operator+=(const SpectrumTimes& other);
+};
+
 struct SpectrumOptions {
     double tolerance = 1e-9;                     // relative residual asked of each pair
     int dense_below = 700;                       // vertices in use at or below which all of LAPACK-style dense solving is used
@@ -23,6 +29,9 @@ struct Spectrum {
     /// lie below that σ: equal when none was missed. −1, −1 when not computed.
     int inertia_count = -1, found_below = -1;
     double inertia_shift = 0;   // that σ [1/length²]
+
+    int slices = 0, repairs = 0;   // of the spectrum; how often something missed was looked for again
+    SpectrumTimes times;
 };
 
 /// k is cut to the number of vertices with mass. Dense when the mesh is small or k is more than a third of n; Spectra's
