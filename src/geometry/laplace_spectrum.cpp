@@ -9,7 +9,7 @@
 #include "errors.h"
 #include "geometry/zero_modes.h"
 #include "geometry/inertia.h"
-#include "geometry/spectrum_slices.h"
+#include "geometry/spectrum_memory.h"
 
 namespace meshfolio {
 
@@ -67,7 +67,7 @@ Vector with_zeros(int zeros, const Vector& mu) {
 }
 
 /// The first k pairs of zero modes and others together.
-SymmetricPairs first_pairs(const ZeroModes& zero_modes, const SymmetricPairs& others, int k) {
+SymmetricPairs first_pairs(const ZeroModes& zero_modes, SymmetricPairs others, int k) {
     const int zeros = std::min(zero_modes.count(), k);
     SymmetricPairs first{with_zeros(zeros, others.mu.head(k - zeros)), DenseMatrix(others.Y.rows(), k)};
     first.Y << zero_modes.first(zeros), others.Y.leftCols(k - zeros);
@@ -98,9 +98,14 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
 }
 
 Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
-    SpectrumProblem problem(A, M);
+    const SpectrumProblem problem(A, M);
     const int others = std::max(0, k - problem.zeros.count());
-    const SliceOptions slice_options{.tolerance = options.tolerance, .progress = options.progress};
+    SliceOptions slice_options{.tolerance = options.tolerance,
+                                     .pairs_per_slice = options.pairs_per_slice,
+                                     .one_slice_up_to = options.one_slice_up_to,
+                                     .threads = options.threads,
+                                     .progress = options.progress};
+    slice_options.threads = slices_that_fit(problem, k, slice_options, options.memory_limit);
     SlicedPairs found = find_by_slices(problem, others, slice_options);
     const InertiaProof last = found.proofs.back();
     Modes modes;
@@ -126,17 +131,19 @@ Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const Spec
     const double total = whole.M.sum();
     const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
     k = std::min(k, whole.size());
-    const Modes modes = modes_of(whole.A, M, k, options);
+    Modes modes = modes_of(whole.A, M, k, options);
 
     const Vector root = M.cwiseSqrt();
     Spectrum spectrum;
     spectrum.residuals = relative_residuals(symmetric_form(whole.A, M), root, modes.pairs);
     spectrum.eigenvalues = modes.pairs.mu / total;
-    DenseMatrix Phi = (root * std::sqrt(total)).cwiseInverse().asDiagonal() * modes.pairs.Y;
-    for (int j = 0; j < k; ++j) {
+    DenseMatrix Phi = std::move(modes.pairs.Y);   // n × k may be most of the memory: scaled where it is
+    const Vector scale = (root * std::sqrt(total)).cwiseInverse();
+    tbb::parallel_for(0, k, [&](int j) {
+        Phi.col(j).array() *= scale.array();
         if (Phi(first_largest(Phi.col(j)), j) < 0) Phi.col(j) *= -1;
-    }
-    spectrum.eigenvectors = to_all_vertices(whole, Phi);
+    });
+    spectrum.eigenvectors = whole.size() == whole.all_vertices ? std::move(Phi) : to_all_vertices(whole, Phi);
     spectrum.dense = modes.dense;
     spectrum.inertia_count = modes.inertia.counted;
     spectrum.found_below = modes.inertia.found;

@@ -17,7 +17,11 @@ struct SpectrumTimes {
 struct SpectrumOptions {
     double tolerance = 1e-9;                     // relative residual asked of each pair
     int dense_below = 700;                       // vertices in use at or below which all of LAPACK-style dense solving is used
-    std::function<void(double)> progress = {};   // fraction done, in [0, 1]
+    int one_slice_up_to = 60;                    // pairs besides the zero modes; more are found slice by slice
+    int pairs_per_slice = 80;
+    int threads = 0;                             // slices at a time at most; 0: one a processor. The result is the same
+    double memory_limit = 0;                     // bytes that may be taken; 0: as much as the machine has left
+    std::function<void(double)> progress = {};   // fraction done, in [0, 1]; called from any thread, one at a time; may throw to stop
 };
 
 struct Spectrum {

@@ -19,6 +19,7 @@ struct LdltPanels {
     std::vector<std::size_t> value_start;  // in `values`: w × w of the panel itself, then w of each row
     std::vector<double> values;
     Vector pivots;                         // D
+    double growth = 1;                     // largest |pivot| over the diagonal entry it came from: what rounding is enlarged by
     std::vector<int> order;                // row order[i] of the matrix is eliminated as the i-th
 
     int panels() const { return static_cast<int>(first.size()) - 1; }

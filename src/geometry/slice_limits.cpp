@@ -34,12 +34,13 @@ void insert(std::vector<InertiaProof>& counts, const InertiaProof& proof) {
     counts.insert(place, proof);
 }
 
-/// The median of the diagonal, because needles raise its mean.
-double ordinary_eigenvalue(const SparseMatrix& B) {
+/// −10⁻⁶ of an ordinary eigenvalue: small against those sought, large enough for pivots that are surely positive. The median of the
+/// diagonal, because needles raise its mean.
+double sigma_below_zero(const SparseMatrix& B) {
     Vector diagonal = B.diagonal();
     double* const middle = diagonal.data() + diagonal.size() / 2;
     std::nth_element(diagonal.data(), middle, diagonal.data() + diagonal.size());
-    return *middle;
+    return *middle > 0 ? -1e-6 * *middle : -1e-6;
 }
 
 }   // namespace
@@ -88,7 +89,10 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
     int slices = std::max(2, (pairs + options.pairs_per_slice - 1) / options.pairs_per_slice);
     slices += slices % 2;   // for two processors
     std::vector<double> limit{0};
-    for (int i = 1; i < slices; ++i) limit.push_back(std::max(limit.back(), sigma_at(counts, zeros + double(pairs) * i / slices)));
+    const double first = 0.5;   // of a slice: the first shift lies at its lower end
+    for (int i = 1; i < slices; ++i) {
+        limit.push_back(std::max(limit.back(), sigma_at(counts, zeros + pairs * (i - first) / (slices - first))));
+    }
     limit.push_back(counts.back().sigma);
     std::vector<SliceGoal> goals;
     for (std::size_t i = 0; i + 1 < limit.size(); ++i) {
@@ -96,7 +100,8 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
         goal.low = limit[i];
         goal.high = limit[i + 1];
         if (!(goal.high > goal.low)) continue;   // many eigenvalues at one place
-        goal.sigma = 0.5 * (goal.low + goal.high);
+        // Distances from σ are what is accurate, so the smallest eigenvalues need a σ near zero.
+        goal.sigma = goal.low > 0 ? 0.5 * (goal.low + goal.high) : sigma_below_zero(problem.B);
         goal.largest_basis = std::min(problem.size() / 2, std::max(160, 8 * options.pairs_per_slice));
         goal.tolerance = options.tolerance;
         goal.seed = i;
@@ -108,8 +113,7 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
 
 SliceGoal one_goal(const SpectrumProblem& problem, int k, const SliceOptions& options) {
     SliceGoal goal;
-    const double ordinary = ordinary_eigenvalue(problem.B);
-    goal.sigma = ordinary > 0 ? -1e-6 * ordinary : -1e-6;
+    goal.sigma = sigma_below_zero(problem.B);
     goal.at_least = k;
     goal.tolerance = options.tolerance;
     goal.largest_basis = std::min(problem.size() / 2, 200 + 12 * k);

@@ -15,8 +15,7 @@ std::vector<InertiaProof> bracket_from_above(const SpectrumProblem& problem, int
 /// Equal numbers of eigenvalues, as far as the counts tell; a shift in the middle of each slice.
 std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::vector<InertiaProof>& counts, const SliceOptions& options);
 
-/// One slice for the k smallest besides the zero modes. σ = −10⁻⁶ of an ordinary eigenvalue: small against those sought, large
-/// enough for pivots that are surely positive.
+/// One slice for the k smallest besides the zero modes, with σ slightly below 0.
 SliceGoal one_goal(const SpectrumProblem& problem, int k, const SliceOptions& options);
 
 /// Larger than every eigenvalue (Gershgorin).

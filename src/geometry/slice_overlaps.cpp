@@ -53,15 +53,18 @@ double make_orthonormal(std::vector<EightColumns>& X, int k) {
             std::copy_n(group.row(first), width * rows, old.back().data());
         }
         for (int g = 0; g < groups; ++g) {
-            for (int i = 0; i < groups; ++i) {
-                const Small& block = i <= g ? E[static_cast<std::size_t>(g)][static_cast<std::size_t>(i)]
-                                            : E[static_cast<std::size_t>(i)][static_cast<std::size_t>(g)];
-                if (block.cwiseAbs().maxCoeff() <= negligible) continue;
-                alignas(64) double half[64];
-                const Small part = 0.5 * (i <= g ? block : Small(block.transpose()));
-                std::copy_n(part.data(), 64, half);
+            for (int i = 0; i <= g; ++i) {
+                const Small& overlap = E[static_cast<std::size_t>(g)][static_cast<std::size_t>(i)];
+                if (overlap.cwiseAbs().maxCoeff() <= negligible) continue;
+                alignas(64) double part[64];
+                Eigen::Map<Small> correction(part);
+                correction = overlap;
+                if (i == g) {
+                    correction.triangularView<Eigen::StrictlyLower>().setZero();
+                    correction.diagonal() *= 0.5;
+                }
                 const double* const source = old[static_cast<std::size_t>(i)].data();
-                subtract_combination({&source, 1}, half, 0, rows, X[static_cast<std::size_t>(g)].row(first));
+                subtract_combination({&source, 1}, part, 0, rows, X[static_cast<std::size_t>(g)].row(first));
             }
         }
     });

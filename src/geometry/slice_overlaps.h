@@ -8,7 +8,8 @@
 
 namespace meshfolio {
 
-/// Makes the first k columns of the groups orthonormal: X (I − E/2), E = XᵀX − I, which for a small E is the nearest such basis.
+/// Makes the first k columns of the groups orthonormal, one after the other, E = XᵀX − I being so small that its square does not count.
+/// The later one of two gives way: its eigenvalue is the larger, and so is what its residual may be.
 /// @return ‖E‖ before, largest entry
 double make_orthonormal(std::vector<EightColumns>& X, int k);
 

@@ -40,6 +40,26 @@ auto with_nudges(double& sigma, const Try& attempt) {
     throw SolverError("no shift");   // not reached
 }
 
+/// LDLᵀ is not pivoted: where σ makes some leading part nearly singular, pivots and rounding grow. Then σ is moved within its slice.
+LdltPanels factor_within(const LdltAnalysis& analysis, const SliceGoal& goal, double& sigma) {
+    constexpr double harmless_growth = 1e4, moves[] = {0, 0.02, -0.02, 0.05, -0.05};
+    double least_growth = infinity, best = goal.sigma;
+    for (const double move : moves) {
+        sigma = goal.sigma + move * (goal.high - goal.low);
+        try {
+            LdltPanels factor = analysis.factor(sigma);
+            if (factor.growth <= harmless_growth) return factor;
+            if (factor.growth < least_growth) {
+                least_growth = factor.growth;
+                best = sigma;
+            }
+        } catch (const SolverError&) {   // a pivot lost in rounding
+        }
+    }
+    sigma = best;
+    return with_nudges(sigma, [&](double s) { return analysis.factor(s); });
+}
+
 /// Farther below where needles or specks make rounding larger.
 LdltPanels factor_below_zero(const LdltAnalysis& analysis, double& sigma) {
     constexpr int most_attempts = 5;
@@ -114,7 +134,7 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     slice.goal = goal;
     const double start = seconds();
     const LdltPanels factor = goal.sigma < 0 ? factor_below_zero(problem.analysis, slice.goal.sigma)
-                                             : with_nudges(slice.goal.sigma, [&](double s) { return problem.analysis.factor(s); });
+                                             : factor_within(problem.analysis, goal, slice.goal.sigma);
     slice.counted = factor.negative_pivots();
     slice.times.factor = seconds() - start;
     if (goal.low <= 0 && locked.empty()) slice.goal.below_sigma = slice.counted - (goal.sigma > 0 ? problem.zeros.count() : 0);

@@ -111,6 +111,15 @@ public:
         }
     }
 
+    /// One slice alone; false if its basis did not suffice.
+    bool solve_alone(const SliceGoal& goal) {
+        Slice slice = std::move(solve_round({goal}, {}).front());
+        times_ += slice.times;
+        note_proof(slice.goal.sigma, slice.counted);
+        if (slice.complete) slices_.push_back(std::move(slice));
+        return !slices_.empty();
+    }
+
     void note_proof(double sigma, int counted) { proofs_.push_back({sigma, counted, 0}); }
     double highest_cut() const { return slices_.back().cut; }
 
@@ -145,9 +154,8 @@ private:
 
     static void append_halves(const Slice& slice, std::vector<SliceGoal>& goals) {
         SliceGoal lower = slice.goal, upper = slice.goal;
-        const double low = std::max(0.0, slice.goal.low);
-        lower.high = upper.low = slice.goal.sigma;
-        lower.sigma = 0.5 * (low + lower.high);
+        lower.high = upper.low = slice.goal.sigma > 0 ? slice.goal.sigma : 0.4 * slice.goal.high;
+        if (slice.goal.low > 0) lower.sigma = 0.5 * (lower.low + lower.high);
         upper.sigma = 0.5 * (upper.low + upper.high);
         lower.above_sigma = lower.below_sigma = upper.below_sigma = -1;
         lower.parallel = upper.parallel = false;
@@ -231,8 +239,8 @@ SlicedPairs SliceSet::pairs(int k) {
     if (static_cast<int>(all.size()) < k) throw SolverError(what_is_missing());
 
     SlicedPairs result;
+    result.slices = static_cast<int>(slices_.size());
     result.mu.resize(k);
-    result.Y.resize(problem_.size(), k);
     std::vector<EightColumns> packed;
     const int groups = (k + width - 1) / width;
     for (int g = 0; g < groups; ++g) {
@@ -244,17 +252,19 @@ SlicedPairs SliceSet::pairs(int k) {
             for (Eigen::Index i = 0; i < X.rows(); ++i) X.row(i)[c] = used ? all[j].group->row(i)[all[j].lane] : 0;
         }
     }
+    slices_.clear();
+    extra_.clear();
     make_orthonormal(packed, k);
+    result.Y.resize(problem_.size(), k);
     const std::vector<int>& order = problem_.analysis.order();
     tbb::parallel_for(0, groups, [&](int g) {
-        const EightColumns& X = packed[static_cast<std::size_t>(g)];
+        const EightColumns X = std::move(packed[static_cast<std::size_t>(g)]);
         for (int c = 0; c < std::min(width, k - width * g); ++c) {
             for (Eigen::Index i = 0; i < X.rows(); ++i) result.Y(order[static_cast<std::size_t>(i)], width * g + c) = X.row(i)[c];
         }
     });
     result.proofs = proofs_;
     result.times = times_;
-    result.slices = static_cast<int>(slices_.size());
     result.repairs = repairs_;
     return result;
 }
@@ -264,8 +274,7 @@ SlicedPairs SliceSet::pairs(int k) {
 SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOptions& options) {
     SliceSet set(problem, options);
     const int zeros = problem.zeros.count();
-    if (k <= options.one_slice_up_to) {
-        set.solve({one_goal(problem, k, options)});
+    if (k <= options.one_slice_up_to && set.solve_alone(one_goal(problem, k, options))) {
         double above = std::isfinite(set.highest_cut()) ? set.highest_cut() : above_all(problem.B);
         set.note_proof(above, count_near(problem.analysis, above));
     } else {
