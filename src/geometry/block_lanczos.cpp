@@ -152,13 +152,33 @@ Small BlockLanczos::normalise(EightColumns& W) {
     return R;
 }
 
+void BlockLanczos::invert(EightColumns& W) const {
+    using Eight = Eigen::Map<Eigen::Array<double, width, 1>>;
+    if (setting_.refine_with == nullptr) {
+        solve_in_place(factor_, W.data());
+        zeros_.project_out(W);
+        return;
+    }
+    EightColumns rest(n_);   // W − (B − σI)X, then what is added to X
+    std::copy_n(W.data(), width * n_, rest.data());
+    solve_in_place(factor_, W.data());
+    const SparseMatrix& B = *setting_.refine_with;
+    tbb::parallel_for(Eigen::Index{0}, n_, [&](Eigen::Index i) {
+        Eight r(rest.row(i));
+        r += setting_.sigma * Eight(W.row(i));
+        for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) r -= entry.value() * Eight(W.row(entry.row()));
+    });
+    solve_in_place(factor_, rest.data());
+    for (Eigen::Index i = 0; i < n_; ++i) Eight(W.row(i)) += Eight(rest.row(i));
+    zeros_.project_out(W);
+}
+
 void BlockLanczos::advance() {
     const double start = seconds();
     const std::size_t j = V_.size() - 1;
     EightColumns W(n_);
     std::memcpy(W.data(), V_[j].data(), sizeof(double) * width * static_cast<std::size_t>(n_));
-    solve_in_place(factor_, W.data());
-    zeros_.project_out(W);
+    invert(W);
     const double solved = seconds();
     times.solve += solved - start;
 

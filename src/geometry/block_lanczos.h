@@ -28,6 +28,7 @@ public:
     struct Setting {
         double sigma = 0;
         std::uint64_t seed = 0;
+        const SparseMatrix* refine_with = nullptr;   // B in the order of elimination: every solve is refined once with its residual
         bool parallel = false;   // the rows of one block shared out among threads; the numbers are the same
     };
 
@@ -46,6 +47,7 @@ public:
 
 private:
     using Small = EightColumns::Small;
+    void invert(EightColumns& W) const;                                  // W := (B − σI)⁻¹ W, away from the zero modes
     void orthogonalise(EightColumns& W, std::vector<double>& G) const;   // against all; G: what was subtracted
     Small normalise(EightColumns& W);                                    // W = V R; returns R
     void fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost);

@@ -100,7 +100,8 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
 Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
     const SpectrumProblem problem(A, M);
     const int others = std::max(0, k - problem.zeros.count());
-    SliceOptions slice_options{.tolerance = options.tolerance,
+    SliceOptions slice_options{.tolerance = options.polish ? std::min(options.tolerance, 1e-12) : options.tolerance,
+                               .polish = options.polish,
                                      .pairs_per_slice = options.pairs_per_slice,
                                      .one_slice_up_to = options.one_slice_up_to,
                                      .threads = options.threads,

@@ -16,6 +16,7 @@ struct SpectrumTimes {
 
 struct SpectrumOptions {
     double tolerance = 1e-9;                     // relative residual asked of each pair
+    bool polish = false;                         // residuals down to 1e-11 where rounding lets them: more steps, refined solves
     int dense_below = 700;                       // vertices in use at or below which all of LAPACK-style dense solving is used
     int one_slice_up_to = 60;                    // pairs besides the zero modes; more are found slice by slice
     int pairs_per_slice = 80;

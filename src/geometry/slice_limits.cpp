@@ -104,6 +104,7 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
         goal.sigma = goal.low > 0 ? 0.5 * (goal.low + goal.high) : sigma_below_zero(problem.B);
         goal.largest_basis = std::min(problem.size() / 2, std::max(160, 8 * options.pairs_per_slice));
         goal.tolerance = options.tolerance;
+        goal.polish = options.polish;
         goal.seed = i;
         goals.push_back(goal);
     }
@@ -116,6 +117,7 @@ SliceGoal one_goal(const SpectrumProblem& problem, int k, const SliceOptions& op
     goal.sigma = sigma_below_zero(problem.B);
     goal.at_least = k;
     goal.tolerance = options.tolerance;
+    goal.polish = options.polish;
     goal.largest_basis = std::min(problem.size() / 2, 200 + 12 * k);
     goal.parallel = true;
     return goal;

@@ -33,6 +33,7 @@ std::vector<Small> overlaps(const std::vector<EightColumns>& X, int g, int k) {
 }   // namespace
 
 double make_orthonormal(std::vector<EightColumns>& X, int k) {
+    if (X.empty()) return 0;
     const int groups = static_cast<int>(X.size());
     std::vector<std::vector<Small>> E(X.size());
     tbb::parallel_for(0, groups, [&](int i) {

@@ -123,6 +123,14 @@ std::optional<Run> finished_run(const RitzPairs& ritz, const SliceGoal& goal, in
 SpectrumProblem::SpectrumProblem(const SparseMatrix& A, const Vector& M)
     : B(with_whole_diagonal(symmetric_form(A, M))), zeros(A, M), analysis(B), zeros_in_order(zeros.reordered(analysis.order())) {}
 
+SparseMatrix SpectrumProblem::B_in_order() const {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to_row(size());
+    std::copy(analysis.order().begin(), analysis.order().end(), to_row.indices().data());
+    SparseMatrix permuted;
+    permuted = B.twistedBy(to_row.transpose());
+    return permuted;
+}
+
 int count_near(const LdltAnalysis& analysis, double& sigma) {
     return with_nudges(sigma, [&](double s) { return analysis.count_below(s); });
 }
@@ -139,7 +147,9 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     slice.times.factor = seconds() - start;
     if (goal.low <= 0 && locked.empty()) slice.goal.below_sigma = slice.counted - (goal.sigma > 0 ? problem.zeros.count() : 0);
 
-    BlockLanczos lanczos(factor, problem.zeros_in_order, locked, {slice.goal.sigma, goal.seed, goal.parallel});
+    const SparseMatrix B = goal.polish ? problem.B_in_order() : SparseMatrix();
+    BlockLanczos lanczos(factor, problem.zeros_in_order, locked,
+                         {slice.goal.sigma, goal.seed, goal.polish ? &B : nullptr, goal.parallel});
     const int left = problem.size() - problem.zeros.count();
     int next_look = std::min(goal.largest_basis, 40 + 2 * goal.at_least);
     while (!slice.complete && lanczos.basis_size() + EightColumns::width <= goal.largest_basis) {

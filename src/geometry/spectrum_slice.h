@@ -19,6 +19,7 @@ struct SpectrumProblem {
     ZeroModes zeros;
     LdltAnalysis analysis;
     ZeroModes zeros_in_order;   // of elimination
+    SparseMatrix B_in_order() const;
     int size() const { return static_cast<int>(B.rows()); }
 };
 
@@ -35,6 +36,7 @@ struct SliceGoal {
     double tolerance = 0;       // relative residual
     std::uint64_t seed = 0;
     bool parallel = false;
+    bool polish = false;        // every solve refined
 };
 
 struct Slice {
