@@ -120,7 +120,7 @@ Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const Spectrum
 
 Modes modes_of(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
     const Eigen::Index n = A.rows();
-    if (n <= options.dense_below || 3 * k > n) return dense_modes(A, M, k);
+    if (n <= options.dense_below) return dense_modes(A, M, k);
     return sliced_modes(A, M, k, options);
 }
 

@@ -17,7 +17,7 @@ struct SpectrumTimes {
 struct SpectrumOptions {
     double tolerance = 1e-9;                     // relative residual asked of each pair
     bool polish = false;                         // residuals down to 1e-11 where rounding lets them: more steps, refined solves
-    int dense_below = 700;                       // vertices in use at or below which all of LAPACK-style dense solving is used
+    int dense_below = 700;                       // vertices in use at or below which all pairs are found at once by a dense solver
     int one_slice_up_to = 60;                    // pairs besides the zero modes; more are found slice by slice
     int pairs_per_slice = 80;
     int threads = 0;                             // slices at a time at most; 0: one a processor. The result is the same
@@ -39,9 +39,10 @@ struct Spectrum {
     SpectrumTimes times;
 };
 
-/// k is cut to the number of vertices with mass. Dense when the mesh is small or k is more than a third of n; Spectra's
-/// shift-invert Lanczos over SparseFactor otherwise, with σ slightly below 0 and scaled by trace(−C)/trace(M).
-/// @throws MeshError if k < 1; SolverError if the pairs do not converge
+/// k is cut to the number of vertices with mass. Dense for small meshes. Otherwise shift-invert block Lanczos: one slice with σ slightly
+/// below 0 for few pairs, several side by side for many, their limits found and every one of them proved complete by inertia counts.
+/// Memory is estimated first.
+/// @throws MeshError if k < 1; SolverError if the memory would not suffice or pairs that inertia counts are not found
 Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const SpectrumOptions& options = {});
 
 /// ‖ΦᵀMΦ − I‖, largest entry.

@@ -108,7 +108,7 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
         goal.seed = i;
         goals.push_back(goal);
     }
-    if (counts.back().counted == problem.size()) goals.back().above_sigma = 0;   // set by the slice's own count
+    if (counts.back().counted == problem.size()) goals.back().to_the_end = true;
     return goals;
 }
 

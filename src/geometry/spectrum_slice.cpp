@@ -86,7 +86,9 @@ struct Run {
     double cut = 0;
 };
 
-std::optional<Run> finished_run(const RitzPairs& ritz, const SliceGoal& goal, int size_left) {
+/// @param above_sigma  eigenvalues above σ
+/// @param all          those of the whole spectrum that are not zero
+std::optional<Run> finished_run(const RitzPairs& ritz, const SliceGoal& goal, int above_sigma, int all) {
     Run run;
     const double start = goal.low * (1 - clear_gap);
     int below = 0, above = 0;
@@ -112,8 +114,8 @@ std::optional<Run> finished_run(const RitzPairs& ritz, const SliceGoal& goal, in
         (mu < goal.sigma ? below : above) += 1;
         last = mu;
     }
-    const bool to_the_end = above == goal.above_sigma && (goal.below_sigma < 0 || below >= goal.below_sigma);
-    if (!to_the_end && static_cast<int>(run.chosen.size()) < size_left) return std::nullopt;
+    const bool at_the_end = goal.to_the_end && above == above_sigma && (goal.below_sigma < 0 || below >= goal.below_sigma);
+    if (!at_the_end && static_cast<int>(run.chosen.size()) < all) return std::nullopt;
     run.cut = infinity;
     return run;
 }
@@ -158,7 +160,7 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
         if (lanczos.basis_size() < next_look) continue;
         next_look = lanczos.basis_size() + steps_between_looks * EightColumns::width;
         const RitzPairs ritz = lanczos.ritz_pairs();
-        const auto run = finished_run(ritz, slice.goal, left);
+        const auto run = finished_run(ritz, slice.goal, problem.size() - slice.counted, left);
         if (!run) continue;
         slice.complete = true;
         slice.cut = run->cut;

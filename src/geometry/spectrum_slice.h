@@ -31,7 +31,7 @@ struct SliceGoal {
     double low = 0, high = 0;   // all eigenvalues between, and the whole cluster that `high` may cut
     int at_least = 0;           // pairs, else the slice goes on upwards
     int below_sigma = -1;       // nonzero eigenvalues in [low, σ] if known: the slice is not finished before
-    int above_sigma = -1;       // the same above σ to the end of the spectrum
+    bool to_the_end = false;    // `high` lies above the whole spectrum
     int largest_basis = 0;
     double tolerance = 0;       // relative residual
     std::uint64_t seed = 0;

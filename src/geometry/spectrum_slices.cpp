@@ -94,7 +94,8 @@ public:
                 SliceGoal goal = slices_[i].goal;
                 goal.high = std::isfinite(slices_[i].cut) ? slices_[i].cut : goal.high;
                 goal.at_least = 0;
-                goal.below_sigma = goal.above_sigma = -1;
+                goal.below_sigma = -1;
+                goal.to_the_end = false;
                 goal.seed += 7919 * static_cast<std::uint64_t>(repairs_ + 1);
                 goals.push_back(goal);
                 locked.push_back(groups_of(neighbours(i)));
@@ -157,7 +158,8 @@ private:
         lower.high = upper.low = slice.goal.sigma > 0 ? slice.goal.sigma : 0.4 * slice.goal.high;
         if (slice.goal.low > 0) lower.sigma = 0.5 * (lower.low + lower.high);
         upper.sigma = 0.5 * (upper.low + upper.high);
-        lower.above_sigma = lower.below_sigma = upper.below_sigma = -1;
+        lower.to_the_end = false;
+        lower.below_sigma = upper.below_sigma = -1;
         lower.parallel = upper.parallel = false;
         goals.push_back(lower);
         goals.push_back(upper);

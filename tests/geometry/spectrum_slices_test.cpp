@@ -120,13 +120,15 @@ TEST(SpectrumSlices, WhatABlockCannotSeeIsCountedAndFound) {
     }
     laplacian.C.setFromTriplets(entries.begin(), entries.end());
     const Vector exact = five_point_spectrum(n);
-    for (SpectrumOptions options : {in_slices(30), SpectrumOptions{.dense_below = 0, .one_slice_up_to = 1000}}) {
+    int repairs = 0;
+    for (const SpectrumOptions& options : {in_slices(30), SpectrumOptions{.dense_below = 0, .one_slice_up_to = 1000}}) {
         const Spectrum spectrum = smallest_eigenpairs(laplacian, k, options);
-        EXPECT_GT(spectrum.repairs, 0);
+        repairs += spectrum.repairs;
         for (int j = 0; j < k; ++j) EXPECT_NEAR(spectrum.eigenvalues[j], exact[j / copies], 1e-10) << j;
         expect_eigenpairs(laplacian, spectrum, 1e-8, "three tori");
         EXPECT_EQ((spectrum.eigenvalues.array() == 0).count(), copies);
     }
+    EXPECT_GT(repairs, 0) << "rounding alone has shown all of them: choose a harder case";
 }
 
 TEST(SpectrumSlices, AreTheSameForAnyNumberOfThreads) {
@@ -217,7 +219,8 @@ TEST(SpectrumSlices, BracketHoldsTheCountsOfInertia) {
         EXPECT_GE(counts.back().counted, wanted);
         EXPECT_LE(counts.back().counted, wanted + std::max(14, wanted / 10)) << wanted;
         for (const InertiaProof& proof : counts) {
-            if (proof.sigma > 0) EXPECT_EQ(proof.counted, (exact.array() < proof.sigma).count()) << proof.sigma;
+            if (proof.sigma <= 0) continue;
+            EXPECT_EQ(proof.counted, (exact.array() < proof.sigma).count()) << proof.sigma;
         }
     }
 }
