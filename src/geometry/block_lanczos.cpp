@@ -3,8 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Eigenvalues>
-#include <chrono>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -146,7 +146,8 @@ Small BlockLanczos::normalise(EightColumns& W) {
         W = std::move(V);
         R = (step * R).eval();
         if (pass == 0 && lost.any()) fill_up(W, lost);
-        if (pass == 0 && (lost.any() || length[0] < weak_below * std::max(scale_, length[7]))) orthogonalise(W, G);   // rounding has been enlarged
+        if (pass == 0 && (lost.any() || length[0] < weak_below * std::max(scale_, length[7])))
+            orthogonalise(W, G);   // rounding has been enlarged
         if (pass > 0 && (gram - Small::Identity()).cwiseAbs().maxCoeff() < 1e-8) break;
     }
     return R;

@@ -16,7 +16,7 @@ namespace meshfolio {
 
 /// Eigenpairs of the projected problem, μ ascending.
 struct RitzPairs {
-    Vector mu;         // σ + 1/θ
+    Vector mu;   // σ + 1/θ
     Vector theta;
     Vector residual;   // relative: ‖By − μy‖ / |μ| of the vector purified by one inverse iteration, which needs no solve
     DenseMatrix S;     // coordinates in the basis, a column a pair
@@ -29,7 +29,7 @@ public:
         double sigma = 0;
         std::uint64_t seed = 0;
         const SparseMatrix* refine_with = nullptr;   // B in the order of elimination: every solve is refined once with its residual
-        bool parallel = false;   // the rows of one block shared out among threads; the numbers are the same
+        bool parallel = false;                       // the rows of one block shared out among threads; the numbers are the same
     };
 
     /// @param factor  of B − σI

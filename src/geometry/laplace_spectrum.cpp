@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "errors.h"
-#include "geometry/zero_modes.h"
 #include "geometry/inertia.h"
 #include "geometry/spectrum_memory.h"
+#include "geometry/zero_modes.h"
 
 namespace meshfolio {
 
@@ -98,14 +98,17 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
 }
 
 Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
+    // Measured with k = 1500 on 3.5 k vertices: half the time, the dense projected problems being most of it there.
+    constexpr int small_mesh = 20'000, pairs_on_small_meshes = 40;
     const SpectrumProblem problem(A, M);
     const int others = std::max(0, k - problem.zeros.count());
-    SliceOptions slice_options{.tolerance = options.polish ? std::min(options.tolerance, 1e-12) : options.tolerance,
-                               .polish = options.polish,
-                                     .pairs_per_slice = options.pairs_per_slice,
-                                     .one_slice_up_to = options.one_slice_up_to,
-                                     .threads = options.threads,
-                                     .progress = options.progress};
+    SliceOptions slice_options{
+        .tolerance = options.polish ? std::min(options.tolerance, 1e-12) : options.tolerance,
+        .polish = options.polish,
+        .pairs_per_slice = A.rows() < small_mesh ? std::min(options.pairs_per_slice, pairs_on_small_meshes) : options.pairs_per_slice,
+        .one_slice_up_to = options.one_slice_up_to,
+        .threads = options.threads,
+        .progress = options.progress};
     slice_options.threads = slices_that_fit(problem, k, slice_options, options.memory_limit);
     SlicedPairs found = find_by_slices(problem, others, slice_options);
     const InertiaProof last = found.proofs.back();

@@ -79,7 +79,8 @@ LdltPanels LdltAnalysis::factor(double sigma) const {
     panels.row_start = {0};
     panels.value_start = {0};
     reserve(*L, panels.size, panels);
-    for (int first = 0; first < panels.size; first = panels.first.back()) append_panel(*L, first, end_of_panel(*L, first, panels.size), panels);
+    for (int first = 0; first < panels.size; first = panels.first.back())
+        append_panel(*L, first, end_of_panel(*L, first, panels.size), panels);
     const Vector pivots = L->pivots();
     panels.pivots = pivots(order_);
     panels.growth = (pivots.array() / (A_.diagonal().array() - sigma)).abs().maxCoeff();

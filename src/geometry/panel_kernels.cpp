@@ -4,8 +4,8 @@
 
 #include "geometry/panel_kernels.h"
 
-#include <algorithm>
 #include <hwy/highway.h>
+#include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace meshfolio::HWY_NAMESPACE {
@@ -134,14 +134,22 @@ HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Inde
 template <class Visit>
 HWY_INLINE void WithWidth(int w, const Visit& visit) {
     switch (w) {
-        case 1: return visit(std::integral_constant<int, 1>());
-        case 2: return visit(std::integral_constant<int, 2>());
-        case 3: return visit(std::integral_constant<int, 3>());
-        case 4: return visit(std::integral_constant<int, 4>());
-        case 5: return visit(std::integral_constant<int, 5>());
-        case 6: return visit(std::integral_constant<int, 6>());
-        case 7: return visit(std::integral_constant<int, 7>());
-        default: return visit(std::integral_constant<int, 8>());
+        case 1:
+            return visit(std::integral_constant<int, 1>());
+        case 2:
+            return visit(std::integral_constant<int, 2>());
+        case 3:
+            return visit(std::integral_constant<int, 3>());
+        case 4:
+            return visit(std::integral_constant<int, 4>());
+        case 5:
+            return visit(std::integral_constant<int, 5>());
+        case 6:
+            return visit(std::integral_constant<int, 6>());
+        case 7:
+            return visit(std::integral_constant<int, 7>());
+        default:
+            return visit(std::integral_constant<int, 8>());
     }
 }
 

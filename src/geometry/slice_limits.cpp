@@ -30,7 +30,8 @@ double sigma_at(const std::vector<InertiaProof>& counts, double count) {
 }
 
 void insert(std::vector<InertiaProof>& counts, const InertiaProof& proof) {
-    const auto place = std::upper_bound(counts.begin(), counts.end(), proof.sigma, [](double s, const InertiaProof& p) { return s < p.sigma; });
+    const auto place =
+        std::upper_bound(counts.begin(), counts.end(), proof.sigma, [](double s, const InertiaProof& p) { return s < p.sigma; });
     counts.insert(place, proof);
 }
 

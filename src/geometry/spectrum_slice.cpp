@@ -143,15 +143,14 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     Slice slice;
     slice.goal = goal;
     const double start = seconds();
-    const LdltPanels factor = goal.sigma < 0 ? factor_below_zero(problem.analysis, slice.goal.sigma)
-                                             : factor_within(problem.analysis, goal, slice.goal.sigma);
+    const LdltPanels factor =
+        goal.sigma < 0 ? factor_below_zero(problem.analysis, slice.goal.sigma) : factor_within(problem.analysis, goal, slice.goal.sigma);
     slice.counted = factor.negative_pivots();
     slice.times.factor = seconds() - start;
     if (goal.low <= 0 && locked.empty()) slice.goal.below_sigma = slice.counted - (goal.sigma > 0 ? problem.zeros.count() : 0);
 
     const SparseMatrix B = goal.polish ? problem.B_in_order() : SparseMatrix();
-    BlockLanczos lanczos(factor, problem.zeros_in_order, locked,
-                         {slice.goal.sigma, goal.seed, goal.polish ? &B : nullptr, goal.parallel});
+    BlockLanczos lanczos(factor, problem.zeros_in_order, locked, {slice.goal.sigma, goal.seed, goal.polish ? &B : nullptr, goal.parallel});
     const int left = problem.size() - problem.zeros.count();
     int next_look = std::min(goal.largest_basis, 40 + 2 * goal.at_least);
     while (!slice.complete && lanczos.basis_size() + EightColumns::width <= goal.largest_basis) {

@@ -33,19 +33,19 @@ struct SliceGoal {
     int below_sigma = -1;       // nonzero eigenvalues in [low, σ] if known: the slice is not finished before
     bool to_the_end = false;    // `high` lies above the whole spectrum
     int largest_basis = 0;
-    double tolerance = 0;       // relative residual
+    double tolerance = 0;   // relative residual
     std::uint64_t seed = 0;
     bool parallel = false;
-    bool polish = false;        // every solve refined
+    bool polish = false;   // every solve refined
 };
 
 struct Slice {
     SliceGoal goal;
     bool complete = false;
-    int counted = 0;                // eigenvalues below σ, by inertia
-    Vector mu;                      // ascending
-    std::vector<EightColumns> X;    // the pairs' vectors in groups of eight, in the order of elimination
-    double begin = 0, cut = 0;      // its own pairs: those above the cut of the slice before, up to the gap above the last
+    int counted = 0;               // eigenvalues below σ, by inertia
+    Vector mu;                     // ascending
+    std::vector<EightColumns> X;   // the pairs' vectors in groups of eight, in the order of elimination
+    double begin = 0, cut = 0;     // its own pairs: those above the cut of the slice before, up to the gap above the last
     SpectrumTimes times;
     int basis = 0;
 };

@@ -59,7 +59,8 @@ std::vector<const EightColumns*> groups_of(const std::vector<const Slice*>& slic
 /// Everything found so far, each eigenvalue in one slice only.
 class SliceSet {
 public:
-    SliceSet(const SpectrumProblem& problem, const SliceOptions& options) : problem_(problem), options_(options), progress_(options.progress) {}
+    SliceSet(const SpectrumProblem& problem, const SliceOptions& options)
+        : problem_(problem), options_(options), progress_(options.progress) {}
 
     /// Solves all goals, halving those that are too wide for their basis.
     void solve(std::vector<SliceGoal> goals) {

@@ -11,9 +11,9 @@ struct SliceOptions {
     double tolerance = 1e-9;
     bool polish = false;
     int pairs_per_slice = 80;
-    int one_slice_up_to = 60;                   // nonzero pairs; more are sliced
-    int threads = 0;                            // slices at a time at most; 0: as many as there are processors
-    std::function<void(double)> progress = {};  // fraction done; may throw to stop
+    int one_slice_up_to = 60;                    // nonzero pairs; more are sliced
+    int threads = 0;                             // slices at a time at most; 0: as many as there are processors
+    std::function<void(double)> progress = {};   // fraction done; may throw to stop
 };
 
 struct InertiaProof {
@@ -23,8 +23,8 @@ struct InertiaProof {
 };
 
 struct SlicedPairs {
-    Vector mu;                       // without the zero modes, ascending
-    DenseMatrix Y;                   // orthonormal, in the order of the matrix
+    Vector mu;                          // without the zero modes, ascending
+    DenseMatrix Y;                      // orthonormal, in the order of the matrix
     std::vector<InertiaProof> proofs;   // ascending; the last above all pairs
     SpectrumTimes times;
     int slices = 0, repairs = 0;

@@ -144,12 +144,13 @@ int main(int count, char** arguments) try {
         processor = clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - processor;
     });
     const Spectrum measured{result.eigenvalues, result.vectors, {}};
-    std::printf("{\"vertices\": %d, \"k\": %d, \"wall\": %.3f, \"cpu\": %.3f, \"factor\": %.3f, \"solve\": %.3f, \"orthogonalise\": %.3f, "
-                "\"rayleigh_ritz\": %.3f, \"slices\": %d, \"repairs\": %d, \"residual\": %.2e, \"orthonormality\": %.2e, \"last\": %.12g, "
-                "\"memory\": %.0f}\n",
-                int(laplacian.M.size()), k, wall, processor, result.times.factor, result.times.solve, result.times.orthogonalise,
-                result.times.rayleigh_ritz, result.slices, result.repairs, largest_residual(laplacian, result),
-                orthonormality_error(measured, laplacian.M), result.eigenvalues[k - 1] * laplacian.M.sum(), memory);
+    std::printf(
+        "{\"vertices\": %d, \"k\": %d, \"wall\": %.3f, \"cpu\": %.3f, \"factor\": %.3f, \"solve\": %.3f, \"orthogonalise\": %.3f, "
+        "\"rayleigh_ritz\": %.3f, \"slices\": %d, \"repairs\": %d, \"residual\": %.2e, \"orthonormality\": %.2e, \"last\": %.12g, "
+        "\"memory\": %.0f}\n",
+        int(laplacian.M.size()), k, wall, processor, result.times.factor, result.times.solve, result.times.orthogonalise,
+        result.times.rayleigh_ritz, result.slices, result.repairs, largest_residual(laplacian, result),
+        orthonormality_error(measured, laplacian.M), result.eigenvalues[k - 1] * laplacian.M.sum(), memory);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
