@@ -15,10 +15,10 @@ struct SpectrumTimes {
 };
 
 struct SpectrumOptions {
-    double tolerance = 1e-9;                     // relative residual asked of each pair
-    bool polish = false;                         // residuals down to 1e-11 where rounding lets them: more steps, refined solves
-    int dense_below = 700;                       // vertices in use at or below which all pairs are found at once by a dense solver
-    int one_slice_up_to = 60;                    // pairs besides the zero modes; more are found slice by slice
+    double tolerance = 1e-9;    // relative residual asked of each pair
+    bool polish = false;        // residuals down to 1e-11 where rounding lets them: more steps, refined solves
+    int dense_below = 700;      // vertices in use at or below which all pairs are found at once by a dense solver
+    int one_slice_up_to = 60;   // pairs besides the zero modes; more are found slice by slice
     int pairs_per_slice = 80;
     int threads = 0;                             // slices at a time at most; 0: one a processor. The result is the same
     double memory_limit = 0;                     // bytes that may be taken; 0: as much as the machine has left
