@@ -29,6 +29,7 @@ public:
     Common(const Common&) = delete;
     Common& operator=(const Common&) = delete;
     cholmod_common* operator->() { return &common_; }
+    const cholmod_common* operator->() const { return &common_; }
     cholmod_common* get() { return &common_; }
 
     /// @throws SolverError if CHOLMOD ran out of memory, met sizes beyond its integers or was used wrongly
@@ -112,9 +113,29 @@ public:
         return d;
     }
 
+    std::unique_ptr<Implementation> analysed_copy(const SparseMatrix&) const override {
+        auto copy = std::make_unique<CholmodFactor>(kind);
+        copy->rows = rows;
+        copy->common_->supernodal = common_->supernodal;
+        copy->common_->final_ll = common_->final_ll;
+        copy->L_ = cholmod_copy_factor(L_, copy->common_.get());
+        copy->common_.check("copy of the symbolic analysis");
+        return copy;
+    }
+
+    std::vector<int> order() const override {
+        const int* permutation = static_cast<const int*>(L_->Perm);
+        return {permutation, permutation + L_->n};
+    }
+
+    FactorColumn column(int j) const override {
+        const int start = static_cast<const int*>(L_->p)[j] + 1;
+        return {static_cast<const int*>(L_->nz)[j] - 1, static_cast<const int*>(L_->i) + start, static_cast<const double*>(L_->x) + start};
+    }
+
     long long nonzeros() const override {
         if (L_->is_super) return static_cast<long long>(L_->xsize);
-        const int* count = static_cast<const int*>(L_->nz);
+        const int* count = static_cast<const int*>(L_->xtype == CHOLMOD_PATTERN ? L_->ColCount : L_->nz);
         long long sum = 0;
         for (std::size_t j = 0; j < L_->n; ++j) sum += count[j];
         return sum;

@@ -32,6 +32,24 @@ public:
             return in_matrix_order(L.diagonal().cwiseAbs2(), solver_.permutationPinv());
         }
     }
+    std::unique_ptr<Implementation> analysed_copy(const SparseMatrix& A) const override {
+        auto copy = std::make_unique<EigenFactor>();   // Eigen's solvers cannot be copied
+        copy->kind = kind;
+        copy->rows = rows;
+        copy->analyze(A);
+        return copy;
+    }
+    std::vector<int> order() const override {
+        const auto& Pinv = solver_.permutationPinv();   // empty when the order is kept
+        std::vector<int> order(static_cast<std::size_t>(rows));
+        for (int i = 0; i < static_cast<int>(rows); ++i) order[static_cast<std::size_t>(i)] = Pinv.size() > 0 ? Pinv.indices()[i] : i;
+        return order;
+    }
+    FactorColumn column(int j) const override {
+        const SparseMatrix& L = solver_.matrixL().nestedExpression();
+        const int start = L.outerIndexPtr()[j];
+        return {L.outerIndexPtr()[j + 1] - start, L.innerIndexPtr() + start, L.valuePtr() + start};
+    }
     long long nonzeros() const override {
         const long long unit_diagonal = std::is_same_v<Solver, LDLT> ? rows : 0;   // kept implicit in LDLᵀ
         return solver_.matrixL().nestedExpression().nonZeros() + unit_diagonal;

@@ -10,6 +10,12 @@ namespace meshfolio {
 
 enum class FactorKind { ldlt, cholesky };
 
+struct FactorColumn {
+    int count = 0;
+    const int* rows = nullptr;
+    const double* values = nullptr;
+};
+
 struct SparseFactor::Implementation {
     virtual ~Implementation() = default;
     virtual void analyze(const SparseMatrix& A) = 0;
@@ -18,13 +24,26 @@ struct SparseFactor::Implementation {
     virtual DenseMatrix solve(const DenseMatrix& B) const = 0;
     /// Pivot belonging to each row of A: D of LDLᵀ, or the squared diagonal of the Cholesky factor.
     virtual Vector pivots() const = 0;
-    virtual long long nonzeros() const = 0;
+    virtual long long nonzeros() const = 0;   // of the factor; known after `analyze`
+
+    /// The same analysis once more, to factor another matrix of the pattern at the same time.
+    virtual std::unique_ptr<Implementation> analysed_copy(const SparseMatrix& A) const = 0;
+    /// Row order()[i] of A is eliminated as the i-th.
+    virtual std::vector<int> order() const = 0;
+    /// Column j of L below the unit diagonal, rows ascending, in the order of elimination. Simplicial LDLᵀ only.
+    virtual FactorColumn column(int j) const = 0;
 
     FactorKind kind = FactorKind::ldlt;
     Eigen::Index rows = 0;
     std::vector<int> pattern;   // of the matrix analysed: column starts, then rows
     int negative = 0;           // pivots < 0
 };
+
+/// Analysed, not factored yet. `A` compressed.
+std::unique_ptr<SparseFactor::Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library);
+/// Numerical factorisation, with every pivot checked.
+/// @throws SolverError if an entry is not finite or a pivot is lost in rounding
+void factorize_checked(SparseFactor::Implementation& factor, const SparseMatrix& A);
 
 std::unique_ptr<SparseFactor::Implementation> factor_by_eigen(FactorKind kind);
 #ifdef MESHFOLIO_WITH_CHOLMOD

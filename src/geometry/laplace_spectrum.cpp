@@ -1,15 +1,37 @@
 #include "geometry/laplace_spectrum.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <optional>
 
 #include "errors.h"
-#include "geometry/shift_invert_lanczos.h"
+#include "geometry/inertia.h"
+#include "geometry/spectrum_memory.h"
+#include "geometry/zero_modes.h"
 
 namespace meshfolio {
 
 namespace {
+
+/// y = M^½ φ: orthonormal columns, eigenvalues ascending.
+struct SymmetricPairs {
+    Vector mu;
+    DenseMatrix Y;
+    int count() const { return static_cast<int>(mu.size()); }
+};
+
+/// ‖By − μy‖ / μ for each pair, in the norm of the equations −Cφ = μMφ: ‖M^½(By − μy)‖ / (μ‖M^½y‖).
+Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const SymmetricPairs& pairs) {
+    Vector residuals(pairs.count());
+    tbb::parallel_for(0, pairs.count(), [&](int j) {
+        const Vector r = B * pairs.Y.col(j) - pairs.mu[j] * pairs.Y.col(j);
+        const double size = root_mass.cwiseProduct(pairs.Y.col(j)).norm();
+        residuals[j] = root_mass.cwiseProduct(r).norm() / (pairs.mu[j] > 0 ? pairs.mu[j] * size : 1);
+    });
+    return residuals;
+}
 
 /// The eigenvalues below `sigma`, counted by inertia and among those found.
 struct InertiaCount {
@@ -22,6 +44,8 @@ struct Modes {
     SymmetricPairs pairs;
     InertiaCount inertia;
     bool dense = false;
+    SpectrumTimes times = {};
+    int slices = 0, repairs = 0;
 };
 
 /// A σ in the first clear gap of the ascending `mu` behind its k-th entry. A cluster is never cut: rounding would decide on
@@ -43,7 +67,7 @@ Vector with_zeros(int zeros, const Vector& mu) {
 }
 
 /// The first k pairs of zero modes and others together.
-SymmetricPairs first_pairs(const ZeroModes& zero_modes, const SymmetricPairs& others, int k) {
+SymmetricPairs first_pairs(const ZeroModes& zero_modes, SymmetricPairs others, int k) {
     const int zeros = std::min(zero_modes.count(), k);
     SymmetricPairs first{with_zeros(zeros, others.mu.head(k - zeros)), DenseMatrix(others.Y.rows(), k)};
     first.Y << zero_modes.first(zeros), others.Y.leftCols(k - zeros);
@@ -64,7 +88,7 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
         zero_modes.project_out(nonzero.Y.col(j));
         nonzero.Y.col(j).normalize();
     }
-    Modes modes{first_pairs(zero_modes, nonzero, k), {}, true};
+    Modes modes{first_pairs(zero_modes, nonzero, k), {}, true, {}, 0, 0};
     const Vector mu = with_zeros(zero_modes.count(), nonzero.mu);
     const double above_all = mu[n - 1] > 0 ? 1.001 * mu[n - 1] : 1;
     modes.inertia.sigma = shift_in_gap_behind(mu, k).value_or(above_all);
@@ -73,38 +97,34 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
     return modes;
 }
 
-/// Lanczos passes until a shift behind the k-th pair has as many eigenvalues below it as were found.
-Modes lanczos_modes(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
-    constexpr int most_passes = 12;
-    constexpr int beyond = 6;   // pairs more than asked for, to see where a cluster ends
-    ShiftInvertLanczos lanczos(A, M, options.tolerance, options.progress);
-    const int zeros = lanczos.zero_modes().count();
-    InertiaCount inertia;
-    int wanted = k - zeros + beyond + k / 30;
-    for (int pass = 0; pass < most_passes; ++pass) {
-        if (wanted > 0) lanczos.find_more(wanted);
-        const Vector mu = with_zeros(zeros, lanczos.known().mu);
-        if (inertia.counted < 0) {
-            if (const auto sigma = shift_in_gap_behind(mu, k)) inertia = {*sigma, lanczos.count_below(*sigma), -1};
-        }
-        inertia.found = entries_below(mu, inertia.sigma);
-        if (inertia.found == inertia.counted && lanczos.converged(std::max(0, k - zeros))) {
-            return {first_pairs(lanczos.zero_modes(), lanczos.known(), k), inertia, false};
-        }
-        const int missing = inertia.counted - inertia.found;
-        const int to_the_next_gap = std::max(0, k - static_cast<int>(mu.size())) + (beyond << pass);
-        wanted = inertia.counted < 0 ? to_the_next_gap : std::max(1, missing);
-    }
-    throw SolverError("the " + std::to_string(k) + " smallest eigenpairs did not converge: inertia counts " +
-                          std::to_string(inertia.counted) + " eigenvalues below the shift, " + std::to_string(inertia.found) +
-                          " were found",
-                      "ask for fewer eigenpairs, or repair the mesh's needles");
+Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
+    // Measured with k = 1500 on 3.5 k vertices: half the time, the dense projected problems being most of it there.
+    constexpr int small_mesh = 20'000, pairs_on_small_meshes = 40;
+    const SpectrumProblem problem(A, M);
+    const int others = std::max(0, k - problem.zeros.count());
+    SliceOptions slice_options{
+        .tolerance = options.polish ? std::min(options.tolerance, 1e-12) : options.tolerance,
+        .polish = options.polish,
+        .pairs_per_slice = A.rows() < small_mesh ? std::min(options.pairs_per_slice, pairs_on_small_meshes) : options.pairs_per_slice,
+        .one_slice_up_to = options.one_slice_up_to,
+        .threads = options.threads,
+        .progress = options.progress};
+    slice_options.threads = slices_that_fit(problem, k, slice_options, options.memory_limit);
+    SlicedPairs found = find_by_slices(problem, others, slice_options);
+    const InertiaProof last = found.proofs.back();
+    Modes modes;
+    modes.inertia = {last.sigma, last.counted, last.found};
+    modes.times = found.times;
+    modes.slices = found.slices;
+    modes.repairs = found.repairs;
+    modes.pairs = first_pairs(problem.zeros, {std::move(found.mu), std::move(found.Y)}, k);
+    return modes;
 }
 
 Modes modes_of(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
     const Eigen::Index n = A.rows();
-    if (n <= options.dense_below || 3 * k > n) return dense_modes(A, M, k);
-    return lanczos_modes(A, M, k, options);
+    if (n <= options.dense_below) return dense_modes(A, M, k);
+    return sliced_modes(A, M, k, options);
 }
 
 }   // namespace
@@ -115,21 +135,26 @@ Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const Spec
     const double total = whole.M.sum();
     const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
     k = std::min(k, whole.size());
-    const Modes modes = modes_of(whole.A, M, k, options);
+    Modes modes = modes_of(whole.A, M, k, options);
 
     const Vector root = M.cwiseSqrt();
     Spectrum spectrum;
     spectrum.residuals = relative_residuals(symmetric_form(whole.A, M), root, modes.pairs);
     spectrum.eigenvalues = modes.pairs.mu / total;
-    DenseMatrix Phi = (root * std::sqrt(total)).cwiseInverse().asDiagonal() * modes.pairs.Y;
-    for (int j = 0; j < k; ++j) {
+    DenseMatrix Phi = std::move(modes.pairs.Y);   // n × k may be most of the memory: scaled where it is
+    const Vector scale = (root * std::sqrt(total)).cwiseInverse();
+    tbb::parallel_for(0, k, [&](int j) {
+        Phi.col(j).array() *= scale.array();
         if (Phi(first_largest(Phi.col(j)), j) < 0) Phi.col(j) *= -1;
-    }
-    spectrum.eigenvectors = to_all_vertices(whole, Phi);
+    });
+    spectrum.eigenvectors = whole.size() == whole.all_vertices ? std::move(Phi) : to_all_vertices(whole, Phi);
     spectrum.dense = modes.dense;
     spectrum.inertia_count = modes.inertia.counted;
     spectrum.found_below = modes.inertia.found;
     spectrum.inertia_shift = modes.inertia.sigma / total;
+    spectrum.slices = modes.slices;
+    spectrum.repairs = modes.repairs;
+    spectrum.times = modes.times;
     if (options.progress) options.progress(1);
     return spectrum;
 }

@@ -8,10 +8,21 @@
 
 namespace meshfolio {
 
+/// Seconds of one thread spent on each part.
+struct SpectrumTimes {
+    double factor = 0, solve = 0, orthogonalise = 0, rayleigh_ritz = 0;
+    SpectrumTimes& operator+=(const SpectrumTimes& other);
+};
+
 struct SpectrumOptions {
-    double tolerance = 1e-9;                     // relative residual asked of each pair
-    int dense_below = 700;                       // vertices in use at or below which all of LAPACK-style dense solving is used
-    std::function<void(double)> progress = {};   // fraction done, in [0, 1]
+    double tolerance = 1e-9;    // relative residual asked of each pair
+    bool polish = false;        // residuals down to 1e-11 where rounding lets them: more steps, refined solves
+    int dense_below = 700;      // vertices in use at or below which all pairs are found at once by a dense solver
+    int one_slice_up_to = 60;   // pairs besides the zero modes; more are found slice by slice
+    int pairs_per_slice = 80;
+    int threads = 0;                             // slices at a time at most; 0: one a processor. The result is the same
+    double memory_limit = 0;                     // bytes that may be taken; 0: as much as the machine has left
+    std::function<void(double)> progress = {};   // fraction done, in [0, 1]; called from any thread, one at a time; may throw to stop
 };
 
 struct Spectrum {
@@ -23,11 +34,15 @@ struct Spectrum {
     /// lie below that σ: equal when none was missed. −1, −1 when not computed.
     int inertia_count = -1, found_below = -1;
     double inertia_shift = 0;   // that σ [1/length²]
+
+    int slices = 0, repairs = 0;   // of the spectrum; how often something missed was looked for again
+    SpectrumTimes times;
 };
 
-/// k is cut to the number of vertices with mass. Dense when the mesh is small or k is more than a third of n; Spectra's
-/// shift-invert Lanczos over SparseFactor otherwise, with σ slightly below 0 and scaled by trace(−C)/trace(M).
-/// @throws MeshError if k < 1; SolverError if the pairs do not converge
+/// k is cut to the number of vertices with mass. Dense for small meshes. Otherwise shift-invert block Lanczos: one slice with σ slightly
+/// below 0 for few pairs, several side by side for many, their limits found and every one of them proved complete by inertia counts.
+/// Memory is estimated first.
+/// @throws MeshError if k < 1; SolverError if the memory would not suffice or pairs that inertia counts are not found
 Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const SpectrumOptions& options = {});
 
 /// ‖ΦᵀMΦ − I‖, largest entry.

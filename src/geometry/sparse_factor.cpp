@@ -35,8 +35,14 @@ void check_pivots(const Implementation& factor, const SparseMatrix& A) {
     }
 }
 
-/// `A` compressed, analysed already.
-void factorize(Implementation& factor, const SparseMatrix& A) {
+SparseMatrix compressed(SparseMatrix A) {
+    A.makeCompressed();
+    return A;
+}
+
+}   // namespace
+
+void factorize_checked(Implementation& factor, const SparseMatrix& A) {
     for (Eigen::Index z = 0; z < A.nonZeros(); ++z) {
         if (!std::isfinite(A.valuePtr()[z])) throw SolverError(name_of(factor.kind) + ": the matrix has an entry that is not finite");
     }
@@ -48,14 +54,7 @@ void factorize(Implementation& factor, const SparseMatrix& A) {
     factor.negative = static_cast<int>((factor.pivots().array() < 0).count());
 }
 
-SparseMatrix compressed(SparseMatrix A) {
-    A.makeCompressed();
-    return A;
-}
-
-std::unique_ptr<Implementation> factored(const SparseMatrix& A, FactorKind kind, FactorLibrary library) {
-    if (A.rows() != A.cols() || A.rows() == 0) throw SolverError(name_of(kind) + ": the matrix is empty or not square");
-    if (!A.isCompressed()) return factored(compressed(A), kind, library);
+std::unique_ptr<Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library) {
 #ifdef MESHFOLIO_WITH_CHOLMOD
     auto factor = library == FactorLibrary::eigen ? factor_by_eigen(kind) : factor_by_cholmod(kind);
 #else
@@ -64,9 +63,18 @@ std::unique_ptr<Implementation> factored(const SparseMatrix& A, FactorKind kind,
 #endif
     factor->kind = kind;
     factor->rows = A.rows();
-    factor->pattern = pattern_of(A);
     factor->analyze(A);
-    factorize(*factor, A);
+    return factor;
+}
+
+namespace {
+
+std::unique_ptr<Implementation> factored(const SparseMatrix& A, FactorKind kind, FactorLibrary library) {
+    if (A.rows() != A.cols() || A.rows() == 0) throw SolverError(name_of(kind) + ": the matrix is empty or not square");
+    if (!A.isCompressed()) return factored(compressed(A), kind, library);
+    auto factor = analysed(A, kind, library);
+    factor->pattern = pattern_of(A);
+    factorize_checked(*factor, A);
     return factor;
 }
 
@@ -88,7 +96,7 @@ SparseFactor SparseFactor::cholesky(const SparseMatrix& A, FactorLibrary library
 void SparseFactor::refactor(const SparseMatrix& A) {
     if (!A.isCompressed()) return refactor(compressed(A));
     if (pattern_of(A) != implementation_->pattern) throw SolverError("refactor: the matrix has another pattern than the one analysed");
-    factorize(*implementation_, A);
+    factorize_checked(*implementation_, A);
 }
 
 Vector SparseFactor::solve(const Vector& b) const { return solve(DenseMatrix(b)).col(0); }

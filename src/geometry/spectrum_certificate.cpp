@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "errors.h"
-#include "geometry/shift_invert_lanczos.h"
+#include "geometry/inertia.h"
 #include "geometry/vertices_with_mass.h"
 #include "mesh/disjoint_sets.h"
 

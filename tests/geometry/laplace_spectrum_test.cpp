@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "errors.h"
-#include "geometry/shift_invert_lanczos.h"
 #include "geometry/solver_test_meshes.h"
 
 using namespace meshfolio;
@@ -214,25 +213,6 @@ TEST(LaplaceSpectrum, LargestEntryIsPositive) {
         const Spectrum spectrum = smallest_eigenpairs(laplace_beltrami(lopsided_ellipsoid(3)), 30, options);
         EXPECT_TRUE(((spectrum.eigenvectors.colwise().maxCoeff() + spectrum.eigenvectors.colwise().minCoeff()).array() > 0).all());
     }
-}
-
-// One start vector sees one vector of an eigenspace of dimension 4 or 8; rounding brings in the others only later. What a short
-// pass misses, inertia counts, and further passes find.
-TEST(LaplaceSpectrum, MissedPairsAreCountedAndFoundLater) {
-    constexpr int n = 24;
-    const LaplaceBeltrami laplacian = flat_torus_operator(n, n, std::sqrt(2.0));
-    const SparseMatrix A = -laplacian.C;
-    const Vector M = laplacian.M / laplacian.M.sum();
-    const Vector exact = five_point_spectrum(n) * n * n;   // total mass 1
-    const double sigma = 0.5 * (exact[12] + exact[13]);    // a gap: 1 + 4 + 4 + 4 below
-    ShiftInvertLanczos lanczos(A, M, 1e-9, {});
-    EXPECT_EQ(lanczos.count_below(sigma), 13);
-    lanczos.find_more(3);
-    const auto found = [&] { return 1 + (lanczos.known().mu.array() < sigma).count(); };
-    EXPECT_LT(found(), 13);
-    for (int pass = 0; pass < 12 && found() < 13; ++pass) lanczos.find_more(2);
-    EXPECT_EQ(found(), 13);
-    EXPECT_LT((lanczos.known().mu.head(12) - exact.segment(1, 12)).cwiseAbs().maxCoeff(), 1e-10 * exact[12]);
 }
 
 TEST(LaplaceSpectrum, ProgressRisesToOne) {

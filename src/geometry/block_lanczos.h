@@ -1,0 +1,68 @@
+/// @file
+/// Block Lanczos for (B − σI)⁻¹ with eight vectors a step, all of them kept and orthogonalised against (Grimes, Lewis & Simon 1994).
+/// Private to the layer.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/eight_columns.h"
+#include "geometry/laplace_spectrum.h"
+#include "geometry/ldlt_panels.h"
+#include "geometry/zero_modes.h"
+
+namespace meshfolio {
+
+/// Eigenpairs of the projected problem, μ ascending.
+struct RitzPairs {
+    Vector mu;   // σ + 1/θ
+    Vector theta;
+    Vector residual;   // relative: ‖By − μy‖ / |μ| of the vector purified by one inverse iteration, which needs no solve
+    DenseMatrix S;     // coordinates in the basis, a column a pair
+    int count() const { return static_cast<int>(mu.size()); }
+};
+
+class BlockLanczos {
+public:
+    struct Setting {
+        double sigma = 0;
+        std::uint64_t seed = 0;
+        const SparseMatrix* refine_with = nullptr;   // B in the order of elimination: every solve is refined once with its residual
+        bool parallel = false;                       // the rows of one block shared out among threads; the numbers are the same
+    };
+
+    /// @param factor  of B − σI
+    /// @param zeros   in the order of elimination
+    /// @param locked  eigenvectors known already, in that order: the basis is kept orthogonal to them
+    BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, std::vector<const EightColumns*> locked, const Setting& setting);
+
+    void advance();   // by one block
+    int basis_size() const { return EightColumns::width * (static_cast<int>(V_.size()) - 1); }
+    RitzPairs ritz_pairs();
+    /// The chosen ones in groups of eight, the last filled up with zeros, purified.
+    std::vector<EightColumns> vectors(const RitzPairs& pairs, std::span<const int> chosen);
+
+    SpectrumTimes times;
+
+private:
+    using Small = EightColumns::Small;
+    void invert(EightColumns& W) const;                                  // W := (B − σI)⁻¹ W, away from the zero modes
+    void orthogonalise(EightColumns& W, std::vector<double>& G) const;   // against all; G: what was subtracted
+    Small normalise(EightColumns& W);                                    // W = V R; returns R
+    void fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost);
+    std::vector<double> products(const std::vector<const double*>& V, const EightColumns& W) const;
+    void subtract(const std::vector<const double*>& V, const double* G, EightColumns& W) const;
+
+    const LdltPanels& factor_;
+    const ZeroModes& zeros_;
+    Setting setting_;
+    Eigen::Index n_;
+    std::vector<EightColumns> V_;
+    std::vector<const double*> all_;   // first rows: of the locked ones, then of V_
+    std::size_t locked_count_;
+    std::vector<Small> diagonal_, below_;   // of the block tridiagonal matrix VᵀWV
+    double scale_ = 0;                      // ‖(B − σI)⁻¹‖ as far as seen
+};
+
+}   // namespace meshfolio
