@@ -18,7 +18,7 @@ double thickness_at(const Positions& X, const Positions& normals, Eigen::Index p
     for (Eigen::Index q = 0; q < X.rows(); ++q) {
         const Eigen::RowVector3d behind = at - X.row(q);
         const double depth = n.dot(behind);
-        if (!(depth > 0) || !(n.dot(normals.row(q)) < 0)) continue;
+        if (!(depth > 0) || !(n.dot(normals.row(q)) < 0.5)) continue;
         smallest = std::min(smallest, behind.squaredNorm() / depth);
     }
     return smallest;
