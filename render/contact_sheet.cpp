@@ -120,6 +120,7 @@ int columns_of(const ContactSheet& sheet) {
     std::size_t most = 0;
     for (const SheetRow& row : sheet.rows) most = std::max(most, row.pictures.size());
     if (sheet.rows.size() != 1) return std::max(1, count(most));
+    if (most > static_cast<std::size_t>(largest_block)) return 6;
     return most == 4 ? 2 : std::clamp(count(most), 1, 3);
 }
 

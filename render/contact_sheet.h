@@ -25,6 +25,9 @@ struct ColorBar {
     std::vector<double> histogram = {};
 };
 
+/// Pictures of a single row that are put three in a line; more are put six in a line.
+inline constexpr int largest_block = 12;
+
 /// One line of pictures. Sheets of one row put the six views 2 × 3 (three columns, two rows: +x +y +z over −x −y −z).
 struct SheetRow {
     std::string label = {};             // "λ = 0.01, 20 iterations"; empty: none

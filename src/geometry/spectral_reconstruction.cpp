@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "errors.h"
 
@@ -45,33 +46,64 @@ DenseMatrix spectral_coefficients(const Spectrum& spectrum, const Vector& M, con
     return coefficients;
 }
 
-Positions reconstruct(const Spectrum& spectrum, const Vector& M, const Positions& X, int k) {
-    check_sizes(spectrum, M, X);
-    if (k < 0 || k > spectrum.eigenvalues.size()) {
-        throw MeshError("reconstruct: k = " + std::to_string(k) + " of " + std::to_string(spectrum.eigenvalues.size()) + " modes");
+ReconstructionStream::ReconstructionStream(const Vector& M, const Positions& X) : M_(M), X_(X) {
+    if (X.rows() != M.size()) {
+        throw MeshError(std::to_string(M.size()) + " areas and " + std::to_string(X.rows()) + " positions do not belong together");
     }
-    const Centred about = centred(M, X);
-    const auto Phi = spectrum.eigenvectors.leftCols(k);
-    const auto Z = Phi.leftCols(zero_modes(spectrum, k));
-    // Z Zᵀ M 1 is 1 on every component whose zero mode is among the k, else 0; rounded to be exactly that.
-    const Vector constant = (Z * (Z.transpose() * M)).array().round();
-    Positions result = Phi * (Phi.transpose() * (M.asDiagonal() * about.X)) + constant * about.centroid;
-    for (Eigen::Index v = 0; v < M.size(); ++v) {
-        if (!(M[v] > 0)) result.row(v) = X.row(v);
+    Centred about = centred(M, X);
+    centroid_ = about.centroid;
+    centred_ = std::move(about.X);
+    sum_ = DenseMatrix::Zero(M.size(), 3);
+    constant_ = Vector::Zero(M.size());
+}
+
+void ReconstructionStream::add(const Eigen::Ref<const DenseMatrix>& modes, const Eigen::Ref<const Vector>& eigenvalues) {
+    if (modes.rows() != M_.size() || modes.cols() != eigenvalues.size()) {
+        throw MeshError("modes of " + std::to_string(modes.rows()) + " rows for " + std::to_string(M_.size()) + " vertices");
+    }
+    DenseMatrix coefficients = modes.transpose() * (M_.asDiagonal() * centred_);
+    sum_.noalias() += modes * coefficients;
+    const Eigen::Index zeros = (eigenvalues.array() == 0).count();
+    const Vector of_constant = modes.leftCols(zeros).transpose() * M_;
+    constant_.noalias() += modes.leftCols(zeros) * of_constant;
+    coefficients.topRows(zeros) += of_constant * centroid_;
+    for (Eigen::Index j = 0; j < coefficients.rows(); ++j) energies_.push_back(coefficients.row(j).squaredNorm());
+}
+
+Positions ReconstructionStream::positions() const {
+    // Z Zᵀ M 1 is 1 on every component whose zero mode is among those added, else 0; rounded to be exactly that.
+    Positions result = sum_ + constant_.array().round().matrix() * centroid_;
+    for (Eigen::Index v = 0; v < M_.size(); ++v) {
+        if (!(M_[v] > 0)) result.row(v) = X_.row(v);
     }
     return result;
 }
 
 /// ‖X − X_k‖²_M = ‖X − X_K‖²_M + Σ_{k ≤ j < K} |ĉ_j|², K the number of modes. Summed from the far end: ‖X‖²_M − Σ_{j<k} |ĉ_j|²
 /// would leave the rounding of ‖X‖²_M where the error is small.
-Vector reconstruction_rms(const Spectrum& spectrum, const Vector& M, const Positions& X) {
-    const int K = static_cast<int>(spectrum.eigenvalues.size());
-    const DenseMatrix coefficients = spectral_coefficients(spectrum, M, X);
-    const Positions left = X - reconstruct(spectrum, M, X, K);
+Vector ReconstructionStream::rms() const {
+    const int K = modes();
     Vector squared(K + 1);
-    squared[K] = M.dot(left.rowwise().squaredNorm());
-    for (int k = K - 1; k >= 0; --k) squared[k] = squared[k + 1] + coefficients.row(k).squaredNorm();
-    return (squared / M.sum()).cwiseSqrt();
+    squared[K] = M_.dot((X_ - positions()).rowwise().squaredNorm());
+    for (int k = K - 1; k >= 0; --k) squared[k] = squared[k + 1] + energies_[static_cast<std::size_t>(k)];
+    return (squared / M_.sum()).cwiseSqrt();
+}
+
+Positions reconstruct(const Spectrum& spectrum, const Vector& M, const Positions& X, int k) {
+    check_sizes(spectrum, M, X);
+    if (k < 0 || k > spectrum.eigenvalues.size()) {
+        throw MeshError("reconstruct: k = " + std::to_string(k) + " of " + std::to_string(spectrum.eigenvalues.size()) + " modes");
+    }
+    ReconstructionStream stream(M, X);
+    stream.add(spectrum.eigenvectors.leftCols(k), spectrum.eigenvalues.head(k));
+    return stream.positions();
+}
+
+Vector reconstruction_rms(const Spectrum& spectrum, const Vector& M, const Positions& X) {
+    check_sizes(spectrum, M, X);
+    ReconstructionStream stream(M, X);
+    stream.add(spectrum.eigenvectors, spectrum.eigenvalues);
+    return stream.rms();
 }
 
 }   // namespace meshfolio

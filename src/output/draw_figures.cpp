@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
 #include <iterator>
 #include <limits>
 #include <mutex>
@@ -36,8 +37,15 @@ struct Work {
     report::DrawnFigure drawn;
 };
 
+/// So many small multiples that they are looked at together and not one by one: six in a line, drawn at half the size, which leaves lines
+/// on the surface thick enough to be seen.
+bool is_gallery(const FigureRequest& request) {
+    return request.three_quarter && request.panels.size() > static_cast<std::size_t>(render::largest_block);
+}
+
 int cell_of(const FigureRequest& request, const DrawSettings& settings) {
-    return std::min(request.panels.size() == 1 || request.three_quarter ? settings.sheet_cell : settings.strip_cell, settings.width);
+    const bool large = request.panels.size() == 1 || (request.three_quarter && !is_gallery(request));
+    return std::min(large ? settings.sheet_cell : settings.strip_cell, is_gallery(request) ? (settings.width + 1) / 2 : settings.width);
 }
 
 /// Names become files: unique in the whole report, and nothing but a name.
@@ -69,12 +77,28 @@ render::Bounds framed_box(const FigureRequest& request) {
     return box;
 }
 
+/// In which the panels that have to be seen fill the picture.
+render::Frame three_quarter_frame(const FigureRequest& request, const render::DrawOptions& options) {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::ivec3> triangles;
+    for (std::size_t p = 0; p < request.panels.size(); ++p) {
+        if (request.frame_panel >= 0 && p != static_cast<std::size_t>(request.frame_panel)) continue;
+        const render::Surface surface = surface_of(*request.panels[p].mesh);
+        const int offset = static_cast<int>(positions.size());
+        positions.insert(positions.end(), surface.positions.begin(), surface.positions.end());
+        for (const glm::ivec3& t : surface.triangles) triangles.push_back(t + offset);
+    }
+    return render::frame_of(positions, triangles, render::three_quarter_view(), options.width, options.height, options.fill);
+}
+
 render::DrawOptions options_of(const FigureRequest& request, const DrawSettings& settings) {
     render::DrawOptions options;
-    options.width = settings.width;
-    options.height = settings.height;
+    options.width = is_gallery(request) ? (settings.width + 1) / 2 : settings.width;
+    options.height = is_gallery(request) ? (settings.height + 1) / 2 : settings.height;
     options.edges = request.edges;
-    if (!request.three_quarter) options.frame = render::frame_of(framed_box(request), settings.width, settings.height, options.fill);
+    options.isoline_spacing = request.isoline_spacing;
+    if (!request.three_quarter) options.frame = render::frame_of(framed_box(request), options.width, options.height, options.fill);
+    if (request.three_quarter && request.three_quarter_frame) options.frame = three_quarter_frame(request, options);
     if (request.range) options.range = value_range(*request.range);
     return options;
 }

@@ -36,8 +36,12 @@ struct FigureRequest {
     bool edges = false;
     /// Frame all panels on this panel's box (a blown-up mesh must not shrink the others); −1: on the union of all boxes.
     int frame_panel = 0;
-    /// One picture a panel, from the right front and above, instead of six; several are small multiples, named by their labels.
+    /// One picture a panel, from the right front and above, instead of six; several are small multiples, named by their labels;
+    /// more than twelve are drawn at half the size, six in a line.
     bool three_quarter = false;
+    /// The same in one frame, that of `frame_panel` as above, for one mesh in several states: sizes can be compared.
+    bool three_quarter_frame = false;
+    double isoline_spacing = 0;   // lines where a value is a multiple of this; 0: none
 };
 
 /// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, never

@@ -9,7 +9,7 @@
 #include "questions/explicit_study.h"
 #include "questions/ground_truth.h"
 #include "questions/implicit_study.h"
-#include "questions/spectral_study.h"
+#include "questions/spectral_uses.h"
 #include "questions/uniform_curvature_study.h"
 #include "report/document.h"
 
@@ -21,7 +21,8 @@ void add_uniform_curvature_discussion(report::Section& section, const std::vecto
 void add_cotangent_curvature_discussion(report::Section& section, const std::vector<CotangentComparison>& meshes,
                                         const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane,
                                         const GroundTruth& truth);
-void add_spectral_discussion(report::Section& section, const std::vector<SpectralStudy>& studies);
+/// @param uses  one for each study
+void add_spectral_discussion(report::Section& section, const std::vector<SpectralStudy>& studies, const std::vector<SpectralUses>& uses);
 void add_explicit_discussion(report::Section& section, const std::vector<ExplicitStudy>& studies);
 void add_implicit_discussion(report::Section& section, const std::vector<ImplicitStudy>& studies);
 void add_denoising_discussion(report::Section& section, const std::vector<DenoisingStudy>& studies);

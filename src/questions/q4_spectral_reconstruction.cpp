@@ -7,6 +7,7 @@
 #include "questions/law_checks.h"
 #include "questions/section_tools.h"
 #include "questions/six_view_figure.h"
+#include "questions/spectral_blocks.h"
 #include "questions/study_list.h"
 #include "questions/value_lists.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 using report::check_at_most;
 using report::math;
+using report::ref;
 
 // ---- results ----------------------------------------------------------------------------------------------------------
 
@@ -148,11 +150,36 @@ void add_method(report::Section& section) {
         "The largest k is solved once; every smaller k is a prefix of it. Completeness is proved, not assumed: by Sylvester's law the "
         "negative pivots of a factorisation of ",
         math("−C − σM"), " count the eigenvalues below σ.");
+    add_paragraph(section, "Between analysis and synthesis each coefficient may be multiplied by a gain ", ref("vallet_levy_2008"),
+                  ", with the detail beyond the K known modes carried along:");
+    add_formula(section, "spectral_filter", "q4_eq_filter");
+    add_paragraph(section, "A low-pass needs no modes at all: a polynomial of the operator, here a Chebyshev series on a proved bound ",
+                  math("b"), " of the spectrum, takes as many products with ", math("C"), " as its degree says.");
+    add_formula(section, "chebyshev_filter", "q4_eq_chebyshev");
     section.code = {{"smallest_eigenpairs", "src/geometry/laplace_spectrum.cpp", "the k smallest eigenpairs"},
                     {"certify_spectrum", "src/geometry/spectrum_certificate.cpp", "that they are right and none is missing"},
                     {"reconstruct", "src/geometry/spectral_reconstruction.cpp", "X_k = Φ_k Φ_kᵀ M X"},
                     {"reconstruction_rms", "src/geometry/spectral_reconstruction.cpp", "error for every k by Parseval"},
+                    {"filtered", "src/geometry/spectral_filter.cpp", "gains on frequency bands"},
+                    {"chebyshev_low_pass", "src/geometry/chebyshev_filter.cpp", "low-pass by products with C alone"},
+                    {"reconstruct_unmapped", "src/geometry/spectral_mistakes.cpp", "the mistaken ways, for comparison"},
+                    {"local_thickness", "src/geometry/local_thickness.cpp", "how thick the shape is at each vertex"},
                     {"answer_q4", "src/questions/q4_spectral_reconstruction.cpp", "this section"}};
+}
+
+/// What the modes are good for beyond rebuilding, and what they cost.
+void add_uses(Answer& answer, const SpectralStudy& study, const SpectralUses& uses, const QuestionSettings& settings) {
+    report::Section& section = answer.section;
+    add_limb_table(section, study, uses.limbs);
+    add_cost_table(section, study, uses);
+    add_band_figure(answer, study, uses.bands, settings.colormap);
+    add_band_table(section, study, uses.bands);
+    add_low_pass_blocks(section, study, uses.low_pass);
+    add_mistake_figure(answer, study, uses.mistakes, settings.colormap);
+    add_mistake_table(section, study, uses.mistakes);
+    for (report::Check& check : spectral_use_checks(study, uses)) section.checks.push_back(std::move(check));
+    section.timings.push_back({"eigenpairs of " + study.name(), study.seconds});
+    if (uses.low_pass.k > 0) section.timings.push_back({"low-pass of " + study.name() + " by products", uses.low_pass.seconds});
 }
 
 void add_findings(report::Section& section, const SpectralStudy& study) {
@@ -181,13 +208,22 @@ Answer answer_q4(const MeshLibrary& library, const QuestionSettings& settings, c
 
     add_heading(section, "Results");
     const auto studies = studies_of(meshes, "eigenpairs", settings, progress, spectral_study);
-    std::vector<std::string> done;
+    std::vector<SpectralUses> uses;
     for (const SpectralStudy& study : studies) {
+        progress("uses of the modes of " + study.name());
+        uses.push_back(spectral_uses(study, settings));
+    }
+    std::vector<std::string> done;
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        const SpectralStudy& study = studies[i];
         add_reconstruction_figure(answer, study);
         add_error_table(section, study);
         add_error_plot(section, study);
+        add_threshold_table(section, study);
         add_eigenvalue_table(section, study);
+        add_eigenfunction_gallery(answer, study, settings.quick);
         add_checks(section, study);
+        add_uses(answer, study, uses[i], settings);
         add_findings(section, study);
         std::vector<std::string> counts;
         for (const Reconstruction& r : study.reconstructions) {
@@ -200,10 +236,12 @@ Answer answer_q4(const MeshLibrary& library, const QuestionSettings& settings, c
         section.parameters["k on " + study.name()] = listed(counts);
         section.parameters["solver on " + study.name()] = study.spectrum.dense ? "dense" : "shift-invert Lanczos";
     }
-    add_spectral_discussion(section, studies);
+    add_spectral_discussion(section, studies, uses);
     section.parameters["area form"] = "barycentric";
     section.extent =
-        "Reconstructed " + listed(done) + "; error for every k; completeness of the spectrum proved by inertia; output meshes included";
+        "Reconstructed " + listed(done) +
+        "; error for every k; completeness of the spectrum proved by inertia; frequency bands, low-pass without modes and mistaken "
+        "ways beside the right one; output meshes included";
     return answer;
 }
 

@@ -5,6 +5,7 @@
 #include "number_text.h"
 #include "questions/discussions.h"
 #include "questions/section_tools.h"
+#include "questions/spectral_use_discussion.h"
 #include "questions/study_list.h"
 
 namespace meshfolio {
@@ -81,10 +82,13 @@ report::Text where_the_error_sits(const SpectralStudy& study) {
 
 }   // namespace
 
-void add_spectral_discussion(report::Section& section, const std::vector<SpectralStudy>& studies) {
+void add_spectral_discussion(report::Section& section, const std::vector<SpectralStudy>& studies, const std::vector<SpectralUses>& uses) {
     add_heading(section, "Discussion: does a larger k give better reconstructions?");
-    for (const SpectralStudy& study : studies) {
-        add_paragraphs(section, {answer_to_larger_k(study), diminishing_returns(study), where_the_error_sits(study)});
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        const SpectralStudy& study = studies[i];
+        add_paragraphs(section, {answer_to_larger_k(study), diminishing_returns(study), where_the_error_sits(study),
+                                 thin_parts(study, uses[i].limbs), cost_of_large_k(study, uses[i]), what_bands_do(study, uses[i].bands),
+                                 low_pass_without_modes(study, uses[i]), cost_of_mistakes(study, uses[i].mistakes)});
     }
 }
 

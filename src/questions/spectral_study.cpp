@@ -1,6 +1,7 @@
 #include "questions/spectral_study.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -34,20 +35,27 @@ SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const Qu
     study.diagonal = bounding_box(study.mesh()).diagonal();
     study.laplacian = laplace_beltrami(study.mesh());
     const std::vector<int> counts = mode_counts(settings, study.vertices());
+    const auto start = std::chrono::steady_clock::now();
     study.spectrum = smallest_eigenpairs(study.laplacian, counts.back());
+    study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     study.certificate = certify_spectrum(study.mesh(), study.laplacian, study.spectrum);
     const Positions& X = study.mesh().X;
-    study.rms = reconstruction_rms(study.spectrum, study.laplacian.M, X);
+    ReconstructionStream stream(study.laplacian.M, X);   // one pass over the modes, whatever the number of k
     for (const int k : counts) {
         if (k > study.modes()) continue;
+        const int done = stream.modes();
+        stream.add(study.spectrum.eigenvectors.middleCols(done, k - done), study.spectrum.eigenvalues.segment(done, k - done));
         Reconstruction r;
         r.k = k;
-        r.mesh = moved_to(study.mesh(), reconstruct(study.spectrum, study.laplacian.M, X, k));
+        r.mesh = moved_to(study.mesh(), stream.positions());
         r.distance = (r.mesh.X - X).rowwise().norm();
         r.difference = compare_meshes(study.mesh(), r.mesh);
-        r.predicted_rms = study.rms[k];
         study.reconstructions.push_back(std::move(r));
     }
+    const int rest = study.modes() - stream.modes();   // where some vertices in use have no area
+    stream.add(study.spectrum.eigenvectors.rightCols(rest), study.spectrum.eigenvalues.tail(rest));
+    study.rms = stream.rms();
+    for (Reconstruction& r : study.reconstructions) r.predicted_rms = study.rms[r.k];
     return study;
 }
 

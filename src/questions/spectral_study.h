@@ -30,6 +30,7 @@ struct SpectralStudy {
     SpectrumCertificate certificate;               // measured anew, whatever the solver says
     Vector rms;                                    // entry k: predicted error of k modes [length]
     std::vector<Reconstruction> reconstructions;   // ascending k
+    double seconds = 0;                            // of the eigensolve
 
     const TriangleMesh& mesh() const { return source->mesh(); }
     const std::string& name() const { return source->name; }

@@ -36,6 +36,25 @@ TEST(SpectralReconstruction, ErrorFromCoefficientsIsTheErrorOfTheMesh) {
     }
 }
 
+// Modes that come in blocks, as from slices of a spectrum, are summed as they come.
+TEST(SpectralReconstruction, AStreamOfBlocksIsTheSameAsAllModesAtOnce) {
+    const Decomposed d(with_unreferenced_vertex(moved_by(side_by_side(lopsided_ellipsoid(1), cube_mesh(2)), {30, -20, 5}), {7, 8, 9}));
+    const int n = static_cast<int>(d.spectrum.eigenvalues.size());
+    ReconstructionStream stream(d.M, d.mesh.X);
+    EXPECT_EQ(stream.positions().bottomRows(n).cwiseAbs().maxCoeff(), 0);
+    for (const int k : {1, 2, 9, 30, n}) {   // the first block ends between the zero modes of the two components
+        const int done = stream.modes();
+        stream.add(d.spectrum.eigenvectors.middleCols(done, k - done), d.spectrum.eigenvalues.segment(done, k - done));
+        ASSERT_EQ(stream.modes(), k);
+        EXPECT_LT((stream.positions() - d.at(k)).cwiseAbs().maxCoeff(), 1e-13) << "k = " << k;
+        const Vector rms = stream.rms();
+        ASSERT_EQ(rms.size(), k + 1);
+        for (int j = 0; j <= k; ++j) EXPECT_NEAR(rms[j], d.weighted_rms(d.at(j)), 1e-13 * rms[0]);
+    }
+    EXPECT_THROW(stream.add(DenseMatrix::Zero(5, 1), Vector::Zero(1)), MeshError);
+    EXPECT_THROW(ReconstructionStream(d.M, icosphere(0).X), MeshError);
+}
+
 // ‖X‖²_M = Σ |ĉ|² over all modes.
 TEST(SpectralReconstruction, ParsevalOverAllModes) {
     const Decomposed d(irregular_sphere(2));

@@ -145,3 +145,61 @@ TEST(DrawFigures, RefusesNamesThatCollideOrLeaveTheFolder) {
     EXPECT_THROW(draw_figures(outside, folder.path(), small_pictures()), std::logic_error);
     EXPECT_TRUE(files_below(folder.path()).empty());
 }
+
+namespace {
+
+/// Small multiples of balls of these radii, with z as values.
+FigureRequest balls(const std::vector<double>& radii, bool one_frame) {
+    FigureRequest request{"q4_balls", "Balls", "", {}, {}, false, -1};
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        TriangleMesh ball = icosphere(2);
+        ball.X *= radii[i];
+        request.panels.push_back(panel_of(std::move(ball), "q4_ball_" + std::to_string(i), true));
+        request.panels.back().values /= radii[i];
+    }
+    request.three_quarter = true;
+    request.three_quarter_frame = one_frame;
+    request.range = robust_range(request.panels, "diverging", "z", "", 0);
+    return request;
+}
+
+std::vector<std::string> pictures_of(const FigureRequest& request) {
+    const TemporaryFolder folder;
+    const auto drawn = draw_figures({&request, 1}, folder.path(), small_pictures());
+    std::vector<std::string> pictures;
+    for (const auto& [label, path] : drawn.at(request.id).views) pictures.push_back(read_file(folder.path() / path));
+    return pictures;
+}
+
+}   // namespace
+
+TEST(DrawFigures, SmallMultiplesInOneFrameKeepTheirSizes) {
+    const auto own = pictures_of(balls({1, 2}, false)), one = pictures_of(balls({1, 2}, true));
+    EXPECT_EQ(own[0], own[1]) << "each fills its own frame";
+    EXPECT_NE(one[0], one[1]);
+    EXPECT_EQ(one[1], own[1]) << "the larger ball fills the frame of both";
+    FigureRequest first = balls({1, 2}, true);
+    first.frame_panel = 0;
+    EXPECT_EQ(pictures_of(first)[0], own[0]) << "in the frame of the first the first fills it";
+}
+
+TEST(DrawFigures, IsolinesAreDrawnWhereTheyAreAskedFor) {
+    FigureRequest with = balls({1}, false);
+    with.isoline_spacing = 2;   // of values between −1 and 1: the line of 0
+    EXPECT_NE(pictures_of(with)[0], pictures_of(balls({1}, false))[0]);
+    with.isoline_spacing = 1e3;
+    with.panels[0].values.array() += 10;   // no multiple is among the values
+    with.range->low += 10;
+    with.range->high += 10;
+    FigureRequest without = with;
+    without.isoline_spacing = 0;
+    EXPECT_EQ(pictures_of(with)[0], pictures_of(without)[0]);
+}
+
+TEST(DrawFigures, AGalleryIsDrawnAtHalfTheSize) {
+    const std::vector<double> twelve(12, 1.0), thirteen(13, 1.0);
+    EXPECT_EQ(big_endian(pictures_of(balls(twelve, true))[0], 16), 120);
+    const auto pictures = pictures_of(balls(thirteen, true));
+    ASSERT_EQ(pictures.size(), 13u);
+    EXPECT_EQ(big_endian(pictures[12], 16), 60);
+}
