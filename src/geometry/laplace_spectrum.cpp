@@ -48,14 +48,18 @@ struct Modes {
     int slices = 0, repairs = 0;
 };
 
-/// A σ in the first clear gap of the ascending `mu` behind its k-th entry. A cluster is never cut: rounding would decide on
-/// which side of σ its members are.
-std::optional<double> shift_in_gap_behind(const Vector& mu, int k) {
+struct Gap {
+    double low, high;
+};
+/// The first clear gap of the ascending `mu` behind its k-th entry, or what follows its last. A cluster is never cut: rounding would
+/// decide on which side of σ its members are.
+Gap gap_behind(const Vector& mu, int k) {
     constexpr double clear = 1e-5;
     for (Eigen::Index i = k; i < mu.size(); ++i) {
-        if (mu[i] - mu[i - 1] > clear * mu[i]) return 0.5 * (mu[i - 1] + mu[i]);
+        if (mu[i] - mu[i - 1] > clear * mu[i]) return {mu[i - 1], mu[i]};
     }
-    return std::nullopt;
+    const double largest = mu[mu.size() - 1];
+    return largest > 0 ? Gap{largest, 1.002 * largest} : Gap{0, 2};
 }
 
 int entries_below(const Vector& mu, double sigma) { return static_cast<int>((mu.array() < sigma).count()); }
@@ -90,10 +94,9 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
     }
     Modes modes{first_pairs(zero_modes, nonzero, k), {}, true, {}, 0, 0};
     const Vector mu = with_zeros(zero_modes.count(), nonzero.mu);
-    const double above_all = mu[n - 1] > 0 ? 1.001 * mu[n - 1] : 1;
-    modes.inertia.sigma = shift_in_gap_behind(mu, k).value_or(above_all);
-    modes.inertia.counted = inertia_below(A, M, modes.inertia.sigma);
-    modes.inertia.found = entries_below(mu, modes.inertia.sigma);
+    const Gap gap = gap_behind(mu, k);
+    if (const auto inertia = inertia_between(A, M, gap.low, gap.high))
+        modes.inertia = {inertia->sigma, inertia->below, entries_below(mu, inertia->sigma)};
     return modes;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "errors.h"
 #include "geometry/laplace_spectrum.h"
 #include "geometry/sparse_factor.h"
 #include "geometry/stability.h"
@@ -83,7 +84,7 @@ OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopol
     return scores;
 }
 
-Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const MeshTopology& topology, int count) {
+Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const MeshTopology& topology, int count) try {
     if (vertices_without_mass(laplacian.M, topology) > 0) return {};
     // One zero a component that the operator knows: clamping may cut some off, so more are asked for until enough are left.
     for (int asked = count + topology.component_count;; asked *= 2) {
@@ -92,6 +93,8 @@ Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const Mesh
         const auto zeros = std::count(mu.begin(), mu.end(), 0.0);
         if (mu.size() - zeros >= count || mu.size() < asked) return mu.segment(zeros, std::min<Eigen::Index>(count, mu.size() - zeros));
     }
+} catch (const SolverError&) {   // −C is indefinite, which other scores say, or too badly conditioned
+    return {};
 }
 
 double largest_relative_change(const Vector& eigenvalues, const Vector& reference) {

@@ -41,19 +41,25 @@ int components_with_mass(const TriangleMesh& mesh, const Vector& M) {
     return components;
 }
 
-/// The operator in units where the area is 1, with the spectrum of the whole mesh on its vertices.
+/// The operator in units where ΣM and its median row are 1, with the spectrum of the whole mesh on its vertices.
 struct UnitProblem {
     SparseMatrix A;
     Vector M, mu;
-    DenseMatrix Phi;   // ΦᵀMΦ = I
-    double area = 0;   // of the mesh as it is [length²]
+    DenseMatrix Phi;      // ΦᵀMΦ = I
+    double mu_unit = 0;   // μ₀ = median A_ii / ΣM [1/length²]
 };
+
+double median(Vector values) {
+    double* const middle = values.data() + values.size() / 2;
+    std::nth_element(values.data(), middle, values.data() + values.size());
+    return *middle;
+}
 
 UnitProblem unit_problem(const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
     OperatorWithMass whole = operator_with_mass(laplacian);
-    const double area = whole.M.sum();
-    return {std::move(whole.A), whole.M / area, spectrum.eigenvalues * area,
-            std::sqrt(area) * spectrum.eigenvectors(whole.vertex, Eigen::all), area};
+    const double total = whole.M.sum(), row = median(whole.A.diagonal()), unit = row > 0 ? row : 1;
+    return {whole.A / unit, whole.M / total, spectrum.eigenvalues * (total / unit),
+            std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all), unit / total};
 }
 
 void measure_residuals(const UnitProblem& problem, SpectrumCertificate& certificate) {
@@ -112,10 +118,11 @@ void count_inertia(const UnitProblem& problem, SpectrumCertificate& certificate)
     std::sort(mu.begin(), mu.end());
     const auto found_below = [&](double sigma) { return static_cast<int>((mu.array() < sigma).count()); };
     double sigma = 0;
-    certificate.counted_below = counted_beside(problem, mu[mu.size() - 1], 1, sigma);
-    if (certificate.counted_below != mu.size()) certificate.counted_below = counted_beside(problem, first_of_last_cluster(mu), -1, sigma);
+    certificate.pairs = static_cast<int>(mu.size());
+    certificate.counted_above = certificate.counted_below = counted_beside(problem, mu[mu.size() - 1], 1, sigma);
+    if (certificate.counted_above != mu.size()) certificate.counted_below = counted_beside(problem, first_of_last_cluster(mu), -1, sigma);
     certificate.found_below = found_below(sigma);
-    certificate.shift = sigma / problem.area;
+    certificate.shift = sigma * problem.mu_unit;
 }
 
 double smallest_step_up(const Vector& mu) {

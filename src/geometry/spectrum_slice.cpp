@@ -68,7 +68,8 @@ LdltPanels factor_below_zero(const LdltAnalysis& analysis, double& sigma) {
         try {
             LdltPanels factor = analysis.factor(sigma);
             if (factor.negative_pivots() == 0) return factor;
-            reason = std::to_string(factor.negative_pivots()) + " eigenvalues are negative";
+            const int negative = factor.negative_pivots();
+            reason = std::to_string(negative) + (negative == 1 ? " eigenvalue is negative" : " eigenvalues are negative");
         } catch (const SolverError& error) {   // a pivot lost in rounding, or no memory
             reason = error.what();
         }

@@ -118,7 +118,7 @@ void add_method(report::Section& section) {
     add_paragraph(section,
                   "A certificate takes a spectrum from wherever it comes and measures, on the operator and the mesh alone, the residual of "
                   "each pair, M-orthonormality, and Parseval's identity with the tail ‖x − Φĉ‖² measured by itself. The residual is "
-                  "relative to μ, and to 1/ΣM where μ is smaller:");
+                  "relative to μ, and where μ is smaller to the operator's own unit, its median row over ΣM:");
     add_formula(section, "residual", "certificates_eq_residual");
     add_formula(section, "m_orthonormal");
     add_paragraph(section,

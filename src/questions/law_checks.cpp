@@ -29,7 +29,10 @@ double volume_in_box(const TriangleMesh& mesh) {
 }   // namespace
 
 std::vector<report::Check> spectrum_checks(const SpectrumCertificate& c, const std::string& on, const std::string& note) {
-    const double missed = c.counted_below >= 0 ? c.counted_below - c.found_below : std::nan("");   // NaN: no count can be trusted
+    // NaN: no count can be trusted
+    const double missed = std::min(c.counted_below, c.counted_above) < 0
+                              ? std::nan("")
+                              : c.counted_below - c.found_below + std::min(0, c.counted_above - c.pairs);
     const std::string sigma =
         std::to_string(c.found_below) + " found below σ = " + plain_text(c.shift, 4) + (note.empty() ? "" : "; " + note);
     return {check_at_most(law::residual + on, c.residual_limit, c.residual, 0, note),
