@@ -76,6 +76,11 @@ ExitCode run_smooth(const Options& options) {
     const Smoothed result = smooth(prepared.mesh, smoothing);
     write_mesh_to(options.output, moved_to(prepared.mesh, result.X));
     tell_about_limit(smoothing, result);
+    if (result.collapse_iteration > 0) {
+        complain(options.mesh + ": nothing was left of the surface before iteration " + std::to_string(result.collapse_iteration) + "; " +
+                 options.output + " has the last positions; take fewer --iterations or a smaller --lambda");
+        return ExitCode::failed;
+    }
     if (!result.blew_up) return ExitCode::ok;
     complain(options.mesh + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
              std::to_string(result.blow_up_vertex) + "; " + options.output +

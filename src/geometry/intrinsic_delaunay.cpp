@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -129,20 +128,6 @@ IntrinsicDelaunay intrinsic_delaunay(IntrinsicTriangles triangles) {
     result.flips = Flipper(result.triangles).run();
     result.triangles.lengths *= unit;
     return result;
-}
-
-double smallest_cotangent_sum(const IntrinsicTriangles& triangles) {
-    const auto cotangent = [&](int side) {
-        const auto l = triangles.lengths.row(side / 3);
-        const double longest = l.maxCoeff() > 0 ? l.maxCoeff() : 1;
-        return triangle_shape(l[0] / longest, l[1] / longest, l[2] / longest).cotangent(static_cast<std::size_t>(side % 3));
-    };
-    double smallest = std::numeric_limits<double>::infinity();
-    for (int side = 0; side < static_cast<int>(triangles.glued_to.size()); ++side) {
-        const int other = triangles.glued_to[static_cast<std::size_t>(side)];
-        if (other > side) smallest = std::min(smallest, cotangent(side) + cotangent(other));
-    }
-    return smallest;
 }
 
 }   // namespace meshfolio

@@ -17,7 +17,4 @@ struct IntrinsicDelaunay {
 /// @throws SolverError if it does not come to an end, which rounding can bring about in triangles without area
 IntrinsicDelaunay intrinsic_delaunay(IntrinsicTriangles triangles);
 
-/// The smallest cot α + cot β over the glued edges; +∞ where there is none.
-double smallest_cotangent_sum(const IntrinsicTriangles& triangles);
-
 }   // namespace meshfolio

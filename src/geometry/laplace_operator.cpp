@@ -24,7 +24,7 @@ constexpr std::array operators{
     OperatorEntry{OperatorKind::opposite_mean, "opposite-mean", "mean over opposite vertices",
                   "The mean of the cotangents at the n opposite vertices; boundary weights double."},
     OperatorEntry{OperatorKind::edge_normalised, "edge-normalised", "normalised per edge",
-                  "(cot α + cot β)/(A_i + A_j), negative weights replaced by 0, rows summing to 0."},
+                  "(cot α + cot β)/(Aᵢ + Aⱼ), negative weights replaced by 0, rows summing to 0."},
     OperatorEntry{OperatorKind::idt, "idt", "intrinsic Delaunay", "Cotangents and areas of the intrinsic Delaunay triangulation."},
     OperatorEntry{OperatorKind::idt_original_mass, "idt-original-mass", "intrinsic Delaunay, own areas",
                   "Cotangents of the intrinsic Delaunay triangulation with the areas of the mesh itself."},

@@ -14,6 +14,12 @@ namespace meshfolio {
 
 namespace {
 
+/// Is no more left than the rounding of positions: a surface shrunk to a point (by 10⁻¹² in length), or one as thin as a line?
+bool collapsed(const TriangleMesh& mesh, double first_area) {
+    const double area = surface_area(mesh), diagonal = bounding_box(mesh).diagonal();
+    return !(area > 1e-24 * first_area && area > 1e-12 * diagonal * diagonal);
+}
+
 /// The units a run is computed in: about the box centre, by a power of two near the box diagonal. Scaling is exact, and
 /// coordinates far from the origin do not eat the digits of the differences between them.
 struct Frame {
@@ -171,9 +177,14 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
         X(moving, Eigen::all) = frame.outside(current.X)(moving, Eigen::all);
         return X;
     };
+    const double area = surface_area(current);
     const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator sees no positions
 
     for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
+        if (rebuild && t > 1 && collapsed(current, area)) {
+            result.collapse_iteration = t;
+            break;
+        }
         if (rebuild && t > 1) diffusion.rebuild(current);
         if (diffusion.limit().watching()) enter_step(result, diffusion.limit().step(), step_unit);
         Positions next = diffusion.step(current.X);

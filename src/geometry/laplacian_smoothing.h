@@ -43,13 +43,14 @@ struct StepStability {
 };
 
 struct Smoothed {
-    Positions X;                 // the last finite positions
-    int iterations = 0;          // done
-    bool blew_up = false;        // NaN, infinity, or beyond blow_up_at
-    int blow_up_iteration = 0;   // when
-    int blow_up_vertex = -1;     // and where first
-    double taubin_mu = 0;        // the μ used by Taubin
-    double time = 0;             // diffusion time, the sum of all steps taken [as λ]
+    Positions X;                  // the last finite positions
+    int iterations = 0;           // done
+    bool blew_up = false;         // NaN, infinity, or beyond blow_up_at
+    int blow_up_iteration = 0;    // when
+    int blow_up_vertex = -1;      // and where first
+    int collapse_iteration = 0;   // the one not done because nothing was left of the surface, when rebuilt; 0: none
+    double taubin_mu = 0;         // the μ used by Taubin
+    double time = 0;              // diffusion time, the sum of all steps taken [as λ]
     /// One an iteration, the one that blew up included, when monitored or adaptive; else empty.
     std::vector<StepStability> steps;
     int crossing_iteration = 0;      // the first with λμ_max > 2, when monitored; 0: none
@@ -58,7 +59,8 @@ struct Smoothed {
     int factorisations = 0;
 };
 
-/// One run. Vertices without mass stay where they are.
+/// One run. Vertices without mass stay where they are. A rebuilt operator needs a surface: where the flow has shrunk it to points or
+/// lines, the run ends.
 /// @throws MeshError for λ that is not finite or ≤ 0, iterations < 0, adaptive outside [0, 1], or a limit asked of another scheme than
 ///         the explicit one; SolverError if M − λC cannot be factored
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options);

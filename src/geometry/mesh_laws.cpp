@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/mesh_error.h"
-#include "geometry/spectrum_certificate.h"
+#include "geometry/sparse_factor.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -33,7 +33,10 @@ Positions area_gradient(const TriangleMesh& mesh) {
 
 }   // namespace
 
-double asymmetry(const SparseMatrix& C) { return largest_entry(C - SparseMatrix(C.transpose())) / largest_entry(C); }
+double asymmetry(const SparseMatrix& C) {
+    const double largest = largest_entry(C);
+    return largest > 0 ? largest_entry(C - SparseMatrix(C.transpose())) / largest : 0;
+}
 
 double row_sum_error(const SparseMatrix& C) { return (C * Vector::Ones(C.cols())).cwiseAbs().maxCoeff() / largest_entry(C); }
 
@@ -57,7 +60,15 @@ double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C) {
 
 double mass_over_area(const TriangleMesh& mesh, const Vector& M) { return M.sum() / surface_area(mesh); }
 
-int negative_eigenvalues(const LaplaceBeltrami& laplacian) { return eigenvalues_below(laplacian, -1e-3 / laplacian.M.sum()); }
+/// −C is shifted by a little of the identity, so that its zero eigenvalues count as positive and rounding decides nothing.
+int negative_eigenvalues(const SparseMatrix& C) {
+    const double largest = C.diagonal().cwiseAbs().maxCoeff();
+    if (!(largest > 0)) return 0;
+    SparseMatrix identity(C.rows(), C.cols());
+    identity.setIdentity();
+    const SparseMatrix shifted = -C / largest + 1e-10 * identity;
+    return SparseFactor::ldlt(shifted).negative_pivots();
+}
 
 int repeated_half_edges(const Faces& F) {
     std::vector<std::uint64_t> half_edges;

@@ -8,7 +8,7 @@
 
 namespace meshfolio {
 
-/// Largest |C_ij − C_ji| over the largest |C_ij|.
+/// Largest |C_ij − C_ji| over the largest |C_ij|; 0 for an empty C.
 double asymmetry(const SparseMatrix& C);
 
 /// Largest |Σ_j C_ij| over the largest |C_ij|: a constant function has no Laplacian.
@@ -25,9 +25,10 @@ double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C);
 /// ΣM over the surface area: 1.
 double mass_over_area(const TriangleMesh& mesh, const Vector& M);
 
-/// Eigenvalues of −Cφ = μMφ below −0.001/ΣM: none, −C is positive semidefinite.
+/// Eigenvalues of −C below −1e-10 of its largest diagonal entry, counted by the pivots of an LDLᵀ: none where −C is positive
+/// semidefinite. Masses > 0 would not change the count (Sylvester), so none are needed.
 /// @throws SolverError if a pivot is lost in rounding
-int negative_eigenvalues(const LaplaceBeltrami& laplacian);
+int negative_eigenvalues(const SparseMatrix& C);
 
 /// Half-edges that run the same way as an earlier one: none where all triangles are oriented alike and edges have at most two.
 int repeated_half_edges(const Faces& F);

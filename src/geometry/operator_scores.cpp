@@ -8,7 +8,7 @@
 
 #include "errors.h"
 #include "geometry/laplace_spectrum.h"
-#include "geometry/sparse_factor.h"
+#include "geometry/mesh_laws.h"
 #include "geometry/stability.h"
 #include "mesh/triangle_measures.h"
 
@@ -48,16 +48,6 @@ void score_weights(OperatorScores& scores, const SparseMatrix& C, const MeshTopo
     });
 }
 
-/// −C is shifted by a little of the identity, so that its zero eigenvalues count as positive and rounding decides nothing.
-int negative_eigenvalues(const SparseMatrix& C) {
-    const double largest = C.diagonal().cwiseAbs().maxCoeff();
-    if (!(largest > 0)) return 0;
-    SparseMatrix identity(C.rows(), C.cols());
-    identity.setIdentity();
-    const SparseMatrix shifted = -C / largest + 1e-10 * identity;
-    return SparseFactor::ldlt(shifted).negative_pivots();
-}
-
 /// Are all triangles around an interior vertex parallel to one plane?
 bool is_flat(const TriangleMesh& mesh, const MeshTopology& topology, int v) {
     const Incidence& around = topology.vertex_faces;
@@ -74,9 +64,7 @@ bool is_flat(const TriangleMesh& mesh, const MeshTopology& topology, int v) {
 
 OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology) {
     OperatorScores scores;
-    const double size = laplacian.C.norm();
-    const SparseMatrix transposed = laplacian.C.transpose();
-    scores.asymmetry = size > 0 ? (laplacian.C - transposed).norm() / size : 0;
+    scores.asymmetry = asymmetry(laplacian.C);
     scores.negative_eigenvalues = negative_eigenvalues(laplacian.C);
     score_weights(scores, laplacian.C, topology);
     scores.without_mass = vertices_without_mass(laplacian.M, topology);

@@ -8,8 +8,8 @@
 namespace meshfolio {
 
 struct OperatorScores {
-    double asymmetry = 0;           // ‖C − Cᵀ‖/‖C‖
-    int negative_eigenvalues = 0;   // of −C, below −1e-10 of its largest diagonal entry, counted by the pivots of an LDLᵀ
+    double asymmetry = 0;           // as the law of the same name: max |C − Cᵀ|/max |C|
+    int negative_eigenvalues = 0;   // of −C, beyond rounding (mesh_laws.h)
     int weights = 0;                // pairs of vertices joined by C
     int negative_inside = 0;        // of them, with a weight below −1e-9 of the largest and an end that is not on the boundary
     int negative_boundary = 0;      // the same with both ends on the boundary

@@ -24,7 +24,8 @@ struct TuftedCover {
 };
 TuftedCover tufted_cover(const TriangleMesh& mesh, double mollification = 1e-6);
 
-/// C and M of the cover, halved, on the vertices of the mesh. Symmetric, all weights ≥ 0, for any mesh whatsoever.
+/// C and M of the cover, halved, on the vertices of the mesh. Symmetric, and all weights ≥ 0 up to rounding
+/// (−5e-16 of the largest was met), for any mesh whatsoever.
 LaplaceBeltrami tufted_laplacian(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric);
 
 }   // namespace meshfolio

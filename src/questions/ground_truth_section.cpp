@@ -116,7 +116,7 @@ report::Table order_table(const GroundTruth& truth, MeshKind kind, const Norm& n
     const std::string name(name_of(kind));
     report::Table table;
     table.id = "truth_orders_" + name + "_" + norm.key;
-    table.caption = "Order p of " + norm.name + " error ≈ c·h^p on " + name + " meshes with its standard error, fitted over " +
+    table.caption = "Order p of " + norm.name + " error ≈ c·hᵖ on " + name + " meshes with its standard error, fitted over " +
                     counted(static_cast<int>(truth.runs.front().levels.size()), "refinement") + "; exact: the error is rounding.";
     fill(table, truth, kind, {},
          [&](const PanelRun& run, Quantity quantity, std::size_t e) { return words_of(truth.order(run, quantity, e, norm.of)); });

@@ -41,17 +41,29 @@ void say_precision(report::Section& section, const std::vector<KnownTrial>& know
     section.blocks.push_back(report::Paragraph{text});
 }
 
+std::string names_of_labs(const std::vector<LaboratoryMesh>& labs) {
+    std::vector<std::string> names;
+    for (const LaboratoryMesh& lab : labs) names.push_back(lab.name());
+    return listed(names);
+}
+
 /// Which operators have no negative weight on any mesh, and what the default has.
 void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& labs) {
     std::vector<std::string> clean, indefinite, counts;
+    bool any_negative = false;
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i) {
         const auto all = [&](auto holds) {
             return std::all_of(labs.begin(), labs.end(), [&](const LaboratoryMesh& lab) { return holds(lab.trials[i].scores); });
         };
         if (all([](const OperatorScores& s) { return s.negative_inside + s.negative_boundary == 0; }))
             clean.push_back(laboratory_operators()[i].title());
-        if (!all([](const OperatorScores& s) { return s.negative_eigenvalues == 0; }))
-            indefinite.push_back(laboratory_operators()[i].title());
+        else
+            any_negative = true;
+        for (const LaboratoryMesh& lab : labs) {
+            const int below = lab.trials[i].scores.negative_eigenvalues;
+            if (below > 0)
+                indefinite.push_back("“" + laboratory_operators()[i].title() + "” (" + std::to_string(below) + " on " + lab.name() + ")");
+        }
     }
     for (const LaboratoryMesh& lab : labs) {
         const OperatorScores &cotan = lab.trial(OperatorKind::cotan).scores, &idt = lab.trial(OperatorKind::idt).scores;
@@ -62,28 +74,33 @@ void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& la
     }
     report::Text text = report::text("Maximum principle. Of the cotangent weights ", listed(counts), " are negative. ");
     if (!clean.empty()) report::extend(text, "No weight is negative on any of these meshes with ", quoted_list(clean), ". ");
-    if (indefinite.empty())
-        report::extend(text, "Negative weights do not make an operator indefinite: no ", math("−C"), " has an eigenvalue below 0.");
-    else
+    if (!indefinite.empty())
         report::extend(text, "An eigenvalue of ", math("−C"), " below 0, with which even implicit smoothing may grow, was found with ",
-                       quoted_list(indefinite), ".");
+                       listed(indefinite), ".");
+    else if (any_negative)
+        report::extend(text, "None of the negative weights here makes an operator indefinite: no ", math("−C"),
+                       " of these meshes has an eigenvalue below 0.");
+    else
+        report::extend(text, "No ", math("−C"), " has an eigenvalue below 0.");
     section.blocks.push_back(report::Paragraph{text});
 }
 
 void say_steps(report::Section& section, const std::vector<LaboratoryMesh>& labs) {
     std::vector<std::string> idt, own;
     bool helps = true, harms = true;
+    constexpr double rounding = 1e-9;
     for (const LaboratoryMesh& lab : labs) {
         const double ratio = lab.trial(OperatorKind::idt).critical_ratio;
-        helps = helps && ratio >= 1;
-        harms = harms && ratio <= 1;
+        helps = helps && ratio >= 1 - rounding;
+        harms = harms && ratio <= 1 + rounding;
         idt.push_back("×" + readable(ratio) + " on " + lab.name());
         own.push_back("×" + readable(lab.trial(OperatorKind::idt_original_mass).critical_ratio));
     }
     add_paragraph(section, "Stable steps. Intrinsic Delaunay flips change ", math("λ_crit"), " by ", listed(idt), ": ",
-                  helps   ? "here they never shorten the step"
-                  : harms ? "they do not lengthen it on any of these meshes, since flips shrink some vertex areas as well"
-                          : "they may lengthen the step or shorten it, since flips shrink some vertex areas as well",
+                  helps && harms ? "here they change no step"
+                  : helps        ? "here they never shorten the step"
+                  : harms        ? "they do not lengthen it on any of these meshes, since flips shrink some vertex areas as well"
+                                 : "they may lengthen the step or shorten it, since flips shrink some vertex areas as well",
                   ". With the same weights over the areas of the mesh itself it is ", listed(own),
                   "; that can never be less than 1, for flips only lower the Dirichlet energy ", ref("rippa_1990"),
                   ". Without the ½ the step is half as long and H twice as large.");
@@ -135,9 +152,13 @@ void add_operator_discussion(report::Section& section, const std::vector<Laborat
     const auto own_areas = [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt_original_mass).critical_ratio; };
     const LaboratoryMesh& lab = *std::max_element(
         labs.begin(), labs.end(), [&](const LaboratoryMesh& a, const LaboratoryMesh& b) { return own_areas(a) < own_areas(b); });
+    const double ratio = own_areas(lab);
     section.findings.push_back(
-        {report::text("Operators: on ", lab.name(), " intrinsic Delaunay weights over the mesh's own areas allow steps ",
-                      readable(own_areas(lab)), " times as long as the cotangent operator."),
+        {ratio > 1 + 1e-9 ? report::text("Operators: on ", lab.name(), " intrinsic Delaunay weights over the mesh's own areas allow steps ",
+                                         readable(ratio), " times as long as the cotangent operator.")
+                          : report::text("Operators: intrinsic Delaunay weights over the mesh's own areas allow no longer steps than the "
+                                         "cotangent operator on ",
+                                         names_of_labs(labs), "."),
          6});
 }
 

@@ -25,12 +25,13 @@ void add_mesh_table(report::Section& section, const LaboratoryMesh& lab) {
     table.caption =
         "Operators on " + lab.name() + " (" + counted(lab.subject.mesh().vertex_count(), "vertex", "vertices") + "; " +
         counted(lab.flips, "flip") +
-        " to intrinsic Delaunay). Negative weights are counted among the pairs of vertices that share an entry of C; changes "
+        " to intrinsic Delaunay). Asymmetry: max |C − Cᵀ| over max |C|. Negative weights are counted among the pairs of vertices that "
+        "share an entry of C; changes "
         "are relative to the cotangent operator with barycentric areas, those of the spectrum the largest among the first ten "
         "eigenvalues above 0. λ_crit of the uniform operator has no unit, and its spectrum is scaled to fit. An empty cell is not "
         "defined.";
     table.columns = {{"operator", ""},
-                     {"‖C − Cᵀ‖/‖C‖", "", 2},
+                     {"asymmetry of C", "", 2},
                      {"eigenvalues of −C below 0", "", 6},
                      {"weights < 0 inside", "", 6},
                      {"weights < 0 on the boundary", "", 6},
@@ -113,7 +114,7 @@ void add_mesh_checks(report::Section& section, const LaboratoryMesh& lab) {
     const std::string on = " on " + lab.name();
     double asymmetry = 0;
     for (const OperatorTrial& trial : lab.trials) asymmetry = std::max(asymmetry, trial.scores.asymmetry);
-    section.checks.push_back(check_at_most("largest ‖C − Cᵀ‖/‖C‖ of all operators" + on, 0, asymmetry, 1e-14));
+    section.checks.push_back(check_at_most("largest |C − Cᵀ| of all operators over the largest |C|" + on, 0, asymmetry, 1e-14));
     for (const OperatorKind kind : {OperatorKind::cotan, OperatorKind::uniform, OperatorKind::cotan_no_half, OperatorKind::clamped,
                                     OperatorKind::edge_normalised, OperatorKind::idt, OperatorKind::tufted}) {
         section.checks.push_back(check_near("eigenvalues of −C below 0, " + std::string(operator_entry(kind).name) + on, 0,

@@ -124,7 +124,7 @@ std::vector<PlantedFault> planted_faults() {
             {"one angle left out of a deficit", law::gauss_bonnet, lose_an_angle},
             {"one mode dropped", law::complete, drop_a_mode},
             {"one eigenvector replaced by its neighbour", law::orthonormal, replace_an_eigenvector},
-            {"one eigenvector not mapped back (M^½φ for φ)", law::residual, forget_to_map_back},
+            {"one eigenvector not mapped back (√M φ for φ)", law::residual, forget_to_map_back},
             {"one eigenvector 0.1 % too long", law::parseval, stretch_an_eigenvector},
             {"one eigenvalue taken for 0", law::zeros, call_an_eigenvalue_zero},
             {"two modes out of order", law::ascending, swap_two_modes},

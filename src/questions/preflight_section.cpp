@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "errors.h"
 #include "geometry/mesh_laws.h"
@@ -193,6 +194,20 @@ void add_method(report::Section& section) {
                     {"answer_preflight", "src/questions/preflight_section.cpp", "this section"}};
 }
 
+/// What was found and is still there, open boundaries and further components apart: "needle faces (lily 2)".
+std::vector<std::string> kept_defects(const std::vector<Inspected>& meshes) {
+    const std::set<std::string_view> told_elsewhere = {"dropped_degenerate_faces", "dropped_duplicate_faces", "flipped_faces",
+                                                       "inside_out_components",    "boundary_loops",          "further_components"};
+    std::vector<std::string> kept;
+    for (const Defect& defect : defect_list()) {
+        const Occurrence found = occurrence_of(defect, meshes);
+        if (found.meshes > 0 && told_elsewhere.count(defect.key) == 0) kept.push_back(std::string(defect.name) + " (" + found.where + ")");
+    }
+    return kept;
+}
+
+constexpr double thin_below = 10;   // [°]
+
 /// The mesh with the smallest angle, and those that say something about λ or noise.
 void add_discussion(report::Section& section, const std::vector<Inspected>& meshes) {
     add_heading(section, "Discussion");
@@ -211,13 +226,19 @@ void add_discussion(report::Section& section, const std::vector<Inspected>& mesh
     if (repaired.empty()) report::extend(text, "No triangle of any mesh had to be dropped or turned. ");
     if (!open.empty()) report::extend(text, "Open, so without curvature on the boundary and without volume: ", listed(open), ".");
     section.blocks.push_back(report::Paragraph{std::move(text)});
+    const std::vector<std::string> kept = kept_defects(meshes);
+    if (!kept.empty())
+        add_paragraph(section, "Found and left as it is: ", listed(kept), "; ", ref("preflight_defects"), " says what each may break.");
 
     const auto worst = std::min_element(meshes.begin(), meshes.end(), [](const Inspected& a, const Inspected& b) {
         return a.facts.smallest_angle < b.facts.smallest_angle;
     });
-    add_paragraph(section, "The smallest angle of all is ", readable(worst->facts.smallest_angle * 180 / M_PI), "° on ", worst->name(),
-                  ", where the longest edge is ", readable(worst->facts.longest_edge / worst->facts.shortest_edge),
-                  " times the shortest: thin triangles are what makes explicit steps small and residuals large.");
+    const double degrees = worst->facts.smallest_angle * 180 / M_PI;
+    const double stretch = worst->facts.longest_edge / worst->facts.shortest_edge;
+    add_paragraph(section, "The smallest angle of all is ", readable(degrees), "° on ", worst->name(), ", where the longest edge is ",
+                  readable(stretch), " times the shortest",
+                  degrees < thin_below ? ": triangles as thin as that make explicit steps small and residuals large."
+                                       : "; no triangle is thin, that is, has an angle below " + readable(thin_below, 2) + "°.");
 }
 
 void add_findings(report::Section& section, const std::vector<Inspected>& meshes) {
@@ -233,7 +254,8 @@ void add_findings(report::Section& section, const std::vector<Inspected>& meshes
     section.findings.push_back(
         {report::text("Preflight of ", counted(static_cast<int>(meshes.size()), "mesh", "meshes"), ": ", holds, ", ",
                       kinds_found(meshes) == 0 ? std::string("nothing was found that breaks an answer")
-                                               : counted(kinds_found(meshes), "kind") + " of finding, each with what it affects",
+                                               : counted(kinds_found(meshes), "kind of finding, with what it affects",
+                                                         "kinds of finding, each with what it affects"),
                       "."),
          5});
 }

@@ -156,7 +156,7 @@ void add_error_table(report::Section& section, const std::vector<CotangentRefine
 void add_order_table(report::Section& section, const std::vector<CotangentRefinement>& refinements) {
     report::Table table;
     table.id = "q3_orders";
-    table.caption = "Order p of error ≈ c·h^p in L2, and L∞ for barycentric areas, fitted over the three finest of " +
+    table.caption = "Order p of error ≈ c·hᵖ in L2, and L∞ for barycentric areas, fitted over the three finest of " +
                     counted(static_cast<int>(refinements.front().levels.size()), "mesh", "meshes") +
                     ". The coarsest and finest size, the smallest angle and the negative weights of the finest.";
     table.columns = {{"surface", ""},

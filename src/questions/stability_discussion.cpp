@@ -25,8 +25,8 @@ report::Text what_is_proved(const std::vector<StabilityStudy>& studies) {
             ++proved;
         }
     }
-    report::Text t = report::text("All ", counted(proved, "limit"), " are known to ", readable(widest, 2),
-                                  " or better, relative, and proved from both sides (", ref("stability_certificates"),
+    report::Text t = report::text(proved == 2 ? std::string("Both limits") : "All " + counted(proved, "limit"), " are known to ",
+                                  readable(widest, 2), " or better, relative, and proved from both sides (", ref("stability_certificates"),
                                   "). The rounding of a factorisation, at most ", readable(rounding, 2), " here, is part of the bounds. ");
     if (refuted == 0) {
         report::extend(t, "No factorisation broke down: each value of Lanczos was the largest eigenvalue.");
@@ -38,24 +38,28 @@ report::Text what_is_proved(const std::vector<StabilityStudy>& studies) {
     return t;
 }
 
+/// What makes that vertex fast: its rate is weights over area, and each takes its part of it on a logarithmic scale.
+std::string why(const LimitingVertex& v) {
+    if (v.rate() < 1.5) return "so their ratio, the rate, is near the usual one: nothing stands out.";
+    const double by_area = -std::log(v.area_share) / std::log(v.rate());
+    const std::string rate = "so that their ratio, the rate, is " + readable(v.rate(), 3) + " times the usual one: ";
+    if (by_area > 0.75) return rate + "the small area makes it fast.";
+    if (by_area < 0.25) return rate + "the large weights make it fast.";
+    return rate + "both make it fast.";
+}
+
 report::Text where_and_why(const StabilityStudy& study) {
     const LargestEigenvalue& top = study.cotangent.certificate.top;
     const LimitingVertex& v = study.limiting;
-    report::Text t = report::text("On ", study.name(), " vertex ", std::to_string(v.vertex), " sets the limit; about ",
-                                  readable(std::max(1.0, top.support), 2), " of ", std::to_string(study.mesh().vertex_count()),
-                                  " vertices share the mode. ");
-    if (top.support > 0.05 * study.mesh().vertex_count()) {
-        report::extend(t, "That is the triangulation as a whole: no vertex is to blame.");
-        return t;
+    const double sharing = std::max(1.0, top.support);
+    const std::string share = readable(sharing, 2) + " of " + std::to_string(study.mesh().vertex_count()) + " vertices";
+    if (sharing > std::max(8.0, 0.05 * study.mesh().vertex_count())) {
+        return report::text("On ", study.name(), " the triangulation as a whole sets the limit: about ", share,
+                            " share the mode, which is largest at vertex ", std::to_string(v.vertex), ".");
     }
-    const bool small = v.area_share<0.5, stiff = v.stiffness_share> 2;
-    report::extend(t, "Its area is ", readable(v.area_share, 2), " of the mean and its weights add up to ", readable(v.stiffness_share, 2),
-                   " times the median: ",
-                   small && stiff ? "both make it fast."
-                   : small        ? "the small area makes it fast."
-                   : stiff        ? "the large weights make it fast."
-                                  : "neither alone stands out.");
-    return t;
+    return report::text("On ", study.name(), " vertex ", std::to_string(v.vertex), " sets the limit; about ", share,
+                        " share the mode. Its area is ", readable(v.area_share, 2), " of the mean and its weights add up to ",
+                        readable(v.stiffness_share, 2), " times the median, ", why(v));
 }
 
 report::Text growth_words(const std::vector<StabilityStudy>& studies) {
@@ -93,8 +97,27 @@ report::Text uniform_words(const std::vector<StabilityStudy>& studies) {
     return t;
 }
 
-report::Text flow_words(const RebuiltFlow& flow) {
-    const Smoothed& fixed = flow.fixed;
+/// "In step 4 face 12 is turned over; …": what went wrong in a run, in the order it is looked at.
+report::Text diagnosis(const WatchedRun& watched) {
+    const Smoothed& run = watched.run;
+    report::Text t;
+    if (watched.turned_iteration > 0) {
+        report::extend(t, " Face ", std::to_string(watched.turned_face), " is the first to be turned over, in step ",
+                       std::to_string(watched.turned_iteration), ".");
+    }
+    if (run.blew_up) {
+        report::extend(t, " In step ", std::to_string(run.blow_up_iteration), " vertex ", std::to_string(run.blow_up_vertex),
+                       " is farther than ", readable(SmoothingOptions().blow_up_at), " box diagonals away: the run has blown up.");
+    }
+    if (run.collapse_iteration > 0) {
+        report::extend(t, " After ", counted(run.iterations, "step"),
+                       " nothing is left of the surface: the flow has shrunk it to points or lines, and no operator can be built.");
+    }
+    return t;
+}
+
+report::Text fixed_words(const RebuiltFlow& flow) {
+    const Smoothed& fixed = flow.fixed.run;
     report::Text t = report::text("With the operator rebuilt from the current positions the law holds for each step alone. On ",
                                   flow.name(), " half the limit of the input ");
     if (fixed.crossing_iteration > 0) {
@@ -104,22 +127,44 @@ report::Text flow_words(const RebuiltFlow& flow) {
     } else {
         report::extend(t, "stays a stable step throughout: ", math("λμ_max"), " is ", readable(largest_product(fixed), 3), " at most.");
     }
-    if (fixed.blew_up) {
-        report::extend(t, " In step ", std::to_string(fixed.blow_up_iteration), " vertex ", std::to_string(fixed.blow_up_vertex),
-                       " leaves a thousand box diagonals.");
+    report::extend(t, diagnosis(flow.fixed));
+    if (fixed.crossing_iteration > 0 && !fixed.blew_up && fixed.collapse_iteration == 0) {
+        report::extend(t, " Yet it does not blow up in ", counted(fixed.iterations, "step"), "; in the last of them ", math("λμ_max"),
+                       " is ", readable(fixed.steps.back().top, 3), ".");
     }
-    const double reached = flow.adaptive.time / (flow.lambda * flow.iterations);
-    report::extend(t, " The adaptive step, which takes at most ", readable(flow.share, 3), " of what the bound of each operator allows, ");
-    report::extend(t, flow.adaptive.crossing_iteration > 0
-                          ? "crossed the limit too, which the bound excludes: a fault of this program. It"
-                          : "never crosses it (" + readable(largest_product(flow.adaptive), 3) + " at most). It");
-    report::extend(t, " reaches ", readable_percent(reached), " of the diffusion time in as many steps");
-    if (flow.adaptive.steps.back().lambda < 0.5 * flow.lambda) {
-        report::extend(t, ", for the last step is only ", readable_percent(flow.adaptive.steps.back().lambda / flow.lambda, 2),
+    return t;
+}
+
+report::Text adaptive_words(const RebuiltFlow& flow) {
+    const Smoothed& adaptive = flow.adaptive.run;
+    report::Text t =
+        report::text("The adaptive step, which takes at most ", readable(flow.share, 3), " of what the bound of each operator allows, ");
+    report::extend(t, adaptive.crossing_iteration > 0 ? "crossed the limit too, which the bound excludes: a fault of this program. It"
+                                                      : "never crosses it (" + readable(largest_product(adaptive), 3) + " at most). It");
+    report::extend(t, " reaches ", readable_percent(adaptive.time / (flow.lambda * flow.iterations)), " of the diffusion time asked for");
+    if (adaptive.steps.back().lambda < 0.5 * flow.lambda) {
+        report::extend(t, ", for the last step is only ", readable_percent(adaptive.steps.back().lambda / flow.lambda, 2),
                        " of the first asked for: where the flow shrinks triangles to nothing, so does the limit");
     }
-    report::extend(t, ". At the end ", counted(flow.fixed_inverted, "face"), " of ", std::to_string(flow.source->mesh().face_count()),
-                   " are turned over with fixed λ, ", std::to_string(flow.adaptive_inverted), " with the adaptive one.");
+    report::extend(t, ".");
+    report::extend(t, diagnosis(flow.adaptive));
+    report::extend(t, " At the end ", counted(flow.fixed.inverted, "face"), " of ", std::to_string(flow.source->mesh().face_count()),
+                   flow.fixed.inverted == 1 ? " is" : " are", " turned over with fixed λ, ", std::to_string(flow.adaptive.inverted),
+                   " with the adaptive one.");
+    return t;
+}
+
+report::Text frozen_words(const RebuiltFlow& flow) {
+    const WatchedRun& frozen = flow.frozen;
+    report::Text t = report::text("With the operator of the input kept, at ", readable(flow.beyond, 1),
+                                  " times the limit, the top mode is multiplied by ", readable(frozen.run.steps.front().top - 1, 2),
+                                  " in every step, and nothing stops it.");
+    report::extend(t, diagnosis(frozen));
+    if (!frozen.run.blew_up) {
+        report::extend(t, " Yet ", counted(frozen.run.iterations, "step"),
+                       " leave it within the box: the mesh has nothing, or almost nothing, of that mode.");
+    }
+    report::extend(t, " (", ref(id_of("stability", flow.name(), "flow_table")), ")");
     return t;
 }
 
@@ -129,7 +174,7 @@ void add_stability_discussion(report::Section& section, const std::vector<Stabil
     add_heading(section, "Discussion");
     add_paragraphs(section, {what_is_proved(studies)});
     for (const StabilityStudy& study : studies) add_paragraphs(section, {where_and_why(study)});
-    add_paragraphs(section, {growth_words(studies), uniform_words(studies), flow_words(flow)});
+    add_paragraphs(section, {growth_words(studies), uniform_words(studies), fixed_words(flow), adaptive_words(flow), frozen_words(flow)});
 }
 
 }   // namespace meshfolio

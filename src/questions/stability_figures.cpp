@@ -32,9 +32,11 @@ output::Panel marked(output::Panel panel, int vertex) {
     return panel;
 }
 
-void add_multiples(Answer& answer, output::FigureRequest request, const std::string& caption, const std::string& colormap) {
-    request.range = output::robust_range(request.panels, colormap, "|φ| / max |φ|", "", 1);
-    request.range->low = 0;
+/// One colour range for all, from `low` to 1.
+void add_multiples(Answer& answer, output::FigureRequest request, const std::string& caption, const std::string& colormap,
+                   const std::string& title, double low) {
+    request.range = output::robust_range(request.panels, colormap, title, "", 1);
+    request.range->low = low;
     request.range->high = 1;
     request.range->clipped_below = request.range->clipped_above = 0;
     request.three_quarter = true;
@@ -90,20 +92,22 @@ void add_limiting_vertex_figures(Answer& answer, const std::vector<StabilityStud
     for (const StabilityStudy& study : studies) {
         const int vertex = study.limiting.vertex;
         const Vector height = height_of(study.cotangent.certificate.top);
+        const Vector signed_height = study.cotangent.certificate.top.mode / study.cotangent.certificate.top.mode.cwiseAbs().maxCoeff();
         const std::string label = study.name() + ", vertex " + std::to_string(vertex);
         const Neighbourhood patch = neighbourhood(study.mesh(), study.source->prepared->topology, vertex, rings);
         whole.panels.push_back(
             marked(panel_of(moved_to(study.mesh(), turned(study.mesh(), vertex)), id_of("stability", study.name(), "mode"), label, height),
                    vertex));
         near.panels.push_back(
-            marked(panel_of(patch.mesh, id_of("stability", study.name(), "patch"), label, height(patch.original)), patch.vertex));
+            marked(panel_of(patch.mesh, id_of("stability", study.name(), "patch"), label, signed_height(patch.original)), patch.vertex));
         caption += " " + study.name() + ": " + told(study.limiting) + ".";
     }
     add_multiples(answer, std::move(whole),
                   "The mode that explicit smoothing amplifies first, on each mesh, seen along the normal of the ringed vertex, where it is "
                   "largest.",
-                  colormap);
-    add_multiples(answer, std::move(near), caption, colormap);
+                  colormap, "|φ| / max |φ|", 0);
+    // With its sign the mode is drawn on white where it is 0: edges stay visible.
+    add_multiples(answer, std::move(near), caption, "diverging", "φ / max |φ|", -1);
 }
 
 }   // namespace meshfolio

@@ -11,7 +11,7 @@
 namespace meshfolio {
 
 /// Two figures of small multiples: every mesh seen along the normal of its limiting vertex, and the triangles around that vertex;
-/// coloured by |φ_max| over its largest value, the vertex ringed.
+/// coloured by |φ_max| over its largest value, near by with its sign, the vertex ringed.
 void add_limiting_vertex_figures(Answer& answer, const std::vector<StabilityStudy>& studies, const std::string& colormap);
 
 /// The triangles within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.

@@ -58,6 +58,7 @@ Answer answer_stability(const MeshLibrary& library, const QuestionSettings& sett
     section.blocks.emplace_back(growth_plot(studies.back()));   // the law is one: the table has the others
     section.blocks.emplace_back(flow_table(flow));
     section.blocks.emplace_back(flow_plot(flow));
+    section.blocks.emplace_back(flow_time_table(flow));
     add_stability_discussion(section, studies, flow);
     section.checks = stability_checks(studies, flow);
 
@@ -69,10 +70,11 @@ Answer answer_stability(const MeshLibrary& library, const QuestionSettings& sett
     section.extent = "the limits of two operators on " + listed(names_of(meshes)) +
                      " proved from both sides; runs a hundredth below and beyond; rebuilt flow with fixed and adaptive steps";
     const StabilityStudy& last = studies.back();
-    section.findings.push_back({report::text("The largest stable λ of ", last.name(), ", ", readable(last.cotangent.critical(), 5),
-                                             ", is proved to ", readable(last.cotangent.certificate.relative_width(), 1),
-                                             " relative; vertex ", std::to_string(last.limiting.vertex), " sets it."),
-                                76});
+    section.findings.push_back(
+        {report::text("The largest stable λ of ", last.name(), ", ", readable(rounded_down(last.cotangent.certificate.lambda_low(), 5), 5),
+                      ", is proved to ", readable(last.cotangent.certificate.relative_width(), 1), " relative; vertex ",
+                      std::to_string(last.limiting.vertex), " sets it."),
+         76});
     return answer;
 }
 

@@ -15,6 +15,7 @@ report::Table unit_table(const std::vector<StabilityStudy>& studies);
 report::Table growth_table(const std::vector<StabilityStudy>& studies);
 report::Plot growth_plot(const StabilityStudy& study);
 report::Table flow_table(const RebuiltFlow& flow);
+report::Table flow_time_table(const RebuiltFlow& flow);
 report::Plot flow_plot(const RebuiltFlow& flow);
 std::vector<report::Check> stability_checks(const std::vector<StabilityStudy>& studies, const RebuiltFlow& flow);
 

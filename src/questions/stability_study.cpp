@@ -22,6 +22,31 @@ OperatorLimit operator_limit(std::string name, const LaplaceBeltrami& laplacian,
     return limit;
 }
 
+/// The first triangle whose normal has turned by more than 90° from that given; −1 without any.
+int first_turned(const TriangleMesh& mesh, const Positions& normals) {
+    const Positions now = face_normals(mesh);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        if (now.row(t).dot(normals.row(t)) < 0) return t;
+    }
+    return -1;
+}
+
+WatchedRun watched_run(const TriangleMesh& mesh, SmoothingOptions options) {
+    WatchedRun watched;
+    watched.lambda = options.lambda;
+    watched.iterations = options.iterations;
+    const Positions normals = face_normals(mesh);
+    options.after_step = [&](int iteration, const Positions& X) {
+        if (watched.turned_iteration > 0) return true;
+        watched.turned_face = first_turned(moved_to(mesh, X), normals);
+        if (watched.turned_face >= 0) watched.turned_iteration = iteration;
+        return true;
+    };
+    watched.run = smooth(mesh, options);
+    watched.inverted = compare_meshes(mesh, moved_to(mesh, watched.run.X)).inverted_faces;
+    return watched;
+}
+
 LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const TriangleMesh& mesh, int vertex) {
     const OperatorWithMass whole = operator_with_mass(laplacian);
     Vector stiffness = whole.A.diagonal();
@@ -61,11 +86,16 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     options.iterations = flow.iterations;
     options.rebuild = true;
     options.monitor = true;
-    flow.fixed = smooth(study.mesh(), options);
+    flow.fixed = watched_run(study.mesh(), options);
     options.adaptive = flow.share;
-    flow.adaptive = smooth(study.mesh(), options);
-    flow.fixed_inverted = compare_meshes(study.mesh(), moved_to(study.mesh(), flow.fixed.X)).inverted_faces;
-    flow.adaptive_inverted = compare_meshes(study.mesh(), moved_to(study.mesh(), flow.adaptive.X)).inverted_faces;
+    flow.adaptive = watched_run(study.mesh(), options);
+
+    flow.beyond = 2;   // the top mode triples in each step
+    options = {};
+    options.lambda = flow.beyond * study.cotangent.critical();
+    options.iterations = 100;
+    options.monitor = true;
+    flow.frozen = watched_run(study.mesh(), options);
     return flow;
 }
 

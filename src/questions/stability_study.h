@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/laplacian_smoothing.h"
@@ -31,6 +32,8 @@ struct LimitingVertex {
     double area_share = 0;        // its area over the mean area
     double stiffness_share = 0;   // its −C_ii over the median
     double smallest_angle = 0;    // of the triangles around it [rad]
+
+    double rate() const { return stiffness_share / area_share; }   // weights over area, which set how fast a vertex moves
 };
 
 struct StabilityStudy {
@@ -46,14 +49,29 @@ struct StabilityStudy {
 };
 StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 
-/// Curvature flow with the operator rebuilt at every step, from half the limit of the input.
+/// A run, and the first triangle it turned against the input.
+struct WatchedRun {
+    Smoothed run;
+    double lambda = 0;          // asked for [length²]
+    int iterations = 0;         // asked for
+    int turned_iteration = 0;   // the first after which a triangle faces away from its own first normal; 0: none
+    int turned_face = -1;       // that triangle, the first of them
+    int inverted = 0;           // how many at the end
+};
+
+/// Curvature flow with the operator rebuilt at every step, from half the limit of the input; and beyond the limit with the operator of
+/// the input, where nothing keeps the top mode from growing.
 struct RebuiltFlow {
     std::shared_ptr<const LibraryMesh> source;
     double lambda = 0;    // asked for [length²]
     double share = 0;     // of the proved limit, kept by the adaptive run
     int iterations = 0;   // asked for
-    Smoothed fixed, adaptive;
-    int fixed_inverted = 0, adaptive_inverted = 0;   // faces turned against the input at the end
+    double beyond = 0;    // λ of the frozen run over the limit
+    WatchedRun fixed, adaptive, frozen;
+
+    std::array<std::pair<std::string, const WatchedRun*>, 3> runs() const {
+        return {{{"rebuilt, fixed λ", &fixed}, {"rebuilt, adaptive λ", &adaptive}, {"frozen, fixed λ", &frozen}}};
+    }
 
     const std::string& name() const { return source->name; }
 };

@@ -11,13 +11,14 @@ namespace meshfolio {
 
 namespace {
 
-/// |1 − λμ|ᵗ or what was measured of it, at some thirty steps of the run.
-report::Series curve(const std::string& name, const ModeGrowth& growth, bool measured) {
+/// |1 − λμ|ᵗ or what was measured of it, at some fifteen steps of the run.
+/// @param first  step to begin with: runs that obey one law would hide each other, so their points alternate
+report::Series curve(const std::string& name, const ModeGrowth& growth, bool measured, double first = 0) {
     report::Series series;
     series.name = name;
     series.style = measured ? report::Series::Style::points : report::Series::Style::dashed;
-    const int stride = std::max(1, growth.steps() / 25);
-    for (int t = 0; t <= growth.steps(); t += stride) {
+    const int stride = std::max(2, growth.steps() / 15);
+    for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride) {
         series.x.push_back(t);
         series.y.push_back(measured ? growth.factor[static_cast<std::size_t>(t)] : growth.predicted(t));
     }
@@ -26,22 +27,8 @@ report::Series curve(const std::string& name, const ModeGrowth& growth, bool mea
 
 std::string vertex_text(int vertex) { return vertex >= 0 ? std::to_string(vertex) : "–"; }
 
-std::vector<report::Cell> flow_row(const std::string& name, const Smoothed& run, const RebuiltFlow& flow, int inverted) {
-    const report::Cell none = std::string("never");
-    const report::Cell crossing = run.crossing_iteration > 0 ? report::Cell(double(run.crossing_iteration)) : none;
-    const report::Cell blow_up = run.blew_up ? report::Cell(double(run.blow_up_iteration)) : none;
-    return {name,
-            run.steps.front().top,
-            largest_product(run),
-            crossing,
-            vertex_text(run.crossing_vertex),
-            blow_up,
-            vertex_text(run.blow_up_vertex),
-            run.steps.back().lambda / flow.lambda,
-            run.time,
-            100 * run.time / (flow.lambda * flow.iterations),
-            double(inverted)};
-}
+/// The step something happened in, or "never".
+report::Cell when(int iteration) { return iteration > 0 ? std::to_string(iteration) : std::string("never"); }
 
 }   // namespace
 
@@ -49,25 +36,26 @@ report::Table certificate_table(const std::vector<StabilityStudy>& studies) {
     report::Table table;
     table.id = "stability_certificates";
     table.caption =
-        "The limit of explicit smoothing between two proved bounds. Relative width: how far they are apart. Factorisations: 1 when the "
-        "Cholesky factorisation just above the value of Lanczos ran to its end at once. Safe λ: twice the inverse of the Gershgorin bound. "
-        "λ of the uniform operator has no unit.";
+        "The limit of explicit smoothing between two proved bounds, the vertex that sets it, and how many vertices share its mode. Width: "
+        "how far the bounds are apart. Tries: 1 when the Cholesky factorisation just above the value of Lanczos ran to its end at once. "
+        "Safe λ: twice the inverse of the Gershgorin bound, which stands beside μ_max in the last column. λ of the uniform operator has no "
+        "unit.";
     table.columns = {{"mesh", "", 3},
                      {"operator", "", 3},
-                     {"proved stable up to λ", "length²", 10},
-                     {"proved unstable beyond λ", "length²", 10},
-                     {"relative width", "", 2},
-                     {"factorisations", "", 3},
-                     {"safe λ (Gershgorin)", "length²", 4},
-                     {"Gershgorin bound / μ_max", "", 4},
                      {"vertex", "", 8},
-                     {"vertices sharing the mode", "", 3}};
+                     {"sharing", "vertices", 3},
+                     {.name = "stable up to λ", .unit = "length²", .digits = 10, .rounding = report::Column::Rounding::down},
+                     {.name = "unstable beyond λ", .unit = "length²", .digits = 10, .rounding = report::Column::Rounding::up},
+                     {"width", "relative", 2},
+                     {"tries", "", 3},
+                     {.name = "safe λ", .unit = "length²", .digits = 4, .rounding = report::Column::Rounding::down},
+                     {"bound / μ_max", "", 3}};
     for (const StabilityStudy& study : studies) {
         for (const OperatorLimit* limit : study.operators()) {
             const StabilityCertificate& proved = limit->certificate;
-            table.rows.push_back({study.name(), limit->name, proved.lambda_low(), proved.lambda_high(), proved.relative_width(),
-                                  double(proved.factorisations), 2 / proved.top.upper_bound, proved.top.upper_bound / proved.top.value,
-                                  double(proved.top.vertex), proved.top.support});
+            table.rows.push_back({study.name(), limit->name, double(proved.top.vertex), proved.top.support, proved.lambda_low(),
+                                  proved.lambda_high(), proved.relative_width(), double(proved.factorisations), 2 / proved.top.upper_bound,
+                                  proved.top.upper_bound / proved.top.value});
         }
     }
     return table;
@@ -102,7 +90,8 @@ report::Table growth_table(const std::vector<StabilityStudy>& studies) {
     table.caption =
         "The coefficient of the top mode after many steps of the frozen operator, over that at the start, where the mode is a thousandth "
         "of "
-        "the mean edge high: measured beside the predicted |1 − λμ_max|ᵗ. Energy: Dirichlet energy at the end over that at the start.";
+        "the mean edge high: measured beside the predicted |1 − λμ_max|\u2060ᵗ. Energy: Dirichlet energy at the end over that at the "
+        "start.";
     table.columns = {{"mesh", "", 3},
                      {"operator", "", 3},
                      {"λ/λ_crit", "", 3},
@@ -130,8 +119,9 @@ report::Plot growth_plot(const StabilityStudy& study) {
     plot.y_label = "top mode / that at the start";
     plot.log_y = true;
     for (const OperatorLimit* limit : study.operators()) {
-        plot.series.push_back(curve(limit->name + ", 1.01 λ_crit", limit->beyond, true));
-        plot.series.push_back(curve(limit->name + ", 0.99 λ_crit", limit->below, true));
+        const double first = limit == &study.cotangent ? 0 : 0.5;
+        plot.series.push_back(curve(limit->name + ", 1.01 λ_crit", limit->beyond, true, first));
+        plot.series.push_back(curve(limit->name + ", 0.99 λ_crit", limit->below, true, first));
     }
     plot.series.push_back(curve("predicted, 1.01 λ_crit", study.cotangent.beyond, false));
     plot.series.push_back(curve("predicted, 0.99 λ_crit", study.cotangent.below, false));
@@ -140,7 +130,7 @@ report::Plot growth_plot(const StabilityStudy& study) {
                    readable(study.cotangent.beyond.factor.back(), 4) + " times its start (cotangent) and " +
                    readable(study.uniform.beyond.factor.back(), 4) + " times (uniform), at 0.99 λ_crit at " +
                    readable(study.cotangent.below.factor.back(), 3) + " and " + readable(study.uniform.below.factor.back(), 3) +
-                   ". Dashed: |1 − λμ_max|ᵗ.";
+                   ". Dashed: |1 − λμ_max|\u2060ᵗ. Points of the two operators alternate.";
     plot.alt = plot.caption;
     return plot;
 }
@@ -148,22 +138,48 @@ report::Plot growth_plot(const StabilityStudy& study) {
 report::Table flow_table(const RebuiltFlow& flow) {
     report::Table table;
     table.id = id_of("stability", flow.name(), "flow_table");
-    table.caption = "Curvature flow of " + flow.name() + " with the operator rebuilt before each of " + counted(flow.iterations, "step") +
-                    ", from λ = " + readable(flow.lambda, 4) + ", half the limit of the input. Adaptive: no step exceeds " +
-                    readable(flow.share, 3) + " of the limit that the Gershgorin bound of its operator proves.";
-    table.columns = {{"step", "", 3},
-                     {"λμ_max at first", "", 4},
+    table.caption = "Curvature flow of " + flow.name() + ", where it crosses the limit, turns a triangle over and leaves " +
+                    readable(SmoothingOptions().blow_up_at) + " box diagonals. Rebuilt: the operator of the current positions in each of " +
+                    counted(flow.iterations, "step") + ", from half the limit of the input; adaptive: no step exceeds " +
+                    readable(flow.share, 3) +
+                    " of the limit that the Gershgorin bound of its operator proves. Frozen: the operator of "
+                    "the input, " +
+                    readable(flow.beyond, 1) + " times its limit, at most " + counted(flow.frozen.iterations, "step") + ".";
+    table.columns = {{"run"},
                      {"largest λμ_max", "", 4},
-                     {"beyond 2 in step", "", 5},
-                     {"at vertex", "", 8},
-                     {"blew up in step", "", 5},
-                     {"first at vertex", "", 8},
-                     {"last λ", "of first asked", 3},
+                     {"beyond 2 in step"},
+                     {"at vertex"},
+                     {"first face turned in step"},
+                     {"face"},
+                     {"blew up in step"},
+                     {"at vertex", "first"},
+                     {"turned at the end", "faces", 6}};
+    for (const auto& [name, watched] : flow.runs()) {
+        const Smoothed& run = watched->run;
+        table.rows.push_back({name, largest_product(run), when(run.crossing_iteration), vertex_text(run.crossing_vertex),
+                              when(watched->turned_iteration), vertex_text(watched->turned_face), when(run.blow_up_iteration),
+                              vertex_text(run.blow_up_vertex), double(watched->inverted)});
+    }
+    return table;
+}
+
+report::Table flow_time_table(const RebuiltFlow& flow) {
+    report::Table table;
+    table.id = id_of("stability", flow.name(), "flow_time");
+    table.caption = "How far each of these runs of " + flow.name() + " came.";
+    table.columns = {{"run"},
+                     {"first λ", "length²", 4},
+                     {"last λ", "of the first", 3},
+                     {"steps done", "", 6},
                      {"time reached", "length²", 4},
                      {"time reached", "% of steps × λ", 4},
-                     {"inverted faces", "", 6}};
-    table.rows.push_back(flow_row("fixed", flow.fixed, flow, flow.fixed_inverted));
-    table.rows.push_back(flow_row("adaptive", flow.adaptive, flow, flow.adaptive_inverted));
+                     {"ended by"}};
+    for (const auto& [name, watched] : flow.runs()) {
+        const Smoothed& run = watched->run;
+        const std::string end = run.blew_up ? "blow-up" : run.collapse_iteration > 0 ? "collapse" : "number of steps";
+        table.rows.push_back({name, watched->lambda, run.steps.back().lambda / watched->lambda, double(run.iterations), run.time,
+                              100 * run.time / (watched->lambda * watched->iterations), end});
+    }
     return table;
 }
 
@@ -173,20 +189,26 @@ report::Plot flow_plot(const RebuiltFlow& flow) {
     plot.x_label = "step";
     plot.y_label = "λμ_max of the operator in use";
     plot.log_y = true;
-    for (const auto& [name, run] : {std::pair{"fixed λ", &flow.fixed}, std::pair{"adaptive λ", &flow.adaptive}}) {
+    for (const auto& [name, watched] : flow.runs()) {
         report::Series series;
         series.name = name;
         series.style = report::Series::Style::line_and_points;
-        for (std::size_t t = 0; t < run->steps.size(); ++t) {
+        const std::vector<StepStability>& steps = watched->run.steps;
+        for (std::size_t t = 0; t < steps.size(); ++t) {
             series.x.push_back(double(t + 1));
-            series.y.push_back(run->steps[t].top);
+            series.y.push_back(steps[t].top);
         }
         plot.series.push_back(std::move(series));
     }
     plot.series.push_back({"limit 2", {1, double(flow.iterations)}, {2, 2}, {}, {}, report::Series::Style::dashed});
-    plot.caption = "λμ_max of the curvature flow of " + flow.name() + ", the operator rebuilt in every step: with fixed λ it goes from " +
-                   readable(flow.fixed.steps.front().top, 3) + " to " + readable(largest_product(flow.fixed), 3) +
-                   " at most, with the adaptive step it stays at or below " + readable(largest_product(flow.adaptive), 3) + ".";
+    plot.caption = "λμ_max of the curvature flow of " + flow.name() + ": with the operator rebuilt and fixed λ it goes from " +
+                   readable(flow.fixed.run.steps.front().top, 3) + " to " + readable(largest_product(flow.fixed.run), 3) +
+                   " at most, with the adaptive step it stays at or below " + readable(largest_product(flow.adaptive.run), 3) +
+                   "; with the frozen operator it is " + readable(largest_product(flow.frozen.run), 3) + " in every step" +
+                   (flow.frozen.run.blew_up ? ", until the run blows up in step " + std::to_string(flow.frozen.run.blow_up_iteration) +
+                                                  " at vertex " + std::to_string(flow.frozen.run.blow_up_vertex)
+                                            : std::string()) +
+                   ".";
     plot.alt = plot.caption;
     return plot;
 }
@@ -212,7 +234,7 @@ std::vector<report::Check> stability_checks(const std::vector<StabilityStudy>& s
         }
         checks.push_back(check_at_most("Uniform μ_max lies in (0, 2] on " + study.name(), 2, study.uniform.certificate.mu_low));
     }
-    checks.push_back(check_at_most("Largest λμ_max of the adaptive flow of " + flow.name(), 2, largest_product(flow.adaptive)));
+    checks.push_back(check_at_most("Largest λμ_max of the adaptive flow of " + flow.name(), 2, largest_product(flow.adaptive.run)));
     return checks;
 }
 

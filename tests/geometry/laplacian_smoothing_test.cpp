@@ -283,3 +283,23 @@ TEST(LaplacianSmoothing, Names) {
     EXPECT_EQ(smoothing_scheme_named("implicit"), SmoothingScheme::implicit_euler);
     EXPECT_THROW(smoothing_scheme_named("Explicit"), UsageError);
 }
+
+// One step at λμ = 1 takes the triangle to its centre: there is no operator to rebuild.
+TEST(LaplacianSmoothing, ARebuiltFlowEndsWhereNothingIsLeft) {
+    const TriangleMesh mesh = triangle({0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0});
+    SmoothingOptions options;
+    options.lambda = 0.5 * largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh)));
+    options.iterations = 10;
+    options.rebuild = true;
+    for (const double adaptive : {0.0, 0.95}) {
+        options.adaptive = adaptive;
+        const Smoothed run = smooth(mesh, options);
+        EXPECT_GT(run.collapse_iteration, 1);
+        EXPECT_EQ(run.iterations, run.collapse_iteration - 1);
+        EXPECT_FALSE(run.blew_up);
+        EXPECT_TRUE(run.X.allFinite());
+        EXPECT_LT(surface_area({run.X, mesh.F}), 1e-20);
+    }
+    options.rebuild = false;
+    EXPECT_EQ(smooth(mesh, options).collapse_iteration, 0) << "a frozen operator needs no surface";
+}

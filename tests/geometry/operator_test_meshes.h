@@ -3,12 +3,15 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <vector>
 
+#include "geometry/intrinsic_triangles.h"
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -82,6 +85,22 @@ inline FlatTorus flat_torus(int nx, int ny, double diagonal) {
         }
     }
     return torus;
+}
+
+/// The smallest cot α + cot β over the glued edges, by the law of cosines and Heron's area; +∞ where there is none.
+inline double smallest_cotangent_sum(const IntrinsicTriangles& triangles) {
+    const auto cotangent = [&](int side) {
+        const Eigen::RowVector3d l = triangles.lengths.row(side / 3) / triangles.lengths.row(side / 3).maxCoeff();
+        const double a = l[side % 3], b = l[(side + 1) % 3], c = l[(side + 2) % 3];
+        const double area = 0.25 * std::sqrt((a + b + c) * (b + c - a) * (c + a - b) * (a + b - c));
+        return (b * b + c * c - a * a) / (4 * area);
+    };
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int side = 0; side < static_cast<int>(triangles.glued_to.size()); ++side) {
+        const int other = triangles.glued_to[static_cast<std::size_t>(side)];
+        if (other > side) smallest = std::min(smallest, cotangent(side) + cotangent(other));
+    }
+    return smallest;
 }
 
 inline Eigen::Matrix3d some_rotation() { return Eigen::AngleAxisd(1.1, Vector3(1, -2, 0.7).normalized()).toRotationMatrix(); }

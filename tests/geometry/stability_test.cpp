@@ -16,16 +16,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-Vector valences(const MeshTopology& topology) {
-    Vector valence(static_cast<Eigen::Index>(topology.on_boundary.size()));
-    for (int v = 0; v < valence.size(); ++v) valence[v] = topology.neighbours.size(v);
-    return valence;
-}
-
-LargestEigenvalue uniform_top(const TriangleMesh& mesh) {
-    const MeshTopology topology = topology_of(mesh);
-    return largest_eigenvalue_uniform(uniform_laplacian(topology), valences(topology));
-}
+LargestEigenvalue uniform_top(const TriangleMesh& mesh) { return largest_eigenvalue(uniform_operator(topology_of(mesh))); }
 
 /// |⟨X, φ⟩_M| after `steps` explicit steps from the mesh with the top mode added at `height` edges, over that before.
 double measured_amplification(const TriangleMesh& mesh, double share_of_critical, int steps) {
@@ -172,6 +163,34 @@ TEST(Stability, StepUnits) {
     EXPECT_EQ(step_in_model_units(3, step_unit_named("tau"), 0.5, 0.1), 1.5) << "tau 1 is the limit";
     EXPECT_DOUBLE_EQ(step_in_model_units(3, step_unit_named("h2"), 0.5, 0.1), 0.03);
     EXPECT_THROW(step_unit_named("metres"), UsageError);
+}
+
+TEST(Stability, OneStepInAllUnits) {
+    const StepInUnits step = step_in_units(0.25, 0.5, 0.1);
+    EXPECT_EQ(step.raw, 0.25);
+    EXPECT_DOUBLE_EQ(step.tau, 0.5);
+    EXPECT_DOUBLE_EQ(step.h2, 25);
+}
+
+// The heat kernel exp(−r²/4t) falls to 1/e at ℓ = √(4t): four times the time reaches twice as far.
+TEST(Stability, SmoothingStrengthIsTheWidthOfTheHeatKernel) {
+    const double diagonal = 5, reach = smoothing_strength(0.25, diagonal) * diagonal;
+    EXPECT_NEAR(std::exp(-reach * reach / (4 * 0.25)), std::exp(-1), 1e-15);
+    EXPECT_DOUBLE_EQ(smoothing_strength(1, diagonal), 2 * smoothing_strength(0.25, diagonal));
+    EXPECT_DOUBLE_EQ(smoothing_strength(4, 2 * diagonal), smoothing_strength(1, diagonal)) << "a share of the box";
+}
+
+// Cosines are the modes of a ring: none may be missing, nor the constant.
+TEST(Stability, AnIrregularDirectionHasALittleOfEveryMode) {
+    constexpr int n = 60;
+    const Vector direction = irregular_direction(n);
+    EXPECT_NEAR(direction.norm(), 1, 1e-15);
+    EXPECT_EQ(direction, irregular_direction(n));
+    for (int k = 0; k <= n / 2; ++k) {
+        Vector mode(n);
+        for (int i = 0; i < n; ++i) mode[i] = std::cos(2 * pi * k * i / n);
+        EXPECT_GT(std::abs(direction.dot(mode.normalized())), 1e-4) << k;
+    }
 }
 
 TEST(Stability, RefusesMeshesWithoutArea) {

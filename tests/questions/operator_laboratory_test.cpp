@@ -94,3 +94,10 @@ TEST(OperatorLaboratory, AreasThatAreNotPositiveAreSaid) {
     expect_well_formed(answer);
     EXPECT_NE(prose_of(answer.section).find("Areas that are not positive"), std::string::npos);
 }
+
+TEST(OperatorLaboratory, WordsFollowTheFlips) {
+    const Answer ball = answer_operators(library_of(icosphere(2), "lab_ball"), quick_settings(), no_progress);
+    EXPECT_NE(prose_of(ball.section).find("here they change no step"), std::string::npos) << "no edge is flipped";
+    EXPECT_NE(report::plain(ball.section.findings.front().text).find("no longer steps"), std::string::npos);
+    EXPECT_EQ(prose_of(ball.section).find("do not make an operator indefinite"), std::string::npos) << "not a law";
+}

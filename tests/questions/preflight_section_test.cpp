@@ -83,3 +83,17 @@ TEST(PreflightSection, AMeshThatCannotBeReadIsToldAndTheRestIsThere) {
 }
 
 TEST(PreflightSection, EveryRealMesh) { check_real_meshes(answer_preflight); }
+
+TEST(PreflightSection, WordsFollowTheShapeAndTheFindings) {
+    const std::string ball = prose_of(answer_on(icosphere(2), "pre_even").section);
+    EXPECT_NE(ball.find("no triangle is thin"), std::string::npos);
+    EXPECT_EQ(ball.find("Found and left"), std::string::npos);
+    TriangleMesh thin = icosphere(2);
+    thin.X.col(2) *= 50;
+    EXPECT_NE(prose_of(answer_on(thin, "pre_thin").section).find("make explicit steps small"), std::string::npos);
+    TriangleMesh seam = icosphere(2);
+    seam.X.row(0) = seam.X.row(1);
+    EXPECT_NE(prose_of(answer_on(seam, "pre_seam").section).find("vertices exactly on an earlier one (pre_seam 1)"), std::string::npos);
+    const Answer one = answer_on(grid_mesh(4, 4, 1, 1), "pre_sheet");
+    EXPECT_NE(report::plain(one.section.findings.front().text).find("1 kind of finding, with what it affects"), std::string::npos);
+}
