@@ -55,6 +55,10 @@ ExitCode run_smooth(const Options& options) {
     const PreparedMesh prepared = load_mesh(options.mesh);
     smoothing.lambda = step_of(options, smoothing, prepared);
     const Smoothed result = smooth(prepared.mesh, smoothing);
+    if (result.solver == LinearSolver::conjugate_gradients) {
+        warn("a factor would not fit into memory; " + std::to_string(result.solver_iterations) +
+             " iterations of conjugate gradients made " + "the " + std::to_string(result.iterations) + " steps instead");
+    }
     write_mesh_to(options.output, moved_to(prepared.mesh, result.X));
     if (!result.blew_up) return ExitCode::ok;
     complain(options.mesh + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
