@@ -74,6 +74,10 @@ ExitCode run_smooth(const Options& options) {
     const PreparedMesh prepared = load_mesh(options.mesh);
     smoothing.lambda = step_of(options, smoothing, prepared);
     const Smoothed result = smooth(prepared.mesh, smoothing);
+    if (result.solver == LinearSolver::conjugate_gradients) {
+        warn("a factor would not fit into memory; " + std::to_string(result.solver_iterations) +
+             " iterations of conjugate gradients made " + "the " + std::to_string(result.iterations) + " steps instead");
+    }
     write_mesh_to(options.output, moved_to(prepared.mesh, result.X));
     tell_about_limit(smoothing, result);
     if (result.collapse_iteration > 0) {

@@ -11,9 +11,6 @@ namespace meshfolio {
 
 namespace {
 
-/// Rows from which the supernodal code is faster, solves with few right-hand sides included.
-constexpr int supernodal_from = 100'000;
-
 /// CHOLMOD's workspace and settings. It never prints.
 class Common {
 public:
@@ -80,7 +77,6 @@ public:
     CholmodFactor& operator=(const CholmodFactor&) = delete;
 
     void analyze(const SparseMatrix& A) override {
-        const bool supernodal = kind == FactorKind::cholesky && A.rows() >= supernodal_from;
         common_->supernodal = supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
         common_->final_ll = kind == FactorKind::cholesky;
         cholmod_sparse view = lower_triangle(A);
@@ -116,6 +112,7 @@ public:
     std::unique_ptr<Implementation> analysed_copy(const SparseMatrix&) const override {
         auto copy = std::make_unique<CholmodFactor>(kind);
         copy->rows = rows;
+        copy->supernodal = supernodal;
         copy->common_->supernodal = common_->supernodal;
         copy->common_->final_ll = common_->final_ll;
         copy->L_ = cholmod_copy_factor(L_, copy->common_.get());
@@ -131,6 +128,13 @@ public:
     FactorColumn column(int j) const override {
         const int start = static_cast<const int*>(L_->p)[j] + 1;
         return {static_cast<const int*>(L_->nz)[j] - 1, static_cast<const int*>(L_->i) + start, static_cast<const double*>(L_->x) + start};
+    }
+
+    int supernodes() const override { return L_->is_super ? static_cast<int>(L_->nsuper) : 0; }
+    Supernode supernode(int s) const override {
+        const int *super = static_cast<const int*>(L_->super), *rows_start = static_cast<const int*>(L_->pi);
+        return {super[s], super[s + 1] - super[s], rows_start[s + 1] - rows_start[s], static_cast<const int*>(L_->s) + rows_start[s],
+                static_cast<const double*>(L_->x) + static_cast<const int*>(L_->px)[s]};
     }
 
     long long nonzeros() const override {

@@ -1,36 +1,32 @@
 /// @file
-/// One step of ∂X/∂t = LX with a fixed operator, prepared once and applied many times. Private to the layer.
+/// Explicit steps of ∂X/∂t = LX with a fixed operator, prepared once and applied many times. Private to the layer.
 #pragma once
 
-#include <optional>
+#include <limits>
 
-#include "geometry/sparse_factor.h"
+#include "geometry/diffusion_kernels.h"
 #include "geometry/vertices_with_mass.h"
 
 namespace meshfolio {
 
-/// X ↦ X + λLX. Rows of X are contiguous, so each weight read serves three coordinates.
+/// X ↦ X + λLX, L = M⁻¹C. Each weight read serves three coordinates; constants stay to the last bit, since only differences of
+/// neighbours are weighted. Every row is a sum in fixed order: threads do not change it.
 class ExplicitDiffusion {
 public:
     explicit ExplicitDiffusion(const OperatorWithMass& whole);
-    /// n × 3 for the whole mesh; vertices without mass stay. Every row is a sum in fixed order: threads do not change it.
+
+    const std::vector<int>& vertex() const { return vertex_; }   // of each row
+    /// @return whether all numbers of Y are finite and at most `bound`
+    bool step(double lambda, const FourColumns& X, FourColumns& Y, double bound = std::numeric_limits<double>::max()) const;
+    /// n × 3 for the whole mesh; vertices without mass stay.
     Positions step(double lambda, const Positions& X) const;
 
 private:
-    Eigen::SparseMatrix<double, Eigen::RowMajor> L_;   // M⁻¹C over all vertices
+    std::vector<int> vertex_;
+    DifferenceRows L_;
 };
 
-/// X ↦ X', (M − λC) X' = M X, three right-hand sides together.
-class ImplicitDiffusion {
-public:
-    /// Factors M − λC; after the first time the symbolic analysis is kept as long as the pattern is.
-    void prepare(OperatorWithMass whole, double lambda);
-    Positions step(const Positions& X) const;
-    long long factor_nonzeros() const { return factor_->nonzeros(); }
-
-private:
-    OperatorWithMass whole_;
-    std::optional<SparseFactor> factor_;
-};
+/// Rows of M⁻¹C without their diagonal.
+DifferenceRows difference_rows(const OperatorWithMass& whole);
 
 }   // namespace meshfolio

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/ldlt_panels.h"
 #include "geometry/sparse_factor.h"
 
 namespace meshfolio {
@@ -15,6 +16,17 @@ struct FactorColumn {
     const int* rows = nullptr;
     const double* values = nullptr;
 };
+
+/// Columns of L of one pattern, stored with the zeros above their diagonals.
+struct Supernode {
+    int first = 0, columns = 0;
+    int row_count = 0;   // the columns' own rows first
+    const int* rows = nullptr;
+    const double* values = nullptr;   // row_count × columns, column-major
+};
+
+/// Rows from which factoring by supernodes and ten solves are faster than column by column.
+inline constexpr Eigen::Index supernodal_from = 100'000;
 
 struct SparseFactor::Implementation {
     virtual ~Implementation() = default;
@@ -32,18 +44,26 @@ struct SparseFactor::Implementation {
     virtual std::vector<int> order() const = 0;
     /// Column j of L below the unit diagonal, rows ascending, in the order of elimination. Simplicial LDLᵀ only.
     virtual FactorColumn column(int j) const = 0;
+    /// Supernodal LLᵀ only; 0: L is stored column by column.
+    virtual int supernodes() const { return 0; }
+    virtual Supernode supernode(int) const { return {}; }
 
     FactorKind kind = FactorKind::ldlt;
     Eigen::Index rows = 0;
+    bool supernodal = false;    // asked for before `analyze`, where the library has it
     std::vector<int> pattern;   // of the matrix analysed: column starts, then rows
     int negative = 0;           // pivots < 0
 };
 
 /// Analysed, not factored yet. `A` compressed.
 std::unique_ptr<SparseFactor::Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library);
+std::unique_ptr<SparseFactor::Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library, bool supernodal);
 /// Numerical factorisation, with every pivot checked.
 /// @throws SolverError if an entry is not finite or a pivot is lost in rounding
 void factorize_checked(SparseFactor::Implementation& factor, const SparseMatrix& A);
+
+/// From simplicial LDLᵀ or supernodal LLᵀ.
+LdltPanels panels_of(const SparseFactor::Implementation& L);
 
 std::unique_ptr<SparseFactor::Implementation> factor_by_eigen(FactorKind kind);
 #ifdef MESHFOLIO_WITH_CHOLMOD

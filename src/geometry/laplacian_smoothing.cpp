@@ -1,12 +1,16 @@
 #include "geometry/laplacian_smoothing.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "errors.h"
 #include "geometry/diffusion_step.h"
 #include "geometry/limit_watch.h"
+#include "geometry/spatial_order.h"
 #include "geometry/stability.h"
+#include "mesh/parallel.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
 
@@ -65,24 +69,29 @@ double taubin_step(const LaplaceBeltrami& laplacian, double lambda, double pass_
                     "take a smaller lambda");
 }
 
-/// One scheme with one operator at a time, in the units of the frame.
+/// One scheme with one operator at a time, in the units of the frame. Positions are kept as the rows of the solver at hand: spatially
+/// sorted, so that neighbours are near each other in memory.
 class Diffusion {
 public:
-    Diffusion(const TriangleMesh& mesh, const SmoothingOptions& options, Smoothed& statistics)
-        : options_(options), statistics_(statistics), limit_(options) {
+    Diffusion(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& implicit)
+        : options_(options), limit_(options), implicit_(implicit) {
         rebuild(mesh);
     }
 
-    Positions step(const Positions& X) const {
+    /// One step. @return whether all coordinates are finite and within ± `bound` after it
+    bool step(const FourColumns& X, FourColumns& next, double bound) {
         switch (options_.scheme) {
             case SmoothingScheme::implicit_euler:
-                return implicit_.step(X);
+                std::copy_n(X.data(), FourColumns::width * X.rows(), next.data());
+                implicit_.step(next);
+                return false;   // not known
             case SmoothingScheme::taubin:
-                return explicit_->step(taubin_mu_, explicit_->step(options_.lambda, X));
+                explicit_->step(options_.lambda, X, between_);
+                return explicit_->step(taubin_mu_, between_, next, bound);
             case SmoothingScheme::explicit_euler:
                 break;
         }
-        return explicit_->step(limit_.lambda(), X);
+        return explicit_->step(limit_.lambda(), X, next, bound);
     }
     /// What one call of step() advances the time by.
     double time_step() const {
@@ -93,32 +102,35 @@ public:
 
     void rebuild(const TriangleMesh& mesh) {
         const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
-        OperatorWithMass whole = operator_with_mass(laplacian);
-        moving_ = whole.vertex;
+        const OperatorWithMass whole = operator_with_mass(laplacian);
         if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) {
             taubin_mu_ = options_.taubin_mu != 0 ? options_.taubin_mu : taubin_step(laplacian, options_.lambda, options_.pass_band);
         }
-        if (options_.scheme != SmoothingScheme::implicit_euler) {
-            explicit_.emplace(whole);
-            limit_.look(whole);
+        if (options_.scheme == SmoothingScheme::implicit_euler) {
+            implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit);
             return;
         }
-        implicit_.prepare(std::move(whole), options_.lambda);
-        statistics_.factor_nonzeros = implicit_.factor_nonzeros();
-        ++statistics_.factorisations;
+        if (whole.vertex != with_mass_) order_ = product_order(whole, mesh.X);
+        with_mass_ = whole.vertex;
+        explicit_.emplace(reordered(whole, order_));
+        if (options_.scheme == SmoothingScheme::taubin) between_ = FourColumns(whole.size());
+        limit_.look(whole);
     }
 
     double taubin_mu() const { return taubin_mu_; }
-    const std::vector<int>& moving() const { return moving_; }   // vertices with mass
+    /// Vertices with mass, by rows.
+    const std::vector<int>& vertex() const {
+        return options_.scheme == SmoothingScheme::implicit_euler ? implicit_.vertex() : explicit_->vertex();
+    }
 
 private:
     const SmoothingOptions& options_;
-    Smoothed& statistics_;
     LimitWatch limit_;
+    ImplicitSolver& implicit_;
     double taubin_mu_ = 0;
-    std::vector<int> moving_;
+    std::vector<int> with_mass_, order_;   // vertices, ascending, and the order of the rows
     std::optional<ExplicitDiffusion> explicit_;
-    ImplicitDiffusion implicit_;
+    FourColumns between_;   // after the first of Taubin's two steps
 };
 
 void check_rows(const OperatorWithMass& whole, const Positions& X) {
@@ -137,17 +149,33 @@ void enter_step(Smoothed& result, StepStability step, double step_unit) {
 }
 
 /// The first vertex that is not finite, else the farthest one beyond `limit` from the origin; −1 when all is well.
-int runaway_vertex(const Positions& X, const std::vector<int>& moving, double limit) {
-    int farthest = -1;
+int runaway_vertex(const FourColumns& X, const std::vector<int>& vertex, double limit) {
+    int farthest = -1, not_finite = -1;
     double largest = limit * limit;
-    for (const int v : moving) {
-        const double distance = X.row(v).squaredNorm();
-        if (!std::isfinite(distance)) return v;
-        if (distance <= largest) continue;
-        largest = distance;
-        farthest = v;
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+        const int v = vertex[static_cast<std::size_t>(i)];
+        const double distance = Eigen::Map<const Vector3>(X.row(i)).squaredNorm();
+        if (!std::isfinite(distance)) {
+            if (not_finite < 0 || v < not_finite) not_finite = v;
+        } else if (distance > largest || (distance == largest && v < farthest)) {
+            largest = distance;
+            farthest = v;
+        }
     }
-    return farthest;
+    return not_finite >= 0 ? not_finite : farthest;
+}
+
+/// Into the rows of the vertices with mass, in the units of the mesh.
+void scatter_outside(const FourColumns& X, const std::vector<int>& vertex, const Frame& frame, Positions& all) {
+    for_each_index(static_cast<int>(vertex.size()), [&](int i) {
+        all.row(vertex[static_cast<std::size_t>(i)]) = Eigen::Map<const Eigen::RowVector3d>(X.row(i)) * frame.unit + frame.centre;
+    });
+}
+
+bool all_finite(const FourColumns& X, const Frame& frame) {
+    Positions rows(X.rows(), 3);
+    for (Eigen::Index i = 0; i < X.rows(); ++i) rows.row(i) = Eigen::Map<const Eigen::RowVector3d>(X.row(i));
+    return frame.outside(rows).allFinite();
 }
 
 }   // namespace
@@ -160,45 +188,66 @@ SmoothingScheme smoothing_scheme_named(const std::string& name) {
 }
 
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
+    ImplicitSolver solver;
+    return smooth(mesh, options, solver);
+}
+
+Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& solver) {
     check(options);
     const Frame frame = frame_of(mesh);
     const double step_unit = is_dimensionless(options.laplacian) ? 1 : frame.unit * frame.unit;   // of λ
     SmoothingOptions inside = options;
     inside.lambda /= step_unit;
     inside.taubin_mu /= step_unit;
+    const int analyses_before = solver.analyses(), factorisations_before = solver.factorisations();
+    const long long iterations_before = solver.iterations();
 
     Smoothed result;
     result.X = mesh.X;
-    TriangleMesh current{frame.inside(mesh.X), mesh.F};
-    Diffusion diffusion(current, inside, result);
-    const std::vector<int> moving = diffusion.moving();
+    TriangleMesh current{frame.inside(mesh.X), mesh.F};   // as the operator was built on it last
+    Diffusion diffusion(current, inside, solver);
+    FourColumns X = gathered(current.X, diffusion.vertex()), next(X.rows());
     const auto positions = [&] {
-        Positions X = mesh.X;
-        X(moving, Eigen::all) = frame.outside(current.X)(moving, Eigen::all);
-        return X;
+        Positions all = mesh.X;
+        scatter_outside(X, diffusion.vertex(), frame, all);
+        return all;
     };
     const double area = surface_area(current);
     const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator sees no positions
+    const double limit = options.blow_up_at * frame.diagonal;
+    // Of each coordinate: then the distance is less than the limit, and its square finite.
+    const double surely_near = std::min(limit / 2, 1e153);
 
     for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
-        if (rebuild && t > 1 && collapsed(current, area)) {
-            result.collapse_iteration = t;
-            break;
+        if (rebuild && t > 1) {
+            scatter(X, diffusion.vertex(), current.X);
+            if (collapsed(current, area)) {
+                result.collapse_iteration = t;
+                break;
+            }
+            diffusion.rebuild(current);
+            X = gathered(current.X, diffusion.vertex());
+            next = FourColumns(X.rows());
         }
-        if (rebuild && t > 1) diffusion.rebuild(current);
         if (diffusion.limit().watching()) enter_step(result, diffusion.limit().step(), step_unit);
-        Positions next = diffusion.step(current.X);
-        result.blow_up_vertex = runaway_vertex(next, moving, options.blow_up_at * frame.diagonal);
+        const bool near = diffusion.step(X, next, surely_near);
+        if (!near) result.blow_up_vertex = runaway_vertex(next, diffusion.vertex(), limit);
         result.blew_up = result.blow_up_vertex >= 0;
         if (result.blew_up) result.blow_up_iteration = t;
-        if (result.blew_up && !frame.outside(next).allFinite()) break;
-        current.X = std::move(next);
+        if (result.blew_up && !all_finite(next, frame)) break;
+        std::swap(X, next);
         result.iterations = t;
         result.time += diffusion.time_step() * step_unit;
         if (options.after_step && !options.after_step(t, positions())) break;
     }
     if (result.iterations > 0) result.X = positions();
     result.taubin_mu = diffusion.taubin_mu() * step_unit;
+    if (options.scheme != SmoothingScheme::implicit_euler) return result;
+    result.solver = solver.solver();
+    result.factor_nonzeros = solver.factor_nonzeros();
+    result.analyses = solver.analyses() - analyses_before;
+    result.factorisations = solver.factorisations() - factorisations_before;
+    result.solver_iterations = solver.iterations() - iterations_before;
     return result;
 }
 
@@ -210,12 +259,12 @@ Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const P
 }
 
 Positions implicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {
-    OperatorWithMass whole = operator_with_mass(laplacian);
+    const OperatorWithMass whole = operator_with_mass(laplacian);
     check_rows(whole, X);
     const Eigen::RowVector3d near = X.row(whole.vertex.front());
-    ImplicitDiffusion diffusion;
-    diffusion.prepare(std::move(whole), lambda);
-    return diffusion.step(X.rowwise() - near).rowwise() + near;
+    ImplicitSolver solver;
+    solver.prepare(whole, lambda, X);
+    return solver.step(X.rowwise() - near).rowwise() + near;
 }
 
 }   // namespace meshfolio

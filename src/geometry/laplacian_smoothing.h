@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/implicit_solver.h"
 #include "geometry/laplace_operator.h"
 
 namespace meshfolio {
@@ -29,6 +30,8 @@ struct SmoothingOptions {
     /// > 0: no step is larger than this share of 2/bound, with the Gershgorin bound of the operator it uses, so that no mode of that
     /// operator can grow, whatever λ; at most 1. 0: every step is λ. Explicit scheme only.
     double adaptive = 0;
+    /// What a factor may take; 0: what the machine has left. Beyond it, implicit steps are made by conjugate gradients. [bytes]
+    double memory_limit = 0;
     double blow_up_at = 1e3;   // stop when a vertex is farther than this many box diagonals from the centre
     /// Called after every iteration with its number (from 1) and the positions; return false to stop.
     std::function<bool(int, const Positions&)> after_step = {};
@@ -53,10 +56,13 @@ struct Smoothed {
     double time = 0;              // diffusion time, the sum of all steps taken [as λ]
     /// One an iteration, the one that blew up included, when monitored or adaptive; else empty.
     std::vector<StepStability> steps;
-    int crossing_iteration = 0;      // the first with λμ_max > 2, when monitored; 0: none
-    int crossing_vertex = -1;        // where its top mode is largest
-    long long factor_nonzeros = 0;   // of the last factorisation (implicit)
-    int factorisations = 0;
+    int crossing_iteration = 0;   // the first with λμ_max > 2, when monitored; 0: none
+    int crossing_vertex = -1;     // where its top mode is largest
+    // Implicit only:
+    LinearSolver solver = LinearSolver::none;   // that made the last step
+    long long factor_nonzeros = 0;              // of the last factorisation
+    int analyses = 0, factorisations = 0;       // made in this run: symbolic, numerical
+    long long solver_iterations = 0;            // of conjugate gradients, all steps together
 };
 
 /// One run. Vertices without mass stay where they are. A rebuilt operator needs a surface: where the flow has shrunk it to points or
@@ -64,6 +70,8 @@ struct Smoothed {
 /// @throws MeshError for λ that is not finite or ≤ 0, iterations < 0, adaptive outside [0, 1], or a limit asked of another scheme than
 ///         the explicit one; SolverError if M − λC cannot be factored
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options);
+/// The same for one of several runs: the implicit scheme takes from the solver what an earlier run left there, and leaves its own.
+Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& solver);
 
 /// X + λLX for a fixed operator, and the solution of (M − λC)X' = MX: the two steps on their own, for tests and studies.
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);

@@ -84,22 +84,23 @@ void SubtractCombination(Blocks V, const double* G, Eigen::Index first, Eigen::I
 }
 
 /// X := L⁻¹ X within one panel of w columns and below it.
-template <int w>
+template <int w, int columns>
 HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index row_count, double* X, double* top) {
-    const Lanes d;
+    const hn::CappedTag<double, columns> d;
+    using Row = hn::Vec<hn::CappedTag<double, columns>>;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int c = 0; c < width; c += lanes) {
-        Numbers x[w];
+    for (int c = 0; c < columns; c += lanes) {
+        Row x[w];
         HWY_UNROLL(8)
         for (int i = 0; i < w; ++i) {
-            x[i] = hn::Load(d, top + width * i + c);
+            x[i] = hn::Load(d, top + columns * i + c);
             for (int j = 0; j < i; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * i + j]), x[j], x[i]);
-            hn::Store(x[i], d, top + width * i + c);
+            hn::Store(x[i], d, top + columns * i + c);
         }
         const double* l = values + w * w;
         for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
-            double* const at = X + static_cast<std::ptrdiff_t>(width) * rows[r] + c;
-            Numbers y = hn::Load(d, at);
+            double* const at = X + static_cast<std::ptrdiff_t>(columns) * rows[r] + c;
+            Row y = hn::Load(d, at);
             HWY_UNROLL(8)
             for (int i = 0; i < w; ++i) y = hn::NegMulAdd(hn::Set(d, l[i]), x[i], y);
             hn::Store(y, d, at);
@@ -108,25 +109,26 @@ HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index
 }
 
 /// X := L⁻ᵀ D⁻¹ X within one panel, what lies below it being solved already.
-template <int w>
+template <int w, int columns>
 HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Index row_count, const double* pivots, const double* X,
                               double* top) {
-    const Lanes d;
+    const hn::CappedTag<double, columns> d;
+    using Row = hn::Vec<hn::CappedTag<double, columns>>;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int c = 0; c < width; c += lanes) {
-        Numbers x[w];
+    for (int c = 0; c < columns; c += lanes) {
+        Row x[w];
         HWY_UNROLL(8)
-        for (int i = 0; i < w; ++i) x[i] = hn::Div(hn::Load(d, top + width * i + c), hn::Set(d, pivots[i]));
+        for (int i = 0; i < w; ++i) x[i] = hn::Div(hn::Load(d, top + columns * i + c), hn::Set(d, pivots[i]));
         const double* l = values + w * w;
         for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
-            const Numbers y = hn::Load(d, X + static_cast<std::ptrdiff_t>(width) * rows[r] + c);
+            const Row y = hn::Load(d, X + static_cast<std::ptrdiff_t>(columns) * rows[r] + c);
             HWY_UNROLL(8)
             for (int i = 0; i < w; ++i) x[i] = hn::NegMulAdd(hn::Set(d, l[i]), y, x[i]);
         }
         HWY_UNROLL(8)
         for (int i = w - 1; i >= 0; --i) {
             for (int j = i + 1; j < w; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * j + i]), x[j], x[i]);
-            hn::Store(x[i], d, top + width * i + c);
+            hn::Store(x[i], d, top + columns * i + c);
         }
     }
 }
@@ -153,25 +155,29 @@ HWY_INLINE void WithWidth(int w, const Visit& visit) {
     }
 }
 
-void SolveInPlace(const LdltPanels& factor, double* X) {
+template <int columns>
+HWY_INLINE void SolveColumns(const LdltPanels& factor, double* X) {
     const auto visit = [&](int p, bool forward) HWY_ATTR {
         const auto panel = static_cast<std::size_t>(p);
         const int column = factor.first[panel];
         const double* const values = factor.values.data() + factor.value_start[panel];
         const int* const rows = factor.rows.data() + factor.row_start[panel];
         const auto count = static_cast<Eigen::Index>(factor.row_start[panel + 1] - factor.row_start[panel]);
-        double* const top = X + static_cast<std::ptrdiff_t>(width) * column;
+        double* const top = X + static_cast<std::ptrdiff_t>(columns) * column;
         WithWidth(factor.first[panel + 1] - column, [&](auto w) HWY_ATTR {
             if (forward) {
-                ForwardPanel<w()>(values, rows, count, X, top);
+                ForwardPanel<w(), columns>(values, rows, count, X, top);
             } else {
-                BackwardPanel<w()>(values, rows, count, factor.pivots.data() + column, X, top);
+                BackwardPanel<w(), columns>(values, rows, count, factor.pivots.data() + column, X, top);
             }
         });
     };
     for (int p = 0; p < factor.panels(); ++p) visit(p, true);
     for (int p = factor.panels() - 1; p >= 0; --p) visit(p, false);
 }
+
+void SolveInPlace(const LdltPanels& factor, double* X) { SolveColumns<EightColumns::width>(factor, X); }
+void SolveFourInPlace(const LdltPanels& factor, double* X) { SolveColumns<FourColumns::width>(factor, X); }
 
 }   // namespace meshfolio::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -182,6 +188,7 @@ namespace meshfolio {
 HWY_EXPORT(AddProducts);
 HWY_EXPORT(SubtractCombination);
 HWY_EXPORT(SolveInPlace);
+HWY_EXPORT(SolveFourInPlace);
 
 void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G) {
     HWY_DYNAMIC_DISPATCH(AddProducts)(V, W, first, last, G);
@@ -192,6 +199,7 @@ void subtract_combination(Blocks V, const double* G, Eigen::Index first, Eigen::
 }
 
 void solve_in_place(const LdltPanels& factor, double* X) { HWY_DYNAMIC_DISPATCH(SolveInPlace)(factor, X); }
+void solve_in_place(const LdltPanels& factor, FourColumns& X) { HWY_DYNAMIC_DISPATCH(SolveFourInPlace)(factor, X.data()); }
 
 }   // namespace meshfolio
 #endif

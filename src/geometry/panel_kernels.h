@@ -7,6 +7,7 @@
 #include <span>
 
 #include "geometry/eight_columns.h"
+#include "geometry/four_columns.h"
 #include "geometry/ldlt_panels.h"
 
 namespace meshfolio {
@@ -23,6 +24,7 @@ void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index la
 void subtract_combination(Blocks V, const double* G, Eigen::Index first, Eigen::Index last, double* W);
 
 /// X := (LDLᵀ)⁻¹ X in the order of elimination.
-void solve_in_place(const LdltPanels& factor, double* X);
+void solve_in_place(const LdltPanels& factor, double* X);   // n × 8
+void solve_in_place(const LdltPanels& factor, FourColumns& X);
 
 }   // namespace meshfolio

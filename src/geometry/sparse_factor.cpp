@@ -55,6 +55,10 @@ void factorize_checked(Implementation& factor, const SparseMatrix& A) {
 }
 
 std::unique_ptr<Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library) {
+    return analysed(A, kind, library, kind == FactorKind::cholesky && A.rows() >= supernodal_from);
+}
+
+std::unique_ptr<Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library, bool supernodal) {
 #ifdef MESHFOLIO_WITH_CHOLMOD
     auto factor = library == FactorLibrary::eigen ? factor_by_eigen(kind) : factor_by_cholmod(kind);
 #else
@@ -63,6 +67,7 @@ std::unique_ptr<Implementation> analysed(const SparseMatrix& A, FactorKind kind,
 #endif
     factor->kind = kind;
     factor->rows = A.rows();
+    factor->supernodal = supernodal;
     factor->analyze(A);
     return factor;
 }

@@ -65,7 +65,7 @@ SmoothingOptions denoiser(const DenoisingStudy& study) {
     return options;
 }
 
-DenoisingTrial trial_of(const DenoisingStudy& study, double relative, std::uint64_t seed) {
+DenoisingTrial trial_of(const DenoisingStudy& study, double relative, std::uint64_t seed, ImplicitSolver& solver) {
     const TriangleMesh& clean = study.clean->mesh();
     const Positions normals = face_normals(clean);
     DenoisingTrial trial;
@@ -87,7 +87,7 @@ DenoisingTrial trial_of(const DenoisingStudy& study, double relative, std::uint6
         if (trial.angle.back() < trial.angle[static_cast<std::size_t>(trial.best_angle)]) trial.best_angle = iteration;
         return iteration < std::max(study.iterations, 2 * trial.best_rms);
     };
-    trial.last = moved_to(clean, smooth(trial.noisy, options).X);
+    trial.last = moved_to(clean, smooth(trial.noisy, options, solver).X);
     trial.feature_rms = rms_where(study, trial.best.X, 1);
     trial.smooth_rms = rms_where(study, trial.best.X, 0);
     return trial;
@@ -113,11 +113,13 @@ DenoisingStudy denoising_study(std::shared_ptr<const LibraryMesh> clean, const Q
         study.without_noise.push_back(vertex_rms(study.clean->mesh().X, X));
         return true;
     };
-    smooth(study.clean->mesh(), options);
+    ImplicitSolver solver;   // noise moves the vertices, but their triangles are the same: one symbolic analysis for all levels
+    smooth(study.clean->mesh(), options, solver);
 
     std::vector<double> levels = settings.noise;
     if (levels.empty()) levels = settings.quick ? std::vector{0.003, 0.01} : default_noise;
-    for (const double level : each_once(levels)) study.trials.push_back(trial_of(study, level, settings.seed));
+    for (const double level : each_once(levels)) study.trials.push_back(trial_of(study, level, settings.seed, solver));
+    study.analyses = solver.analyses();
     return study;
 }
 

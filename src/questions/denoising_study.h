@@ -37,6 +37,7 @@ struct DenoisingStudy {
     int feature_vertices = 0;
     std::vector<DenoisingTrial> trials;   // ascending σ
     std::vector<double> without_noise;    // rms after t iterations from the clean mesh [length]
+    int analyses = 0;                     // symbolic, of all its runs together
 
     const std::string& name() const { return clean->name; }
 };

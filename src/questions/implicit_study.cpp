@@ -122,8 +122,10 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 10, 50};
     study.iterations = each_once(study.iterations);
     const int last = study.iterations.back();
+    ImplicitSolver solver;   // one symbolic analysis for all λ
     for (const double lambda : study.lambdas) {
-        study.implicit_runs.push_back(run_smoothing(study.subject, SmoothingScheme::implicit_euler, lambda, last, study.iterations));
+        study.implicit_runs.push_back(
+            run_smoothing(study.subject, SmoothingScheme::implicit_euler, lambda, last, study.iterations, solver));
         study.explicit_runs.push_back(run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, last, study.iterations));
     }
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {

@@ -42,6 +42,12 @@ std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSu
 
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep) {
+    ImplicitSolver solver;
+    return run_smoothing(subject, scheme, lambda, iterations, keep, solver);
+}
+
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep, ImplicitSolver& solver) {
     SmoothingRun run;
     run.scheme = scheme;
     run.lambda = lambda;
@@ -67,7 +73,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
         if (std::find(keep.begin(), keep.end(), iteration) != keep.end()) run.snapshots.push_back(X);
         return true;
     };
-    run.result = smooth(subject.mesh(), options);
+    run.result = smooth(subject.mesh(), options, solver);
 
     const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
     run.moved = compare_meshes(subject.mesh(), smoothed);

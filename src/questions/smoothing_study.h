@@ -50,6 +50,9 @@ struct SmoothingRun {
 /// One run; `keep` lists iterations (ascending, ≤ iterations) whose positions are kept in `snapshots`.
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep = {});
+/// The same with a solver that implicit runs share.
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep, ImplicitSolver& solver);
 
 /// How much `steps` explicit steps amplify the top mode, which starts a thousandth of a mean edge high (so that it can be measured even
 /// where symmetry leaves none of it in the input), against |1 − λμ_max|^steps.

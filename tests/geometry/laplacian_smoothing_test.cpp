@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
 
 #include "errors.h"
 #include "geometry/laplace_spectrum.h"
@@ -302,4 +304,49 @@ TEST(LaplacianSmoothing, ARebuiltFlowEndsWhereNothingIsLeft) {
     }
     options.rebuild = false;
     EXPECT_EQ(smooth(mesh, options).collapse_iteration, 0) << "a frozen operator needs no surface";
+}
+
+/// Numbering the vertices otherwise moves the result along, for every scheme.
+TEST(LaplacianSmoothing, FollowsThePermutationOfItsVertices) {
+    const TriangleMesh mesh = lopsided_ellipsoid(4);
+    const int n = mesh.vertex_count();
+    std::vector<int> place(static_cast<std::size_t>(n));
+    std::iota(place.begin(), place.end(), 0);
+    std::mt19937 random(7);
+    for (std::size_t i = place.size() - 1; i > 0; --i) std::swap(place[i], place[random() % (i + 1)]);
+    TriangleMesh permuted = mesh;
+    for (int v = 0; v < n; ++v) permuted.X.row(place[std::size_t(v)]) = mesh.X.row(v);
+    for (Eigen::Index i = 0; i < mesh.F.size(); ++i) permuted.F.data()[i] = place[std::size_t(mesh.F.data()[i])];
+    const double step = critical_step(mesh), size = mesh.X.cwiseAbs().maxCoeff();
+    const auto check = [&](const SmoothingOptions& options, double tolerance) {
+        const Positions X = smooth(mesh, options).X, Y = smooth(permuted, options).X;
+        EXPECT_LT((Y(place, Eigen::all) - X).cwiseAbs().maxCoeff(), tolerance * size);
+    };
+    SmoothingOptions stepwise;
+    stepwise.lambda = 0.8 * step;
+    stepwise.iterations = 100;
+    check(stepwise, 1e-13);
+    stepwise.scheme = SmoothingScheme::taubin;
+    stepwise.taubin_mu = -0.85 * step;   // given: Lanczos would find it to 1e-10 only
+    check(stepwise, 1e-13);
+    check(options_of(SmoothingScheme::implicit_euler, 50 * step, 10), 1e-13);
+    SmoothingOptions by_gradients = options_of(SmoothingScheme::implicit_euler, 50 * step, 10);
+    by_gradients.memory_limit = 1;   // byte
+    check(by_gradients, 1e-8);
+}
+
+/// Many steps of a run are the step on its own, taken as often.
+TEST(LaplacianSmoothing, RunsAreSingleStepsRepeated) {
+    const TriangleMesh mesh = with_unreferenced_vertex(lopsided_ellipsoid(3), {0.1, 0.2, 0.3});
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    const double step = critical_step(mesh);
+    Positions X = mesh.X;
+    SmoothingOptions options;
+    options.lambda = 0.7 * step;
+    options.iterations = 20;
+    for (int t = 0; t < options.iterations; ++t) X = explicit_step(laplacian, options.lambda, X);
+    EXPECT_LT((smooth(mesh, options).X - X).cwiseAbs().maxCoeff(), 1e-13);
+    X = mesh.X;
+    for (int t = 0; t < 5; ++t) X = implicit_step(laplacian, 9 * step, X);
+    EXPECT_LT((smooth(mesh, options_of(SmoothingScheme::implicit_euler, 9 * step, 5)).X - X).cwiseAbs().maxCoeff(), 1e-13);
 }

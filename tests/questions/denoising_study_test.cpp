@@ -113,6 +113,12 @@ TEST(DenoisingStudy, WithoutNoiseTheErrorIsThatOfSmoothingAlone) {
     EXPECT_EQ(study.without_noise[3], vertex_rms(study.clean->mesh().X, smooth(study.clean->mesh(), options).X));
 }
 
+TEST(DenoisingStudy, AllNoiseLevelsShareOneAnalysis) {
+    const DenoisingStudy study = study_on(icosphere(2), "ball_analyses");
+    EXPECT_GE(study.trials.size(), 2u);
+    EXPECT_EQ(study.analyses, 1);
+}
+
 TEST(DenoisingStudy, ALevelNamedTwiceIsOneTrial) {
     QuestionSettings settings = quick_settings();
     settings.noise = {0.01, 0.002, 0.01};

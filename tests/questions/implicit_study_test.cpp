@@ -49,6 +49,17 @@ TEST(ImplicitStudy, TheGridIsEveryStepTimesEveryIterationCount) {
     EXPECT_EQ(study.iterations[study.middle_iteration()], 2);
 }
 
+TEST(ImplicitStudy, ASweepIsAnalysedOnceAndFactoredOnceAStep) {
+    const ImplicitStudy study = study_on(icosphere(2), "ball_sweep", {0.001, 0.01, 0.1}, {1, 2});
+    int analyses = 0;
+    for (const SmoothingRun& run : study.implicit_runs) {
+        analyses += run.result.analyses;
+        EXPECT_EQ(run.result.factorisations, 1);
+        EXPECT_EQ(run.result.solver, LinearSolver::direct);
+    }
+    EXPECT_EQ(analyses, 1);
+}
+
 TEST(ImplicitStudy, ACellIsTheRunOfItsStepAndIterations) {
     const ImplicitStudy study = study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_cells", {0.002, 0.02}, {1, 3, 5});
     for (const SmoothingCell& cell : study.grid) {

@@ -1,0 +1,168 @@
+// Smoothing of one mesh in growing sizes: explicit steps beside Eigen's product L * X, implicit ones beside Eigen's SimplicialLDLT.
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/SparseCholesky>
+
+#include "bench_meshes.h"
+#include "geometry/diffusion_step.h"
+#include "geometry/implicit_solver.h"
+#include "geometry/laplacian_smoothing.h"
+#include "geometry/spatial_order.h"
+
+namespace {
+
+using namespace meshfolio;
+
+constexpr double lambda = 1e-5;   // of the area: what the peers were timed with
+
+struct Subject {
+    TriangleMesh mesh;
+    LaplaceBeltrami laplacian;   // of the mesh at area 1
+    double area = 1;
+};
+
+const Subject& subject_at(int level) {
+    static int current = -1;
+    static Subject subject;
+    if (current == level) return subject;
+    const bench::BenchMesh& mesh = bench::mesh_at_level(level);
+    subject.mesh.X.resize(static_cast<Eigen::Index>(mesh.positions.size()), 3);
+    subject.mesh.F.resize(static_cast<Eigen::Index>(mesh.triangles.size()), 3);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        for (int c = 0; c < 3; ++c) subject.mesh.X(static_cast<Eigen::Index>(i), c) = mesh.positions[i][c];
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (int c = 0; c < 3; ++c) subject.mesh.F(static_cast<Eigen::Index>(i), c) = mesh.triangles[i][c];
+    }
+    subject.laplacian = laplace_beltrami(subject.mesh);
+    subject.area = subject.laplacian.M.sum();
+    subject.laplacian.M /= subject.area;
+    current = level;
+    return subject;
+}
+
+int iterations(const benchmark::State& state) { return static_cast<int>(state.range(1)); }
+
+tbb::global_control threads_of(const benchmark::State& state) {
+    return {tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(state.range(2))};
+}
+
+void note(benchmark::State& state, const Subject& subject) {
+    state.counters["vertices"] = static_cast<double>(subject.mesh.vertex_count());
+}
+
+/// L and X as Eigen's users write them: both by columns.
+void explicit_eigen(benchmark::State& state) {
+    const Subject& subject = subject_at(static_cast<int>(state.range(0)));
+    SparseMatrix L = subject.laplacian.C;
+    for (int j = 0; j < L.cols(); ++j) {
+        for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) entry.valueRef() /= subject.laplacian.M[entry.row()];
+    }
+    for (auto _ : state) {
+        DenseMatrix X = subject.mesh.X;
+        for (int t = 0; t < iterations(state); ++t) {
+            const DenseMatrix LX = L * X;
+            X += 1e-12 * LX;
+        }
+        benchmark::DoNotOptimize(X.data());
+    }
+    note(state, subject);
+}
+
+/// The steps with the operator prepared, as Eigen's above, with positions sorted at the beginning and put back at the end.
+void explicit_ours(benchmark::State& state) {
+    const Subject& subject = subject_at(static_cast<int>(state.range(0)));
+    const tbb::global_control threads = threads_of(state);
+    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
+    const ExplicitDiffusion diffusion(reordered(whole, product_order(whole, subject.mesh.X)));
+    for (auto _ : state) {
+        FourColumns X = gathered(subject.mesh.X, diffusion.vertex()), next(X.rows());
+        for (int t = 0; t < iterations(state); ++t) {
+            diffusion.step(1e-12, X, next);
+            std::swap(X, next);
+        }
+        Positions result = subject.mesh.X;
+        scatter(X, diffusion.vertex(), result);
+        benchmark::DoNotOptimize(result.data());
+    }
+    note(state, subject);
+}
+
+/// The whole of smooth(): operator, sorting, steps, the watch over what runs away.
+void smooth_run(benchmark::State& state, SmoothingScheme scheme, double memory_limit) {
+    const Subject& subject = subject_at(static_cast<int>(state.range(0)));
+    const tbb::global_control threads = threads_of(state);
+    SmoothingOptions options;
+    options.scheme = scheme;
+    options.lambda = scheme == SmoothingScheme::implicit_euler ? lambda * subject.area : 1e-12 * subject.area;
+    options.iterations = iterations(state);
+    options.memory_limit = memory_limit;
+    Smoothed result;
+    for (auto _ : state) result = smooth(subject.mesh, options);
+    note(state, subject);
+    if (scheme == SmoothingScheme::implicit_euler) state.counters["cg_iterations"] = static_cast<double>(result.solver_iterations);
+}
+
+void implicit_eigen(benchmark::State& state) {
+    const Subject& subject = subject_at(static_cast<int>(state.range(0)));
+    const Vector& M = subject.laplacian.M;
+    SparseMatrix mass(M.size(), M.size());
+    mass = M.asDiagonal();
+    const SparseMatrix system = mass - lambda * subject.laplacian.C;
+    for (auto _ : state) {
+        const Eigen::SimplicialLDLT<SparseMatrix> factor(system);
+        DenseMatrix X = subject.mesh.X;
+        for (int t = 0; t < iterations(state); ++t) X = factor.solve(DenseMatrix(M.asDiagonal() * X));
+        benchmark::DoNotOptimize(X.data());
+    }
+    note(state, subject);
+}
+
+/// What prepared positions and operator cost beyond them: sorting, analysis, factor and the steps.
+void implicit_ours(benchmark::State& state, double memory_limit) {
+    const Subject& subject = subject_at(static_cast<int>(state.range(0)));
+    const tbb::global_control threads = threads_of(state);
+    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
+    long long iterations_of_cg = 0;
+    for (auto _ : state) {
+        ImplicitSolver solver;
+        solver.prepare(whole, lambda, subject.mesh.X, memory_limit);
+        FourColumns X = gathered(subject.mesh.X, solver.vertex());
+        for (int t = 0; t < iterations(state); ++t) solver.step(X);
+        Positions result = subject.mesh.X;
+        scatter(X, solver.vertex(), result);
+        benchmark::DoNotOptimize(result.data());
+        iterations_of_cg = solver.iterations();
+    }
+    note(state, subject);
+    state.counters["cg_iterations"] = static_cast<double>(iterations_of_cg);
+}
+
+template <class Run>
+void add(const char* name, int steps, const std::vector<std::int64_t>& threads, Run run) {
+    constexpr int largest_level = 2;
+    benchmark::RegisterBenchmark(name, run)
+        ->ArgsProduct({benchmark::CreateDenseRange(0, largest_level, 1), {steps}, threads})
+        ->ArgNames({"level", "steps", "threads"})
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
+}
+
+}   // namespace
+
+int main(int count_of_arguments, char** arguments) {
+    constexpr double nothing_fits = 1;   // byte
+    using benchmark::State;
+    add("explicit_eigen", 100, {1}, explicit_eigen);
+    add("explicit_ours", 100, {1, 2}, explicit_ours);
+    add("explicit_smooth", 100, {1, 2}, [](State& s) { smooth_run(s, SmoothingScheme::explicit_euler, 0); });
+    add("implicit_eigen", 10, {1}, implicit_eigen);
+    add("implicit_ours", 10, {1, 2}, [](State& s) { implicit_ours(s, 0); });
+    add("implicit_ours_cg", 10, {1, 2}, [](State& s) { implicit_ours(s, nothing_fits); });
+    add("implicit_smooth", 10, {1, 2}, [](State& s) { smooth_run(s, SmoothingScheme::implicit_euler, 0); });
+    benchmark::Initialize(&count_of_arguments, arguments);
+    if (benchmark::ReportUnrecognizedArguments(count_of_arguments, arguments)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+}
