@@ -98,11 +98,6 @@ LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double 
                       plain_text(top.upper_bound));
 }
 
-/// D U = W − D is symmetric, so U is the operator of C = D U with masses D.
-LargestEigenvalue largest_eigenvalue_uniform(const SparseMatrix& uniform, const Vector& valence) {
-    return largest_eigenvalue({weighted_by_rows(uniform, valence), valence});
-}
-
 double largest_stable_step(const LargestEigenvalue& top) { return top.value > 0 ? 2 / top.value : std::numeric_limits<double>::infinity(); }
 
 StepUnit step_unit_named(const std::string& name) {

@@ -21,8 +21,6 @@ LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian);
 /// @param tolerance  of the residual, relative to μ_max
 /// @param start      a mode to begin with, one value a vertex of the whole mesh: that of an operator nearby; empty: none
 LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double tolerance = 1e-12, const Vector& start = {});
-/// For the uniform operator, which is symmetrised by the valences (its spectrum lies in [0, 2]).
-LargestEigenvalue largest_eigenvalue_uniform(const SparseMatrix& uniform, const Vector& valence);
 
 /// max_i Σ_j |A_ij|/M_i ≥ every eigenvalue of M⁻¹A (Gershgorin), its own rounding included: guaranteed, and O(entries).
 double gershgorin_bound(const SparseMatrix& A, const Vector& M);
