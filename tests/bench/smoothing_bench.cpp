@@ -1,6 +1,6 @@
 // Smoothing of one mesh in growing sizes: explicit steps beside Eigen's product L * X, implicit ones beside Eigen's SimplicialLDLT.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -44,8 +44,11 @@ const Subject& subject_at(int level) {
 
 int iterations(const benchmark::State& state) { return static_cast<int>(state.range(1)); }
 
-tbb::global_control threads_of(const benchmark::State& state) {
-    return {tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(state.range(2))};
+/// In an arena of as many threads as asked for: the arena made first would keep its size for all that follows.
+template <class Body>
+void on_threads(const benchmark::State& state, Body body) {
+    tbb::task_arena arena(static_cast<int>(state.range(2)));
+    arena.execute(body);
 }
 
 void note(benchmark::State& state, const Subject& subject) {
@@ -73,7 +76,6 @@ void explicit_eigen(benchmark::State& state) {
 /// The steps with the operator prepared, as Eigen's above, with positions sorted at the beginning and put back at the end.
 void explicit_ours(benchmark::State& state) {
     const Subject& subject = subject_at(static_cast<int>(state.range(0)));
-    const tbb::global_control threads = threads_of(state);
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
     const ExplicitDiffusion diffusion(reordered(whole, product_order(whole, subject.mesh.X)));
     for (auto _ : state) {
@@ -92,7 +94,6 @@ void explicit_ours(benchmark::State& state) {
 /// The whole of smooth(): operator, sorting, steps, the watch over what runs away.
 void smooth_run(benchmark::State& state, SmoothingScheme scheme, double memory_limit) {
     const Subject& subject = subject_at(static_cast<int>(state.range(0)));
-    const tbb::global_control threads = threads_of(state);
     SmoothingOptions options;
     options.scheme = scheme;
     options.lambda = scheme == SmoothingScheme::implicit_euler ? lambda * subject.area : 1e-12 * subject.area;
@@ -122,7 +123,6 @@ void implicit_eigen(benchmark::State& state) {
 /// What prepared positions and operator cost beyond them: sorting, analysis, factor and the steps.
 void implicit_ours(benchmark::State& state, double memory_limit) {
     const Subject& subject = subject_at(static_cast<int>(state.range(0)));
-    const tbb::global_control threads = threads_of(state);
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
     long long iterations_of_cg = 0;
     for (auto _ : state) {
@@ -156,12 +156,13 @@ int main(int count_of_arguments, char** arguments) {
     constexpr double nothing_fits = 1;   // byte
     using benchmark::State;
     add("explicit_eigen", 100, {1}, explicit_eigen);
-    add("explicit_ours", 100, {1, 2}, explicit_ours);
-    add("explicit_smooth", 100, {1, 2}, [](State& s) { smooth_run(s, SmoothingScheme::explicit_euler, 0); });
+    const auto threaded = [](auto run) { return [run](State& s) { on_threads(s, [&] { run(s); }); }; };
+    add("explicit_ours", 100, {1, 2}, threaded(explicit_ours));
+    add("explicit_smooth", 100, {1, 2}, threaded([](State& s) { smooth_run(s, SmoothingScheme::explicit_euler, 0); }));
     add("implicit_eigen", 10, {1}, implicit_eigen);
-    add("implicit_ours", 10, {1, 2}, [](State& s) { implicit_ours(s, 0); });
-    add("implicit_ours_cg", 10, {1, 2}, [](State& s) { implicit_ours(s, nothing_fits); });
-    add("implicit_smooth", 10, {1, 2}, [](State& s) { smooth_run(s, SmoothingScheme::implicit_euler, 0); });
+    add("implicit_ours", 10, {1, 2}, threaded([](State& s) { implicit_ours(s, 0); }));
+    add("implicit_ours_cg", 10, {1, 2}, threaded([](State& s) { implicit_ours(s, nothing_fits); }));
+    add("implicit_smooth", 10, {1, 2}, threaded([](State& s) { smooth_run(s, SmoothingScheme::implicit_euler, 0); }));
     benchmark::Initialize(&count_of_arguments, arguments);
     if (benchmark::ReportUnrecognizedArguments(count_of_arguments, arguments)) return 1;
     benchmark::RunSpecifiedBenchmarks();
