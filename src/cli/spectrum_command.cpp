@@ -57,8 +57,9 @@ std::string told(const SpectrumCertificate& c) {
            within("orthonormality", c.orthonormality_error, SpectrumCertificate::orthonormality_limit) +
            within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "below " + plain_text(c.shift, 6) + ": " +
            (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) + " counted by inertia, " +
-           std::to_string(c.found_below) + " found; zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " +
-           std::to_string(c.expected_zeros);
+           std::to_string(c.found_below) + " found" +
+           (c.counted_above > c.pairs ? ", " + std::to_string(c.counted_above) + " up to the end of the cluster that k cuts" : "") +
+           "; zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " + std::to_string(c.expected_zeros);
 }
 
 void write_reconstructions(const Options& options, const std::vector<int>& counts, const TriangleMesh& mesh, const Spectrum& spectrum,

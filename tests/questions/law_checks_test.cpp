@@ -19,7 +19,7 @@ bool has(const std::vector<report::Check>& checks, const std::string& name) {
 
 SpectrumCertificate good_certificate() {
     SpectrumCertificate c;
-    c.counted_below = c.found_below = 7;
+    c.pairs = c.counted_above = c.counted_below = c.found_below = 7;
     c.zero_eigenvalues = c.expected_zeros = 1;
     return c;
 }
@@ -37,12 +37,19 @@ TEST(LawChecks, ACertificateHoldsExactlyWhereItsChecksPass) {
          {+[](SpectrumCertificate& c) { c.residual = 2e-8; }, +[](SpectrumCertificate& c) { c.orthonormality_error = 1e-8; },
           +[](SpectrumCertificate& c) { c.parseval_gap = 1e-8; }, +[](SpectrumCertificate& c) { c.counted_below = 8; },
           +[](SpectrumCertificate& c) { c.counted_below = -1; }, +[](SpectrumCertificate& c) { c.zero_eigenvalues = 2; },
-          +[](SpectrumCertificate& c) { c.smallest_step_up = -1e-6; }}) {
+          +[](SpectrumCertificate& c) { c.smallest_step_up = -1e-6; }, +[](SpectrumCertificate& c) { c.counted_above = 6; },
+          +[](SpectrumCertificate& c) { c.counted_above = -1; }}) {
         SpectrumCertificate c = good_certificate();
         damage(c);
         EXPECT_FALSE(c.holds());
         EXPECT_FALSE(all_pass(c));
     }
+    SpectrumCertificate cut = good_certificate();   // k cuts a cluster: the proof is that below it none is missing, and beyond it enough
+    cut.counted_above = 9;
+    cut.counted_below = cut.found_below = 5;
+    EXPECT_TRUE(cut.holds() && all_pass(cut));
+    cut.counted_below = 6;
+    EXPECT_FALSE(cut.holds() || all_pass(cut));
     SpectrumCertificate broken = good_certificate();
     broken.residual = broken.parseval_gap = infinity;
     EXPECT_FALSE(broken.holds() || all_pass(broken));
