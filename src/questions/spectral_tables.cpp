@@ -116,7 +116,7 @@ void add_low_pass_blocks(report::Section& section, const SpectralStudy& study, c
         step.x.push_back(row.degree);
         step.y.push_back(percent * row.ideal);
         smooth.x.push_back(row.degree);
-        smooth.y.push_back(std::max(1e-10, percent * row.smooth));
+        smooth.y.push_back(row.smooth > 0 ? percent * row.smooth : std::nan(""));
     }
     const LowPassError &first = low_pass.errors.front(), &last = low_pass.errors.back();
     plot.caption = "Low-pass of " + study.name() + " by products with C alone. From degree " + std::to_string(first.degree) + " to " +
@@ -163,13 +163,10 @@ void add_mistake_table(report::Section& section, const SpectralStudy& study, con
     report::Table table;
     table.id = id_of("q4", study.name(), "mistake_errors");
     table.caption = "rms error over the vertices of " + study.name() +
-                    " rebuilt the right way and three mistaken ones: ψ = M^½φ not mapped back, plain products with M-normalised modes, "
-                    "and the operator normalised per edge, (cot α + cot β)/(A_i + A_j), with plain products.";
-    table.columns = {{"k", "", 6},
-                     {"Φ ΦᵀMX", "% of box", 3, smallest},
-                     {"Ψ ΨᵀX", "% of box", 3},
-                     {"Φ ΦᵀX", "% of box", 3},
-                     {"edge-normalised", "% of box", 3}};
+                    " rebuilt the right way and three mistaken ones: ψ = √M φ not mapped back, plain products with M-normalised modes, "
+                    "and the operator normalised per edge, (cot α + cot β)/(Aᵢ + Aⱼ), with plain products.";
+    table.columns = {
+        {"k", "", 6}, {"Φ ΦᵀMX", "% of box", 3}, {"Ψ ΨᵀX", "% of box", 3}, {"Φ ΦᵀX", "% of box", 3}, {"edge-normalised", "% of box", 3}};
     const double percent = percent_of(study);
     for (const MistakeErrors& row : mistakes.errors) {
         table.rows.push_back(
