@@ -20,8 +20,8 @@ std::string words_of(const FittedOrder& order) {
     if (std::isnan(order.order)) return "exact";
     const std::string sign = order.order < -0.005 ? "−" : "", size = with_decimals(std::abs(order.order), 2);
     if (std::isnan(order.standard_error)) return sign + size;
-    if (order.standard_error < 0.0005) return sign + size + " ± < 0.001";
-    return sign + size + " ± " + with_decimals(order.standard_error, order.standard_error < 0.01 ? 3 : 2);
+    if (order.standard_error < 0.0005) return sign + size + "\u202f±\u202f<\u202f0.001";
+    return sign + size + "\u202f±\u202f" + with_decimals(order.standard_error, order.standard_error < 0.01 ? 3 : 2);
 }
 
 report::Table ground_truth_table(const GroundTruth& truth) {

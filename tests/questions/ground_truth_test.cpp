@@ -87,8 +87,9 @@ TEST(GroundTruth, OrderIsTheExponentAndItsErrorTheScatter) {
     EXPECT_NEAR(scattered.standard_error, std::sqrt(1.0 / 3), 1e-12);
     EXPECT_TRUE(std::isnan(order_with_error({1, 0.5}, {1, 0.5}).standard_error));
     EXPECT_TRUE(std::isnan(order_with_error({1, 0.5, 0.25}, {1e-15, 1e-14, 1e-13}).order)) << "rounding has no order";
-    EXPECT_EQ(words_of({-0.5, 0.25}), "−0.50 ± 0.25");
-    EXPECT_EQ(words_of({1.98, 0.004}), "1.98 ± 0.004");
+    EXPECT_EQ(words_of({-0.5, 0.25}), "−0.50\u202f±\u202f0.25");
+    EXPECT_EQ(words_of({1.98, 0.0002}), "1.98\u202f±\u202f<\u202f0.001");
+    EXPECT_EQ(words_of({1.98, 0.004}), "1.98\u202f±\u202f0.004");
     EXPECT_EQ(words_of({std::nan(""), std::nan("")}), "exact");
 }
 
