@@ -29,6 +29,7 @@ void take_file(ReportSettings& settings, const SettingsFile& file) {
     take(settings.height, file.height);
     take(settings.threads, file.threads);
     take(settings.seed, file.seed);
+    take(settings.laboratory, file.laboratory);
     take(settings.page_template, file.page_template);
     settings.questions = file.questions;
     settings.base = file.folder;
@@ -103,6 +104,7 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
     question.base = settings.base;
     question.seed = settings.seed;
     question.quick = settings.quick;
+    question.laboratory = settings.laboratory;
     question.colormap = settings.colormap;
     const auto it = settings.questions.find(id);
     if (it == settings.questions.end()) return question;
@@ -124,7 +126,9 @@ std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings)
 }
 
 std::map<std::string, std::string> described(const ReportSettings& settings) {
-    std::map<std::string, std::string> values{{"quick", settings.quick ? "yes" : "no"}, {"colormap", settings.colormap}};
+    const auto yes_or_no = [](bool flag) { return flag ? "yes" : "no"; };
+    std::map<std::string, std::string> values{
+        {"quick", yes_or_no(settings.quick)}, {"laboratory", yes_or_no(settings.laboratory)}, {"colormap", settings.colormap}};
     values["size"] = std::to_string(settings.width) + " × " + std::to_string(settings.height);
     for (const std::string& id : settings.only) values["only"] += (values["only"].empty() ? "" : ", ") + id;
     for (const auto& [id, table] : settings.questions) {

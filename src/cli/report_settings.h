@@ -28,7 +28,7 @@ struct ReportSettings {
     int width = 0, height = 0;   // of one view [pixels]
     int threads = 0;             // 0: all
     std::uint64_t seed = 0;
-    bool quick = false, fail_fast = false, timings = true;
+    bool quick = false, laboratory = false, fail_fast = false, timings = true;
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
     std::filesystem::path base;                       // what the meshes of `questions` are relative to

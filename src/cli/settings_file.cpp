@@ -39,9 +39,10 @@ public:
 
     SettingsFile read() {
         settings_.folder = fs::path(file_).parent_path();
-        const TableReader top(root_, "", {"report", "render", "question", "seed", "threads"}, problems_);
+        const TableReader top(root_, "", {"report", "render", "question", "seed", "threads", "laboratory"}, problems_);
         settings_.seed = seed_of(top);
         settings_.threads = threads_of(top);
+        settings_.laboratory = top.truth("laboratory");
         if (const toml::table* table = table_named("report")) read_report(*table);
         if (const toml::table* table = table_named("render")) read_render(*table);
         read_questions();

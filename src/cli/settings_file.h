@@ -33,7 +33,8 @@ struct SettingsFile {
     std::optional<int> width, height;                     // of one view [pixels]
     std::optional<std::string> colormap;
     std::optional<std::uint64_t> seed;
-    std::optional<int> threads;                       // 0: all
+    std::optional<int> threads;   // 0: all
+    std::optional<bool> laboratory;
     std::map<std::string, QuestionTable> questions;   // by id
     std::filesystem::path folder;                     // of the file: meshes are relative to it
 };

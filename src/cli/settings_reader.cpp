@@ -104,6 +104,14 @@ std::optional<std::string> TableReader::text(std::string_view key) const {
     return found != nullptr ? text_of(*found, called(key)) : std::nullopt;
 }
 
+std::optional<bool> TableReader::truth(std::string_view key) const {
+    const toml::node* found = node(key);
+    if (found == nullptr) return {};
+    if (const auto* value = found->as_boolean()) return value->get();
+    problems_.add(*found, called(key) + " is " + type_name(*found) + ", not true or false");
+    return {};
+}
+
 std::optional<long long> TableReader::integer(std::string_view key, long long low, long long high) const {
     const toml::node* found = node(key);
     return found != nullptr ? integer_of(*found, called(key), low, high) : std::nullopt;

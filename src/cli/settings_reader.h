@@ -41,6 +41,7 @@ public:
     TableReader(const toml::table& table, std::string name, const std::vector<std::string>& known, Problems& problems);
 
     std::optional<std::string> text(std::string_view key) const;
+    std::optional<bool> truth(std::string_view key) const;
     std::optional<long long> integer(std::string_view key, long long low, long long high) const;
     /// One value or a list of 1 to limits::largest_list of them; empty when the key is missing or a value is wrong.
     std::vector<std::string> texts(std::string_view key) const;

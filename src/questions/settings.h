@@ -21,6 +21,7 @@ struct QuestionSettings {
     std::vector<double> noise;   // σ as a fraction of the bounding-box diagonal (q7)
     std::uint64_t seed = 1;
     bool quick = false;                 // small settings for a first look
+    bool laboratory = false;            // the whole grid where the report itself takes a part that fits its budget
     std::string colormap = "viridis";   // for unsigned quantities
 };
 

@@ -54,7 +54,8 @@ TEST(ReportSettings, FlagsOverFileOverEnvironmentOverDefaults) {
     EXPECT_EQ(report_settings(flags).width, 100);
     EXPECT_EQ(report_settings(flags).threads, 3);
     EXPECT_EQ(report_settings(flags).out, "elsewhere");
-    flags.config = settings_in(folder, "threads = 4\n[render]\nsize = 200\n");
+    flags.config = settings_in(folder, "threads = 4\nlaboratory = true\n[render]\nsize = 200\n");
+    EXPECT_TRUE(question_settings(report_settings(flags), "q7").laboratory);
     EXPECT_EQ(report_settings(flags).width, 200);
     EXPECT_EQ(report_settings(flags).threads, 4);
     flags.size = "300";

@@ -47,6 +47,7 @@ TEST(SettingsFile, EveryKeyIsRead) {
     const SettingsFile settings = parse_settings(R"(
 seed = 9
 threads = 2
+laboratory = true
 [report]
 title = "T"
 author = "A"
@@ -73,6 +74,7 @@ noise = [0, 0.5]
                                                  "folder/my.toml");
     EXPECT_EQ(settings.seed, 9u);
     EXPECT_EQ(settings.threads, 2);
+    EXPECT_EQ(settings.laboratory, true);
     EXPECT_EQ(settings.title, "T");
     EXPECT_EQ(settings.author, "A");
     EXPECT_EQ(settings.course, "C");
@@ -110,6 +112,7 @@ TEST(SettingsFile, WrongTypes) {
     expect_problem("seed = \"1\"", 1, {"seed", "a text", "integer"});
     expect_problem("seed = 1.0", 1, {"fraction", "integer"});
     expect_problem("threads = true", 1, {"truth value"});
+    expect_problem("laboratory = 1", 1, {"laboratory", "an integer", "true or false"});
     expect_problem("report = 1", 1, {"report", "[report]"});
     expect_problem("[report]\ntitle = 5", 2, {"title", "text"});
     expect_problem("[render]\nsize = \"big\"", 2, {"size"});
