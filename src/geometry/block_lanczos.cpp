@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "geometry/panel_kernels.h"
+#include "geometry/random_numbers.h"
 
 namespace meshfolio {
 
@@ -19,7 +20,7 @@ using Small = EightColumns::Small;
 constexpr int width = EightColumns::width;
 
 /// Sums over the rows are taken in chunks of this many, whether by one thread or by several.
-constexpr Eigen::Index chunk_rows = 64 * panel_rows;
+constexpr Eigen::Index chunk_rows = 16 * panel_rows;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -32,15 +33,6 @@ void for_each_chunk(Eigen::Index rows, bool parallel, const Work& work) {
     } else {
         for (Eigen::Index c = 0; c < chunks; ++c) one(c);
     }
-}
-
-/// Uniform in (−½, ½), the same on every machine (splitmix64, Steele et al. 2014).
-double random_number(std::uint64_t& state) {
-    state += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53 - 0.5;
 }
 
 Small small_at(const std::vector<double>& G, std::size_t block) { return Eigen::Map<const Small>(G.data() + 64 * block); }
@@ -64,42 +56,72 @@ BlockLanczos::BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, std
     std::vector<int> place(static_cast<std::size_t>(n_));
     for (std::size_t i = 0; i < place.size(); ++i) place[static_cast<std::size_t>(factor.order[i])] = static_cast<int>(i);
     std::uint64_t state = 0x9e3779b97f4a7c15ULL * (setting.seed + 1);
-    for (const int i : place) std::generate_n(W.row(i), width, [&] { return random_number(state); });
+    for (const int i : place) std::generate_n(W.row(i), width, [&] { return uniform_number(state); });
     zeros_.project_out(W);
-    std::vector<double> G;
-    orthogonalise(W, G);
-    normalise(W);
+    normalise(W, orthogonalise(W));
     V_.push_back(std::move(W));
     all_.push_back(V_.back().data());
 }
 
-std::vector<double> BlockLanczos::products(const std::vector<const double*>& V, const EightColumns& W) const {
-    const std::size_t size = 64 * V.size();
+std::vector<double> BlockLanczos::sweep(std::span<double* const> W, Blocks S, const double* G, Blocks P) const {
+    const std::size_t size = 64 * P.size() * W.size();
     const auto chunks = static_cast<std::size_t>((n_ + chunk_rows - 1) / chunk_rows);
-    std::vector<double, std::allocator<double>> sums(size, 0.0);
     EightColumns parts(static_cast<Eigen::Index>(chunks * size / width));   // aligned
+    EightColumns coefficients(static_cast<Eigen::Index>(width * S.size() * W.size()));
+    std::copy_n(G, 64 * S.size() * W.size(), coefficients.data());
     for_each_chunk(n_, setting_.parallel, [&](Eigen::Index c, Eigen::Index first, Eigen::Index last) {
         double* const part = parts.data() + static_cast<std::size_t>(c) * size;
         std::fill_n(part, size, 0.0);
-        add_products(V, W.data(), first, last, part);
+        for (Eigen::Index r = first; r < last; r += panel_rows) {   // a panel of S and P serves every W
+            const Eigen::Index end = std::min(last, r + panel_rows);
+            for (std::size_t t = 0; t < W.size(); ++t) {
+                if (!S.empty()) subtract_combination(S, coefficients.data() + 64 * S.size() * t, r, end, W[t]);
+                if (!P.empty()) add_products(P, W[t], r, end, part + 64 * P.size() * t);
+            }
+        }
     });
+    std::vector<double> sums(size, 0.0);
     for (std::size_t c = 0; c < chunks; ++c) {
         for (std::size_t i = 0; i < size; ++i) sums[i] += parts.data()[c * size + i];
     }
     return sums;
 }
 
-void BlockLanczos::subtract(const std::vector<const double*>& V, const double* G, EightColumns& W) const {
-    EightColumns aligned(static_cast<Eigen::Index>(width * V.size()));
-    std::copy_n(G, 64 * V.size(), aligned.data());
-    for_each_chunk(n_, setting_.parallel, [&](Eigen::Index, Eigen::Index first, Eigen::Index last) {
-        subtract_combination(V, aligned.data(), first, last, W.data());
-    });
+Small BlockLanczos::transform(EightColumns& W, const Small& T) const {
+    alignas(64) double aligned[64];
+    std::copy_n(T.data(), 64, aligned);
+    for_each_chunk(n_, setting_.parallel,
+                   [&](Eigen::Index, Eigen::Index first, Eigen::Index last) { multiply_rows(aligned, first, last, W.data()); });
+    const double* const block = W.data();
+    return small_at(sweep(W.data(), {}, nullptr, {&block, 1}), 0);
 }
 
-void BlockLanczos::orthogonalise(EightColumns& W, std::vector<double>& G) const {
-    G = products(all_, W);
-    subtract(all_, G.data(), W);
+Small BlockLanczos::orthogonalise(EightColumns& W) const {
+    const std::vector<double> G = sweep(W.data(), {}, nullptr, all_);
+    const double* const block = W.data();
+    return small_at(sweep(W.data(), all_, G.data(), {&block, 1}), 0);
+}
+
+Small BlockLanczos::orthogonalise_with_last(EightColumns& W) {
+    const Blocks before = Blocks(all_).first(all_.size() - 1);
+    double* const both[] = {V_.back().data(), W.data()};
+    const std::vector<double> G = sweep(both, {}, nullptr, before);
+    watch_.compare(Eigen::Map<const Vector>(G.data(), Eigen::Index(64 * before.size())).cwiseAbs().maxCoeff());
+    const double *const last = V_.back().data(), *const next = W.data();
+    const std::vector<double> A = sweep(both, before, G.data(), {&last, 1});
+    return small_at(sweep(W.data(), {&last, 1}, A.data() + 64, {&next, 1}), 0);
+}
+
+Small BlockLanczos::keep_orthogonal(EightColumns& W, const Small& gram) {
+    constexpr double allowed = 1e-10;   // as much of the others may an eigenvector have in it; none where it is to be polished
+    if (locked_count_ > 0 || setting_.refine_with != nullptr) return orthogonalise(W);
+    const Eigen::SelfAdjointEigenSolver<Small> spectral(gram);
+    std::vector<Small> below = below_;
+    below.push_back(spectral.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() * spectral.eigenvectors().transpose());
+    const bool lost = watch_.expect(diagonal_, below) > allowed && V_.size() > 1;
+    const Small kept = lost ? orthogonalise_with_last(W) : gram;
+    watch_.advance(lost);
+    return kept;
 }
 
 /// Random columns, orthogonal to everything, where the Krylov space has no more to offer.
@@ -107,12 +129,11 @@ void BlockLanczos::fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost
     std::uint64_t state = 0x9e3779b97f4a7c15ULL * (setting_.seed + 1000 + V_.size());
     EightColumns fresh(n_);
     for (Eigen::Index i = 0; i < n_; ++i) {
-        for (int c = 0; c < width; ++c) fresh.row(i)[c] = lost[c] ? random_number(state) : 0;
+        for (int c = 0; c < width; ++c) fresh.row(i)[c] = lost[c] ? uniform_number(state) : 0;
     }
     zeros_.project_out(fresh);
-    std::vector<double> G;
-    for (int pass = 0; pass < 2; ++pass) orthogonalise(fresh, G);
-    const Small gram = Eigen::Map<const Small>(products({fresh.data()}, fresh).data());
+    orthogonalise(fresh);
+    const Small gram = orthogonalise(fresh);
     for (Eigen::Index i = 0; i < n_; ++i) {
         for (int c = 0; c < width; ++c) {
             if (lost[c]) W.row(i)[c] = fresh.row(i)[c] / std::sqrt(gram(c, c));
@@ -120,13 +141,11 @@ void BlockLanczos::fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost
     }
 }
 
-/// Twice by the eigenvectors of WᵀW; directions that are rounding only are replaced.
-Small BlockLanczos::normalise(EightColumns& W) {
-    constexpr double lost_below = 1e-14, weak_below = 1e-5;
+/// By the eigenvectors of WᵀW, again until rounding alone is left; directions that are rounding only are replaced.
+Small BlockLanczos::normalise(EightColumns& W, Small gram) {
+    constexpr double lost_below = 1e-14, weak_below = 1e-5, orthonormal = 1e-13;
     Small R = Small::Identity();
-    std::vector<double> G;
     for (int pass = 0; pass < 3; ++pass) {
-        const Small gram = Eigen::Map<const Small>(products({W.data()}, W).data());
         const Eigen::SelfAdjointEigenSolver<Small> spectral(0.5 * (gram + gram.transpose()));
         const Eigen::Array<double, 8, 1> length = spectral.eigenvalues().array().max(0).sqrt();
         const double floor = pass == 0 ? lost_below * std::max(scale_, length[7]) : 1e-3;
@@ -139,16 +158,12 @@ Small BlockLanczos::normalise(EightColumns& W) {
             T = T * Q.transpose();
             step = Q * step;
         }
-        EightColumns V(n_);
-        std::memset(V.data(), 0, sizeof(double) * width * static_cast<std::size_t>(n_));
-        T = -T;
-        subtract({W.data()}, T.data(), V);
-        W = std::move(V);
+        gram = transform(W, T);
         R = (step * R).eval();
         if (pass == 0 && lost.any()) fill_up(W, lost);
         if (pass == 0 && (lost.any() || length[0] < weak_below * std::max(scale_, length[7])))
-            orthogonalise(W, G);   // rounding has been enlarged
-        if (pass > 0 && (gram - Small::Identity()).cwiseAbs().maxCoeff() < 1e-8) break;
+            gram = orthogonalise(W);   // rounding has been enlarged
+        if ((gram - Small::Identity()).cwiseAbs().maxCoeff() < orthonormal) break;
     }
     return R;
 }
@@ -183,15 +198,17 @@ void BlockLanczos::advance() {
     const double solved = seconds();
     times.solve += solved - start;
 
-    if (j > 0) subtract({V_[j - 1].data()}, Small(below_[j - 1].transpose()).data(), W);
-    Small A = small_at(products({V_[j].data()}, W), 0);
-    subtract({V_[j].data()}, A.data(), W);
-    std::vector<double> G;
-    orthogonalise(W, G);
-    A += small_at(G, locked_count_ + j);
+    // Against the two blocks that the recurrence names, twice, for what rounding brought back; against all where it must be.
+    const double *const named[] = {V_[j > 0 ? j - 1 : j].data(), V_[j].data()}, *const next = W.data();
+    const Small before = j > 0 ? Small(below_[j - 1].transpose()) : Small::Zero();
+    Small A = small_at(sweep(W.data(), {named, 1}, before.data(), {named + 1, 1}), 0);
+    const Blocks local(named + (j > 0 ? 0 : 1), named + 2);
+    const std::vector<double> G = sweep(W.data(), {named + 1, 1}, A.data(), local);
+    const Small gram = small_at(sweep(W.data(), local, G.data(), {&next, 1}), 0);
+    A += small_at(G, local.size() - 1);
     diagonal_.push_back(0.5 * (A + A.transpose()));
     scale_ = std::max(scale_, A.norm());
-    below_.push_back(normalise(W));
+    below_.push_back(normalise(W, keep_orthogonal(W, gram)));
     V_.push_back(std::move(W));
     all_.push_back(V_.back().data());
     times.orthogonalise += seconds() - solved;

@@ -1,5 +1,6 @@
 /// @file
-/// Block Lanczos for (B − σI)⁻¹ with eight vectors a step, all of them kept and orthogonalised against (Grimes, Lewis & Simon 1994).
+/// Block Lanczos for (B − σI)⁻¹ with eight vectors a step, all of them kept, and orthogonalised again where rounding has brought them too
+/// near each other (Grimes, Lewis & Simon 1994).
 /// Private to the layer.
 #pragma once
 
@@ -7,9 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "geometry/eight_columns.h"
+#include "geometry/aligned_columns.h"
 #include "geometry/laplace_spectrum.h"
 #include "geometry/ldlt_panels.h"
+#include "geometry/orthogonality_watch.h"
+#include "geometry/panel_kernels.h"
 #include "geometry/zero_modes.h"
 
 namespace meshfolio {
@@ -47,12 +50,21 @@ public:
 
 private:
     using Small = EightColumns::Small;
-    void invert(EightColumns& W) const;                                  // W := (B − σI)⁻¹ W, away from the zero modes
-    void orthogonalise(EightColumns& W, std::vector<double>& G) const;   // against all; G: what was subtracted
-    Small normalise(EightColumns& W);                                    // W = V R; returns R
+    void invert(EightColumns& W) const;   // W := (B − σI)⁻¹ W, away from the zero modes
+    /// W −= Σ S_j G_j for each W, then the products PᵀW of what is left, all in one sweep over the rows.
+    /// @param G  an 8 × 8 matrix for each block of S, those of the first W first; the products are returned alike
+    std::vector<double> sweep(std::span<double* const> W, Blocks S, const double* G, Blocks P) const;
+    std::vector<double> sweep(double* W, Blocks S, const double* G, Blocks P) const { return sweep({&W, 1}, S, G, P); }
+    /// W := W T; returns WᵀW.
+    Small transform(EightColumns& W, const Small& T) const;
+    /// W = V R, where gram = WᵀW; W becomes V, and R is returned.
+    Small normalise(EightColumns& W, Small gram);
+    Small orthogonalise(EightColumns& W) const;   // against all; returns WᵀW
+    /// W against all, and the last block against all before it; returns WᵀW.
+    Small orthogonalise_with_last(EightColumns& W);
+    /// W, WᵀW = gram, against the blocks before it where rounding has brought it too near to them; returns WᵀW.
+    Small keep_orthogonal(EightColumns& W, const Small& gram);
     void fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost);
-    std::vector<double> products(const std::vector<const double*>& V, const EightColumns& W) const;
-    void subtract(const std::vector<const double*>& V, const double* G, EightColumns& W) const;
 
     const LdltPanels& factor_;
     const ZeroModes& zeros_;
@@ -62,7 +74,8 @@ private:
     std::vector<const double*> all_;   // first rows: of the locked ones, then of V_
     std::size_t locked_count_;
     std::vector<Small> diagonal_, below_;   // of the block tridiagonal matrix VᵀWV
-    double scale_ = 0;                      // ‖(B − σI)⁻¹‖ as far as seen
+    OrthogonalityWatch watch_;
+    double scale_ = 0;   // ‖(B − σI)⁻¹‖ as far as seen
 };
 
 }   // namespace meshfolio

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/four_columns.h"
+#include "geometry/aligned_columns.h"
 #include "geometry/incomplete_cholesky.h"
 
 namespace meshfolio {

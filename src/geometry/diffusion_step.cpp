@@ -1,4 +1,5 @@
 #include "geometry/diffusion_step.h"
+#include "geometry/position_rows.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

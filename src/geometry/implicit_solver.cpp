@@ -8,6 +8,7 @@
 #include "geometry/cholesky_analysis.h"
 #include "geometry/conjugate_gradients.h"
 #include "geometry/panel_kernels.h"
+#include "geometry/position_rows.h"
 #include "geometry/spatial_order.h"
 #include "geometry/spectrum_memory.h"
 #include "mesh/parallel.h"

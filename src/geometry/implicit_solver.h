@@ -5,12 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/sparse_types.h"
+#include "geometry/aligned_columns.h"
 
 namespace meshfolio {
 
 struct OperatorWithMass;
-class FourColumns;
 
 enum class LinearSolver { none, direct, conjugate_gradients };
 

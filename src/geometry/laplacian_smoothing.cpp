@@ -8,6 +8,7 @@
 #include "errors.h"
 #include "geometry/diffusion_step.h"
 #include "geometry/limit_watch.h"
+#include "geometry/position_rows.h"
 #include "geometry/spatial_order.h"
 #include "geometry/stability.h"
 #include "mesh/parallel.h"

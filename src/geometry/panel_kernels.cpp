@@ -83,6 +83,25 @@ void SubtractCombination(Blocks V, const double* G, Eigen::Index first, Eigen::I
     }
 }
 
+void MultiplyRows(const double* T, Eigen::Index first, Eigen::Index last, double* W) {
+    const Lanes d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (double* w = W + width * first; w < W + width * last; w += width) {
+        alignas(64) double v[width];   // the row before any lane of it is written
+        for (int c = 0; c < width; c += lanes) hn::Store(hn::Load(d, w + c), d, v + c);
+        for (int c = 0; c < width; c += lanes) {
+            Numbers x = hn::Mul(hn::Set(d, v[0]), hn::Load(d, T + c));
+            Numbers y = hn::Mul(hn::Set(d, v[4]), hn::Load(d, T + 4 * width + c));
+            HWY_UNROLL(3)
+            for (int i = 1; i < 4; ++i) {
+                x = hn::MulAdd(hn::Set(d, v[i]), hn::Load(d, T + width * i + c), x);
+                y = hn::MulAdd(hn::Set(d, v[4 + i]), hn::Load(d, T + width * (4 + i) + c), y);
+            }
+            hn::Store(hn::Add(x, y), d, w + c);
+        }
+    }
+}
+
 /// X := L⁻¹ X within one panel of w columns and below it.
 template <int w, int columns>
 HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index row_count, double* X, double* top) {
@@ -187,6 +206,7 @@ namespace meshfolio {
 
 HWY_EXPORT(AddProducts);
 HWY_EXPORT(SubtractCombination);
+HWY_EXPORT(MultiplyRows);
 HWY_EXPORT(SolveInPlace);
 HWY_EXPORT(SolveFourInPlace);
 
@@ -196,6 +216,10 @@ void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index la
 
 void subtract_combination(Blocks V, const double* G, Eigen::Index first, Eigen::Index last, double* W) {
     HWY_DYNAMIC_DISPATCH(SubtractCombination)(V, G, first, last, W);
+}
+
+void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, double* W) {
+    HWY_DYNAMIC_DISPATCH(MultiplyRows)(T, first, last, W);
 }
 
 void solve_in_place(const LdltPanels& factor, double* X) { HWY_DYNAMIC_DISPATCH(SolveInPlace)(factor, X); }

@@ -6,8 +6,7 @@
 
 #include <span>
 
-#include "geometry/eight_columns.h"
-#include "geometry/four_columns.h"
+#include "geometry/aligned_columns.h"
 #include "geometry/ldlt_panels.h"
 
 namespace meshfolio {
@@ -15,13 +14,16 @@ namespace meshfolio {
 using Blocks = std::span<const double* const>;   // the first row of each n × 8 block
 
 /// The rows that are worked on together: a panel of W stays in the fastest cache while all of V streams past it.
-constexpr Eigen::Index panel_rows = 128;
+constexpr Eigen::Index panel_rows = 512;
 
 /// G_j += V_jᵀ W over the rows [first, last) for each block V_j. G: one 8 × 8 matrix a block, row-major.
 void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G);
 
 /// W −= Σ V_j G_j in the rows [first, last).
 void subtract_combination(Blocks V, const double* G, Eigen::Index first, Eigen::Index last, double* W);
+
+/// W := W T in the rows [first, last), T 8 × 8 and row-major.
+void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, double* W);
 
 /// X := (LDLᵀ)⁻¹ X in the order of elimination.
 void solve_in_place(const LdltPanels& factor, double* X);   // n × 8

@@ -100,6 +100,7 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
         SliceGoal goal;
         goal.low = limit[i];
         goal.high = limit[i + 1];
+        goal.expected = pairs / (slices - first) * (i > 0 ? 1 : 1 - first);
         if (!(goal.high > goal.low)) continue;   // many eigenvalues at one place
         // Distances from σ are what is accurate, so the smallest eigenvalues need a σ near zero.
         goal.sigma = goal.low > 0 ? 0.5 * (goal.low + goal.high) : sigma_below_zero(problem.B);
@@ -117,6 +118,7 @@ SliceGoal one_goal(const SpectrumProblem& problem, int k, const SliceOptions& op
     SliceGoal goal;
     goal.sigma = sigma_below_zero(problem.B);
     goal.at_least = k;
+    goal.expected = k;
     goal.tolerance = options.tolerance;
     goal.polish = options.polish;
     goal.largest_basis = std::min(problem.size() / 2, 200 + 12 * k);

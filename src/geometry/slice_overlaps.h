@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/eight_columns.h"
+#include "geometry/aligned_columns.h"
 
 namespace meshfolio {
 

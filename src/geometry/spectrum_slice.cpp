@@ -153,7 +153,8 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     const SparseMatrix B = goal.polish ? problem.B_in_order() : SparseMatrix();
     BlockLanczos lanczos(factor, problem.zeros_in_order, locked, {slice.goal.sigma, goal.seed, goal.polish ? &B : nullptr, goal.parallel});
     const int left = problem.size() - problem.zeros.count();
-    int next_look = std::min(goal.largest_basis, 40 + 2 * goal.at_least);
+    const double vectors_a_pair = goal.sigma > goal.low ? 2 : 3;   // at the least: σ in the middle of its slice, or at its lower end
+    int next_look = std::min(goal.largest_basis, 40 + static_cast<int>(vectors_a_pair * goal.expected));
     while (!slice.complete && lanczos.basis_size() + EightColumns::width <= goal.largest_basis) {
         lanczos.advance();
         report(std::min(1.0, double(lanczos.basis_size()) / goal.largest_basis));

@@ -30,6 +30,7 @@ struct SliceGoal {
     double sigma = 0;
     double low = 0, high = 0;   // all eigenvalues between, and the whole cluster that `high` may cut
     int at_least = 0;           // pairs, else the slice goes on upwards
+    double expected = 0;        // pairs, to know when looking for them begins to be worth it
     int below_sigma = -1;       // nonzero eigenvalues in [low, σ] if known: the slice is not finished before
     bool to_the_end = false;    // `high` lies above the whole spectrum
     int largest_basis = 0;

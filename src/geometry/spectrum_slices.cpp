@@ -95,6 +95,7 @@ public:
                 SliceGoal goal = slices_[i].goal;
                 goal.high = std::isfinite(slices_[i].cut) ? slices_[i].cut : goal.high;
                 goal.at_least = 0;
+                goal.expected = 0;
                 goal.below_sigma = -1;
                 goal.to_the_end = false;
                 goal.seed += 7919 * static_cast<std::uint64_t>(repairs_ + 1);
@@ -257,6 +258,7 @@ SlicedPairs SliceSet::pairs(int k) {
     }
     slices_.clear();
     extra_.clear();
+    for (EightColumns& X : packed) problem_.zeros_in_order.project_out(X);   // what rounding has let in
     make_orthonormal(packed, k);
     result.Y.resize(problem_.size(), k);
     const std::vector<int>& order = problem_.analysis.order();

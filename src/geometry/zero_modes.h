@@ -2,7 +2,7 @@
 /// The constants of each component span the null space of −C, known beforehand. Private to the layer.
 #pragma once
 
-#include "geometry/eight_columns.h"
+#include "geometry/aligned_columns.h"
 #include "geometry/vertices_with_mass.h"
 
 namespace meshfolio {

@@ -8,6 +8,7 @@
 #include "geometry/diffusion_step.h"
 #include "geometry/implicit_solver.h"
 #include "geometry/laplacian_smoothing.h"
+#include "geometry/position_rows.h"
 #include "geometry/spatial_order.h"
 
 namespace {

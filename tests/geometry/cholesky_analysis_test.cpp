@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "geometry/panel_kernels.h"
+#include "geometry/position_rows.h"
 #include "geometry/solver_test_meshes.h"
 #include "geometry/stability.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/position_rows.h"
 #include "geometry/solver_test_meshes.h"
 
 using namespace meshfolio;

@@ -1,4 +1,5 @@
 #include "geometry/incomplete_cholesky.h"
+#include "geometry/position_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/four_columns.h"
+#include "geometry/position_rows.h"
 
 #include "mesh/parallel.h"
 
