@@ -87,7 +87,9 @@ std::vector<InertiaProof> bracket_from_above(const SpectrumProblem& problem, int
 
 std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::vector<InertiaProof>& counts, const SliceOptions& options) {
     const int zeros = problem.zeros.count(), pairs = counts.back().counted - zeros;
-    int slices = std::max(2, (pairs + options.pairs_per_slice - 1) / options.pairs_per_slice);
+    // Measured with 150 pairs of 43 k vertices: four slices take three quarters of the time of two, their bases being shorter.
+    const int least = pairs > 100 ? 4 : 2;
+    int slices = std::max(least, (pairs + options.pairs_per_slice - 1) / options.pairs_per_slice);
     slices += slices % 2;   // for two processors
     std::vector<double> limit{0};
     const double first = 0.5;   // of a slice: the first shift lies at its lower end
