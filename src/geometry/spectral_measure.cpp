@@ -14,11 +14,24 @@ namespace meshfolio {
 namespace {
 
 struct Quadrature {
-    Vector nodes, weights;
+    Vector nodes, weights, fewer_nodes, fewer_weights;
     bool exact = true;
 };
 
-/// Lanczos from y: the eigenvalues of the tridiagonal matrix are the nodes, the squared first entries of its eigenvectors the weights.
+/// The eigenvalues of the leading n × n block of the tridiagonal matrix, and the squared first entries of its eigenvectors.
+void nodes_and_weights(const Vector& diagonal, const Vector& beside, int n, double total, Vector& nodes, Vector& weights) {
+    Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen;
+    eigen.computeFromTridiagonal(diagonal.head(n), beside.head(n - 1));
+    nodes = eigen.eigenvalues().cwiseMax(0);
+    weights = total * eigen.eigenvectors().row(0).transpose().cwiseAbs2();
+}
+
+void append(Vector& all, const Vector& more) {
+    all.conservativeResize(all.size() + more.size());
+    all.tail(more.size()) = more;
+}
+
+/// Lanczos from y: Gauss quadrature for the measure of y.
 Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
     const double norm = y.norm();
     if (!(norm > 0)) return {};
@@ -39,9 +52,11 @@ Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
         ++done;
         if (!exact && done < steps) V.col(done) = w / beside[done - 1];
     }
-    Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen;
-    eigen.computeFromTridiagonal(diagonal.head(done), beside.head(std::max(done - 1, 0)));
-    return {eigen.eigenvalues().cwiseMax(0), norm * norm * eigen.eigenvectors().row(0).transpose().cwiseAbs2(), exact};
+    Quadrature quadrature;
+    quadrature.exact = exact;
+    nodes_and_weights(diagonal, beside, done, norm * norm, quadrature.nodes, quadrature.weights);
+    nodes_and_weights(diagonal, beside, std::max(4 * done / 5, 1), norm * norm, quadrature.fewer_nodes, quadrature.fewer_weights);
+    return quadrature;
 }
 
 }   // namespace
@@ -66,11 +81,10 @@ SpectralMeasure spectral_measure(const LaplaceBeltrami& laplacian, const Positio
     });
     measure.exact = true;
     for (const Quadrature& quadrature : coordinates) {
-        const Eigen::Index before = measure.nodes.size(), more = quadrature.nodes.size();
-        measure.nodes.conservativeResize(before + more);
-        measure.weights.conservativeResize(before + more);
-        measure.nodes.tail(more) = quadrature.nodes;
-        measure.weights.tail(more) = quadrature.weights;
+        append(measure.nodes, quadrature.nodes);
+        append(measure.weights, quadrature.weights);
+        append(measure.fewer_nodes, quadrature.fewer_nodes);
+        append(measure.fewer_weights, quadrature.fewer_weights);
         measure.exact = measure.exact && quadrature.exact;
     }
     return measure;

@@ -122,16 +122,22 @@ void study_costs(ModeStudy& study, bool quick) {
     study.factor = model.factor();
     study.explicit_step = model.explicit_step_operations();
     study.implicit_step = model.implicit_step_operations();
-    const std::vector<double> energies = quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02};
-    for (const double energy : energies) study.targets.push_back(smoothing_target(model, energy));
+    const double least = model.least_energy(0.005), most = std::max(0.95, least);
+    for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02}) {
+        if (energy >= least) study.targets.push_back(smoothing_target(model, energy));
+    }
+    if (study.targets.empty()) study.targets.push_back(smoothing_target(model, least));
     const int points = quick ? 6 : 20;
-    for (int i = 0; i <= points; ++i) study.curve.push_back(smoothing_target(model, 0.95 * std::pow(0.005 / 0.95, double(i) / points)));
+    for (int i = 0; i <= points; ++i) study.curve.push_back(smoothing_target(model, most * std::pow(least / most, double(i) / points)));
+    for (std::size_t which = 0; which < implicit_way_names().size(); ++which)
+        study.crossings.push_back(crossing_of(model, study.curve, which));
     const double initial_energy = energy_of(study.subject, study.subject.mesh().X);
     for (std::size_t i = 0; i < study.targets.size(); ++i) {
         const SmoothingTarget& target = study.targets[i];
         if (target.explicit_way.steps > 0 && target.explicit_way.steps <= run_at_most)
             study.tried.push_back(tried(study.subject, i, target.explicit_way, initial_energy));
-        for (const SmoothingWay& way : target.implicit_ways) study.tried.push_back(tried(study.subject, i, way, initial_energy));
+        for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
+            study.tried.push_back(tried(study.subject, i, target.implicit_ways[which], initial_energy));
     }
 }
 
@@ -150,6 +156,8 @@ double ModeDamping::deviation(const Vector& eigenvalues) const {
     return largest / scale;
 }
 
+int lanczos_steps(const QuestionSettings& settings) { return settings.laboratory ? 160 : settings.quick ? 60 : 100; }
+
 ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     ModeStudy study;
     study.subject = smoothing_subject(std::move(source));
@@ -162,7 +170,7 @@ ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSe
     for (const double relative : {0.5, 0.95, 10.0})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
 
-    study.measure = spectral_measure(study.subject.laplacian, study.subject.mesh().X, settings.quick ? 60 : 100);
+    study.measure = spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings));
     std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject, {0.1, 0.5, 0.9})) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,13 +53,17 @@ struct ModeStudy {
     SpectralMeasure measure;
     std::vector<SchemeGap> gaps;
     FactorOperations factor;
-    double explicit_step = 0, implicit_step = 0;   // multiply–adds
-    std::vector<SmoothingTarget> targets;          // those of the table
-    std::vector<SmoothingTarget> curve;            // finer, energies descending
+    double explicit_step = 0, implicit_step = 0;             // multiply–adds
+    std::vector<SmoothingTarget> targets;                    // those of the table
+    std::vector<SmoothingTarget> curve;                      // finer, energies descending
+    std::vector<std::optional<SmoothingTarget>> crossings;   // of each implicit way with the explicit one
     std::vector<TriedWay> tried;
 
     const std::string& name() const { return subject.name(); }
 };
+/// Of the spectral measure, for each coordinate.
+int lanczos_steps(const QuestionSettings& settings);
+
 /// Gaps at the steps and iterations of the settings, else at three shares of the limit and two counts.
 ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 

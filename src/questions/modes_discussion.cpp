@@ -58,67 +58,67 @@ report::Text gap_words(const ModeStudy& study) {
 }
 
 /// "below 12 % of the energy", "everywhere", "nowhere".
-std::string where(const ModeStudy& study, const ImplicitChoice& choice) {
-    const auto crossing = crossing_of(study, choice);
+std::string where(const ModeStudy& study, std::size_t which) {
+    const auto& crossing = study.crossings[which];
     if (!crossing) return "nowhere";
-    if (*crossing == 0) return "everywhere";
-    return "below " + readable_percent(study.curve[*crossing].energy, 2) + " of the energy";
+    if (crossing->energy >= study.curve.front().energy) return "everywhere";
+    return "below " + readable_percent(crossing->energy, 2) + " of the energy";
 }
 
 report::Text cost_words(const ModeStudy& study) {
-    const auto choices = implicit_choices();
+    constexpr std::size_t fixed = std::size(implicit_steps), accurate = fixed, matched = fixed + 1;
     std::vector<std::string> parts;
-    for (const ImplicitChoice& choice : choices) {
-        if (choice.which >= 0) parts.push_back(choice.name.substr(choice.name.find(' ') + 1) + " " + where(study, choice));
-    }
-    report::Text t = report::text(
-        "Is implicit cheaper on ", study.name(), "? An implicit step costs as much as ",
-        readable(study.implicit_step / study.explicit_step, 2), " explicit ones and the factorisation as much as ",
-        readable(study.factor.factorisation / study.explicit_step, 2), ", so it depends on how smooth the result shall be, down to ",
-        readable_percent(study.curve.back().energy, 2), " of the energy (", ref("modes_crossing"),
-        "). With its step chosen for the target, implicit smoothing takes fewer operations with ", listed(parts), ". ");
+    for (std::size_t which = 0; which < fixed; ++which)
+        parts.push_back("with " + counted(implicit_steps[which], "step") + " " + where(study, which));
+    report::Text t =
+        report::text("Is implicit cheaper on ", study.name(), "? An implicit step costs as much as ",
+                     readable(study.implicit_step / study.explicit_step, 2), " explicit ones and the factorisation as much as ",
+                     readable(study.factor.factorisation / study.explicit_step, 2), ", so it depends on how smooth the result shall be (",
+                     ref("modes_crossing"), "; looked at down to ", readable_percent(study.curve.back().energy, 2),
+                     " of the energy). With its step chosen for the target it takes fewer operations ", listed(parts), ". ");
     const SmoothingTarget& last = study.curve.back();
-    report::extend(t, "But these are not the same result. At ", readable_percent(last.energy, 2), " of the energy one implicit step is ",
+    report::extend(t, "But these are not the same result: at ", readable_percent(last.energy, 2), " of the energy one implicit step is ",
                    readable_percent(last.implicit_ways.front().error, 2), " of the motion away from the exact flow, ten are ",
-                   readable_percent(last.implicit_ways.back().error, 2));
+                   readable_percent(last.implicit_ways[fixed - 1].error, 2));
     if (last.explicit_way.steps > 0) report::extend(t, ", and the explicit result is ", readable_percent(last.explicit_way.error, 2));
-    report::extend(t, ". ");
-    const std::string matched = where(study, choices.back());
-    if (matched == "nowhere") {
-        report::extend(t,
-                       "Where implicit smoothing has to be as true to the flow as explicit smoothing, it is nowhere cheaper to the end.");
-    } else {
-        report::extend(t, "Even as true to the flow as explicit smoothing, it is cheaper ", matched, ".");
-    }
+    report::extend(t, ". Where ", readable_percent(implicit_accuracy, 1), " of the motion is true enough, implicit smoothing is cheaper ",
+                   where(study, accurate), "; where it has to be as true as explicit smoothing, ", where(study, matched), ".");
     return t;
 }
 
-report::Text rule_words(const std::vector<ModeStudy>& studies) {
+/// "between 5 % and 12 % of the energy", "at 5 % of the energy"; empty where there is no border on any mesh.
+std::string border(const std::vector<ModeStudy>& studies, std::size_t which, int& without) {
     double least = INFINITY, most = 0;
-    int without = 0;
-    const ImplicitChoice one = implicit_choices().front();
     for (const ModeStudy& study : studies) {
-        const auto crossing = crossing_of(study, one);
-        if (!crossing) {
+        if (!study.crossings[which]) {
             ++without;
             continue;
         }
-        least = std::min(least, study.curve[*crossing].energy);
-        most = std::max(most, study.curve[*crossing].energy);
+        least = std::min(least, study.crossings[which]->energy);
+        most = std::max(most, study.crossings[which]->energy);
     }
-    if (without == static_cast<int>(studies.size())) {
+    if (!(most > 0)) return "";
+    const std::string low = readable_percent(least, 2), high = readable_percent(most, 2);
+    return (low == high ? "at " + low : "between " + low + " and " + high) + " of the energy";
+}
+
+report::Text rule_words(const std::vector<ModeStudy>& studies) {
+    int without = 0, without_accurate = 0;
+    const std::string one = border(studies, 0, without), accurate = border(studies, std::size(implicit_steps), without_accurate);
+    if (one.empty()) {
         return report::text(
-            "On none of these meshes, then, does implicit smoothing pay for a single result; it pays where one factorisation "
-            "serves many right-hand sides, or where no step size may be too large.");
+            "Here, then, implicit smoothing does not pay for a single result; it pays where one factorisation serves many "
+            "right-hand sides, or where no step may be too large.");
     }
     report::Text t = report::text(
-        "So the answer is neither yes nor no: explicit for light smoothing and for results that must follow the flow, "
-        "implicit for strong smoothing whose path does not matter. The border for one implicit step ");
-    if (studies.size() == 1 || least == most) {
-        report::extend(t, "is ", readable_percent(most, 2), " of the energy here.");
+        "So the answer is neither yes nor no. Explicit smoothing is the cheaper one for light smoothing, implicit "
+        "smoothing for strong smoothing; the border lies ",
+        one, " for a single implicit step", without > 0 ? ", where there is one," : "");
+    if (accurate.empty()) {
+        report::extend(t, ", and with an error of at most ", readable_percent(implicit_accuracy, 1), " there is none.");
     } else {
-        report::extend(t, "lies between ", readable_percent(least, 2), " and ", readable_percent(most, 2), " of the energy on these meshes",
-                       without > 0 ? ", where there is one." : ".");
+        report::extend(t, " and ", accurate, " for an error of at most ", readable_percent(implicit_accuracy, 1),
+                       without_accurate > 0 ? ", where there is one." : ".");
     }
     return t;
 }

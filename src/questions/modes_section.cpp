@@ -74,19 +74,20 @@ Answer answer_modes(const MeshLibrary& library, const QuestionSettings& settings
 
     section.parameters["operator"] = "cotangent, of the input, barycentric areas";
     section.parameters["explicit step of the comparison of costs"] = "0.95 λ_crit";
-    section.parameters["steps of Lanczos for each coordinate"] = std::to_string(settings.quick ? 60 : 100);
+    section.parameters["steps of Lanczos for each coordinate"] = std::to_string(lanczos_steps(settings));
     section.extent = "damping of " + std::to_string(first.eigenvalues.size()) + " modes of " + first.name() +
                      (studies.size() > 1 ? " and of more meshes" : "") + ", the gap between the schemes and the cost of " +
                      counted(static_cast<int>(first.targets.size()), "target") + " on " + listed(names_of(meshes)) +
                      ", predicted and measured";
-    const auto crossing = crossing_of(first, implicit_choices().front());
+    const auto& crossing = first.crossings.front();
     section.findings.push_back(
-        {report::text(
-             "Is implicit smoothing cheaper? On ", first.name(), " one implicit step takes fewer operations than explicit smoothing ",
-             !crossing        ? std::string("nowhere")
-             : *crossing == 0 ? std::string("for every smoothness looked at")
-                              : "once no more than " + readable_percent(first.curve[*crossing].energy, 2) + " of the energy is to be left",
-             " (", ref("modes_crossing"), ")."),
+        {report::text("Is implicit smoothing cheaper? On ", first.name(),
+                      " one implicit step takes fewer operations than explicit smoothing ",
+                      !crossing ? std::string("nowhere")
+                      : crossing->energy >= first.curve.front().energy
+                          ? std::string("for every smoothness looked at")
+                          : "once no more than " + readable_percent(crossing->energy, 2) + " of the energy is to be left",
+                      " (", ref("modes_crossing"), ")."),
          60});
     return answer;
 }

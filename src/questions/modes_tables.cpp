@@ -75,13 +75,6 @@ double worst_energy(const ModeStudy& study) {
 
 }   // namespace
 
-std::vector<ImplicitChoice> implicit_choices() {
-    std::vector<ImplicitChoice> choices;
-    for (const int steps : implicit_steps) choices.push_back({"implicit, " + counted(steps, "step"), static_cast<int>(choices.size())});
-    choices.push_back({"implicit, as true as explicit", -1});
-    return choices;
-}
-
 report::Table damping_table(const std::vector<ModeStudy>& studies) {
     report::Table table;
     table.id = "modes_damping";
@@ -131,8 +124,7 @@ report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme) {
     const int count = study.dampings.front().steps;
     plot.caption = "What " + std::to_string(count) + " " + name + " steps leave of each mode of " + study.name() + ": lines " +
                    (scheme == SmoothingScheme::explicit_euler ? "|1 − λμ|" : "1/(1 + λμ)") + " to the power " + std::to_string(count) +
-                   ", points measured" +
-                   (study.all ? ", one in " + std::to_string((study.eigenvalues.size() + 59) / 60) + " of all." : ".");
+                   ", points measured" + (study.all && study.eigenvalues.size() > 60 ? ", of some sixty of them." : ".");
     plot.alt =
         "Factors of " + counted(static_cast<int>(study.eigenvalues.size()), "mode") + " at " + listed(steps) +
         ": the points lie on the lines of the law" +
@@ -172,9 +164,11 @@ report::Table cost_table(const ModeStudy& study) {
     table.id = id_of("modes", study.name(), "cost");
     table.caption =
         "What a given smoothness of " + study.name() +
-        " costs. Explicit: at 0.95 λ_crit, as many steps as it takes; implicit: 1, 3 or 10 steps of the λ that reaches the "
-        "energy exactly, and as many as are needed to be as true to the exact flow as the explicit result. Error: rms distance from "
-        "the exact flow of the same energy, over the motion of that flow. Multiply–adds with the factorisation (" +
+        " costs. Explicit: at 0.95 λ_crit, as many steps as it takes. Implicit: 1, 3 or 10 steps of the λ that reaches the "
+        "energy exactly, as few as stay within " +
+        readable_percent(implicit_accuracy, 1) +
+        " of the exact flow, and as few as are as true to it as the explicit result. Error: rms distance from the exact flow of "
+        "the same energy, over the motion of that flow. Multiply–adds with the factorisation (" +
         readable(study.factor.factorisation) + " of them), without its symbolic analysis.";
     table.columns = {{"energy left", "% of input", 3},   {"way", "", 3},          {"λ/λ_crit", "", 3}, {"steps", "", 7}, {"error", "%", 3},
                      {"operations", "multiply–adds", 3}, {"over explicit", "", 3}};
@@ -186,7 +180,8 @@ report::Table cost_table(const ModeStudy& study) {
                                   cell_of(both ? way.operations / target.explicit_way.operations : 0, both)});
         };
         add("explicit", target.explicit_way);
-        for (const ImplicitChoice& choice : implicit_choices()) add(choice.name, choice.of(target));
+        const auto names = implicit_way_names();
+        for (std::size_t which = 0; which < names.size(); ++which) add(names[which], target.implicit_ways[which]);
     }
     return table;
 }
@@ -196,13 +191,15 @@ report::Plot cost_plot(const ModeStudy& study) {
     plot.series.push_back(
         over_targets(study, "explicit, 0.95 λ_crit", [](const SmoothingTarget& t) { return operations_of(t.explicit_way); }));
     std::vector<std::string> crossings;
-    for (const ImplicitChoice& choice : implicit_choices()) {
-        plot.series.push_back(over_targets(study, choice.name, [&](const SmoothingTarget& t) { return operations_of(choice.of(t)); }));
-        const auto crossing = crossing_of(study, choice);
+    const auto names = implicit_way_names();
+    for (std::size_t which = 0; which < names.size(); ++which) {
+        plot.series.push_back(
+            over_targets(study, names[which], [&](const SmoothingTarget& t) { return operations_of(t.implicit_ways[which]); }));
+        const auto& crossing = study.crossings[which];
         if (!crossing) continue;
-        const SmoothingTarget& at = study.curve[*crossing];
-        if (*crossing > 0) plot.markers.push_back({100 * at.energy, operations_of(choice.of(at)), ""});
-        crossings.push_back(choice.name + " below " + readable_percent(at.energy, 2));
+        if (crossing->energy < study.curve.front().energy)
+            plot.markers.push_back({100 * crossing->energy, operations_of(crossing->implicit_ways[which]), ""});
+        crossings.push_back(names[which] + " below " + readable_percent(crossing->energy, 2));
     }
     plot.caption = "Operations for a given smoothness of " + study.name() + ". Rings: from there on the implicit way is the cheaper one.";
     plot.alt = "Explicit operations rise as less energy is left; " +
@@ -214,10 +211,9 @@ report::Plot truth_plot(const ModeStudy& study) {
     report::Plot plot = empty_target_plot(study, "truth", "distance from the exact flow [% of its motion]");
     const auto error = [](const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : std::nan(""); };
     plot.series.push_back(over_targets(study, "explicit, 0.95 λ_crit", [&](const SmoothingTarget& t) { return error(t.explicit_way); }));
-    for (const ImplicitChoice& choice : implicit_choices()) {
-        if (choice.which >= 0)
-            plot.series.push_back(over_targets(study, choice.name, [&](const SmoothingTarget& t) { return error(choice.of(t)); }));
-    }
+    const auto names = implicit_way_names();
+    for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
+        plot.series.push_back(over_targets(study, names[which], [&](const SmoothingTarget& t) { return error(t.implicit_ways[which]); }));
     plot.caption = "How true each way is to the exact flow of " + study.name() + " with the same energy: what the operations buy.";
     const SmoothingTarget& last = study.curve.back();
     plot.alt = "At " + readable_percent(last.energy, 2) + " of the energy the explicit result is " +
@@ -226,41 +222,32 @@ report::Plot truth_plot(const ModeStudy& study) {
     return plot;
 }
 
-std::optional<std::size_t> crossing_of(const ModeStudy& study, const ImplicitChoice& choice) {
-    std::optional<std::size_t> from;
-    for (std::size_t i = 0; i < study.curve.size(); ++i) {
-        const bool cheaper = is_cheaper(choice.of(study.curve[i]), study.curve[i]);
-        if (!cheaper) from.reset();
-        if (cheaper && !from) from = i;
-    }
-    return from;
-}
-
 report::Table crossing_table(const std::vector<ModeStudy>& studies) {
     report::Table table;
     table.id = "modes_crossing";
     table.caption =
         "From which smoothness on implicit is cheaper: the energy below which each way takes fewer operations than explicit smoothing, "
         "down "
-        "to " +
-        readable_percent(studies.front().curve.back().energy, 2) +
-        ", the smoothest looked at (empty: nowhere), and the errors there. An implicit step is this many explicit ones, a factorisation "
-        "that "
-        "many.";
+        "to the least energy looked at, to which the spectral measure reaches (empty: nowhere), and the errors there. An implicit step is "
+        "this many explicit ones, a factorisation that many.";
     table.columns = {{"mesh", "", 3},
                      {"step", "explicit steps", 3},
                      {"factorisation", "explicit steps", 3},
+                     {"down to", "% of energy", 2},
                      {"way", "", 3},
                      {"cheaper below", "% of energy", 3},
+                     {"steps there", "", 5},
                      {"its error", "%", 3},
                      {"explicit error", "%", 3}};
     for (const ModeStudy& study : studies) {
-        for (const ImplicitChoice& choice : implicit_choices()) {
-            const auto crossing = crossing_of(study, choice);
-            const SmoothingTarget& at = study.curve[crossing.value_or(0)];
-            const bool there = crossing.has_value();
+        const auto names = implicit_way_names();
+        for (std::size_t which = 0; which < names.size(); ++which) {
+            const bool there = study.crossings[which].has_value();
+            const SmoothingTarget& at = there ? *study.crossings[which] : study.curve.front();
+            const SmoothingWay& way = at.implicit_ways[which];
             table.rows.push_back({study.name(), study.implicit_step / study.explicit_step, study.factor.factorisation / study.explicit_step,
-                                  choice.name, cell_of(100 * at.energy, there), cell_of(100 * choice.of(at).error, there),
+                                  100 * study.curve.back().energy, names[which], cell_of(100 * at.energy, there), cell_of(way.steps, there),
+                                  cell_of(100 * way.error, there),
                                   cell_of(100 * at.explicit_way.error, there && at.explicit_way.steps > 0)});
         }
     }

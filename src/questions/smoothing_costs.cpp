@@ -3,22 +3,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include "number_text.h"
+#include "questions/section_tools.h"
+
 namespace meshfolio {
 
 namespace {
 
-/// Where the decreasing function f takes a value, for arguments > 0: bracketed from `guess`, then halved in the logarithm.
+/// Where the decreasing function f > 0 takes a value, for arguments > 0: bracketed from `guess`, then by false position in the logarithms
+/// (Illinois).
 template <class Function>
 double argument_of(Function f, double value, double guess) {
-    double low = guess, high = guess;
-    for (int i = 0; i < 200 && f(low) < value; ++i) low /= 4;
-    for (int i = 0; i < 200 && f(high) > value; ++i) high *= 4;
-    double u = std::log(low), v = std::log(high);
-    for (int i = 0; i < 100 && v - u > 1e-13 * std::max(std::abs(u), 1.0); ++i) {
-        const double middle = 0.5 * (u + v);
-        (f(std::exp(middle)) > value ? u : v) = middle;
+    const auto above = [&](double u) { return std::log(f(std::exp(u)) / value); };
+    double u = std::log(guess), v = u, fu = above(u), fv = fu;
+    for (int i = 0; i < 100 && fu < 0; ++i) fu = above(u -= 2);
+    for (int i = 0; i < 100 && fv > 0; ++i) fv = above(v += 2);
+    double w = u;
+    int kept = 0;   // which end stayed last
+    for (int i = 0; i < 100 && v > u; ++i) {
+        w = (u * fv - v * fu) / (fv - fu);
+        const double fw = above(w);
+        if (!(std::abs(fw) > 1e-13)) break;
+        if (fw > 0) {
+            if (kept > 0) fv *= 0.5;
+            kept = 1;
+            u = w;
+            fu = fw;
+        } else {
+            if (kept < 0) fu *= 0.5;
+            kept = -1;
+            v = w;
+            fv = fw;
+        }
     }
-    return std::exp(0.5 * (u + v));
+    return std::exp(w);
 }
 
 /// The smallest count in [1, most] for which a condition holds that goes on holding; most + 1: none.
@@ -75,6 +93,15 @@ double CostModel::exact_time(double energy) const {
     return argument_of([&](double time) { return share(exact_filter(time)); }, energy, critical_);
 }
 
+double CostModel::least_energy(double least) const {
+    for (double relative = 1e9; relative > 1; relative /= 1.5) {
+        const auto filter = implicit_filter(relative * critical_, 1);
+        if (share(filter) < least) continue;
+        if (measure_.uncertainty([&](double mu) { return mu * filter(mu) * filter(mu); }) <= 1e-7) return share(filter);
+    }
+    return share(implicit_filter(critical_, 1));
+}
+
 SmoothingWay CostModel::explicit_way(double energy) const {
     SmoothingWay way{SmoothingScheme::explicit_euler, 0.95 * critical_};
     const int steps = first_count(most_steps, [&](int t) { return share(explicit_filter(way.lambda, t)) <= energy; });
@@ -96,24 +123,62 @@ SmoothingWay CostModel::implicit_way(double energy, int steps) const {
     return way;
 }
 
-SmoothingWay CostModel::as_true_as(const SmoothingWay& way) const {
+SmoothingWay CostModel::implicit_way_within(double energy, double error) const {
     constexpr int most = 10000;
-    const int steps = first_count(most, [&](int s) { return implicit_way(way.energy, s).error <= way.error; });
-    return steps > most ? SmoothingWay{SmoothingScheme::implicit_euler} : implicit_way(way.energy, steps);
+    const int steps = first_count(most, [&](int s) { return implicit_way(energy, s).error <= error; });
+    return steps > most ? SmoothingWay{SmoothingScheme::implicit_euler} : implicit_way(energy, steps);
 }
 
+std::vector<std::string> implicit_way_names() {
+    std::vector<std::string> names;
+    for (const int steps : implicit_steps) names.push_back("implicit, " + counted(steps, "step"));
+    names.push_back("implicit, error ≤ " + readable_percent(implicit_accuracy, 1));
+    names.emplace_back("implicit, as true as explicit");
+    return names;
+}
+
+namespace {
+
+SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
+    if (which < std::size(implicit_steps)) return model.implicit_way(energy, implicit_steps[which]);
+    if (which == std::size(implicit_steps)) return model.implicit_way_within(energy, implicit_accuracy);
+    if (explicit_way.steps == 0) return {SmoothingScheme::implicit_euler};
+    return model.implicit_way_within(explicit_way.energy, explicit_way.error);
+}
+
+}   // namespace
+
 SmoothingTarget smoothing_target(const CostModel& model, double energy) {
-    SmoothingTarget target;
-    target.energy = energy;
-    target.explicit_way = model.explicit_way(energy);
-    for (const int steps : implicit_steps) target.implicit_ways.push_back(model.implicit_way(energy, steps));
-    target.matched.scheme = SmoothingScheme::implicit_euler;
-    if (target.explicit_way.steps > 0) target.matched = model.as_true_as(target.explicit_way);
+    SmoothingTarget target{energy, model.explicit_way(energy), {}};
+    for (std::size_t which = 0; which < implicit_way_names().size(); ++which)
+        target.implicit_ways.push_back(implicit_way_of(model, energy, target.explicit_way, which));
     return target;
 }
 
-bool is_cheaper(const SmoothingWay& way, const SmoothingTarget& target) {
-    return way.steps > 0 && (target.explicit_way.steps == 0 || way.operations < target.explicit_way.operations);
+bool is_cheaper(const SmoothingWay& way, const SmoothingWay& explicit_way) {
+    return way.steps > 0 && (explicit_way.steps == 0 || way.operations < explicit_way.operations);
+}
+
+std::optional<std::size_t> cheaper_from(const std::vector<SmoothingTarget>& targets, std::size_t which) {
+    std::optional<std::size_t> from;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const bool cheaper = is_cheaper(targets[i].implicit_ways[which], targets[i].explicit_way);
+        if (!cheaper) from.reset();
+        if (cheaper && !from) from = i;
+    }
+    return from;
+}
+
+std::optional<SmoothingTarget> crossing_of(const CostModel& model, const std::vector<SmoothingTarget>& targets, std::size_t which) {
+    const auto from = cheaper_from(targets, which);
+    if (!from || *from == 0) return from ? std::optional(targets.front()) : std::nullopt;
+    double cheaper = targets[*from].energy, dearer = targets[*from - 1].energy;
+    for (int i = 0; i < 8; ++i) {
+        const double middle = std::sqrt(cheaper * dearer);
+        const SmoothingWay explicit_way = model.explicit_way(middle);
+        (is_cheaper(implicit_way_of(model, middle, explicit_way, which), explicit_way) ? cheaper : dearer) = middle;
+    }
+    return smoothing_target(model, cheaper);
 }
 
 }   // namespace meshfolio

@@ -3,6 +3,8 @@
 /// coordinates before anything is run.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/factor_operations.h"
@@ -37,8 +39,10 @@ public:
     SmoothingWay explicit_way(double energy) const;
     /// `steps` of the λ that gives exactly this energy.
     SmoothingWay implicit_way(double energy, int steps) const;
-    /// The fewest implicit steps that are at least as true to the exact flow.
-    SmoothingWay as_true_as(const SmoothingWay& way) const;
+    /// The fewest implicit steps to this energy with at most this error.
+    SmoothingWay implicit_way_within(double energy, double error) const;
+    /// The least energy of which one implicit step, the way that is hardest to foretell, is foretold to 10⁻⁷; at least `least`.
+    double least_energy(double least) const;
     /// Diffusion time after which the exact flow has this energy. [length²]
     double exact_time(double energy) const;
 
@@ -59,13 +63,22 @@ private:
 struct SmoothingTarget {
     double energy = 0;   // share of the input's
     SmoothingWay explicit_way;
-    std::vector<SmoothingWay> implicit_ways;   // one an entry of implicit_steps
-    SmoothingWay matched;                      // implicit, as true as the explicit way
+    std::vector<SmoothingWay> implicit_ways;   // in the order of implicit_way_names()
 };
 inline constexpr int implicit_steps[] = {1, 3, 10};
+inline constexpr double implicit_accuracy = 0.01;   // of the way that takes as many steps as that needs
+
+/// "implicit, 1 step", …, "implicit, error ≤ 1 %", "implicit, as true as explicit".
+std::vector<std::string> implicit_way_names();
+
 SmoothingTarget smoothing_target(const CostModel& model, double energy);
 
 /// Costs less than the explicit way, which may not get there at all.
-bool is_cheaper(const SmoothingWay& way, const SmoothingTarget& target);
+bool is_cheaper(const SmoothingWay& way, const SmoothingWay& explicit_way);
+
+/// The first of the targets, whose energies descend, from which on the implicit way `which` is cheaper to the end; empty: none.
+std::optional<std::size_t> cheaper_from(const std::vector<SmoothingTarget>& targets, std::size_t which);
+/// Where that begins, between that target and the one before it.
+std::optional<SmoothingTarget> crossing_of(const CostModel& model, const std::vector<SmoothingTarget>& targets, std::size_t which);
 
 }   // namespace meshfolio

@@ -181,7 +181,10 @@ std::vector<MapPlace> places_of(const SmoothingMaps& maps) {
             add(SmoothingScheme::implicit_euler, step, *row, "implicit at the same place");
         }
     }
-    add(SmoothingScheme::implicit_euler, maps.lambdas.size() - 1, last, "implicit, the largest step, all iterations");
+    std::size_t left = last;   // while something is left to be seen
+    const std::size_t largest = maps.lambdas.size() - 1;
+    while (left > 0 && !(maps.implicit_map.size[maps.index(largest, left)] > 0.05)) --left;
+    add(SmoothingScheme::implicit_euler, largest, left, "implicit, the largest step, as long as a twentieth of its size is left");
     for (const SchemeMap* map : maps.maps()) {
         if (const auto best = maps.best(*map))
             add(map->scheme, *best % maps.lambdas.size(), *best / maps.lambdas.size(), map->name() + ", nearest to the clean mesh");

@@ -36,8 +36,8 @@ report::Text limit_words(const std::vector<SmoothingMaps>& studies) {
     report::Text t = report::text(
         "The vertical line is the whole story of explicit stability: of ", counted(below, "explicit run"), " within the limit ",
         below_lost == 0 ? std::string("none") : std::to_string(below_lost), " blew up, of ", std::to_string(beyond), " beyond it ",
-        beyond_lost == beyond ? std::string("all") : std::to_string(beyond_lost), " did, and of ", counted(implicit_steps, "implicit run"),
-        " ", implicit_lost == 0 ? std::string("none") : std::to_string(implicit_lost), ". ");
+        beyond_lost == beyond && beyond > 0 ? std::string("all") : std::to_string(beyond_lost), " did; of ",
+        counted(implicit_steps, "implicit run"), " ", implicit_lost == 0 ? std::string("none") : std::to_string(implicit_lost), ". ");
     if (beyond_lost > 0) {
         report::extend(t, "When a run ends follows from the modes of the input (", ref("maps_blow_up"),
                        "): from all of them where they are known and from the top mode elsewhere, it was met to ",
@@ -51,9 +51,10 @@ report::Text limit_words(const std::vector<SmoothingMaps>& studies) {
 report::Text seed_words(const SmoothingMaps& maps) {
     const double height = maps.top.heights[0];
     if (height > 1e4 * maps.top.rounding) return {};
-    report::Text t = report::text("On ", maps.name(), " the input has no more of the top mode than rounding puts there (",
-                                  readable(height / maps.subject.diagonal, 2),
-                                  " of the box diagonal), because of its symmetry. The dashed curve therefore begins late");
+    report::Text t =
+        report::text("On ", maps.name(), " the input has no more of the top mode than rounding puts there (",
+                     readable(height / maps.subject.diagonal, 2),
+                     " of the box diagonal), as symmetry can make it. The prediction from the top mode alone is therefore late");
     report::extend(t, maps.all ? ", and the modes below the top, of which there is more, end the run first." : ".");
     return t;
 }
@@ -70,8 +71,9 @@ report::Text agreement_words(const SmoothingMaps& maps) {
         }
     }
     if (largest == 0) return {};
-    return report::text("Below half the limit the two panels of ", maps.name(), " are alike: the rms motion of the two schemes differs by ",
-                        readable_percent(largest, 2), " of itself at most, at ", cell_words(maps, where), ".");
+    return report::text("Below half the limit the two panels of ", maps.name(), largest < 0.2 ? " differ little" : " differ",
+                        ": the rms motion of the two schemes is not the same by ", readable_percent(largest, 2), " of itself at most, at ",
+                        cell_words(maps, where), ".");
 }
 
 report::Text equal_time_words(const SmoothingMaps& maps) {
@@ -127,8 +129,8 @@ report::Text health_words(const SmoothingMaps& maps) {
     report::Text t = report::text("Triangles of ", maps.name(), " turn over ", turned_words(maps.explicit_map), " and ",
                                   turned_words(maps.implicit_map), ". ");
     const double least = smallest(maps.implicit_map.size);
-    report::extend(t, "Stability is not fidelity: the implicit plane keeps ", readable_percent(std::max(least, 0.0), 2), " of the ",
-                   maps.closed ? "volume" : "area", " where it keeps least.");
+    report::extend(t, "Stability is not fidelity: where it keeps least, the implicit plane keeps ",
+                   least < 1e-6 ? std::string("nothing") : readable_percent(least, 2), " of the ", maps.closed ? "volume." : "area.");
     return t;
 }
 

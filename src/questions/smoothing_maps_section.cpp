@@ -36,7 +36,7 @@ void add_pictures(Answer& answer, const SmoothingMaps& maps) {
     request.title = "Places of the plane: " + maps.name();
     request.subtitle = "λ_crit = " + readable(maps.subject.critical, 4);
     request.edges = maps.subject.mesh().face_count() < 5000;
-    request.three_quarter_frame = true;
+    request.three_quarter = request.three_quarter_frame = true;
     request.panels.push_back(panel_of(*maps.subject.source, id_of("maps", maps.name(), "input"), "input",
                                       curvature_colours(maps.subject, maps.subject.mesh().X)));
     for (const MapPlace& place : maps.places) {

@@ -87,18 +87,35 @@ std::string ranges_of(const report::Map& map) {
     return listed(parts);
 }
 
+/// Of the positive finite values; empty where there are none.
+std::optional<report::Map::Range> finite_range(const PlaneValues& values) {
+    report::Map::Range range{INFINITY, 0};
+    for (const double x : values) {
+        if (!(x > 0 && std::isfinite(x))) continue;
+        range.low = std::min(range.low, x);
+        range.high = std::max(range.high, x);
+    }
+    if (range.high > 0) return range;
+    return {};
+}
+
 report::Map error_map(const SmoothingMaps& maps) {
     const bool known = maps.clean.has_value();
     report::Map map = plane_of(maps, "error");
     map.value_label = known ? "rms distance from the clean mesh [% of box diagonal]" : "rms distance from the input [% of box diagonal]";
     map.log_values = true;
     fill(map, maps, known ? &SchemeMap::error : &SchemeMap::moved, 100);
-    // What is far beyond the picture on its way out would take the scale with it.
-    map.range = report::Map::Range{known ? 10 * maps.input_error : 1e-3, known ? 1000 * maps.input_error : 50};
+    if (known) {   // what smoothing gains and what it spoils
+        map.colours = report::Map::Colours::diverging;
+        map.middle = 100 * maps.input_error;
+        map.range = report::Map::Range{0.5 * map.middle, 2 * map.middle};
+    } else {   // runs on their way out would take the scale with them
+        map.range = finite_range(map.panels.back().values);
+    }
     map.caption =
         "Error on " + maps.name() + " over step and iterations: " +
         (known ? "rms distance of every vertex from where it was before the noise, which the program added itself; the input is " +
-                     readable(100 * maps.input_error) + " % away."
+                     readable(100 * maps.input_error) + " % away. Blue: nearer than the input; red: farther."
                : std::string("rms distance from the input, which is all there is to compare with.")) +
         " λ_crit = " + readable(maps.subject.critical, 4) + ". Letters: the places of " + "the pictures below.";
     map.alt = map.value_label + " on " + maps.name() + ": " + ranges_of(map) + ".";
@@ -113,8 +130,8 @@ report::Map size_map(const SmoothingMaps& maps) {
     map.middle = 1;
     map.range = report::Map::Range{0, 2};
     fill(map, maps, &SchemeMap::size, 1);
-    map.caption = (maps.closed ? "Volume" : "Area, since an open surface has no volume,") + (" of " + maps.name()) +
-                  " over that of the input: blue where it shrinks, red where it grows.";
+    map.caption = (maps.closed ? "Volume of " : "Area of ") + maps.name() + " over that of the input" +
+                  (maps.closed ? "" : " (an open surface has no volume)") + ": blue where it shrinks, red where it grows.";
     map.alt = map.value_label + " on " + maps.name() + ": " + ranges_of(map) + ".";
     return map;
 }

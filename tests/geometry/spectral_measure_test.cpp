@@ -62,6 +62,24 @@ TEST(SpectralMeasure, IsExactForPolynomialsBelowTwiceItsSteps) {
     EXPECT_GT(std::abs(measure.integral(beyond) / by_modes(laplacian, mesh.X, beyond) - 1), 1e-6);
 }
 
+// The change with the last steps bounds what is missing: small where the steps suffice, large where they do not.
+TEST(SpectralMeasure, KnowsWhatItDoesNotKnow) {
+    const TriangleMesh mesh = irregular_sphere(3);
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    const double mu = largest_eigenvalue(laplacian).value;
+    const SpectralMeasure measure = spectral_measure(laplacian, mesh.X, 20);
+    int known = 0, unknown = 0;
+    for (double lambda = 1 / mu; lambda < 1e6 / mu; lambda *= 10) {
+        const auto energy = [&](double m) { return m / std::pow(1 + lambda * m, 2); };
+        const double off = std::abs(measure.integral(energy) / by_modes(laplacian, mesh.X, energy) - 1);
+        const double said = measure.uncertainty(energy);
+        EXPECT_LE(off, 2 * said + 1e-12) << lambda * mu;
+        (said < 1e-7 ? known : unknown) += 1;
+    }
+    EXPECT_GE(known, 1);
+    EXPECT_GE(unknown, 1);
+}
+
 TEST(SpectralMeasure, TellsTheEnergyAndTheMotionOfARun) {
     const TriangleMesh mesh = lopsided_ellipsoid(2);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/laplace_spectrum.h"
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/modes_section.h"
@@ -73,7 +74,10 @@ TEST(CostModel, WaysReachTheirTargets) {
         const SmoothingTarget target = smoothing_target(model, energy);
         EXPECT_LE(target.explicit_way.energy, energy);
         EXPECT_GT(target.explicit_way.steps, 0);
-        for (const SmoothingWay& way : target.implicit_ways) EXPECT_NEAR(way.energy / energy, 1, 1e-9);
+        for (std::size_t which = 0; which < std::size(implicit_steps); ++which) {
+            EXPECT_NEAR(target.implicit_ways[which].energy / energy, 1, 1e-9);
+            EXPECT_EQ(target.implicit_ways[which].steps, implicit_steps[which]);
+        }
         EXPECT_NEAR(model.measure().energy([&](double mu) { return std::exp(-model.exact_time(energy) * mu); }) /
                         model.measure().energy([](double) { return 1.0; }),
                     energy, 1e-9);
@@ -90,11 +94,37 @@ TEST(CostModel, MoreStepsAreTruer) {
         before = way.error;
     }
     EXPECT_LT(before, 0.01);
-    const SmoothingWay explicit_way = model.explicit_way(0.1), matched = model.as_true_as(explicit_way);
-    EXPECT_LE(matched.error, explicit_way.error);
-    if (matched.steps > 1) {
-        EXPECT_GT(model.implicit_way(explicit_way.energy, matched.steps - 1).error, explicit_way.error);
+    for (const double error : {0.2, 0.01, 0.001}) {
+        const SmoothingWay way = model.implicit_way_within(0.1, error);
+        EXPECT_LE(way.error, error);
+        if (way.steps > 1) {
+            EXPECT_GT(model.implicit_way(0.1, way.steps - 1).error, error);
+        }
     }
+}
+
+// Gauss quadrature, filters and bisection on one side, matrix exponential by the modes on the other.
+TEST(CostModel, TheErrorIsTheDistanceFromTheExactFlow) {
+    const ModeStudy& study = egg_study();
+    const CostModel model = egg_model();
+    const SmoothingWay way = model.implicit_way(0.2, 3);
+    const LaplaceBeltrami& laplacian = study.subject.laplacian;
+    SpectrumOptions options;
+    options.dense_below = 2000;
+    const Spectrum all = smallest_eigenpairs(laplacian, int(laplacian.M.size()), options);
+    const Positions& X = study.subject.mesh().X;
+    const Positions c = all.eigenvectors.transpose() * (laplacian.M.asDiagonal() * X);
+    const double time = model.exact_time(0.2);
+    double gap = 0, motion = 0, energy = 0, initial = 0;
+    for (Eigen::Index i = 0; i < c.rows(); ++i) {
+        const double mu = all.eigenvalues[i], size = c.row(i).squaredNorm(), exact = std::exp(-time * mu);
+        gap += size * std::pow(std::pow(1 + way.lambda * mu, -3) - exact, 2);
+        motion += size * std::pow(1 - exact, 2);
+        energy += size * mu * exact * exact;
+        initial += size * mu;
+    }
+    EXPECT_NEAR(energy / initial, 0.2, 1e-8);
+    EXPECT_NEAR(way.error / std::sqrt(gap / motion), 1, 1e-6);
 }
 
 TEST(CostModel, OperationsAreFactorisationAndSteps) {
@@ -112,26 +142,36 @@ TEST(ModeStudy, RunsHaveTheEnergiesThatWereSaid) {
     for (const TriedWay& run : egg_study().tried) EXPECT_NEAR(run.energy / run.way.energy, 1, 1e-8);
 }
 
-TEST(ModesSection, ACrossingIsWhereItGoesOnBeingCheaper) {
-    ModeStudy study;
+TEST(CostModel, ACrossingIsWhereItGoesOnBeingCheaper) {
     const auto target = [](double energy, double explicit_operations, double implicit_operations) {
-        SmoothingTarget t;
-        t.energy = energy;
-        t.explicit_way.steps = 1;
+        SmoothingTarget t{energy, {}, {{}}};
+        t.explicit_way.steps = t.implicit_ways[0].steps = 1;
         t.explicit_way.operations = explicit_operations;
-        t.matched.steps = 1;
-        t.matched.operations = implicit_operations;
+        t.implicit_ways[0].operations = implicit_operations;
         return t;
     };
-    const ImplicitChoice matched = implicit_choices().back();
-    study.curve = {target(0.9, 5, 3), target(0.5, 5, 8), target(0.1, 5, 4), target(0.01, 5, 4)};
-    EXPECT_EQ(crossing_of(study, matched), std::optional<std::size_t>(2));
-    study.curve.back().matched.operations = 6;
-    EXPECT_FALSE(crossing_of(study, matched).has_value());
-    study.curve.back().explicit_way.steps = 0;   // never gets there
-    EXPECT_EQ(crossing_of(study, matched), std::optional<std::size_t>(2));
-    study.curve.back().matched.steps = 0;
-    EXPECT_FALSE(crossing_of(study, matched).has_value());
+    std::vector<SmoothingTarget> curve{target(0.9, 5, 3), target(0.5, 5, 8), target(0.1, 5, 4), target(0.01, 5, 4)};
+    EXPECT_EQ(cheaper_from(curve, 0), std::optional<std::size_t>(2));
+    curve.back().implicit_ways[0].operations = 6;
+    EXPECT_FALSE(cheaper_from(curve, 0).has_value());
+    curve.back().explicit_way.steps = 0;   // never gets there
+    EXPECT_EQ(cheaper_from(curve, 0), std::optional<std::size_t>(2));
+    curve.back().implicit_ways[0].steps = 0;
+    EXPECT_FALSE(cheaper_from(curve, 0).has_value());
+}
+
+TEST(ModeStudy, CrossingsAreWhereTheCostsMeet) {
+    const ModeStudy& study = egg_study();
+    const CostModel model = egg_model();
+    int met = 0;
+    for (std::size_t which = 0; which < std::size(implicit_steps); ++which) {
+        if (!study.crossings[which] || study.crossings[which]->energy >= study.curve.front().energy) continue;
+        ++met;
+        const SmoothingTarget at = *study.crossings[which], before = smoothing_target(model, 1.02 * at.energy);
+        EXPECT_TRUE(is_cheaper(at.implicit_ways[which], at.explicit_way));
+        EXPECT_FALSE(is_cheaper(before.implicit_ways[which], before.explicit_way)) << "or a step of the staircase of explicit steps";
+    }
+    EXPECT_GT(met, 0);
 }
 
 TEST(ModesSection, WellFormedAndPassesItsChecks) {
