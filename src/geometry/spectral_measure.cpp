@@ -20,9 +20,10 @@ struct Quadrature {
 
 /// The eigenvalues of the leading n × n block of the tridiagonal matrix, and the squared first entries of its eigenvectors.
 void nodes_and_weights(const Vector& diagonal, const Vector& beside, int n, double total, Vector& nodes, Vector& weights) {
+    const double unit = diagonal.maxCoeff();   // the solver takes numbers far below 1 for zeros
     Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen;
-    eigen.computeFromTridiagonal(diagonal.head(n), beside.head(n - 1));
-    nodes = eigen.eigenvalues().cwiseMax(0);
+    eigen.computeFromTridiagonal(diagonal.head(n) / unit, beside.head(n - 1) / unit);
+    nodes = unit * eigen.eigenvalues().cwiseMax(0);
     weights = total * eigen.eigenvectors().row(0).transpose().cwiseAbs2();
 }
 
@@ -54,6 +55,7 @@ Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
     }
     Quadrature quadrature;
     quadrature.exact = exact;
+    diagonal.conservativeResize(done);
     nodes_and_weights(diagonal, beside, done, norm * norm, quadrature.nodes, quadrature.weights);
     nodes_and_weights(diagonal, beside, std::max(4 * done / 5, 1), norm * norm, quadrature.fewer_nodes, quadrature.fewer_weights);
     return quadrature;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "geometry/diffusion_step.h"
 #include "geometry/laplace_spectrum.h"
@@ -107,13 +108,27 @@ double energy_of(const SmoothingSubject& subject, const Positions& X) {
     return dirichlet_energy(subject.laplacian.C, X.rowwise() - X.row(0));
 }
 
-TriedWay tried(const SmoothingSubject& subject, std::size_t target, const SmoothingWay& way, double initial_energy) {
+/// Largest over smallest eigenvalue that the coordinates have a part in.
+double spread_of(const SpectralMeasure& measure) {
+    double least = INFINITY;
+    for (Eigen::Index i = 0; i < measure.nodes.size(); ++i) {
+        if (measure.weights[i] > 1e-20 * measure.weights.sum()) least = std::min(least, measure.nodes[i]);
+    }
+    return measure.nodes.maxCoeff() / least;
+}
+
+TriedWay tried(const ModeStudy& study, std::size_t target, const SmoothingWay& way, double initial_energy) {
+    const SmoothingSubject& subject = study.subject;
     TriedWay run{target, way};
     ImplicitSolver solver;
     const auto start = std::chrono::steady_clock::now();
     const Positions X = smoothed(subject, way.scheme, way.lambda, way.steps, solver).X;
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    run.energy = energy_of(subject, X) / initial_energy;
+    const double energy = energy_of(subject, X);
+    run.energy = energy / initial_energy;
+    const Vector stiffness = subject.laplacian.C.diagonal().cwiseAbs();
+    const double of_sums = 8 * X.cwiseAbs().maxCoeff() * stiffness.dot((X.rowwise() - X.row(0)).rowwise().norm()) / energy;
+    run.rounding = std::numeric_limits<double>::epsilon() * (of_sums + spread_of(study.measure));
     return run;
 }
 
@@ -135,9 +150,9 @@ void study_costs(ModeStudy& study, bool quick) {
     for (std::size_t i = 0; i < study.targets.size(); ++i) {
         const SmoothingTarget& target = study.targets[i];
         if (target.explicit_way.steps > 0 && target.explicit_way.steps <= run_at_most)
-            study.tried.push_back(tried(study.subject, i, target.explicit_way, initial_energy));
+            study.tried.push_back(tried(study, i, target.explicit_way, initial_energy));
         for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
-            study.tried.push_back(tried(study.subject, i, target.implicit_ways[which], initial_energy));
+            study.tried.push_back(tried(study, i, target.implicit_ways[which], initial_energy));
     }
 }
 
@@ -164,6 +179,7 @@ ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSe
     const Modes modes = modes_of(study.subject, settings.quick);
     study.eigenvalues = modes.eigenvalues;
     study.all = modes.all;
+    study.rounding = std::numeric_limits<double>::epsilon() * study.subject.mesh().X.cwiseAbs().maxCoeff() / study.subject.diagonal;
     constexpr int steps = 10;
     for (const double relative : {0.5, 0.95, 1.05})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::explicit_euler, relative, steps));

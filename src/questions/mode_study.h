@@ -41,7 +41,8 @@ struct SchemeGap {
 struct TriedWay {
     std::size_t target = 0;
     SmoothingWay way;
-    double energy = 0;   // measured, of the input
+    double energy = 0;     // measured, of the input
+    double rounding = 0;   // what the rounding of coordinates and weights may do to that, relative
     double seconds = 0;
 };
 
@@ -51,6 +52,7 @@ struct ModeStudy {
     bool all = false;     // every one of the mesh; else the lowest and the top
     std::vector<ModeDamping> dampings;
     SpectralMeasure measure;
+    double rounding = 0;   // of stored coordinates, over the box diagonal
     std::vector<SchemeGap> gaps;
     FactorOperations factor;
     double explicit_step = 0, implicit_step = 0;             // multiply–adds

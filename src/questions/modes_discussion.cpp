@@ -39,7 +39,7 @@ report::Text gap_words(const ModeStudy& study) {
     for (const SchemeGap& gap : study.gaps) {
         if (gap.lambda > study.subject.critical || !(gap.motion > 0)) continue;
         if (!largest || gap.measured / gap.motion > largest->measured / largest->motion) largest = &gap;
-        if (!(gap.measured > 1e-9)) continue;   // rounding
+        if (!seen(study, gap)) continue;
         worst = std::max(worst, std::abs(gap.predicted / gap.measured - 1));
         worst_leading = std::max(worst_leading, std::abs(gap.leading / gap.measured - 1));
     }
@@ -52,8 +52,9 @@ report::Text gap_words(const ModeStudy& study) {
     report::extend(t, share < 0.05  ? "To the eye that is the same. "
                       : share < 0.3 ? "That is seen when they lie beside each other. "
                                     : "That is not the same. ");
-    report::extend(t, "All gaps within the limit were predicted to ", readable(worst, 1), " before the runs (", ref("modes_gap"),
-                   "); the first order in ", math("λ"), " alone is off by up to ", readable_percent(worst_leading, 2), ".");
+    report::extend(t, "All gaps within the limit that stand out of rounding were predicted to ", readable(worst, 1), " before the runs (",
+                   ref("modes_gap"), "); the first order in ", math("λ"), " alone is off by up to ", readable_percent(worst_leading, 2),
+                   ".");
     return t;
 }
 

@@ -20,6 +20,9 @@ report::Plot truth_plot(const ModeStudy& study);
 report::Table crossing_table(const std::vector<ModeStudy>& studies);
 std::vector<report::Check> mode_checks(const std::vector<ModeStudy>& studies);
 
+/// Is the gap far enough above the rounding of coordinates to be compared with its prediction?
+bool seen(const ModeStudy& study, const SchemeGap& gap);
+
 void add_mode_discussion(report::Section& section, const std::vector<ModeStudy>& studies);
 
 }   // namespace meshfolio
