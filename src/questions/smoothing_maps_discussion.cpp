@@ -71,9 +71,8 @@ report::Text agreement_words(const SmoothingMaps& maps) {
         }
     }
     if (largest == 0) return {};
-    return report::text("Below half the limit the two panels of ", maps.name(), largest < 0.2 ? " differ little" : " differ",
-                        ": the rms motion of the two schemes is not the same by ", readable_percent(largest, 2), " of itself at most, at ",
-                        cell_words(maps, where), ".");
+    return report::text("Below half the limit the rms motions of the two schemes on ", maps.name(), " are within ",
+                        readable_percent(largest, 2), " of each other; they are farthest apart at ", cell_words(maps, where), ".");
 }
 
 report::Text equal_time_words(const SmoothingMaps& maps) {

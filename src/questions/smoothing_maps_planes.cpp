@@ -153,7 +153,7 @@ report::Map inverted_map(const SmoothingMaps& maps) {
     map.value_label = "triangles that face away from their first normals [%]";
     map.range = report::Map::Range{0, 50};
     fill(map, maps, &SchemeMap::inverted, 100);
-    map.caption = "Triangles of " + maps.name() + " that have turned by more than 90°: half of them is chance.";
+    map.caption = "Triangles of " + maps.name() + " that have turned by more than 90°: 50 % is what chance would do.";
     map.alt = map.value_label + " on " + maps.name() + ": " + ranges_of(map) + ".";
     return map;
 }

@@ -10,6 +10,7 @@
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/mesh_error.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/stability.h"
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 
