@@ -12,15 +12,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The data and the picture of a plot or a map.
+template <class Drawing>
+void write_drawing(const Drawing& drawing, const fs::path& folder) {
+    write_file(folder / "tables" / (drawing.id + ".csv"), report::write_csv(drawing));
+    write_file(folder / "images" / (drawing.id + ".svg"), report::svg_file_of(drawing));
+}
+
 void write_tables_and_plots(const report::Document& document, const fs::path& folder) {
     for (const report::Section& section : document.sections) {
         for (const report::Block& block : section.blocks) {
             if (const auto* table = std::get_if<report::Table>(&block))
                 write_file(folder / "tables" / (table->id + ".csv"), report::write_csv(*table));
-            if (const auto* plot = std::get_if<report::Plot>(&block)) {
-                write_file(folder / "tables" / (plot->id + ".csv"), report::write_csv(*plot));
-                write_file(folder / "images" / (plot->id + ".svg"), report::svg_file_of(*plot));
-            }
+            if (const auto* plot = std::get_if<report::Plot>(&block)) write_drawing(*plot, folder);
+            if (const auto* map = std::get_if<report::Map>(&block)) write_drawing(*map, folder);
         }
     }
 }

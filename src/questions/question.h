@@ -49,6 +49,8 @@ Answer answer_q6(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q7(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_truth(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_stability(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_maps(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_modes(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_operators(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_certificates(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_preflight(const MeshLibrary&, const QuestionSettings&, const Progress&);

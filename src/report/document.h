@@ -85,6 +85,30 @@ struct Plot {
     std::vector<VerticalLine> vertical_lines;   // λ_crit, say
 };
 
+/// Values over a plane as coloured cells: one panel or several beside each other, on common axes and one scale of colours.
+struct Map {
+    std::string id;   // tables/<id>.csv holds its data
+    std::string caption;
+    std::string alt;                             // what is to be seen, in words and numbers
+    std::string x_label, y_label, value_label;   // with units
+    std::vector<double> x, y;                    // centres of the cells, ascending
+    bool log_x = false, log_y = false, log_values = false;
+    enum class Colours { sequential, diverging } colours = Colours::sequential;
+    double middle = 0;   // where a diverging map is palest; a thin line keeps the two sides apart in grey
+    struct Range {
+        double low, high;
+    };
+    std::optional<Range> range = {};   // of the colours, what lies beyond has the last of them; empty: all that is finite
+    std::string undefined = {};        // what the hatched cells are: "blew up"
+    struct Panel {
+        std::string title;
+        std::vector<double> values;         // the row of y[0], that of y[1], …; NaN: undefined
+        std::vector<Series> lines = {};     // drawn over the cells: a limit, a prediction
+        std::vector<Marker> markers = {};   // places named by one letter or two
+    };
+    std::vector<Panel> panels = {};
+};
+
 /// A drawn figure; the pictures themselves are made from the request of the same id (src/output/figure_request.h).
 struct Figure {
     std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
@@ -92,7 +116,7 @@ struct Figure {
     std::string alt;
 };
 
-using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Figure>;
+using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Figure>;
 
 // ---- what a section proves and says -----------------------------------------------------------------------------------
 

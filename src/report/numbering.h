@@ -19,11 +19,11 @@ struct Reference {
 
 class Numbering {
 public:
-    /// Plots and figures share one count. Equations count when they have an id.
+    /// Plots, maps and figures share one count. Equations count when they have an id.
     /// @throws std::logic_error naming an id that is used twice
     Numbering(const Document& document, const std::vector<Work>& works);
 
-    /// Of a figure, table, plot, formula, question or cited work. "t:q1_errors" means "q1_errors".
+    /// Of a figure, table, plot, map, formula, question or cited work. "t:q1_errors" means "q1_errors".
     /// What belongs to a section that failed or was not asked for is called by that section, without an anchor: one failure must
     /// not take the other sections with it.
     /// @throws std::logic_error naming the id if nothing has it

@@ -92,6 +92,15 @@ Axis::Axis(const std::vector<double>& values, bool logarithmic) : logarithmic_(l
     ticks_ = logarithmic ? logarithmic_ticks(low_, high_) : linear_ticks(low_, high_);
 }
 
+Axis Axis::exactly(double low, double high, bool logarithmic) {
+    Axis axis(logarithmic);
+    if (!(axis.shows(low) && axis.shows(high) && low < high)) return {std::vector<double>{}, logarithmic};
+    axis.low_ = low;
+    axis.high_ = high;
+    axis.ticks_ = logarithmic ? logarithmic_ticks(low, high) : linear_ticks(low, high);
+    return axis;
+}
+
 bool Axis::shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0) && std::abs(value) < 1e300; }
 
 double Axis::position(double value) const {

@@ -16,6 +16,8 @@ class Axis {
 public:
     /// Covers the finite `values` (on a logarithmic axis the positive ones) with a margin; a single value and no value give a range too.
     Axis(const std::vector<double>& values, bool logarithmic);
+    /// From `low` to `high` without a margin. Where the axis cannot show both, or they are not in this order, as without any values.
+    static Axis exactly(double low, double high, bool logarithmic);
 
     /// Whether the axis can show this value at all.
     bool shows(double value) const;
@@ -27,6 +29,7 @@ public:
     const std::vector<Tick>& ticks() const { return ticks_; }
 
 private:
+    explicit Axis(bool logarithmic) : logarithmic_(logarithmic) {}
     bool logarithmic_;
     double low_ = 0, high_ = 1;
     std::vector<Tick> ticks_;

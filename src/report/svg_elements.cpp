@@ -1,5 +1,7 @@
 #include "report/svg_elements.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "number_text.h"
@@ -9,6 +11,8 @@
 namespace meshfolio::report {
 
 namespace {
+
+constexpr const char* firm = "stroke=\"currentColor\" stroke-width=\"1\"";
 
 /// Escaped text with the indices of its symbols lowered: λ_crit.
 std::string with_indices(const std::string& words) {
@@ -58,6 +62,58 @@ std::string point_shape(Point p, int shape, const std::string& color) {
         default:
             return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"3.6" + filled;
     }
+}
+
+std::string dashes_of(std::size_t index, const Series& series) {
+    constexpr std::array<const char*, 6> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5"};
+    return series.style == Series::Style::dashed ? "6 5" : dashes[index % dashes.size()];
+}
+
+std::string ticks_below(const Axis& axis, const Box& frame) {
+    std::string svg;
+    double free_from = -1e9;
+    for (const Tick& tick : axis.ticks()) {
+        const double x = frame.left + axis.position(tick.value) * (frame.right - frame.left), half = 0.5 * text_width(tick.label);
+        const bool labelled = !tick.label.empty() && x - half > free_from;
+        svg += line_element({x, frame.bottom}, {x, frame.bottom + (labelled ? tick_length : 3)}, firm);
+        if (!labelled) continue;
+        svg += text_element({x, frame.bottom + tick_length + 14}, "middle", tick.label);
+        free_from = x + half + 6;
+    }
+    return svg;
+}
+
+std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right) {
+    const double side = at_right ? frame.right : frame.left, out = at_right ? 1 : -1;
+    std::string svg;
+    for (const Tick& tick : axis.ticks()) {
+        const double y = frame.bottom - axis.position(tick.value) * (frame.bottom - frame.top);
+        svg += line_element({side + out * 3, y}, {side, y}, firm);
+        if (tick.label.empty()) continue;
+        svg += text_element({side + out * (tick_length + 3), y + 0.35 * font_size}, at_right ? "start" : "end", tick.label);
+    }
+    return svg;
+}
+
+double widest_label(const Axis& axis) {
+    double widest = 0;
+    for (const Tick& tick : axis.ticks()) widest = std::max(widest, text_width(tick.label));
+    return widest;
+}
+
+std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height) {
+    const std::string name = xml_escape(safe_text(id));
+    return "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height) +
+           "\" role=\"img\" aria-labelledby=\"" + name + "-title " + name + "-desc\" fill=\"currentColor\" font-family=\"system-ui, " +
+           "-apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"" + px(font_size) + "\">\n<title id=\"" + name +
+           "-title\">" + xml_escape(safe_text(subject)) + "</title>\n<desc id=\"" + name + "-desc\">" + xml_escape(safe_text(alt)) +
+           "</desc>\n";
+}
+
+std::string svg_on_white(std::string svg) {
+    svg.insert(svg.find('>') + 1, "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
+    svg.insert(svg.find(" role="), " color=\"#1b1b1f\"");
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg;
 }
 
 }   // namespace meshfolio::report

@@ -1,9 +1,11 @@
 /// @file
-/// The SVG elements plots are made of.
+/// The SVG elements plots and maps are made of.
 #pragma once
 
 #include <string>
 
+#include "report/document.h"
+#include "report/plot_axis.h"
 #include "report/plot_labels.h"
 
 namespace meshfolio::report {
@@ -18,5 +20,21 @@ std::string line_element(Point a, Point b, const std::string& attributes);
 
 /// Disc, square, triangle, diamond, cross or plus, for shape 0 to 5.
 std::string point_shape(Point p, int shape, const std::string& color);
+
+/// The dashes of a series, which tell it from the others without colour; empty for the first.
+std::string dashes_of(std::size_t index, const Series& series);
+
+/// Ticks and labels under a frame; labels that would touch the one before are left out.
+std::string ticks_below(const Axis& axis, const Box& frame);
+/// Ticks and labels beside a frame, at its left or its right.
+std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right = false);
+constexpr double tick_length = 5;
+/// Of the labels beside a frame.
+double widest_label(const Axis& axis);
+
+/// The opening of a picture: its size, what it is and what is to be seen, for those who do not see it.
+std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height);
+/// A picture as a file of its own, on white: without a page around it there is no colour to take over.
+std::string svg_on_white(std::string svg);
 
 }   // namespace meshfolio::report

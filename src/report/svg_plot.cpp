@@ -14,7 +14,7 @@ namespace meshfolio::report {
 
 namespace {
 
-constexpr double width = 640, plot_height = 290, line_height = 17, right_margin = 18, tick_length = 5;
+constexpr double width = 640, plot_height = 290, line_height = 17, right_margin = 18;
 
 struct Look {
     std::string color, dash;
@@ -23,10 +23,9 @@ struct Look {
 
 Look look_of(std::size_t index, const Series& series) {
     constexpr std::array<const char*, 6> defaults{"#0b5fa5", "#c2410c", "#047857", "#86198f", "#92600a", "#475569"};
-    constexpr std::array<const char*, 6> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5"};
     const std::size_t i = index % defaults.size();
     const std::string color = "var(--plot-" + std::to_string(i + 1) + ", " + defaults[i] + ")";
-    return {color, series.style == Series::Style::dashed ? "6 5" : dashes[i], static_cast<int>(i)};
+    return {color, dashes_of(i, series), static_cast<int>(i)};
 }
 
 /// Points of a curve without a gap.
@@ -35,9 +34,7 @@ using Stretch = std::vector<Point>;
 class Drawing {
 public:
     explicit Drawing(const Plot& plot) : plot_(plot), x_(x_values(plot), plot.log_x), y_(y_values(plot), plot.log_y) {
-        double widest = 0;
-        for (const Tick& tick : y_.ticks()) widest = std::max(widest, text_width(tick.label));
-        frame_.left = std::ceil(widest) + tick_length + 10;
+        frame_.left = std::ceil(widest_label(y_)) + tick_length + 10;
         frame_.right = width - right_margin;
         place_legend();
         const auto lines = wrapped(safe_text(plot.y_label), width - 8);
@@ -100,15 +97,7 @@ private:
         return std::all_of(plot_.series.begin(), plot_.series.end(), none) && plot_.markers.empty() && plot_.vertical_lines.empty();
     }
 
-    std::string head() const {
-        const std::string id = xml_escape(safe_text(plot_.id));
-        const std::string subject = plot_.y_label + " against " + plot_.x_label;
-        return "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height()) +
-               "\" role=\"img\" aria-labelledby=\"" + id + "-title " + id + "-desc\" fill=\"currentColor\" font-family=\"system-ui, " +
-               "-apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"" + px(font_size) + "\">\n<title id=\"" + id +
-               "-title\">" + xml_escape(safe_text(subject)) + "</title>\n<desc id=\"" + id + "-desc\">" + xml_escape(safe_text(plot_.alt)) +
-               "</desc>\n";
-    }
+    std::string head() const { return svg_head(plot_.id, plot_.y_label + " against " + plot_.x_label, plot_.alt, width, height()); }
 
     double height() const {
         const auto lines = wrapped(safe_text(plot_.x_label), width - 8);
@@ -182,15 +171,7 @@ private:
             svg += line_element({frame_.left, y}, {frame_.right, y}, faint);
             svg += text_element({frame_.left - tick_length - 3, y + 0.35 * font_size}, "end", tick.label);
         }
-        double free_from = -width;   // labels that would touch the one before are left out
-        for (const Tick& tick : x_.ticks()) {
-            const double x = at_x(tick.value), half = 0.5 * text_width(tick.label);
-            const bool labelled = !tick.label.empty() && x - half > free_from;
-            svg += line_element({x, frame_.bottom}, {x, frame_.bottom + (labelled ? tick_length : 3)}, firm);
-            if (!labelled) continue;
-            svg += text_element({x, frame_.bottom + tick_length + 14}, "middle", tick.label);
-            free_from = x + half + 6;
-        }
+        svg += ticks_below(x_, frame_);
         return svg + line_element({frame_.left, frame_.bottom}, {frame_.right, frame_.bottom}, firm) +
                line_element({frame_.left, frame_.top}, {frame_.left, frame_.bottom}, firm);
     }
@@ -326,12 +307,6 @@ private:
 
 std::string svg_of(const Plot& plot) { return Drawing(plot).svg(); }
 
-std::string svg_file_of(const Plot& plot) {
-    std::string svg = svg_of(plot);
-    svg.insert(svg.find('>') + 1, "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
-    // Without a page around it there is no current colour to take over.
-    svg.insert(svg.find(" role="), " color=\"#1b1b1f\"");
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg;
-}
+std::string svg_file_of(const Plot& plot) { return svg_on_white(svg_of(plot)); }
 
 }   // namespace meshfolio::report

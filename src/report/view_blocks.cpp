@@ -46,6 +46,23 @@ json formula_view(const Formula& formula, const ViewContext& context) {
             {"mathml", forms->second.mathml}, {"tex", forms->second.tex}, {"plain", forms->second.plain}};
 }
 
+/// What plots and maps have in common.
+template <class Drawing>
+json drawing_view(const Drawing& drawing, const ViewContext& context) {
+    return {{"id", safe_text(drawing.id)},
+            {"label", context.numbering.resolve(drawing.id).label},
+            {"caption", prose_view(drawing.caption)},
+            {"alt", safe_text(drawing.alt)},
+            {"x_label", safe_text(drawing.x_label)},
+            {"y_label", safe_text(drawing.y_label)},
+            {"csv", url_path("tables/" + drawing.id + ".csv")},
+            {"svg", context.options.pictures ? svg_of(drawing) : ""},
+            {"has_file", context.options.plot_files},
+            {"file", url_path("images/" + drawing.id + ".svg")},
+            {"has_markers", false},
+            {"markers", json::array()}};
+}
+
 json plot_view(const Plot& plot, const ViewContext& context) {
     json markers = json::array();
     for (const Marker& marker : plot.markers) {
@@ -54,18 +71,10 @@ json plot_view(const Plot& plot, const ViewContext& context) {
     for (const auto& line : plot.vertical_lines) {
         if (!line.label.empty()) markers.push_back({{"text", safe_text(line.label)}});
     }
-    return {{"id", safe_text(plot.id)},
-            {"label", context.numbering.resolve(plot.id).label},
-            {"caption", prose_view(plot.caption)},
-            {"alt", safe_text(plot.alt)},
-            {"x_label", safe_text(plot.x_label)},
-            {"y_label", safe_text(plot.y_label)},
-            {"csv", url_path("tables/" + plot.id + ".csv")},
-            {"svg", context.options.pictures ? svg_of(plot) : ""},
-            {"has_file", context.options.plot_files},
-            {"file", url_path("images/" + plot.id + ".svg")},
-            {"has_markers", !markers.empty()},
-            {"markers", std::move(markers)}};
+    json view = drawing_view(plot, context);
+    view["has_markers"] = !markers.empty();
+    view["markers"] = std::move(markers);
+    return view;
 }
 
 /// Links to the single pictures, those of one panel together: "λ = 0.1, +x" belongs to the panel "λ = 0.1".
@@ -147,6 +156,8 @@ json block_view(const Block& block, const std::string& section_number, int& head
         view = table_view(*table, context);
     } else if (const auto* plot = std::get_if<Plot>(&block)) {
         view = plot_view(*plot, context);
+    } else if (const auto* map = std::get_if<Map>(&block)) {
+        view = drawing_view(*map, context);
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
     }
@@ -155,7 +166,7 @@ json block_view(const Block& block, const std::string& section_number, int& head
     view["is_list"] = std::holds_alternative<BulletList>(block);
     view["is_formula"] = std::holds_alternative<Formula>(block);
     view["is_table"] = std::holds_alternative<Table>(block);
-    view["is_plot"] = std::holds_alternative<Plot>(block);
+    view["is_plot"] = std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
     view["is_figure"] = std::holds_alternative<Figure>(block);
     return view;
 }

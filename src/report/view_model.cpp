@@ -101,7 +101,7 @@ json section_head(const Section& section, const std::string& number) {
     head["extent"] = prose_view(section.extent);
     head["has_extent"] = !section.extent.empty();
     head["failure"] = safe_text(section.failure);
-    head["figure_count"] = std::to_string(count_of<Figure>(section) + count_of<Plot>(section));
+    head["figure_count"] = std::to_string(count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section));
     head["table_count"] = std::to_string(count_of<Table>(section));
     head["checks"] = list_of(section.checks, check_view);
     return head;

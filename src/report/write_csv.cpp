@@ -59,4 +59,19 @@ std::string write_csv(const Plot& plot) {
     return csv;
 }
 
+std::string write_csv(const Map& map) {
+    std::string csv = "panel,series," + field(map.x_label) + "," + field(map.y_label) + "," + field(map.value_label) + "\n";
+    for (const Map::Panel& panel : map.panels) {
+        for (std::size_t i = 0; i < panel.values.size() && i < map.x.size() * map.y.size(); ++i) {
+            csv += field(panel.title) + ",cells," + exact_text(map.x[i % map.x.size()]) + "," + exact_text(map.y[i / map.x.size()]) + "," +
+                   exact_text(panel.values[i]) + "\n";
+        }
+        for (const Series& line : panel.lines) {
+            for (std::size_t i = 0; i < line.x.size(); ++i)
+                csv += field(panel.title) + "," + field(line.name) + "," + exact_text(line.x[i]) + "," + value_at(line.y, i) + ",\n";
+        }
+    }
+    return csv;
+}
+
 }   // namespace meshfolio::report

@@ -49,14 +49,47 @@ Json series_json(const Series& series) {
     return json;
 }
 
+Json marker_json(const Marker& marker) { return {{"x", number(marker.x)}, {"y", number(marker.y)}, {"label", marker.label}}; }
+
 Json plot_json(const Plot& plot) {
     Json series = Json::array(), markers = Json::array(), lines = Json::array();
     for (const Series& s : plot.series) series.push_back(series_json(s));
-    for (const Marker& m : plot.markers) markers.push_back({{"x", number(m.x)}, {"y", number(m.y)}, {"label", m.label}});
+    for (const Marker& m : plot.markers) markers.push_back(marker_json(m));
     for (const auto& line : plot.vertical_lines) lines.push_back({{"x", number(line.x)}, {"label", line.label}});
     return {{"id", plot.id},           {"caption", plot.caption}, {"alt", plot.alt},        {"file", "tables/" + plot.id + ".csv"},
             {"x_label", plot.x_label}, {"y_label", plot.y_label}, {"log_x", plot.log_x},    {"log_y", plot.log_y},
             {"series", series},        {"markers", markers},      {"vertical_lines", lines}};
+}
+
+/// The values of a panel as rows, one a y.
+Json panel_json(const Map& map, const Map::Panel& panel) {
+    Json rows = Json::array(), lines = Json::array(), markers = Json::array();
+    for (std::size_t i = 0; i < panel.values.size() && i < map.x.size() * map.y.size(); ++i) {
+        if (i % map.x.size() == 0) rows.push_back(Json::array());
+        rows.back().push_back(number(panel.values[i]));
+    }
+    for (const Series& line : panel.lines) lines.push_back(series_json(line));
+    for (const Marker& marker : panel.markers) markers.push_back(marker_json(marker));
+    return {{"title", panel.title}, {"values", rows}, {"lines", lines}, {"markers", markers}};
+}
+
+Json map_json(const Map& map) {
+    Json panels = Json::array();
+    for (const Map::Panel& panel : map.panels) panels.push_back(panel_json(map, panel));
+    return {{"id", map.id},
+            {"caption", map.caption},
+            {"alt", map.alt},
+            {"file", "tables/" + map.id + ".csv"},
+            {"x_label", map.x_label},
+            {"y_label", map.y_label},
+            {"value_label", map.value_label},
+            {"log_x", map.log_x},
+            {"log_y", map.log_y},
+            {"log_values", map.log_values},
+            {"undefined", map.undefined},
+            {"x", numbers(map.x)},
+            {"y", numbers(map.y)},
+            {"panels", panels}};
 }
 
 Json figure_json(const Figure& figure, const DrawnFigures& drawn) {
@@ -101,10 +134,11 @@ Json list_of(const std::vector<Item>& items, Convert convert) {
 
 Json section_json(const Section& section, const DrawnFigures& drawn, const WriteOptions& options) {
     constexpr const char* status[] = {"ok", "failed", "skipped"};
-    Json tables = Json::array(), plots = Json::array(), figures = Json::array();
+    Json tables = Json::array(), plots = Json::array(), maps = Json::array(), figures = Json::array();
     for (const Block& block : section.blocks) {
         if (const auto* table = std::get_if<Table>(&block)) tables.push_back(table_json(*table));
         if (const auto* plot = std::get_if<Plot>(&block)) plots.push_back(plot_json(*plot));
+        if (const auto* map = std::get_if<Map>(&block)) maps.push_back(map_json(*map));
         if (const auto* figure = std::get_if<Figure>(&block)) figures.push_back(figure_json(*figure, drawn));
     }
     Json json = {{"id", section.id},
@@ -120,6 +154,7 @@ Json section_json(const Section& section, const DrawnFigures& drawn, const Write
     });
     json["tables"] = std::move(tables);
     json["plots"] = std::move(plots);
+    json["maps"] = std::move(maps);
     json["figures"] = std::move(figures);
     json["checks"] = list_of(section.checks, check_json);
     json["findings"] = list_of(section.findings, [](const Finding& f) { return Json{{"text", plain(f.text)}, {"weight", f.weight}}; });

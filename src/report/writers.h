@@ -37,11 +37,15 @@ std::string write_json(const Document& document, const DrawnFigures& figures, co
 /// RFC 4180, LF line ends, header `name [unit]`, numbers exact, undefined cells empty.
 std::string write_csv(const Table& table);
 std::string write_csv(const Plot& plot);
+/// One row a cell; the lines over a panel follow its cells, by their names and without a value.
+std::string write_csv(const Map& map);
 
 /// Inline SVG that takes its colours from the page (currentColor and CSS variables), readable in grey.
 std::string svg_of(const Plot& plot);
+std::string svg_of(const Map& map);
 
 /// The same as a file of its own, on white: Markdown cannot hold it inline.
 std::string svg_file_of(const Plot& plot);
+std::string svg_file_of(const Map& map);
 
 }   // namespace meshfolio::report

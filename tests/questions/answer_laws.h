@@ -35,6 +35,7 @@ inline std::string prose_of(const report::Section& section) {
         if (const auto* table = std::get_if<report::Table>(&block)) prose += "\n" + table->caption;
         if (const auto* figure = std::get_if<report::Figure>(&block)) prose += "\n" + figure->caption + "\n" + figure->alt;
         if (const auto* plot = std::get_if<report::Plot>(&block)) prose += "\n" + plot->caption + "\n" + plot->alt;
+        if (const auto* map = std::get_if<report::Map>(&block)) prose += "\n" + map->caption + "\n" + map->alt;
     }
     for (const report::Finding& finding : section.findings) prose += "\n" + report::plain(finding.text);
     return prose;
@@ -73,6 +74,10 @@ inline void expect_well_formed(const Answer& answer) {
         if (const auto* plot = std::get_if<report::Plot>(&block)) {
             enter(plot->id);
             for (const report::Series& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << plot->id;
+        }
+        if (const auto* map = std::get_if<report::Map>(&block)) {
+            enter(map->id);
+            for (const auto& panel : map->panels) EXPECT_EQ(panel.values.size(), map->x.size() * map->y.size()) << map->id;
         }
         if (const auto* figure = std::get_if<report::Figure>(&block)) {
             enter(figure->id);

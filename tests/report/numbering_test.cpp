@@ -22,11 +22,12 @@ std::string complaint(Action action) {
     return "";
 }
 
-TEST(Numbering, PlotsAndFiguresShareOneCount) {
+TEST(Numbering, PlotsMapsAndFiguresShareOneCount) {
     const Numbering numbering = sample_numbering();
     EXPECT_EQ(numbering.resolve("q1_plane_h").label, "Figure 1.1");
     EXPECT_EQ(numbering.resolve("q1_missing").label, "Figure 1.2");
     EXPECT_EQ(numbering.resolve("q1_error_versus_k").label, "Figure 1.3");
+    EXPECT_EQ(numbering.resolve("q1_error_map").label, "Figure 1.4");
     EXPECT_EQ(numbering.resolve("q1_errors").label, "Table 1.1");
     EXPECT_EQ(numbering.resolve("q1_long").label, "Table 1.2");
     EXPECT_EQ(numbering.resolve("q1_eq").label, "Equation (1.1)");

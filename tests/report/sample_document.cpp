@@ -59,6 +59,24 @@ Plot error_plot() {
     return plot;
 }
 
+Map error_map() {
+    Map map{"q1_error_map",
+            "Error over step and iteration.",
+            "The error grows with both; beyond λ_crit it is undefined from iteration 10 on.",
+            "λ/λ_crit",
+            "iteration",
+            "error [% of box diagonal]",
+            {0.1, 1, 10},
+            {1, 10},
+            true,
+            true,
+            true};
+    map.undefined = "blew up";
+    map.panels = {{"explicit", {0.1, 1, 10, 1, 8, undefined}, {{"λ_crit", {1, 1}, {1, 10}}}, {{0.1, 10, "a"}}},
+                  {"implicit", {0.1, 0.9, 5, 0.9, 5, 7}}};
+    return map;
+}
+
 Section answered() {
     Section s;
     s.id = "q1";
@@ -72,8 +90,8 @@ Section answered() {
     s.blocks = {Heading{"Method"},
                 Paragraph{text("Plain, ", strong("strong"), ", ", emphasis("emphasis"), ", ", code("answer_q1"), ", ",
                                math("λ_crit = 2/μ_max, x^{2}, Δx"), "; see ", ref("q1_eq"), ", ", ref("q1_plane_h"), ", ", ref("q1_errors"),
-                               ", ", ref("q1_error_versus_k"), ", ", ref("q2"), ", ", ref("q2_anything"), ", ", ref("q9"), " and ",
-                               ref("desbrun_1999"), ".")},
+                               ", ", ref("q1_error_versus_k"), ", ", ref("q1_error_map"), ", ", ref("q2"), ", ", ref("q2_anything"), ", ",
+                               ref("q9"), " and ", ref("desbrun_1999"), ".")},
                 BulletList{{text("one"), text("two, ", math("h^−2"))}},
                 Formula{"uniform_laplacian", "q1_eq"},
                 Formula{"ellipsoid_EFG", ""},
@@ -82,7 +100,8 @@ Section answered() {
                 Figure{"q1_missing", "A figure without a picture.", "Nothing."},
                 error_table(),
                 error_plot(),
-                long_table()};
+                long_table(),
+                error_map()};
     s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
                 check_at_most("L2 error of H on sphere", 0.01, 0.0088),
                 check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1)};
@@ -153,6 +172,11 @@ Document hostile_document() {
     s.blocks.push_back(BulletList{{text(hostile)}});
     s.blocks.push_back(Figure{"q1_hostile", hostile, hostile});
     s.blocks.push_back(Table{"q1_hostile_table", hostile, {{hostile, hostile}, {"x", "", 3}}, {{hostile, 1.0}}});
+    Map map = error_map();
+    map.id = "q1_hostile_map";
+    map.caption = map.alt = map.x_label = map.y_label = map.value_label = map.undefined = map.panels[0].title = hostile;
+    map.panels[0].lines[0].name = map.panels[0].markers[0].label = hostile;
+    s.blocks.emplace_back(map);
     s.blocks.push_back(Plot{"q1_hostile_plot",
                             hostile,
                             hostile,

@@ -77,5 +77,23 @@ TEST(WriteCsv, PlotHasOneRowAPoint) {
     EXPECT_EQ(rows[3], (std::vector<std::string>{"two", "5", "6", "", ""}));
 }
 
+TEST(WriteCsv, MapHasOneRowACellAndThenItsLines) {
+    Map map;
+    map.x_label = "λ, relative";
+    map.y_label = "t";
+    map.value_label = "error [%]";
+    map.x = {0.1, 0.2, 0.4};
+    map.y = {1, 10};
+    map.panels = {{"explicit", {1, 2, 3, 4, 5, std::nan("")}, {{"limit", {0.3, 0.3}, {1, 10}}}}, {"implicit", {6, 7, 8, 9, 10, 11}}};
+    const auto rows = parsed(write_csv(map));
+    ASSERT_EQ(rows.size(), 1u + 6 + 2 + 6);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"panel", "series", "λ, relative", "t", "error [%]"}));
+    EXPECT_EQ(rows[2], (std::vector<std::string>{"explicit", "cells", "0.2", "1", "2"}));
+    EXPECT_EQ(rows[4], (std::vector<std::string>{"explicit", "cells", "0.1", "10", "4"}));
+    EXPECT_EQ(rows[6], (std::vector<std::string>{"explicit", "cells", "0.4", "10", ""}));
+    EXPECT_EQ(rows[8], (std::vector<std::string>{"explicit", "limit", "0.3", "10", ""}));
+    EXPECT_EQ(rows[9], (std::vector<std::string>{"implicit", "cells", "0.1", "1", "6"}));
+}
+
 }   // namespace
 }   // namespace meshfolio::report

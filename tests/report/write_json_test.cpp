@@ -53,6 +53,9 @@ TEST(WriteJson, SchemaRefusesWhatIsBroken) {
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][0]["passed"] = 1; })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["tables"][0]["rows"][0][0] = true; })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["plots"][0]["series"][0].erase("y_high"); })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0].erase("maps"); })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["maps"][0]["panels"][0]["values"][0] = 1; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["maps"][0]["panels"][1].erase("lines"); })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["output_meshes"][0] = "/absolute.ply"; })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][1].erase("failure"); })));
 }
@@ -85,6 +88,18 @@ TEST(WriteJson, WhatIsNotFiniteIsNull) {
     EXPECT_TRUE(rows[3][3].is_null());   // infinity
     EXPECT_TRUE(rows[2][3].is_null());   // no value
     EXPECT_TRUE(question["plots"][0]["series"][0]["y"][5].is_null());
+}
+
+TEST(WriteJson, MapsHaveARowAnIteration) {
+    const json map = sample()["questions"][0]["maps"][0];
+    EXPECT_EQ(map["x"].size(), 3u);
+    const json values = map["panels"][0]["values"];
+    ASSERT_EQ(values.size(), map["y"].size());
+    for (const json& row : values) EXPECT_EQ(row.size(), map["x"].size());
+    EXPECT_EQ(values[1][0], 1.0);
+    EXPECT_TRUE(values[1][2].is_null());
+    EXPECT_EQ(map["panels"][0]["lines"][0]["name"], "λ_crit");
+    EXPECT_EQ(map["panels"][0]["markers"][0]["label"], "a");
 }
 
 TEST(WriteJson, FiguresNameTheirPicturesOrNone) {

@@ -99,6 +99,12 @@ TEST(WriteMarkdown, PlotsAreLinkedOnlyWhenTheirFilesAreThere) {
     EXPECT_NE(sample_text({.timings = true, .plot_files = true}).find("](images/q1_error_versus_k.svg)"), std::string::npos);
 }
 
+TEST(WriteMarkdown, MapsAreToldInWordsOrShown) {
+    EXPECT_NE(sample_text().find("**Figure 1.4.** Error over step and iteration. ([data](tables/q1_error_map.csv)) The error grows"),
+              std::string::npos);
+    EXPECT_NE(sample_text({.timings = true, .plot_files = true}).find("](images/q1_error_map.svg)"), std::string::npos);
+}
+
 TEST(WriteMarkdown, NeverExceedsItsLimit) {
     constexpr std::size_t limit = 256 << 10;
     Document document = sample_document();

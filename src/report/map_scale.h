@@ -1,0 +1,38 @@
+/// @file
+/// From the values of a map to its colours: a few bands of equal width, so that their edges read as contour lines.
+#pragma once
+
+#include <string>
+
+#include "report/document.h"
+
+namespace meshfolio::report {
+
+class MapScale {
+public:
+    static constexpr int bands = 16;
+
+    /// What the map asks for, else the range of its finite values, symmetric about the middle where it diverges.
+    explicit MapScale(const Map& map);
+
+    double low() const { return low_; }
+    double high() const { return high_; }
+    /// Band 0 to bands − 1 of a finite value; what lies beyond the ends is in the first or the last.
+    int band(double value) const;
+    /// "#1f9e89"
+    std::string color(int band) const;
+    /// Are values beyond the ends? An infinite one is not, it is undefined.
+    bool clips_below() const { return clips_below_; }
+    bool clips_above() const { return clips_above_; }
+
+private:
+    bool logarithmic_, diverging_;
+    double low_ = 0, high_ = 1;
+    bool clips_below_ = false, clips_above_ = false;
+};
+
+/// The edges between cells of these centres, one more than there are: half-way between neighbours, on a logarithmic axis in the logarithm.
+/// Empty where the centres do not ascend or the axis cannot show them.
+std::vector<double> cell_edges(const std::vector<double>& centres, bool logarithmic);
+
+}   // namespace meshfolio::report
