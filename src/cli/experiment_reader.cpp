@@ -95,6 +95,10 @@ public:
             experiment.kind = experiment_kind_named(*kind);
             check_keys(table, reader, *kind);
         }
+        if (experiment.lambda_unit == StepUnit::h2 &&
+            std::any_of(experiment.operators.begin(), experiment.operators.end(), is_dimensionless))
+            problems_.add(*reader.node("unit"), "[[experiment]] unit h2 does not fit the uniform operator, whose steps have no unit",
+                          "raw or tau");
         return experiment;
     }
 
