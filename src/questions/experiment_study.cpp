@@ -1,5 +1,6 @@
 #include "questions/experiment_study.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
