@@ -65,7 +65,7 @@ noise_unit = "box"
 minimum = [0, 3]
 seed = 5
 colour = "gauss"
-colormap = "parula"
+colormap = "parula-like"
 said = "s"
 lost = "l"
 brief = true
@@ -95,7 +95,7 @@ brief = true
     EXPECT_EQ(e.minimum, (std::vector{0, 3}));
     EXPECT_EQ(e.seed, 5u);
     EXPECT_EQ(e.colours, std::vector{ExperimentColour::gauss});
-    EXPECT_EQ(e.colormap, "parula");
+    EXPECT_EQ(e.colormap, "parula-like");
     EXPECT_EQ(e.said, "s");
     EXPECT_EQ(e.lost, "l");
     EXPECT_TRUE(e.brief);
