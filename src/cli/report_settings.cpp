@@ -101,6 +101,7 @@ void take_experiments(QuestionSettings& question, const ReportSettings& settings
     const auto is_brief = [](const Experiment& experiment) { return experiment.brief; };
     std::copy_if(question.bundled_experiments.begin(), question.bundled_experiments.end(), std::back_inserter(question.experiments),
                  is_brief);
+    if (settings.quick && question.experiments.size() > 1) question.experiments.resize(1);
 }
 
 /// The file of that name, else the bundled one of data/reports.

@@ -45,10 +45,14 @@ std::string rows_text(const std::vector<int>& rows);
 std::string given_text(const Experiment& experiment, double lambda);
 /// "0.0013", "1 % of the box", …
 std::string noise_text(const Experiment& experiment, double noise);
-/// What tells one run of the experiment from another: operator, areas and scheme where there are several.
+/// How a run smooths: "implicit", "explicit, uniform"; operator and areas where they are not the usual ones or there are several.
 std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaForm area, const SmoothingMethod& method);
+/// A number as people would write it who chose it: 0.05, 1 × 10⁻⁷; at most three digits.
+std::string chosen_text(double x);
 /// "0.3", "0.3 to 0.9": least and largest. @param values  at least one
-std::string range_text(const std::vector<double>& values, int digits = 3);
+std::string range_text(const std::vector<double>& values);
+/// With its first letter, when it is a Latin one, as at the beginning of a sentence.
+std::string sentence_case(std::string words);
 
 /// The range of a figure, from these panels alone; nothing when there are no values.
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels);

@@ -51,7 +51,8 @@ void add_field_figures(const Reproduction& r, const CurvatureExperiment& done) {
             }
             if (figure.panels.empty()) continue;
             figure.range = range_of(r, colour, figure.panels);
-            figure.caption = (figure.panels.size() == 1 ? figure.panels.front().label : "Curvature") + " of " + mesh.used->input.file;
+            figure.caption =
+                (figure.panels.size() == 1 ? sentence_case(figure.panels.front().label) : "Curvature") + " of " + mesh.used->input.file;
             if (figure.panels.size() == 1) figure.panels.front().label.clear();
             if (figure.range) figure.caption += ": " + figure.range->quantity;
             figure.caption +=
@@ -93,7 +94,7 @@ report::Text fields_found(const Reproduction& r, const CurvatureExperiment& done
     const ExperimentField* first_h = nullptr;
     for (const ExperimentField& field : done.fields) {
         if (field.mesh != m) continue;
-        const std::string title = field_title(r.experiment, field);
+        const std::string title = sentence_case(field_title(r.experiment, field));
         if (field.summary.count == 0) {
             report::extend(text, title, " is defined at no vertex. ");
             continue;

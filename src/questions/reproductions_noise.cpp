@@ -143,8 +143,7 @@ void add_table(const Reproduction& r, const NoisyExperiment& done) {
         "Errors (rms over the vertices, against the clean mesh) with the noisy mesh's own operator. Gain: error of the noisy mesh over the "
         "smallest reached; works: ≥ 2, helps: ≥ 1.2, fails: below, harms: no iteration is better than none.";
     table.columns = {{"mesh"},
-                     {"operator"},
-                     {"scheme"},
+                     {"steps"},
                      {"λ, report"},
                      {"λ, here", "", 3},
                      {"σ, report"},
@@ -158,7 +157,7 @@ void add_table(const Reproduction& r, const NoisyExperiment& done) {
                      {"normals, noisy", "°", 3},
                      {"normals, last", "°", 3},
                      {"outcome"}};
-    if (curve) table.columns.insert(table.columns.begin() + 10, {"minimum, report", "", 6});
+    if (curve) table.columns.insert(table.columns.begin() + 9, {"minimum, report", "", 6});
     for (const NoisyRun& run : done.runs) {
         const ExperimentMesh& mesh = done.meshes[run.mesh];
         const double percent = percent_of(done, run), degrees = 180 / M_PI;
@@ -170,8 +169,7 @@ void add_table(const Reproduction& r, const NoisyExperiment& done) {
         iterations.erase(std::unique(iterations.begin(), iterations.end()), iterations.end());
         for (const int t : iterations) {
             std::vector<report::Cell> row{mesh.name(),
-                                          std::string(operator_entry(run.kind).title),
-                                          name_of(run.method),
+                                          variant_text(e, run.kind, run.area, run.method),
                                           given_text(e, run.given),
                                           run.lambda,
                                           noise_text(e, run.noise),
@@ -185,7 +183,7 @@ void add_table(const Reproduction& r, const NoisyExperiment& done) {
                                           degrees * run.noisy_angle,
                                           degrees * run.last_angle,
                                           outcome_of(run)};
-            if (curve) row.insert(row.begin() + 10, cell_of(run.minimum_said, run.minimum_said > 0));
+            if (curve) row.insert(row.begin() + 9, cell_of(run.minimum_said, run.minimum_said > 0));
             table.rows.push_back(std::move(row));
         }
     }
@@ -201,7 +199,7 @@ report::BulletList told_runs(const Reproduction& r, const NoisyExperiment& done,
         const double percent = percent_of(done, run);
         list.items.emplace_back();
         report::Text& text = list.items.back();
-        report::extend(text, run_label(r.experiment, run), ", σ = ", noise_text(r.experiment, run.noise), ": ");
+        report::extend(text, sentence_case(run_label(r.experiment, run)), ", σ = ", noise_text(r.experiment, run.noise), ": ");
         if (run.blew_up) {
             report::extend(text, "blew up in iteration ", std::to_string(run.blow_up_iteration), ".");
             continue;
@@ -238,7 +236,7 @@ void tell_minima(report::Text& text, const Reproduction& r, const NoisyExperimen
             later = later && run.best > previous;
             previous = run.best;
         }
-        report::extend(text, run_label(r.experiment, first), ": smallest error at iteration ", listed(minima),
+        report::extend(text, sentence_case(run_label(r.experiment, first)), ": smallest error at iteration ", listed(minima),
                        minima.size() < 2 || !ascending ? ""
                        : later                         ? ", later with each level of noise"
                                                        : ", not later with each level",

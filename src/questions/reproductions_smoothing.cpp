@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/triangle_measures.h"
 #include "number_text.h"
 #include "questions/reproductions.h"
 #include "questions/section_tools.h"
@@ -26,6 +27,11 @@ Shown shown_at(const ExperimentRun& run, std::size_t index, int iteration) {
     return {&run.run.in_view, run.run.in_view_iteration, false};
 }
 
+/// Is the result smaller than a few pixels of the picture?
+bool has_shrunk_away(const ExperimentMesh& mesh, const Positions& X) {
+    return bounding_box(moved_to(mesh.mesh(), X)).diagonal() < 0.01 * mesh.diagonal;
+}
+
 void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::size_t m) {
     const Experiment& e = r.experiment;
     const ExperimentMesh& mesh = done.meshes[m];
@@ -42,8 +48,9 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
         for (std::size_t i = 0; i < e.iterations.size() && !ended; ++i) {
             const Shown shown = shown_at(run, i, e.iterations[i]);
             std::string label = variant_text(e, run.kind, run.area, run.method) + ", λ = " + given_text(e, run.given);
-            if (e.lambda_unit != StepUnit::tau) label += " = " + readable(run.share()) + " λ_crit";
+            if (e.lambda_unit != StepUnit::tau) label += " = " + chosen_text(run.share()) + " λ_crit";
             label += ", t = " + std::to_string(shown.iteration) + (shown.reached ? "" : ", the last in view");
+            if (has_shrunk_away(mesh, *shown.X)) label += ", too small to see";
             figure.panels.push_back(panel_of(moved_to(mesh.mesh(), *shown.X), id + "_" + std::to_string(figure.panels.size()), label,
                                              colours_of(mesh, colour, *shown.X)));
             ended = !shown.reached;
@@ -55,11 +62,12 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     add_figure(r.answer, std::move(figure));
 }
 
-std::string outcome_of(const ExperimentRun& run, std::size_t index, double energy) {
+std::string outcome_of(const ExperimentMesh& mesh, const ExperimentRun& run, std::size_t index, double energy) {
     const Smoothed& result = run.run.result;
     if (index >= run.run.snapshots.size() && result.blew_up) return "blown up in iteration " + std::to_string(result.blow_up_iteration);
     if (index >= run.run.snapshots.size() && result.collapse_iteration > 0)
         return "nothing left in iteration " + std::to_string(result.collapse_iteration);
+    if (has_shrunk_away(mesh, run.run.snapshots[index])) return "shrunk to almost a point";
     return energy > 1 ? "rougher than before" : "smoother";
 }
 
@@ -71,8 +79,7 @@ void add_table(const Reproduction& r, const SmoothingExperiment& done) {
         "Every run. Energy: Dirichlet energy of the run's own operator over that of the input; moved: rms over the vertices; volume is "
         "empty where the mesh is open, all of it where the run had ended.";
     table.columns = {{"mesh"},
-                     {"operator"},
-                     {"scheme"},
+                     {"steps"},
                      {"λ, report"},
                      {"λ, here", "", 3},
                      {"λ/λ_crit", "", 3},
@@ -100,7 +107,7 @@ void add_table(const Reproduction& r, const SmoothingExperiment& done) {
             } else {
                 row.insert(row.end(), {empty, empty, empty});
             }
-            row.emplace_back(outcome_of(run, i, energy));
+            row.emplace_back(outcome_of(mesh, run, i, energy));
             table.rows.push_back(std::move(row));
         }
     }
@@ -130,28 +137,23 @@ std::vector<double> values_of(const Runs& runs, Value value) {
 bool is_explicit(const ExperimentRun& run) { return run.method.scheme == SmoothingScheme::explicit_euler; }
 double last_energy(const ExperimentRun& run) { return run.run.energy.back(); }
 double share_of(const ExperimentRun& run) { return run.share(); }
-double end_of(const ExperimentRun& run) { return run.run.result.blow_up_iteration; }
-
-/// "62 %", "12 % to 62 %".
-std::string percent_range(const std::vector<double>& shares) {
-    const auto [low, high] = std::minmax_element(shares.begin(), shares.end());
-    const std::string first = readable_percent(*low, 2), last = readable_percent(*high, 2);
-    return first == last ? first : first + " to " + last;
-}
+int end_of(const ExperimentRun& run) { return run.run.result.blow_up_iteration; }
 
 /// What became of some runs: how many, at which shares of the limit, and their energies or the iterations they ended in.
 void tell_runs(report::Text& text, const Runs& runs, const std::string& what) {
     if (runs.empty()) return;
     Runs blown, whole;
     for (const ExperimentRun* run : runs) (run->run.result.blew_up ? blown : whole).push_back(run);
-    report::extend(text, what, " (", range_text(values_of(runs, share_of)), " ", math("λ_crit"), "): ");
+    report::extend(text, sentence_case(what), " (", range_text(values_of(runs, share_of)), " ", math("λ_crit"), "): ");
     if (!whole.empty()) {
-        report::extend(text, blown.empty() ? "" : counted(static_cast<int>(whole.size()), "run") + " ended whole and ", "left ",
-                       percent_range(values_of(whole, last_energy)), " of the energy");
+        report::extend(text, blown.empty() ? "" : counted(static_cast<int>(whole.size()), "run") + " ended whole, ",
+                       range_text(values_of(whole, last_energy)), " times the energy of the input at the end");
     }
     if (!blown.empty()) {
+        const auto [first, last] = std::minmax_element(blown.begin(), blown.end(), [](auto a, auto b) { return end_of(*a) < end_of(*b); });
         report::extend(text, whole.empty() ? "" : "; ", counted(static_cast<int>(blown.size()), "run"), " blew up, in iteration ",
-                       range_text(values_of(blown, end_of), 6));
+                       std::to_string(end_of(**first)));
+        if (end_of(**last) > end_of(**first)) report::extend(text, " to ", std::to_string(end_of(**last)));
     }
     report::extend(text, ". ");
 }

@@ -3,6 +3,7 @@
 #include "number_text.h"
 #include "questions/reproductions.h"
 #include "questions/section_tools.h"
+#include "report/brief_number.h"
 
 namespace meshfolio {
 
@@ -44,9 +45,7 @@ report::Text carried_words(const Experiment& experiment, const ExperimentMesh& m
 
 void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshes) {
     const Experiment& e = r.experiment;
-    std::string rows = rows_text(e.rows);
-    rows[0] = 'R';
-    add_heading(r.section(), rows + " (" + e.from + "): " + e.name);
+    add_heading(r.section(), sentence_case(rows_text(e.rows)) + " (" + e.from + "): " + e.name);
     report::BulletList list;
     if (!e.said.empty()) list.items.push_back(report::text(report::strong("The report: "), e.said));
     if (!meshes.empty()) {
@@ -71,34 +70,41 @@ std::string rows_text(const std::vector<int>& rows) {
 
 std::string given_text(const Experiment& experiment, double lambda) {
     const std::string unit = experiment.lambda_unit == StepUnit::tau ? " λ_crit" : experiment.lambda_unit == StepUnit::h2 ? " h̄²" : "";
-    return readable(lambda) + unit;
+    return chosen_text(lambda) + unit;
 }
 
 std::string noise_text(const Experiment& experiment, double noise) {
     switch (experiment.noise_unit) {
         case NoiseUnit::box:
-            return readable_percent(noise) + " of the box";
+            return chosen_text(100 * noise) + "\u202f% of the box";
         case NoiseUnit::diagonal:
-            return readable_percent(noise) + " of the diagonal";
+            return chosen_text(100 * noise) + "\u202f% of the diagonal";
         case NoiseUnit::edge:
-            return readable(noise) + " h̄";
+            return chosen_text(noise) + " h̄";
         case NoiseUnit::raw:
             break;
     }
-    return readable(noise);
+    return chosen_text(noise);
 }
 
 std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaForm area, const SmoothingMethod& method) {
     std::string words = name_of(method);
-    if (experiment.operators.size() > 1) words += ", " + std::string(operator_entry(kind).title);
-    if (experiment.areas.size() > 1) words += ", " + std::string(name_of(area)) + " areas";
+    if (experiment.operators.size() > 1 || kind != OperatorKind::cotan) words += ", " + std::string(operator_entry(kind).title);
+    if (experiment.areas.size() > 1 || area != AreaForm::barycentric) words += ", " + std::string(name_of(area)) + " areas";
     return words;
 }
 
-std::string range_text(const std::vector<double>& values, int digits) {
+std::string chosen_text(double x) { return report::brief(x, 3); }
+
+std::string range_text(const std::vector<double>& values) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const std::string first = readable(*low, digits), last = readable(*high, digits);
+    const std::string first = chosen_text(*low), last = chosen_text(*high);
     return first == last ? first : first + " to " + last;
+}
+
+std::string sentence_case(std::string words) {
+    if (!words.empty() && words.front() >= 'a' && words.front() <= 'z') words.front() = static_cast<char>(words.front() - 'a' + 'A');
+    return words;
 }
 
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels) {
