@@ -101,7 +101,8 @@ report::Text fields_found(const Reproduction& r, const CurvatureExperiment& done
         }
         const bool flat = field.largest_inside < 1e-9;
         if (flat) {
-            report::extend(text, title, " is 0 inside, to ", readable(field.largest_inside, 1));
+            report::extend(text, title, " is 0 inside");
+            if (field.largest_inside > 0) report::extend(text, " (to ", readable(field.largest_inside, 1), ")");
         } else {
             report::extend(text, title, " is positive at ", readable_percent(field.positive, 2), " of the vertices, ",
                            readable(field.summary.median, 2), " in the median and ", readable(field.largest_inside, 2),
@@ -244,12 +245,10 @@ void add_forms_reproduction(const Reproduction& r) {
     plot.alt = plot.caption;
     r.section().blocks.emplace_back(std::move(plot));
     const double at_pole = (ellipsoid_point(e, 0, M_PI) - Vector3(e.a, 0, 0)).norm();
-    const double at_tip = (ellipsoid_point(e, 0, M_PI / 2) - Vector3(e.a, 0, 0)).norm();
-    add_paragraph(r.section(), report::strong("Found: "), "with ", math("b < c"), " the largest value, ", readable(largest),
+    add_paragraph(r.section(), report::strong("Found: "), "With ", math("b < c"), " the largest value, ", readable(largest),
                   ", is at θ = ", readable(at_largest), " and again half a turn on, the smallest, ", readable(smallest), ", at ",
                   readable(at_smallest), "; with ", math("b > c"),
-                  " they change places. The point itself is (u, v) = (0, π/2), which lies ", readable(at_tip, 1),
-                  " away from (a, 0, 0); (0, π) lies ", readable(at_pole),
+                  " they change places. The point itself is (u, v) = (0, π/2); (0, π) lies ", readable(at_pole),
                   " away: it is the south pole, where the first form is singular.");
     r.section().checks.push_back(check_near("normal curvature along y at (a, 0, 0): a/b²", e.a / (e.b * e.b), largest, 1e-12));
     r.section().checks.push_back(check_near("normal curvature along z at (a, 0, 0): a/c²", e.a / (e.c * e.c), smallest, 1e-12));
