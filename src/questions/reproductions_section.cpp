@@ -1,6 +1,7 @@
 // The section "reproductions": the experiments of four earlier reports done again, with their own parameters.
 #include <set>
 
+#include "errors.h"
 #include "number_text.h"
 #include "questions/reproductions.h"
 #include "questions/section_tools.h"
@@ -63,6 +64,22 @@ void reproduce(const Reproduction& r, const MeshLibrary& library) {
     }
 }
 
+/// What a mesh does not allow is told, and the other experiments go on.
+void reproduce_or_tell(const Reproduction& r, const MeshLibrary& library) {
+    const auto tell = [&](const Error& error) {
+        add_opening(r, {});
+        add_paragraph(r.section(), report::strong("Could not be done: "), printable(error.what()), ".");
+        r.section().warnings.push_back(r.experiment.from + ", " + rows_text(r.experiment.rows) + ": " + printable(error.what()));
+    };
+    try {
+        reproduce(r, library);
+    } catch (const MeshError& error) {
+        tell(error);
+    } catch (const SolverError& error) {
+        tell(error);
+    }
+}
+
 std::string number_of(std::size_t index) { return (index < 9 ? "0" : "") + std::to_string(index + 1); }
 
 }   // namespace
@@ -84,7 +101,7 @@ Answer answer_reproductions(const MeshLibrary& library, const QuestionSettings& 
     for (std::size_t i = 0; i < settings.experiments.size(); ++i) {
         const Experiment& experiment = settings.experiments[i];
         progress(experiment.from + ", " + rows_text(experiment.rows));
-        reproduce({answer, experiment, settings, "reproductions_" + number_of(i)}, library);
+        reproduce_or_tell({answer, experiment, settings, "reproductions_" + number_of(i)}, library);
         rows.insert(experiment.rows.begin(), experiment.rows.end());
         reports.insert(experiment.from);
     }
