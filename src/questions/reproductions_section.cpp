@@ -112,6 +112,12 @@ Answer answer_reproductions(const MeshLibrary& library, const QuestionSettings& 
                          : counted(static_cast<int>(settings.experiments.size()), "experiment") + " of " +
                                listed({reports.begin(), reports.end()}) + " done again, for " +
                                counted(static_cast<int>(rows.size()), "row") + " of the requirements; where every other row is answered";
+    const int covered = limits::last_row - limits::first_row + 1 - static_cast<int>(uncovered_rows(settings.bundled_experiments).size());
+    section.findings.push_back(
+        {report::text("Earlier reports: ", std::to_string(covered), " of the ", std::to_string(limits::last_row - limits::first_row + 1),
+                      " things that they and the assignment show are done again by a section or by one of ",
+                      counted(static_cast<int>(settings.bundled_experiments.size()), "bundled experiment"), "."),
+         20});
     return answer;
 }
 

@@ -95,10 +95,13 @@ void add_table(const Reproduction& r, const SmoothingExperiment& done) {
             const auto t = static_cast<std::size_t>(e.iterations[i]);
             const bool reached = i < run.run.snapshots.size();
             const double energy = reached ? run.run.energy[t] : std::nan("");
-            std::vector<report::Cell> row{mesh.name(),         std::string(operator_entry(run.kind).title),
-                                          name_of(run.method), given_text(e, run.given),
-                                          run.run.lambda,      run.share(),
-                                          double(t),           cell_of(energy)};
+            std::vector<report::Cell> row{mesh.name(),
+                                          variant_text(e, run.kind, run.area, run.method),
+                                          given_text(e, run.given),
+                                          run.run.lambda,
+                                          run.share(),
+                                          double(t),
+                                          cell_of(energy)};
             const std::monostate empty;
             if (reached) {
                 const MeshDifference moved = compare_meshes(mesh.mesh(), moved_to(mesh.mesh(), run.run.snapshots[i]));
