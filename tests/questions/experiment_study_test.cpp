@@ -234,6 +234,10 @@ TEST(CurvatureExperiments, OnAPlaneEverythingSeenIsTheBoundary) {
         EXPECT_GT(field.largest_boundary, 0.1);
         EXPECT_EQ(field.summary.count, 64);
     }
+    // At a straight boundary of the unit grid |Cx| = 1, A = ½ and Σθ = π: 32 vertices that are no corners.
+    const double h = done.meshes[0].mean_edge;
+    EXPECT_EQ((done.fields[0].drawn.array() / h - 1).abs().unaryExpr([](double gap) { return gap < 1e-9 ? 1 : 0; }).sum(), 32);
+    EXPECT_EQ((done.fields[1].drawn.array() / (h * h) - 2 * M_PI).abs().unaryExpr([](double gap) { return gap < 1e-9 ? 1 : 0; }).sum(), 32);
 }
 
 TEST(ColoursOf, AreThoseOfTheMovedMesh) {
