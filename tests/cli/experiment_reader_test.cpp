@@ -217,6 +217,9 @@ TEST(BundledReports, BriefOnesStandInForSettingsWithout) {
     EXPECT_LT(brief.experiments.size(), brief.bundled_experiments.size());
     for (const Experiment& e : brief.experiments) EXPECT_TRUE(e.brief);
     EXPECT_TRUE(question_settings(report_settings({}), "q5").experiments.empty());
+    ReportFlags quick;
+    quick.quick = true;
+    EXPECT_EQ(question_settings(report_settings(quick), "reproductions").experiments.size(), 1u);
 
     const TemporaryFolder folder;
     write_file(folder.path() / "my.toml", experiment(smoothing));
