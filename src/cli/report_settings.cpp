@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
 
 #include "cli/arguments.h"
@@ -32,6 +33,7 @@ void take_file(ReportSettings& settings, const SettingsFile& file) {
     take(settings.laboratory, file.laboratory);
     take(settings.page_template, file.page_template);
     settings.questions = file.questions;
+    settings.experiments = file.experiments;
     settings.base = file.folder;
 }
 
@@ -78,6 +80,38 @@ std::string listed(const std::vector<Number>& values) {
     return text;
 }
 
+/// Those of data/reports, each file read once.
+const std::vector<Experiment>& bundled_experiments() {
+    static const std::vector<Experiment> experiments = [] {
+        std::vector<Experiment> all;
+        for (const std::string& name : bundled_report_names()) {
+            const std::vector<Experiment> some = parse_settings(bundled_report_text(name), name + ".toml").experiments;
+            all.insert(all.end(), some.begin(), some.end());
+        }
+        return all;
+    }();
+    return experiments;
+}
+
+void take_experiments(QuestionSettings& question, const ReportSettings& settings) {
+    question.bundled_experiments = bundled_experiments();
+    question.experiments = settings.experiments;
+    question.own_experiments = !settings.experiments.empty();
+    if (question.own_experiments) return;
+    const auto is_brief = [](const Experiment& experiment) { return experiment.brief; };
+    std::copy_if(question.bundled_experiments.begin(), question.bundled_experiments.end(), std::back_inserter(question.experiments),
+                 is_brief);
+    if (settings.quick && question.experiments.size() > 1) question.experiments.resize(1);
+}
+
+/// The file of that name, else the bundled one of data/reports.
+SettingsFile named_settings(const std::string& config) {
+    std::error_code error;
+    const std::string_view bundled = bundled_report_text(config);
+    if (!bundled.empty() && !std::filesystem::exists(config, error)) return parse_settings(bundled, config + ".toml");
+    return read_settings(config);
+}
+
 }   // namespace
 
 ReportSettings report_settings(const ReportFlags& flags) {
@@ -85,7 +119,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     take_file(settings, parse_settings(default_settings_text(), "report.toml"));
     if (flags.quick) settings.width = settings.height = quick_size;
     take_environment(settings);
-    if (!flags.config.empty()) take_file(settings, read_settings(flags.config));
+    if (!flags.config.empty()) take_file(settings, named_settings(flags.config));
     take_size(settings, "--size", flags.size);
     take_threads(settings, "--threads", flags.threads);
     take_data(settings, flags.data);
@@ -106,6 +140,7 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
     question.quick = settings.quick;
     question.laboratory = settings.laboratory;
     question.colormap = settings.colormap;
+    if (id == "reproductions" || id == "claims") take_experiments(question, settings);
     const auto it = settings.questions.find(id);
     if (it == settings.questions.end()) return question;
     const QuestionTable& table = it->second;

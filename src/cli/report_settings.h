@@ -31,6 +31,7 @@ struct ReportSettings {
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
+    std::vector<Experiment> experiments;              // of earlier reports; empty: the brief ones of the bundled files
     std::filesystem::path base;                       // what the meshes of `questions` are relative to
 };
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "cli/experiment_reader.h"
 #include "cli/settings_reader.h"
 #include "colormap.h"
 #include "file_bytes.h"
@@ -39,13 +40,15 @@ public:
 
     SettingsFile read() {
         settings_.folder = fs::path(file_).parent_path();
-        const TableReader top(root_, "", {"report", "render", "question", "seed", "threads", "laboratory"}, problems_);
+        const TableReader top(root_, "", {"report", "render", "question", "seed", "threads", "laboratory", "original", "experiment"},
+                              problems_);
         settings_.seed = seed_of(top);
         settings_.threads = threads_of(top);
         settings_.laboratory = top.truth("laboratory");
         if (const toml::table* table = table_named("report")) read_report(*table);
         if (const toml::table* table = table_named("render")) read_render(*table);
         read_questions();
+        settings_.experiments = read_experiments(root_, problems_);
         return std::move(settings_);
     }
 

@@ -36,6 +36,7 @@ struct SettingsFile {
     std::optional<int> threads;   // 0: all
     std::optional<bool> laboratory;
     std::map<std::string, QuestionTable> questions;   // by id
+    std::vector<Experiment> experiments;              // of earlier reports, in the order of the file
     std::filesystem::path folder;                     // of the file: meshes are relative to it
 };
 

@@ -190,6 +190,33 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::file(const fs::path& path, const
     return loaded("file " + (base / path).string(), [&] { return found_file(path, base); });
 }
 
+std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in,
+                                                         const fs::path& base) const {
+    if (!own_.empty()) return own_meshes().front();
+    return loaded("original " + name + " " + (base / path).string() + " " + stand_in, [&] {
+        Found found;
+        found.input.role = name;
+        if (!path.empty()) {
+            std::vector<fs::path> candidates{base / path};
+            for (const fs::path& folder : folders_) candidates.push_back(folder / path);
+            for (const fs::path& folder : folders_) candidates.push_back(folder / path.filename());
+            const auto is_file = [](const fs::path& candidate) {
+                std::error_code error;
+                return fs::is_regular_file(candidate, error);
+            };
+            const auto it = std::find_if(candidates.begin(), candidates.end(), is_file);
+            if (it != candidates.end()) found.path = *it;
+        }
+        found.bundled_file = stand_in;
+        found.input.asked = path.empty() ? name : path.generic_string();
+        found.input.stand_in = !found.path;
+        found.input.file = found.path ? found.path->filename().string() : stand_in;
+        found.label = found.input.file;
+        found.name = short_name(found.input.file);
+        return found;
+    });
+}
+
 std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
     std::vector<std::shared_ptr<const LibraryMesh>> meshes;
     for (const fs::path& path : own_) {

@@ -45,6 +45,11 @@ public:
     /// A mesh named in the settings: relative to `base`, then the data folders, then the bundled data.
     std::shared_ptr<const LibraryMesh> file(const std::filesystem::path& path, const std::filesystem::path& base) const;
 
+    /// A mesh of an earlier report, with the bundled one that stands in for it: `path` relative to `base`, then by its whole path in any
+    /// data folder, then by its bare name. An empty path is that of a mesh not to be had. The user's own mesh takes its place, too.
+    std::shared_ptr<const LibraryMesh> original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
+                                                const std::filesystem::path& base) const;
+
     bool has_own_meshes() const { return !own_.empty(); }
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles.
     std::vector<std::shared_ptr<const LibraryMesh>> own_meshes() const;

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "questions/experiment.h"
+
 namespace meshfolio {
 
 /// The settings of one question; empty lists mean the question's own choice.
@@ -23,6 +25,10 @@ struct QuestionSettings {
     bool quick = false;                 // small settings for a first look
     bool laboratory = false;            // the whole grid where the report itself takes a part that fits its budget
     std::string colormap = "viridis";   // for unsigned quantities
+    /// Of earlier reports: those of the settings file, else the brief ones of the bundled files (quick: the first); and all of the bundled
+    /// files.
+    std::vector<Experiment> experiments, bundled_experiments;
+    bool own_experiments = false;   // they come from the settings file
 };
 
 /// What settings may hold; each limit is named in the message about a value beyond it.

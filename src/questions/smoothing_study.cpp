@@ -20,10 +20,12 @@ double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
 
 }   // namespace
 
-SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source) {
+SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind, AreaForm area) {
     SmoothingSubject subject;
     subject.source = std::move(source);
-    subject.laplacian = laplace_beltrami(subject.mesh());
+    subject.kind = kind;
+    subject.area = area;
+    subject.laplacian = laplace_operator(subject.mesh(), kind, area);
     subject.top = largest_eigenvalue(subject.laplacian);
     subject.critical = largest_stable_step(subject.top);
     subject.mean_edge = mean_edge_length(subject.mesh());
@@ -47,7 +49,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 }
 
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
-                           const std::vector<int>& keep, ImplicitSolver& solver) {
+                           const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild) {
     SmoothingRun run;
     run.scheme = scheme;
     run.lambda = lambda;
@@ -61,6 +63,9 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 
     SmoothingOptions options;
     options.scheme = scheme;
+    options.laplacian = subject.kind;
+    options.area = subject.area;
+    options.rebuild = rebuild;
     options.lambda = lambda;
     options.iterations = iterations;
     options.after_step = [&](int iteration, const Positions& X) {

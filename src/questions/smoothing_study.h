@@ -17,9 +17,11 @@ namespace meshfolio {
 /// A mesh with its operator and the limit of explicit smoothing on it.
 struct SmoothingSubject {
     std::shared_ptr<const LibraryMesh> source;
+    OperatorKind kind = OperatorKind::cotan;
+    AreaForm area = AreaForm::barycentric;
     LaplaceBeltrami laplacian;   // of the input, frozen
     LargestEigenvalue top;       // of −L
-    double critical = 0;         // λ_crit = 2/μ_max [length²]
+    double critical = 0;         // λ_crit = 2/μ_max [length²; 1 for the uniform operator]
     double mean_edge = 0;        // [length]
     double diagonal = 0;         // of the bounding box [length]
     double initial_energy = 0;   // Dirichlet energy of the input [length²]
@@ -27,7 +29,8 @@ struct SmoothingSubject {
     const TriangleMesh& mesh() const { return source->mesh(); }
     const std::string& name() const { return source->name; }
 };
-SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source);
+SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind = OperatorKind::cotan,
+                                   AreaForm area = AreaForm::barycentric);
 
 /// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples);
@@ -50,9 +53,9 @@ struct SmoothingRun {
 /// One run; `keep` lists iterations (ascending, ≤ iterations) whose positions are kept in `snapshots`.
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep = {});
-/// The same with a solver that implicit runs share.
+/// The same with a solver that implicit runs share; `rebuild`: the operator is that of the current positions at every step.
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
-                           const std::vector<int>& keep, ImplicitSolver& solver);
+                           const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild = false);
 
 /// How much `steps` explicit steps amplify the top mode, which starts a thousandth of a mean edge high (so that it can be measured even
 /// where symmetry leaves none of it in the input), against |1 − λμ_max|^steps.

@@ -253,7 +253,7 @@ TEST(DefaultSettings, AndTheirExamplesAreGood) {
     const SettingsFile plain = parse_settings(text, "report.toml");
     EXPECT_TRUE(plain.title && plain.author && plain.course && plain.colormap && plain.width && plain.seed && plain.threads);
 
-    const std::regex commented("^# (\\[\\[question\\]\\]|[a-z]+ = .*)$", std::regex::multiline);
+    const std::regex commented("^# (\\[+[a-z]+\\]+.*|[a-z_]+ = .*)$", std::regex::multiline);
     std::string uncommented = std::regex_replace(text, commented, "$1");
     const TemporaryFolder folder;
     write_file(folder.path() / "my_report.html", "");
@@ -264,4 +264,9 @@ TEST(DefaultSettings, AndTheirExamplesAreGood) {
     EXPECT_TRUE(q4.output && q4.seed && q4.threads && !q4.k.empty() && !q4.meshes.empty());
     EXPECT_FALSE(full.questions.at("q6").lambda.empty() || full.questions.at("q6").iterations.empty());
     EXPECT_FALSE(full.questions.at("q7").noise.empty());
+    ASSERT_EQ(full.experiments.size(), 1u);
+    const Experiment& e = full.experiments.front();
+    EXPECT_EQ(e.kind, ExperimentKind::error_curve);
+    EXPECT_EQ(e.meshes.at(0).stand_in, "creature.obj");
+    EXPECT_FALSE(e.rows.empty() || e.lambda.empty() || e.minimum.empty() || e.said.empty() || e.lost.empty());
 }
