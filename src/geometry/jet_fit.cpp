@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "errors.h"
+#include "geometry/two_rings.h"
 #include "mesh/parallel.h"
 #include "mesh/triangle_measures.h"
 
@@ -29,15 +29,6 @@ HK curvature_of_graph(double fx, double fy, double fxx, double fxy, double fyy) 
     const double W2 = 1 + fx * fx + fy * fy;
     return {-((1 + fy * fy) * fxx - 2 * fx * fy * fxy + (1 + fx * fx) * fyy) / (2 * W2 * std::sqrt(W2)),
             (fxx * fyy - fxy * fxy) / (W2 * W2)};
-}
-
-/// The vertex itself, its neighbours and theirs, ascending.
-void collect_two_rings(const Incidence& ring, int v, std::vector<int>& points) {
-    points.assign(ring.begin(v), ring.end(v));
-    points.push_back(v);
-    for (const int* j = ring.begin(v); j != ring.end(v); ++j) points.insert(points.end(), ring.begin(*j), ring.end(*j));
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
 /// Axes of a plane and its normal, as rows.

@@ -118,7 +118,10 @@ report::Text verdict(const std::vector<DenoisingStudy>& studies) {
     report::extend(t, " The two curves of ", math("bias"), " and ", math("noise"),
                    " explain it: smoothing removes noise at a rate set by λ and the operator, and shape at a "
                    "rate set by the shape; it pays as long as the noise is larger than what the same iterations take from the clean mesh (",
-                   ref("q7_results"), ").");
+                   ref("q7_results"),
+                   "). Where the minimum is expected to be beside where it is measured, and how it is found without the "
+                   "clean mesh, is in ",
+                   ref("prediction"), ".");
     return t;
 }
 

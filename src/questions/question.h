@@ -51,6 +51,7 @@ Answer answer_truth(const MeshLibrary&, const QuestionSettings&, const Progress&
 Answer answer_stability(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_maps(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_modes(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_prediction(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_operators(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_reproductions(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_certificates(const MeshLibrary&, const QuestionSettings&, const Progress&);
