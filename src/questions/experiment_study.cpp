@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -30,6 +31,7 @@ ExperimentMesh measured(const OriginalMesh& original, std::shared_ptr<const Libr
     ExperimentMesh mesh;
     mesh.originals = {original};
     mesh.used = std::move(used);
+    mesh.label = mesh.used->name;
     mesh.stand_in = mesh.used->input.stand_in || mesh.used->input.role != original.name;
     const Box box = bounding_box(mesh.mesh());
     mesh.extent = box.extent();
@@ -39,6 +41,14 @@ ExperimentMesh measured(const OriginalMesh& original, std::shared_ptr<const Libr
     if (steps && mesh.stand_in && original.lambda_crit > 0)
         mesh.cotan_critical = largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh.mesh())));
     return mesh;
+}
+
+/// Files of one name from several places, or a mesh and another's stand-in, get numbers.
+void tell_apart(std::vector<ExperimentMesh>& meshes) {
+    std::set<std::string> taken;
+    for (ExperimentMesh& mesh : meshes) {
+        for (int number = 2; !taken.insert(mesh.label).second; ++number) mesh.label = mesh.used->name + "_" + std::to_string(number);
+    }
 }
 
 /// Calls `visit` with every combination of mesh, operator, area form, method and λ.
@@ -109,6 +119,7 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
             meshes.push_back(measured(original, used, experiment));
         }
     }
+    tell_apart(meshes);
     return meshes;
 }
 

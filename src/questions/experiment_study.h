@@ -18,13 +18,14 @@ namespace meshfolio {
 struct ExperimentMesh {
     std::vector<OriginalMesh> originals;   // at least one; parameters carry over from the first
     std::shared_ptr<const LibraryMesh> used;
+    std::string label;           // its name; numbered where two meshes of the experiment share it
     bool stand_in = false;       // not the mesh of the report
     double cotan_critical = 0;   // λ_crit of the cotangent operator with barycentric areas [length²]; 0 where it is not needed
     double mean_edge = 0;        // [length]
     double diagonal = 0;         // of the bounding box [length]
     Vector3 extent{0, 0, 0};     // of the bounding box [length]
     const TriangleMesh& mesh() const { return used->mesh(); }
-    const std::string& name() const { return used->name; }   // of the mesh used
+    const std::string& name() const { return label; }
 };
 
 /// The meshes of an experiment: the originals where they are at hand, else what stands in; the user's own, if there are any, in their

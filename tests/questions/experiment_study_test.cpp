@@ -83,6 +83,17 @@ TEST(ExperimentMeshes, AWholePathWinsOverABareNameInAnEarlierFolder) {
     EXPECT_EQ(library.original("a", "b.obj", "cube8.obj", {})->mesh().vertex_count(), 8);
 }
 
+TEST(ExperimentMeshes, AMeshAndTheStandInOfAnotherAreToldApart) {
+    const TemporaryFolder folder;
+    write_mesh(folder.path() / "cube.obj", ellipsoid_mesh(1, {1, 1, 1}));
+    Experiment e = experiment_of(ExperimentKind::curvature);
+    e.meshes = {{"a", "cube.obj", "sphere.obj", 0, 0, 0}, {"b", "no_such.obj", "cube.obj", 0, 0, 0}};
+    const auto meshes = experiment_meshes(MeshLibrary({folder.path()}, {}), e, {});
+    ASSERT_EQ(meshes.size(), 2u);
+    EXPECT_EQ(meshes[0].name(), "cube");
+    EXPECT_EQ(meshes[1].name(), "cube_2");
+}
+
 TEST(ExperimentMeshes, OnesOwnMeshTakesEveryPlace) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
     e.meshes.push_back({"block", "", "cube.obj", 0, 0, 0});
