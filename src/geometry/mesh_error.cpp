@@ -102,6 +102,21 @@ double vertex_rms(const Positions& a, const Positions& b) {
     return a.rows() > 0 ? std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())) : 0;
 }
 
+double mean_normal_angle(const Positions& a, const Positions& b) {
+    if (a.rows() != b.rows()) {
+        throw MeshError("mean_normal_angle: " + std::to_string(a.rows()) + " normals against " + std::to_string(b.rows()));
+    }
+    double sum = 0;
+    int compared = 0;
+    for (Eigen::Index f = 0; f < a.rows(); ++f) {
+        const Vector3 n = a.row(f), m = b.row(f);
+        if (n.isZero(0) || m.isZero(0)) continue;
+        sum += std::atan2(n.cross(m).norm(), n.dot(m));
+        ++compared;
+    }
+    return compared > 0 ? sum / compared : 0;
+}
+
 double smallest_angle(const TriangleMesh& mesh) {
     return mesh.face_count() > 0 ? corner_angles(mesh).minCoeff() : std::numeric_limits<double>::quiet_NaN();
 }

@@ -26,6 +26,9 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b);
 /// The cheap part, for error-versus-iteration curves. [length]
 double vertex_rms(const Positions& a, const Positions& b);
 
+/// Mean angle between the rows of a and b, unit normals; rows of zeros, which have no direction, are left out. [rad]
+double mean_normal_angle(const Positions& a, const Positions& b);
+
 /// Smallest interior angle of all triangles. [rad]
 double smallest_angle(const TriangleMesh& mesh);
 

@@ -49,6 +49,7 @@ Answer answer_q6(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_q7(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_truth(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_stability(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_methods(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_operators(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_certificates(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_preflight(const MeshLibrary&, const QuestionSettings&, const Progress&);
