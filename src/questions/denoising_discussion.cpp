@@ -118,7 +118,7 @@ report::Text verdict(const std::vector<DenoisingStudy>& studies) {
     report::extend(t, " The two curves of ", math("bias"), " and ", math("noise"),
                    " explain it: smoothing removes noise at a rate set by λ and the operator, and shape at a "
                    "rate set by the shape; it pays as long as the noise is larger than what the same iterations take from the clean mesh (",
-                   ref("q7_results"), ").");
+                   ref("q7_results"), "). Seven other methods, and other kinds of noise, are tried in ", ref("methods"), ".");
     return t;
 }
 

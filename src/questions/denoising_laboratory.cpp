@@ -32,7 +32,7 @@ NoiseTrial level_of(const DenoisingSubject& subject, NoiseKind kind, double edge
 std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const QuestionSettings& settings) {
     std::vector<double> gaussian{0.03, 0.1, 0.3, 1}, others{0.3};
     if (settings.quick) gaussian = {0.1, 0.3}, others = {};
-    if (settings.laboratory) gaussian = {0.01, 0.03, 0.1, 0.2, 0.4, 0.8, 1.6}, others = {0.03, 0.1, 0.4, 1.6};
+    if (settings.laboratory) gaussian = {0.01, 0.03, 0.1, 0.4, 0.8, 1.6, 3.2}, others = {0.1, 0.4, 1.6};
     if (!settings.noise.empty()) {
         gaussian.clear();
         for (const double share : each_once(settings.noise)) {
@@ -42,8 +42,10 @@ std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const Questio
     }
     std::vector<NoiseTrial> trials;
     for (const NoiseEntry& entry : noise_list()) {
+        // What is scaled by the box is Gaussian on a mesh as wide as it is high: a short report keeps to the one level it was used at.
+        const bool left_out = entry.kind == NoiseKind::box && !settings.laboratory;
         for (const double edges : entry.kind == NoiseKind::gaussian ? gaussian : others) {
-            trials.push_back(level_of(subject, entry.kind, edges));
+            if (!left_out) trials.push_back(level_of(subject, entry.kind, edges));
         }
         if (entry.kind != NoiseKind::box || settings.quick || !settings.noise.empty()) continue;
         trials.push_back(level_of(subject, entry.kind, s1_share * subject.diagonal / (std::sqrt(3) * subject.mean_edge)));
@@ -72,18 +74,6 @@ void spoil(const DenoisingSubject& subject, std::uint64_t seed, NoiseTrial& tria
     trial.results.resize(denoising_list().size());
 }
 
-int largest_above_one(const std::vector<SearchResult>& results, double (SearchResult::*gain)() const) {
-    int best = -1;
-    double largest = 1;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        const double value = (results[i].*gain)();
-        if (!(value > largest)) continue;
-        largest = value;
-        best = static_cast<int>(i);
-    }
-    return best;
-}
-
 int index_of_largest(const std::vector<double>& values) {
     int best = -1;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -93,7 +83,7 @@ int index_of_largest(const std::vector<double>& values) {
 }
 
 /// Over all trials on the meshes of the class where the noise turned faces, or over all.
-std::vector<double> mean_gains(const std::vector<const NoiseTrial*>& trials, double (SearchResult::*gain)() const) {
+std::vector<double> mean_gains(const std::vector<const NoiseTrial*>& trials, Gain gain) {
     std::vector<double> means;
     for (std::size_t method = 0; method < denoising_list().size(); ++method) {
         double sum = 0;
@@ -129,6 +119,7 @@ DenoisingSubject denoising_subject(std::string name, const TriangleMesh& mesh, i
     subject.character = mesh_character(subject.mesh, subject.topology);
     subject.mean_edge = mean_edge_length(subject.mesh, subject.topology.edges);
     subject.diagonal = bounding_box(subject.mesh).diagonal();
+    subject.largest_eigenvalue = largest_eigenvalue_of(subject.mesh);
     subject.encloses_volume = encloses_volume(subject.mesh, subject.topology);
     return subject;
 }
@@ -144,8 +135,17 @@ std::string NoiseTrial::id() const {
     return std::string(noise_entry(kind).name) + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
 }
 
-int winner_by_rms(const NoiseTrial& trial) { return largest_above_one(trial.results, &SearchResult::gain); }
-int winner_by_angle(const NoiseTrial& trial) { return largest_above_one(trial.results, &SearchResult::angle_gain); }
+int winner(const NoiseTrial& trial, Gain gain) {
+    int best = -1;
+    double largest = 1;
+    for (std::size_t i = 0; i < trial.results.size(); ++i) {
+        const double value = (trial.results[i].*gain)();
+        if (!(value > largest)) continue;
+        largest = value;
+        best = static_cast<int>(i);
+    }
+    return best;
+}
 
 std::vector<const NoiseTrial*> DenoisingTrials::of_kind(NoiseKind kind) const {
     std::vector<const NoiseTrial*> chosen;
@@ -163,7 +163,7 @@ int largest_subject(const QuestionSettings& settings, std::size_t meshes) {
 
 DenoisingLaboratory denoising_laboratory(std::vector<DenoisingSubject> subjects, const QuestionSettings& settings) {
     DenoisingLaboratory laboratory;
-    laboratory.budget = settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 8} : SearchBudget{4, 6};
+    laboratory.budget = settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 6} : SearchBudget{4, 5};
     struct Task {
         const DenoisingSubject* subject;
         const Positions* normals;
@@ -194,16 +194,16 @@ DenoisingLaboratory denoising_laboratory(std::vector<DenoisingSubject> subjects,
     return laboratory;
 }
 
-NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method) {
+NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain) {
     NoiseLimits limits{std::nan(""), std::nan(""), std::nan("")};
     const auto levels = trials.of_kind(NoiseKind::gaussian);
     for (const NoiseTrial* trial : levels) {
-        const double gain = trial->results[method].gain();
-        if (gain >= helps) {
+        const double value = (trial->results[method].*gain)();
+        if (value >= helps) {
             if (std::isnan(limits.helps_from)) limits.helps_from = trial->edges;
             limits.helps_to = trial->edges;
         }
-        if (gain >= works) limits.halves_to = trial->edges;
+        if (value >= works) limits.halves_to = trial->edges;
     }
     if (levels.empty()) return limits;
     limits.helps_at_first = limits.helps_from == levels.front()->edges;

@@ -22,9 +22,11 @@ struct DenoisingSubject {
     int whole_vertices = 0;   // of the mesh it is, or was cut from
     MeshCharacter character;
     double mean_edge = 0, diagonal = 0;   // [length]
+    double largest_eigenvalue = 0;        // of its operator [1/length²]
+
+    bool encloses_volume = false;
 
     bool is_patch() const { return mesh.vertex_count() < whole_vertices; }
-    bool encloses_volume = false;
     /// "sharp-edged, closed"
     std::string class_title() const;
 };
@@ -47,9 +49,8 @@ struct NoiseTrial {
     std::string id() const;      // "gaussian0300", thousandths of a mean edge; "box_level20"
 };
 
-/// The method of the largest gain in position, in normals; −1 where none is above 1.
-int winner_by_rms(const NoiseTrial& trial);
-int winner_by_angle(const NoiseTrial& trial);
+/// The method of the largest gain; −1 where none is above 1.
+int winner(const NoiseTrial& trial, Gain gain);
 
 struct DenoisingTrials {
     DenoisingSubject subject;
@@ -78,7 +79,7 @@ struct NoiseLimits {
     bool helps_at_first = false;                          // at the smallest: it lies below
 };
 inline constexpr double helps = 1.2, works = 2;   // gains
-NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method);
+NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain);
 
 /// Meshes of one class, and the geometric means of each method's gains over all trials on them.
 struct ClassResult {
@@ -86,7 +87,7 @@ struct ClassResult {
     std::vector<std::string> meshes;
     int trials = 0;
     std::vector<double> gain, angle_gain;   // one a method; NaN where it is not defined on all of them
-    int best() const;                       // method with the largest gain
+    int best() const;                       // method with the largest gain; −1 where no noise changed the shape
     int best_by_angle() const;              // −1 where no noise turned a face
 };
 /// In order of their first mesh.

@@ -28,13 +28,14 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan, Im
     options.parameter = value * plan.unit;
     options.steps = plan.steps;
     options.after_step = [&](int step, const Positions& X) {
-        const SearchState state{value, step, vertex_rms(input.clean.X, X),
+        const SearchState state{value, step, shape_rms(input.clean, input.noisy.topology.vertex_faces, X), vertex_rms(input.clean.X, X),
                                 mean_normal_angle(input.clean_normals, face_normals(moved_to(input.clean, X)))};
         ++result.steps;
-        if (state.rms < result.by_rms.rms) {
-            result.by_rms = state;
+        if (state.shape < result.by_shape.shape) {
+            result.by_shape = state;
             result.X = X;
         }
+        if (state.rms < result.by_rms.rms) result.by_rms = state;
         if (state.angle < result.by_angle.angle) result.by_angle = state;
         return true;
     };
@@ -47,7 +48,9 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan, Im
 
 }   // namespace
 
-double SearchResult::gain() const { return defined ? noisy.rms / by_rms.rms : std::nan(""); }
+double SearchResult::gain() const { return defined && noisy.shape > 1e-9 * noisy.rms ? noisy.shape / by_shape.shape : std::nan(""); }
+
+double SearchResult::rms_gain() const { return defined ? noisy.rms / by_rms.rms : std::nan(""); }
 
 double SearchResult::angle_gain() const {
     constexpr double turned = 1e-6;   // [rad]
@@ -83,9 +86,10 @@ SearchResult search(const SearchInput& input, DenoisingMethod method, const Sear
     SearchResult result;
     result.method = method;
     result.X = input.noisy.mesh.X;
+    result.noisy.shape = shape_rms(input.clean, input.noisy.topology.vertex_faces, result.X);
     result.noisy.rms = vertex_rms(input.clean.X, result.X);
     result.noisy.angle = mean_normal_angle(input.clean_normals, face_normals(input.noisy.mesh));
-    result.by_rms = result.by_angle = result.noisy;
+    result.by_shape = result.by_rms = result.by_angle = result.noisy;
     result.defined = is_defined(method, input.noisy.mesh, input.noisy.topology);
     if (result.defined) {
         ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all runs, one factorisation a λ where L is kept

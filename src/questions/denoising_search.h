@@ -34,25 +34,28 @@ std::string parameter_words(DenoisingMethod method, double value);
 struct SearchState {
     double value = 0;   // in the plan's unit
     int step = 0;
-    double rms = 0;     // against the clean mesh [length]
+    double shape = 0;   // shape_rms() against the clean mesh [length]
+    double rms = 0;     // vertex_rms() against it [length]
     double angle = 0;   // mean angle of the face normals against the clean ones [rad]
 };
 
 struct SearchResult {
     DenoisingMethod method{};
-    bool defined = true;         // the method is, on this mesh
-    SearchState noisy;           // where all begin
-    SearchState by_rms;          // the smallest rms
-    SearchState by_angle;        // the smallest angle
-    Positions X;                 // at the smallest rms
-    MeshDifference difference;   // of these from the clean mesh
-    int steps = 0;               // made
-    int failed = 0;              // runs that ended before their time: blown up, collapsed, or a system that could not be factored
-    /// Error of the noisy mesh over the smallest reached: at least 1. NaN where the method is not defined.
-    double gain() const;
-    /// The same of the angle; NaN too where the noise does not turn the faces.
+    bool defined = true;                      // the method is, on this mesh
+    SearchState noisy;                        // where all begin
+    SearchState by_shape, by_rms, by_angle;   // where each measure is smallest
+    Positions X;                              // at the best shape
+    MeshDifference difference;                // of these from the clean mesh
+    int steps = 0;                            // made
+    int failed = 0;   // runs that ended before their time: blown up, collapsed, or a system that could not be factored
+
+    /// What the noisy mesh has of each measure over the least that was reached: at least 1. NaN where the method is not defined, or
+    /// the noise has nothing of it: noise within a plane changes neither shape nor normals.
+    double gain() const;   // of shape
+    double rms_gain() const;
     double angle_gain() const;
 };
+using Gain = double (SearchResult::*)() const;
 
 /// The clean mesh and its noisy copy, and what all methods need of them.
 struct SearchInput {

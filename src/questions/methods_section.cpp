@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_error.h"
 #include "mesh/sample_shapes.h"
 #include "number_text.h"
 #include "questions/curvature_study.h"
@@ -65,8 +66,14 @@ void add_method(report::Section& section, const SearchBudget& budget) {
         "(Taubin), "
         "λ from 0.0025 to 2.56 squared mean edges of the noisy mesh (the other flows), σ_r from 0.1 to 1 (normals). After every step the "
         "result is held against the clean mesh; what is told of a method is its best. So the numbers are bounds of what can be had with "
-        "it, "
-        "not what one gets without knowing the truth.");
+        "it, not what one gets without knowing the truth.");
+    add_paragraph(section, "Three measures, each as a gain, that of the noisy mesh over the least reached: the ", report::strong("shape"),
+                  ", how far vertices are from the clean triangles around their places (rms), which decides; their ",
+                  report::strong("places"), ", how far they are from where they were (rms); and the ", report::strong("normals"),
+                  ", the mean angle between faces and clean faces. Noise moves vertices within the surface too, which does not change its "
+                  "shape, and of which no filter can know: whoever takes off all that is normal to a smooth surface, and leaves what is "
+                  "within it, two thirds of the mean square of Gaussian noise, gains ",
+                  math("√(3/2) = 1.22"), " in places.");
     section.code = {{"with_noise", "src/mesh/vertex_noise.cpp", "the kinds of noise"},
                     {"denoise", "src/geometry/denoising_methods.cpp", "every method, by name"},
                     {"filtered_normals", "src/geometry/normal_filters.cpp", "bilateral and guided normals, vertex update"},
@@ -108,13 +115,14 @@ double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) 
 void add_finding(report::Section& section, const DenoisingLaboratory& laboratory) {
     std::vector<std::string> told;
     for (const ClassResult& c : class_results(laboratory)) {
-        if (told.size() < 3)
+        if (told.size() < 3 && c.best() >= 0)
             told.push_back(method_title(c.best()) + " on what is " + c.title + " (" +
                            readable(c.gain[static_cast<std::size_t>(c.best())], 2) + "-fold)");
     }
+    if (told.empty()) told.push_back("none, for the noise changed no shape");
     section.findings.push_back(
-        {report::text("Of eight denoising methods with the same budget, the one that lowers the error most on average is ", listed(told),
-                      "."),
+        {report::text("Of eight denoising methods at their best within the same budget, the one that restores shapes best on average is ",
+                      listed(told), "."),
          70});
 }
 
@@ -125,31 +133,30 @@ void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseT
     const std::string base = id_of("methods", mesh.name(), trial.id());
     const auto coloured = [&](const Positions& X, const std::string& what, std::string label) {
         return panel_of(moved_to(subject.mesh, X), base + "_" + what, std::move(label),
-                        (X - subject.mesh.X).rowwise().norm() / subject.mean_edge);
+                        shape_distances(subject.mesh, subject.topology.vertex_faces, X) / subject.mean_edge);
     };
     output::FigureRequest request;
     request.id = base;
     request.title = "Every method at its best on " + mesh.name();
-    request.subtitle = trial.words() + "; smallest rms error of each method";
+    request.subtitle = trial.words() + "; least error of shape of each method";
     request.three_quarter = request.three_quarter_frame = true;
     std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy")};
-    std::string alt = "Small pictures of " + mesh.name() + ": clean; noisy, rms error " +
-                      readable(trial.spoilt.rms / subject.mean_edge, 2) + " mean edges";
+    std::string alt = "Small pictures of " + mesh.name() + ": clean; noisy, error of shape " +
+                      readable(trial.results.front().noisy.shape / subject.mean_edge, 2) + " mean edges";
     for (const SearchResult& result : trial.results) {
         if (!result.defined) continue;
         const DenoisingEntry& entry = denoising_entry(result.method);
         panels.push_back(coloured(result.X, std::string(entry.name), std::string(entry.title) + ", gain " + readable(result.gain(), 2)));
         alt += "; " + panels.back().label;
     }
-    request.range = output::robust_range(panels, "viridis", "distance to where it belongs", "mean edges", 0.01);
+    request.range = output::robust_range(panels, "viridis", "distance to the clean surface", "mean edges", 0.01);
     request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
     request.panels = {panel_of(subject.mesh, base + "_clean", "clean")};
     request.panels.insert(request.panels.end(), panels.begin(), panels.end());
     const std::string caption =
         mesh.name() + (subject.is_patch() ? " (a patch of it)" : "") + " with noise (" + trial.words() +
-        ") and every method at the parameter and step of its smallest error, in one frame; coloured by the distance "
-        "of each vertex to where it belongs. Look at edges and corners, at what is left of the noise, and at the "
-        "size.";
+        ") and every method at the parameter and step of its least error of shape, in one frame; coloured by the distance of each vertex "
+        "to the clean triangles around its place. Look at edges and corners, at what is left of the noise, and at the size.";
     answer.section.blocks.push_back(report::Figure{request.id, caption, alt + "."});
     answer.figures.push_back(std::move(request));
 }
@@ -195,8 +202,8 @@ Answer answer_methods(const MeshLibrary& library, const QuestionSettings& settin
     section.blocks.emplace_back(winner_table(class_results(laboratory)));
     section.blocks.emplace_back(limit_table(laboratory));
     for (const DenoisingTrials& mesh : laboratory.meshes) {
-        section.blocks.emplace_back(gain_table(mesh, false));
-        section.blocks.emplace_back(gain_table(mesh, true));
+        for (const Measure measure : {Measure::shape, Measure::places, Measure::normals})
+            section.blocks.emplace_back(gain_table(mesh, measure));
         if (mesh.of_kind(NoiseKind::gaussian).size() > 1) section.blocks.emplace_back(gain_plot(mesh));
         add_method_figure(answer, mesh, mesh.trials[static_cast<std::size_t>(mesh.pictured)]);
         section.blocks.emplace_back(result_table(mesh));

@@ -10,8 +10,10 @@
 namespace meshfolio {
 
 report::Table subject_table(const DenoisingLaboratory& laboratory);
-/// Gains of every method, one row a noisy mesh: in position, or in normals.
-report::Table gain_table(const DenoisingTrials& mesh, bool of_angle);
+/// What a method is judged by: the shape, the places of the vertices, the normals of the faces.
+enum class Measure { shape, places, normals };
+/// Gains of every method, one row a noisy mesh.
+report::Table gain_table(const DenoisingTrials& mesh, Measure measure);
 /// Every method at its best on every noisy mesh, in all measures.
 report::Table result_table(const DenoisingTrials& mesh);
 report::Table winner_table(const std::vector<ClassResult>& classes);

@@ -48,64 +48,97 @@ report::Table subject_table(const DenoisingLaboratory& laboratory) {
     return table;
 }
 
-report::Table gain_table(const DenoisingTrials& mesh, bool of_angle) {
+report::Table gain_table(const DenoisingTrials& mesh, Measure measure) {
+    struct Wording {
+        const char *id, *caption, *noisy, *unit;
+        Gain gain;
+    };
+    static constexpr Wording wordings[] = {
+        {"gains", "the distance of the vertices to the clean triangles around their places (rms)", "error, noisy", "% of box",
+         &SearchResult::gain},
+        {"rms_gains", "the distance of the vertices to their clean places (rms), which counts what moves them within the surface too",
+         "error, noisy", "% of box", &SearchResult::rms_gain},
+        {"angle_gains", "the mean angle between the face normals and the clean ones", "angle, noisy", "°", &SearchResult::angle_gain}};
+    const Wording& wording = wordings[static_cast<std::size_t>(measure)];
     report::Table table;
-    table.id = id_of("methods", mesh.name(), of_angle ? "angle_gains" : "gains");
-    table.caption = of_angle ? "Gain in normals on " + mesh.name() +
-                                   ": the mean angle between the face normals and the clean ones, noisy over best, of each method at the "
-                                   "parameter and step where that angle is smallest. Empty where the noise turns no face, or a method is "
-                                   "not defined."
-                             : "Gain in position on " + mesh.name() +
-                                   ": rms error of the noisy mesh over the smallest that each method reached with any of its parameters "
-                                   "in any step; 1 means that nothing it did was better than nothing. Darker is larger.";
+    table.id = id_of("methods", mesh.name(), wording.id);
+    table.caption = "Gains on " + mesh.name() + ": " + wording.caption +
+                    ", of the noisy mesh over the least that each method reached with any of its parameters in any step. 1: nothing it did "
+                    "was better than nothing. Darker is larger; empty: not defined, or the noise has nothing of it.";
     table.columns = noise_columns();
-    table.columns.push_back(of_angle ? Column{"angle, noisy", "°", 3} : Column{"error, noisy", "% of box", 3});
+    table.columns.push_back({wording.noisy, wording.unit, 3});
     for (const DenoisingEntry& entry : denoising_list()) {
         table.columns.push_back({std::string(entry.title), "×", 3});
         table.columns.back().heat = Column::Heat{1, 8};
     }
+    const double percent = 100 / mesh.subject.diagonal;
     for (const NoiseTrial& trial : mesh.trials) {
+        const SearchState& noisy = trial.results.front().noisy;
         auto row = noise_cells(mesh, trial);
-        row.push_back(of_angle ? degrees * trial.spoilt.mean_normal_angle : 100 * trial.spoilt.rms / mesh.subject.diagonal);
-        for (const SearchResult& result : trial.results) row.push_back(cell_of(of_angle ? result.angle_gain() : result.gain()));
+        row.emplace_back(measure == Measure::shape    ? percent * noisy.shape
+                         : measure == Measure::places ? percent * noisy.rms
+                                                      : degrees * noisy.angle);
+        for (const SearchResult& result : trial.results) row.push_back(cell_of((result.*wording.gain)()));
         table.rows.push_back(std::move(row));
     }
     return table;
 }
 
+namespace {
+
+/// "λ = 0.16 h̄², step 5"; empty for the noisy mesh.
+report::Cell where(const SearchResult& r, const SearchState& state) {
+    if (!r.defined || state.step == 0) return {};
+    return parameter_words(r.method, state.value) + ", step " + std::to_string(state.step);
+}
+
+std::vector<report::Cell> result_cells(const DenoisingSubject& subject, const SearchResult& r) {
+    const MeshDifference& d = r.difference;
+    const double percent = 100 / subject.diagonal;
+    return {std::string(denoising_entry(r.method).title),
+            where(r, r.by_shape),
+            cell_of(percent * r.by_shape.shape, r.defined),
+            cell_of(r.gain()),
+            cell_of(percent * d.rms, r.defined),
+            cell_of(percent * d.hausdorff, r.defined),
+            cell_of(degrees * d.mean_normal_angle, r.defined),
+            cell_of(degrees * degrees * d.mean_squared_normal_angle, r.defined),
+            cell_of(d.volume_ratio, r.defined && subject.encloses_volume),
+            cell_of(percent * r.by_rms.rms, r.defined),
+            where(r, r.by_rms),
+            cell_of(degrees * r.by_angle.angle, r.defined),
+            where(r, r.by_angle)};
+}
+
+}   // namespace
+
 report::Table result_table(const DenoisingTrials& mesh) {
     report::Table table;
     table.id = id_of("methods", mesh.name(), "results");
     table.caption = "Each method on " + mesh.name() +
-                    " where its rms error is smallest, in all measures; step 0 is the noisy mesh left as it is. λ_crit and h̄ (mean "
-                    "edge) are those of the noisy mesh. Hausdorff: two-sided, vertices to surface. Volume: over that of the clean mesh.";
+                    " where its error of shape is smallest, in all measures; and the least that it reached of two others. Where it "
+                    "says nothing the noisy mesh is best left as it is. λ_crit and h̄ (mean edge) are those of the noisy mesh. "
+                    "Hausdorff: two-sided, vertices to surface. Volume: over that of the clean mesh.";
     table.columns = noise_columns();
-    for (const Column& column :
-         {Column{"method", ""}, Column{"parameter", ""}, Column{"step", "", 4}, Column{"rms error", "% of box", 3},
-          Column{"Hausdorff", "% of box", 3}, Column{"normal angle", "°", 3}, Column{"squared normal angle", "°²", 3},
-          Column{"volume", "×", 4}, Column{"gain", "×", 3}, Column{"smallest normal angle", "°", 3}, Column{"with", ""}}) {
-        table.columns.push_back(column);
+    for (Column& column : std::vector<Column>{{"method", ""},
+                                              {"best with", ""},
+                                              {"error of shape", "% of box", 3},
+                                              {"gain", "×", 3},
+                                              {"rms error", "% of box", 3},
+                                              {"Hausdorff", "% of box", 3},
+                                              {"normal angle", "°", 3},
+                                              {"squared normal angle", "°²", 3},
+                                              {"volume", "×", 4},
+                                              {"least rms error", "% of box", 3},
+                                              {"with", "", 3},
+                                              {"least normal angle", "°", 3},
+                                              {"with", "", 3}}) {
+        table.columns.push_back(std::move(column));
     }
-    const double percent = 100 / mesh.subject.diagonal;
-    const auto words = [](const SearchResult& r, const SearchState& state) {
-        return r.defined && state.step > 0 ? report::Cell{parameter_words(r.method, state.value)} : report::Cell{};
-    };
-    const auto with = [&](const SearchResult& r) {
-        if (!r.defined || r.by_angle.step == 0) return report::Cell{};
-        return report::Cell{parameter_words(r.method, r.by_angle.value) + ", step " + std::to_string(r.by_angle.step)};
-    };
     for (const NoiseTrial& trial : mesh.trials) {
         for (const SearchResult& r : trial.results) {
-            const MeshDifference& d = r.difference;
             auto row = noise_cells(mesh, trial);
-            for (report::Cell cell :
-                 {report::Cell{std::string(denoising_entry(r.method).title)}, words(r, r.by_rms), cell_of(r.by_rms.step, r.defined),
-                  cell_of(percent * d.rms, r.defined), cell_of(percent * d.hausdorff, r.defined),
-                  cell_of(degrees * d.mean_normal_angle, r.defined), cell_of(degrees * degrees * d.mean_squared_normal_angle, r.defined),
-                  cell_of(d.volume_ratio, r.defined && mesh.subject.encloses_volume), cell_of(r.gain()),
-                  cell_of(degrees * r.by_angle.angle, r.defined), with(r)}) {
-                row.push_back(std::move(cell));
-            }
+            for (report::Cell& cell : result_cells(mesh.subject, r)) row.push_back(std::move(cell));
             table.rows.push_back(std::move(row));
         }
     }
@@ -117,10 +150,10 @@ report::Table winner_table(const std::vector<ClassResult>& classes) {
     table.id = "methods_winners";
     table.caption =
         "The best method for each class of mesh: largest geometric mean of the gains over all noisy meshes of the class, in "
-        "position and in normals. Methods that are not defined on all of them do not compete.";
-    table.columns = {{"class", ""},    {"meshes", ""},          {"noisy meshes", "", 4},    {"best in position", ""},
+        "shape and in normals. Methods that are not defined on all of them do not compete.";
+    table.columns = {{"class", ""},    {"meshes", ""},          {"noisy meshes", "", 4},    {"best in shape", ""},
                      {"gain", "×", 3}, {"best in normals", ""}, {"gain in normals", "×", 3}};
-    for (const DenoisingEntry& entry : denoising_list()) table.columns.push_back({std::string(entry.title) + ", position", "×", 3});
+    for (const DenoisingEntry& entry : denoising_list()) table.columns.push_back({std::string(entry.title) + ", shape", "×", 3});
     for (const ClassResult& c : classes) {
         const auto title = [](int method) { return method >= 0 ? report::Cell{method_title(method)} : report::Cell{}; };
         const auto value = [](const std::vector<double>& gains, int method) {
@@ -145,25 +178,30 @@ report::Table limit_table(const DenoisingLaboratory& laboratory) {
     std::string levels;
     for (const NoiseTrial* trial : laboratory.meshes.front().of_kind(NoiseKind::gaussian))
         levels += (levels.empty() ? "" : ", ") + readable(trial->edges, 2);
-    table.caption = "When each method works, when it fails, against Gaussian noise: of the levels tried (σ = " + levels +
-                    " mean edges on " + laboratory.meshes.front().name() +
-                    ") the smallest and the largest at which it helps (gain ≥ 1.2), and the largest at which it works (gain ≥ 2). ≤ and ≥: "
-                    "the first or last level tried, so that the limit may lie beyond. Empty: at none of them, or not defined.";
-    table.columns = {{"mesh", ""},
-                     {"class", ""},
-                     {"method", ""},
-                     {"helps from", "mean edges"},
-                     {"helps up to", "mean edges"},
-                     {"works up to", "mean edges"}};
+    table.caption =
+        "When each method works, when it fails, against Gaussian noise: of the levels tried (σ = " + levels + " mean edges on " +
+        laboratory.meshes.front().name() +
+        ") the smallest and the largest at which it helps (gain ≥ 1.2), and the largest at which it works (gain ≥ 2), by shape "
+        "and by the places of the vertices. ≤ and ≥: the first or last level tried, so that the limit may lie beyond. Empty: at "
+        "none of them, or not defined.";
+    table.columns = {{"mesh", ""}, {"class", ""}, {"method", ""}};
+    for (const char* measure : {"shape", "places"}) {
+        for (const char* limit : {": helps from", ": helps up to", ": works up to"})
+            table.columns.push_back({std::string(measure) + limit, "mean edges"});
+    }
     const auto cell = [](double edges, bool at_end, const char* sign) {
         return std::isfinite(edges) ? report::Cell{(at_end ? sign : "") + readable(edges, 2)} : report::Cell{};
     };
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         for (std::size_t i = 0; i < denoising_list().size(); ++i) {
-            const NoiseLimits limits = noise_limits(mesh, i);
-            table.rows.push_back({mesh.name(), mesh.subject.class_title(), method_title(int(i)),
-                                  cell(limits.helps_from, limits.helps_at_first, "≤ "), cell(limits.helps_to, limits.helps_at_last, "≥ "),
-                                  cell(limits.halves_to, limits.halves_at_last, "≥ ")});
+            std::vector<report::Cell> row{mesh.name(), mesh.subject.class_title(), method_title(int(i))};
+            for (const Gain gain : {&SearchResult::gain, &SearchResult::rms_gain}) {
+                const NoiseLimits limits = noise_limits(mesh, i, gain);
+                row.push_back(cell(limits.helps_from, limits.helps_at_first, "≤ "));
+                row.push_back(cell(limits.helps_to, limits.helps_at_last, "≥ "));
+                row.push_back(cell(limits.halves_to, limits.halves_at_last, "≥ "));
+            }
+            table.rows.push_back(std::move(row));
         }
     }
     return table;
@@ -173,7 +211,7 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
     report::Plot plot;
     plot.id = id_of("methods", mesh.name(), "gain_versus_noise");
     plot.x_label = "σ of Gaussian noise [mean edges]";
-    plot.y_label = "gain: error, noisy / best";
+    plot.y_label = "gain: error of shape, noisy / best";
     plot.log_x = plot.log_y = true;
     const auto levels = mesh.of_kind(NoiseKind::gaussian);
     std::string ends;
