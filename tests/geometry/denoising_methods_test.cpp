@@ -9,6 +9,7 @@
 #include "geometry/component_size.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/mesh_error.h"
+#include "geometry/normal_filters.h"
 #include "geometry/operator_test_meshes.h"
 #include "geometry/stability.h"
 
@@ -155,6 +156,23 @@ TEST(DenoisingMethods, FlowsAreThoseOfSmooth) {
     EXPECT_LT(largest_move(denoised(DenoisingMethod::implicit_flow, mesh).X, smooth(mesh, options).X), 1e-13);
     options.rebuild = true;
     EXPECT_LT(largest_move(denoised(DenoisingMethod::rebuilt_flow, mesh).X, smooth(mesh, options).X), 1e-13);
+}
+
+TEST(DenoisingMethods, FiltersOfNormalsAreTheirPiecesInTurn) {
+    const TriangleMesh mesh = noisy(cube_mesh(4), 0.15);
+    const Incidence around = triangles_around(mesh);
+    TriangleMesh bilateral = mesh, guided = mesh;
+    const NormalKernel kernel = normal_kernel(mesh);   // that of the input throughout
+    Positions N = face_normals(mesh);
+    for (int step = 0; step < 3; ++step) {
+        N = filtered_normals(kernel, N, N, 0.4);   // of themselves again and again
+        bilateral.X = moved_to_normals(bilateral, around, N, 10);
+        const Positions now = face_normals(guided);   // of the mesh as it has become, and so is the kernel
+        const NormalKernel own = normal_kernel(guided);
+        guided.X = moved_to_normals(guided, around, filtered_normals(own, now, guiding_normals(guided, own.rings, now), 0.4), 10);
+    }
+    EXPECT_LT(largest_move(denoised(DenoisingMethod::bilateral_normals, mesh, 3).X, bilateral.X), 1e-12);
+    EXPECT_LT(largest_move(denoised(DenoisingMethod::guided_normals, mesh, 3).X, guided.X), 1e-12);
 }
 
 TEST(VolumeRescaling, KeepsTheVolumeOfEveryComponentAndWhereItIs) {

@@ -68,6 +68,44 @@ TEST(NormalFilters, SharpEdgesStayWhenSigmaIsSmall) {
     EXPECT_LT(largest_change(guiding_normals(cube, rings, N), N), 1e-15) << "every face lies in a patch of its own side";
 }
 
+TEST(NormalFilters, TheGuideIsThatOfTheMostConsistentPatchByTheFormula) {
+    const TriangleMesh mesh = noisy(cube_mesh(3), 0.12);
+    const Positions N = face_normals(mesh);
+    const Vector areas = face_areas(mesh);
+    const auto shared = [&](int s, int t) {
+        int count = 0;
+        for (const int v : mesh.F.row(s)) count += (mesh.F.row(t).array() == v).any();
+        return count;
+    };
+    const int m = mesh.face_count();
+    Vector H(m);
+    Positions mean(m, 3);
+    for (int t = 0; t < m; ++t) {
+        double spread = 0, largest = 0, sum = 0;
+        Eigen::RowVector3d n = Eigen::RowVector3d::Zero();
+        for (int r = 0; r < m; ++r) {
+            if (shared(r, t) == 0) continue;
+            n += areas[r] * N.row(r);
+            for (int s = 0; s < r; ++s) {
+                if (shared(s, t) == 0) continue;
+                const double difference = (N.row(r) - N.row(s)).norm();
+                spread = std::max(spread, difference);
+                if (shared(r, s) < 2) continue;
+                largest = std::max(largest, difference);
+                sum += difference;
+            }
+        }
+        H[t] = spread * largest / (1e-9 + sum);
+        mean.row(t) = n.normalized();
+    }
+    const Positions guide = guiding_normals(mesh, face_rings(mesh), N);
+    for (int t = 0; t < m; ++t) {
+        int best = t;
+        for (int s = 0; s < m; ++s) best = shared(s, t) > 0 && H[s] < H[best] ? s : best;
+        EXPECT_LT((guide.row(t) - mean.row(best)).norm(), 1e-12) << t;
+    }
+}
+
 TEST(NormalFilters, TheGuideIsNearerToTheTruthThanTheNormals) {
     const TriangleMesh cube = cube_mesh(8), spoilt = noisy(cube, 0.15);
     const Positions truth = face_normals(cube), N = face_normals(spoilt);
