@@ -25,7 +25,7 @@ constexpr std::array methods{
                    "Diffusion by explicit steps, stable below 2/μ_max; the operator is that of the noisy mesh."},
     DenoisingEntry{DenoisingMethod::implicit_flow, "implicit", "implicit", "desbrun_1999",
                    "Diffusion by backward Euler steps of any size; the operator is that of the noisy mesh."},
-    DenoisingEntry{DenoisingMethod::rebuilt_flow, "rebuilt", "implicit, rebuilt", "desbrun_1999",
+    DenoisingEntry{DenoisingMethod::rebuilt_flow, "rebuilt", "rebuilt implicit", "desbrun_1999",
                    "Mean curvature flow: backward Euler steps with the operator of the current mesh."},
     DenoisingEntry{DenoisingMethod::taubin, "taubin", "Taubin λ|μ", "taubin_1995",
                    "An explicit step followed by one of the other sign: a low-pass filter that does not shrink."},

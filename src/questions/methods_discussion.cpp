@@ -34,7 +34,7 @@ report::Text winner_words(const ClassResult& c) {
     if (by_angle == best) {
         report::extend(t, ", and the normals too, ", readable(of(c.angle_gain, by_angle)), "-fold.");
     } else if (by_angle >= 0) {
-        report::extend(t, "; the normals ", method_title(by_angle), " does, ", readable(of(c.angle_gain, by_angle)), "-fold");
+        report::extend(t, "; for the normals it is ", method_title(by_angle), ", ", readable(of(c.angle_gain, by_angle)), "-fold");
         if (std::isfinite(of(c.angle_gain, best)))
             report::extend(t, ", where ", method_title(best), " gains ", readable(of(c.angle_gain, best)));
         report::extend(t, ".");
@@ -70,7 +70,7 @@ report::Text winners_counted(const DenoisingLaboratory& laboratory) {
     if (compared > 0) {
         report::extend(t, "The method that is best in shape is not the one that is best in normals on ", std::to_string(differ), " of ",
                        std::to_string(compared), " (", ref("methods_winners"), "): ",
-                       2 * differ > compared ? "which one is best depends on what is asked for."
+                       3 * differ > compared ? "which one is best depends on what is asked for."
                        : differ > 0          ? "mostly they agree."
                                              : "here they agree.");
     }
@@ -134,22 +134,27 @@ report::Text limit_words(const DenoisingTrials& mesh) {
     return t;
 }
 
-/// Why explicit steps are few: what the noise does to the limit and to the area.
+/// What the noise of the pictures does to the limit of explicit steps and to the area, and what follows.
 report::Text spoilt_words(const DenoisingLaboratory& laboratory) {
     std::vector<std::string> limits, areas;
+    double largest_limit = 0, smallest_area = INFINITY;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         const NoiseTrial& trial = mesh.trials[static_cast<std::size_t>(mesh.pictured)];
-        limits.push_back(readable_percent(mesh.subject.largest_eigenvalue / trial.largest_eigenvalue, 2) + " on " + mesh.name());
+        const double limit = mesh.subject.largest_eigenvalue / trial.largest_eigenvalue;
+        largest_limit = std::max(largest_limit, limit);
+        smallest_area = std::min(smallest_area, trial.spoilt.area_ratio);
+        limits.push_back(readable_percent(limit, 2) + " on " + mesh.name());
         areas.push_back(readable(trial.spoilt.area_ratio) + " on " + mesh.name());
     }
-    report::Text t = report::text("Noise spoils triangles, and the worst one sets the limit of explicit steps: with ",
-                                  laboratory.meshes.front().trials[static_cast<std::size_t>(laboratory.meshes.front().pictured)].words(),
-                                  " noise or its like on the others λ_crit is ", listed(limits),
-                                  " of that of the clean mesh. So in as many steps explicit smoothing and Taubin get less far than "
-                                  "the rest. It also makes area, ",
-                                  listed(areas),
-                                  " times that of the clean mesh, all of which the conformalised flow gives back after every step: it was "
-                                  "made to lead to a sphere without singularities, not to denoise.");
+    report::Text t = report::text("The worst triangle sets the limit of explicit steps. With the noise of the pictures λ_crit is ",
+                                  listed(limits), " of that of the clean mesh");
+    report::extend(t, largest_limit < 1 ? ": noise spoils triangles, and holds back explicit smoothing and Taubin, which have no other "
+                                          "steps to take than the operator of the noisy mesh allows."
+                                        : ".");
+    report::extend(t, " The area is ", listed(areas), " times that of the clean mesh");
+    report::extend(t, smallest_area > 1.02 ? ", all of which the conformalised flow gives back after every step: it was made to lead to a "
+                                             "sphere without singularities, not to denoise."
+                                           : ".");
     return t;
 }
 
@@ -198,8 +203,9 @@ report::Text hopeless_words(const DenoisingLaboratory& laboratory) {
                        readable(degrees * best.difference.mean_normal_angle, 2), "° off");
     });
     if (t.empty()) return t;
-    report::extend(
-        t, ". Gains there are not cures: what shrinks to a smooth blob is nearer to the truth than what is scattered all over the box.");
+    report::extend(t,
+                   ". Such a gain need not be a cure: a smooth blob of the right size is nearer to any shape than vertices scattered all "
+                   "over the box.");
     return t;
 }
 
@@ -212,8 +218,8 @@ report::Text volume_words(const DenoisingLaboratory& laboratory) {
         for (const SearchResult& r : trial.results) {
             if (r.defined) told.push_back(std::string(denoising_entry(r.method).title) + " " + readable(r.difference.volume_ratio));
         }
-        report::extend(t, t.empty() ? "Volume over that of the clean mesh, each method at its best: on " : "; on ", mesh.name(), " with ",
-                       trial.words(), " noise (noisy ", readable(trial.spoilt.volume_ratio), ") ", listed(told));
+        report::extend(t, t.empty() ? "Volume over that of the clean mesh, each method at its best: on " : "; on ", mesh.name(), " (",
+                       trial.words(), "; noisy ", readable(trial.spoilt.volume_ratio), ") ", listed(told));
     }
     if (!t.empty()) report::extend(t, ".");
     return t;
