@@ -44,7 +44,9 @@ void add_method(report::Section& section, const SearchBudget& budget) {
                   " whatever the kind. Its unit is the mean edge of the clean mesh; one level is that of an earlier report, 20 % of the "
                   "bounding box, axis by axis.");
     add_list_of_noise(section);
-    add_paragraph(section, "Eight methods take it off again. Six move the vertices by diffusion, and rescale them:");
+    add_paragraph(section,
+                  "Eight methods take it off again. Six move the vertices by diffusion; two of them rescale what it leaves, and one of "
+                  "these rebuilds the masses alone:");
     add_formula(section, "volume_rescaling");
     add_formula(section, "conformal_flow", "methods_eq_conformal");
     add_paragraph(section,
@@ -210,7 +212,7 @@ Answer answer_methods(const MeshLibrary& library, const QuestionSettings& settin
     }
     const DenoisingTrials& first = laboratory.meshes.front();
     for (const NoiseTrial& trial : first.trials) {
-        if (trial.s1_level) add_method_figure(answer, first, trial);
+        if (trial.s1_level && settings.laboratory) add_method_figure(answer, first, trial);
     }
     add_methods_discussion(section, laboratory);
     section.checks = method_checks(laboratory);
