@@ -102,6 +102,42 @@ double vertex_rms(const Positions& a, const Positions& b) {
     return a.rows() > 0 ? std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())) : 0;
 }
 
+Vector shape_distances(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X) {
+    if (clean.X.rows() != X.rows()) {
+        throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
+    }
+    Vector distances(X.rows());
+    for (int v = 0; v < clean.vertex_count(); ++v) {
+        const Vector3 x = X.row(v);
+        double nearest = (X.row(v) - clean.X.row(v)).squaredNorm();
+        for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
+            const auto corner = [&](int k) -> Vector3 { return clean.X.row(clean.F(*t, k)); };
+            nearest = std::min(nearest, squared_distance_to_triangle(x, corner(0), corner(1), corner(2)));
+        }
+        distances[v] = std::sqrt(nearest);
+    }
+    return distances;
+}
+
+double shape_rms(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X) {
+    return X.rows() > 0 ? shape_distances(clean, vertex_faces, X).norm() / std::sqrt(static_cast<double>(X.rows())) : 0;
+}
+
+double mean_normal_angle(const Positions& a, const Positions& b) {
+    if (a.rows() != b.rows()) {
+        throw MeshError("mean_normal_angle: " + std::to_string(a.rows()) + " normals against " + std::to_string(b.rows()));
+    }
+    double sum = 0;
+    int compared = 0;
+    for (Eigen::Index f = 0; f < a.rows(); ++f) {
+        const Vector3 n = a.row(f), m = b.row(f);
+        if (n.isZero(0) || m.isZero(0)) continue;
+        sum += std::atan2(n.cross(m).norm(), n.dot(m));
+        ++compared;
+    }
+    return compared > 0 ? sum / compared : 0;
+}
+
 double smallest_angle(const TriangleMesh& mesh) {
     return mesh.face_count() > 0 ? corner_angles(mesh).minCoeff() : std::numeric_limits<double>::quiet_NaN();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/sparse_types.h"
+#include "mesh/mesh_topology.h"
 
 namespace meshfolio {
 
@@ -25,6 +26,16 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b);
 
 /// The cheap part, for error-versus-iteration curves. [length]
 double vertex_rms(const Positions& a, const Positions& b);
+
+/// Of each vertex of X the distance to the triangles that surround it on the clean mesh (to the clean vertex where there are none): 0 for
+/// whatever moves vertices within the surface, and near the distance to the surface as long as they stay near. [length]
+/// @param vertex_faces  of the clean mesh
+Vector shape_distances(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X);
+/// Their root mean square. [length]
+double shape_rms(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X);
+
+/// Mean angle between the rows of a and b, unit normals; rows of zeros, which have no direction, are left out. [rad]
+double mean_normal_angle(const Positions& a, const Positions& b);
 
 /// Smallest interior angle of all triangles. [rad]
 double smallest_angle(const TriangleMesh& mesh);

@@ -1,6 +1,5 @@
 #include "questions/denoising_study.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include "geometry/mesh_error.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
+#include "questions/mesh_class.h"
 #include "questions/value_lists.h"
 
 namespace meshfolio {
@@ -18,32 +18,6 @@ namespace {
 const std::vector<double> default_noise{0.001, 0.003, 0.01, 0.03};
 /// Step of the implicit scheme in squared mean edges: small enough that the minimum of the error lies at several iterations.
 constexpr double step_in_squared_edges = 0.1;
-/// Two faces that meet at more than this make a feature edge. [rad]
-constexpr double feature_angle = 40 * M_PI / 180;
-
-/// Vertices on an edge whose two faces meet at more than `feature_angle`.
-std::vector<char> feature_vertices(const LibraryMesh& mesh) {
-    const Positions normals = face_normals(mesh.mesh());
-    const MeshTopology& topology = mesh.prepared->topology;
-    std::vector<char> on_feature(static_cast<std::size_t>(mesh.mesh().vertex_count()), 0);
-    for (const Edge& edge : topology.edges) {
-        std::vector<int> faces;
-        std::set_intersection(topology.vertex_faces.begin(edge.a), topology.vertex_faces.end(edge.a), topology.vertex_faces.begin(edge.b),
-                              topology.vertex_faces.end(edge.b), std::back_inserter(faces));
-        if (faces.size() != 2 || normals.row(faces[0]).dot(normals.row(faces[1])) >= std::cos(feature_angle)) continue;
-        on_feature[static_cast<std::size_t>(edge.a)] = on_feature[static_cast<std::size_t>(edge.b)] = 1;
-    }
-    return on_feature;
-}
-
-double mean_normal_angle(const Positions& a, const Positions& b) {
-    double sum = 0;
-    for (Eigen::Index f = 0; f < a.rows(); ++f) {
-        const Vector3 u = a.row(f), v = b.row(f);
-        sum += std::atan2(u.cross(v).norm(), u.dot(v));
-    }
-    return sum / static_cast<double>(a.rows());
-}
 
 /// rms over the vertices whose flag is `flag`. [length]
 double rms_where(const DenoisingStudy& study, const Positions& X, char flag) {
@@ -103,7 +77,7 @@ DenoisingStudy denoising_study(std::shared_ptr<const LibraryMesh> clean, const Q
     study.lambda = settings.lambda.empty() ? step_in_squared_edges * study.mean_edge * study.mean_edge : settings.lambda.front();
     study.iterations = last_or(settings.iterations, settings.quick ? 20 : 40);
     study.most_iterations = settings.iterations.empty() ? 15 * study.iterations : study.iterations;
-    study.on_feature = feature_vertices(*study.clean);
+    study.on_feature = feature_vertices(study.clean->mesh(), study.clean->prepared->topology);
     study.feature_vertices = static_cast<int>(std::count(study.on_feature.begin(), study.on_feature.end(), 1));
 
     study.without_noise = {0};

@@ -52,6 +52,7 @@ Answer answer_stability(const MeshLibrary&, const QuestionSettings&, const Progr
 Answer answer_maps(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_modes(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_prediction(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_methods(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_operators(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_reproductions(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_certificates(const MeshLibrary&, const QuestionSettings&, const Progress&);

@@ -170,5 +170,41 @@ TEST(DirichletEnergy, OfThePositionsIsTheArea) {
     }
 }
 
+TEST(ShapeDistances, CountWhatLeavesTheSurfaceAlone) {
+    const TriangleMesh mesh = cube_mesh(4);
+    const Incidence around = triangles_around(mesh);
+    EXPECT_EQ(shape_rms(mesh, around, mesh.X), 0);
+    Positions X = mesh.X;
+    int raised = -1;
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const Eigen::RowVector3d x = mesh.X.row(v);
+        const bool inside_top = x.z() > 0.49 && x.head<2>().cwiseAbs().maxCoeff() < 0.49;
+        if (!inside_top) continue;
+        raised = v;
+        X.row(v) += Eigen::RowVector3d(0.05, -0.03, 0);   // within the side
+    }
+    EXPECT_LT(shape_distances(mesh, around, X).maxCoeff(), 1e-15);
+    EXPECT_GT(vertex_rms(mesh.X, X), 0.01);
+    X.row(raised).z() += 0.07;
+    const Vector d = shape_distances(mesh, around, X);
+    EXPECT_NEAR(d[raised], 0.07, 1e-15);
+    EXPECT_NEAR(shape_rms(mesh, around, X), 0.07 / std::sqrt(mesh.vertex_count()), 1e-15);
+    const Positions noisy = with_gaussian_noise(mesh.X, Vector3::Constant(0.1), 1);
+    EXPECT_TRUE((shape_distances(mesh, around, noisy).array() <= (noisy - mesh.X).rowwise().norm().array()).all());
+    EXPECT_NEAR(shape_rms({3 * mesh.X, mesh.F}, around, 3 * noisy), 3 * shape_rms(mesh, around, noisy), 1e-14);
+    EXPECT_THROW(shape_rms(mesh, around, noisy.topRows(3)), MeshError);
+}
+
+TEST(MeanNormalAngle, IsThatOfCompareMeshes) {
+    const TriangleMesh mesh = icosphere(2);
+    const TriangleMesh noisy = moved_to(mesh, with_gaussian_noise(mesh.X, Vector3::Constant(0.03), 1));
+    EXPECT_NEAR(mean_normal_angle(face_normals(mesh), face_normals(noisy)), compare_meshes(mesh, noisy).mean_normal_angle, 1e-15);
+    Positions a(2, 3), b(2, 3);
+    a << 1, 0, 0, 0, 0, 0;
+    b << 0, 1, 0, 1, 0, 0;
+    EXPECT_NEAR(mean_normal_angle(a, b), M_PI / 2, 1e-15) << "a row of zeros has no direction";
+    EXPECT_THROW(mean_normal_angle(a, a.topRows(1)), MeshError);
+}
+
 }   // namespace
 }   // namespace meshfolio

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "errors.h"
+#include "mesh/sample_shapes.h"
+#include "mesh/triangle_measures.h"
 
 using namespace meshfolio;
 
@@ -118,4 +123,98 @@ TEST(VertexNoise, HasTheAskedDeviationAndIndependentAxes) {
         EXPECT_NEAR(deviation / sigma[a], 1, four_sigma / std::sqrt(2.0 * many));
         EXPECT_NEAR(correlation(noise.col(a), noise.col((a + 1) % 3)), 0, four_sigma / std::sqrt(many));
     }
+}
+
+namespace {
+
+double mean_square(const Positions& displacement) { return displacement.rowwise().squaredNorm().mean(); }
+
+/// The mesh, and the noise of a kind on it.
+Positions noise_on(const TriangleMesh& mesh, NoiseKind kind, double sigma, std::uint64_t seed = 5) {
+    return with_noise(mesh, kind, sigma, seed) - mesh.X;
+}
+
+int moved_rows(const Positions& displacement) { return static_cast<int>((displacement.rowwise().squaredNorm().array() > 0).count()); }
+
+}   // namespace
+
+TEST(NoiseKinds, AllAreEquallyStrong) {
+    const TriangleMesh mesh = ellipsoid_mesh(5, {3, 2, 0.5});   // 10242 vertices
+    const double n = mesh.vertex_count(), sigma = 0.01;
+    for (const NoiseEntry& entry : noise_list()) {
+        const double squares = entry.kind == NoiseKind::impulsive ? 3 * impulsive_share * n : n;   // at least so many independent ones
+        EXPECT_NEAR(mean_square(noise_on(mesh, entry.kind, sigma)) / (3 * sigma * sigma), 1, four_sigma * std::sqrt(2 / squares))
+            << entry.name;
+    }
+}
+
+TEST(NoiseKinds, NormalNoiseIsAlongTheNormalsAndOfTheAskedDeviation) {
+    const TriangleMesh mesh = ellipsoid_mesh(4, {3, 2, 0.5});
+    const Positions noise = with_normal_noise(mesh, 0.2, 7) - mesh.X, N = vertex_normals(mesh);
+    EXPECT_LT((noise - N.cwiseProduct(noise.cwiseProduct(N).rowwise().sum().replicate<1, 3>())).cwiseAbs().maxCoeff(), 1e-14);
+    const Vector along = noise.cwiseProduct(N).rowwise().sum();
+    EXPECT_NEAR(std::sqrt(along.squaredNorm() / mesh.vertex_count()) / 0.2, 1, four_sigma / std::sqrt(2.0 * mesh.vertex_count()));
+    EXPECT_NEAR(along.mean() / 0.2, 0, four_sigma / std::sqrt(mesh.vertex_count()));
+}
+
+TEST(NoiseKinds, NormalNoiseTurnsWithTheMesh) {
+    const TriangleMesh mesh = ellipsoid_mesh(2, {3, 2, 0.5});
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vector3(1, -2, 0.7).normalized()).toRotationMatrix();
+    const TriangleMesh turned = moved_to(mesh, (2 * mesh.X * R.transpose()).rowwise() + Eigen::RowVector3d(3, -5, 2));
+    const Positions expected = 2 * noise_on(mesh, NoiseKind::normal, 0.1) * R.transpose();
+    EXPECT_LT((noise_on(turned, NoiseKind::normal, 0.2) - expected).cwiseAbs().maxCoeff(), 1e-13)
+        << "twice as large on a mesh twice as large";
+}
+
+TEST(NoiseKinds, VerticesWithoutANormalStay) {
+    TriangleMesh mesh = icosphere(1);
+    const Positions X = mesh.X;
+    mesh.X.conservativeResize(X.rows() + 1, 3);
+    mesh.X.row(X.rows()) << 7, 8, 9;
+    EXPECT_EQ(with_normal_noise(mesh, 0.1, 3).row(X.rows()), mesh.X.row(X.rows()));
+}
+
+TEST(NoiseKinds, BoxNoiseIsAShareOfEveryExtent) {
+    const TriangleMesh mesh = ellipsoid_mesh(5, {3, 2, 0.5});
+    const Vector3 extent = bounding_box(mesh).extent();
+    const double share = 0.2, n = mesh.vertex_count();
+    const Positions noise = noise_on(mesh, NoiseKind::box, share * extent.norm() / std::sqrt(3));
+    for (int axis = 0; axis < 3; ++axis) {
+        const double deviation = std::sqrt(noise.col(axis).squaredNorm() / n);
+        EXPECT_NEAR(deviation / (share * extent[axis]), 1, four_sigma / std::sqrt(2 * n)) << axis;
+    }
+    const Positions flat = noise_on(grid_mesh(5, 5, 1, 1), NoiseKind::box, 0.1);
+    EXPECT_TRUE((flat.col(2).array() == 0).all()) << "no extent, no noise";
+}
+
+TEST(NoiseKinds, ImpulsesHitTheStatedShareAndAllVerticesAlike) {
+    const TriangleMesh mesh = icosphere(3);   // 642 vertices
+    Vector hits = Vector::Zero(mesh.vertex_count());
+    constexpr int seeds = 400;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        const Positions noise = noise_on(mesh, NoiseKind::impulsive, 0.1, seed);
+        EXPECT_EQ(moved_rows(noise), 64);
+        hits += (noise.rowwise().squaredNorm().array() > 0).cast<double>().matrix();
+    }
+    // Each vertex is hit with probability 64/642, whatever its place.
+    const double p = 64.0 / 642, deviation = std::sqrt(p * (1 - p) * seeds);
+    EXPECT_LT((hits.array() - p * seeds).abs().maxCoeff(), 4.5 * deviation);
+    EXPECT_NEAR(hits.head(321).sum() / hits.sum(), 0.5, 0.02);
+    EXPECT_EQ(moved_rows(noise_on(cube_mesh(1), NoiseKind::impulsive, 0.1)), 1) << "at least one";
+}
+
+TEST(NoiseKinds, NoNoiseMovesNothing) {
+    const TriangleMesh mesh = icosphere(1);
+    for (const NoiseEntry& entry : noise_list()) EXPECT_EQ(with_noise(mesh, entry.kind, 0, 1), mesh.X) << entry.name;
+    EXPECT_EQ(with_impulsive_noise(mesh.X, 0, 1, 1), mesh.X);
+    EXPECT_EQ(moved_rows(with_impulsive_noise(mesh.X, mesh.vertex_count(), 1, 1) - mesh.X), mesh.vertex_count());
+}
+
+TEST(NoiseKinds, ImpossibleAsksAreRefused) {
+    const Positions X = Positions::Zero(4, 3);
+    EXPECT_THROW(with_impulsive_noise(X, 5, 1, 1), MeshError);
+    EXPECT_THROW(with_impulsive_noise(X, -1, 1, 1), MeshError);
+    TriangleMesh point = cube_mesh(1);
+    point.X.setZero();
+    EXPECT_THROW(with_noise(point, NoiseKind::box, 1, 1), MeshError);
 }

@@ -1,0 +1,27 @@
+/// @file
+/// What a flow takes from the connected components of a surface, given back by scaling them: their volume (Desbrun et al. 1999) or their
+/// area (Kazhdan, Solomon & Ben-Chen 2012).
+#pragma once
+
+#include "mesh/mesh_topology.h"
+
+namespace meshfolio {
+
+struct ComponentSizes {
+    Vector area;          // c [length²]
+    Vector volume;        // c, signed; NaN for a component with a boundary [length³]
+    Positions centroid;   // c × 3, of the surface [length]
+};
+/// Components as `topology` counts them: triangles joined by shared vertices.
+ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& topology);
+
+/// Does each component enclose a volume, so that it can be kept?
+bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology);
+
+/// Each component scaled about its centroid, and then moved, so that it has the volume and the centroid of `wanted`. Components without a
+/// volume, or of a volume of the other sign, stay.
+Positions with_volumes(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& wanted);
+/// The same for the area; components without any stay.
+Positions with_areas(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& wanted);
+
+}   // namespace meshfolio

@@ -1,0 +1,35 @@
+/// @file
+/// What kind of surface a mesh is, by the angles between its faces.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "mesh/mesh_topology.h"
+
+namespace meshfolio {
+
+inline constexpr double feature_angle = 40;   // two faces that meet at more make a feature edge [°]
+
+/// n flags: vertices of feature edges.
+std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology);
+
+/// The vertex of the sharpest edge (the first of equals), or the first in use where no two faces meet.
+int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology);
+
+enum class MeshClass { flat, smooth, sharp_edged, rough };
+std::string_view title_of(MeshClass kind);
+
+struct MeshCharacter {
+    double feature_share = 0;   // of the vertices, those of feature edges
+    double typical_angle = 0;   // median angle between faces at the other edges [°]
+    double largest_angle = 0;   // at any edge [°]
+    bool open = false;          // has a boundary
+
+    /// flat: no two faces meet at 1°. smooth: less than a hundredth of the vertices lie on feature edges. sharp-edged: more do, but off
+    /// them faces meet at less than 10°, so that features stand out. rough: they do not, whether by noise or by coarse triangles.
+    MeshClass kind() const;
+};
+MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology);
+
+}   // namespace meshfolio
