@@ -190,6 +190,21 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::file(const fs::path& path, const
     return loaded("file " + (base / path).string(), [&] { return found_file(path, base); });
 }
 
+std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
+    const auto path = in_folders(folders_, file);
+    if (!path) return nullptr;
+    return loaded("data " + file.string(), [&] {
+        Found found;
+        found.path = path;
+        found.name = name_of(file);
+        found.label = file.string();
+        found.input.role = found.name;
+        found.input.asked = file.string();
+        found.input.file = file.filename().string();
+        return found;
+    });
+}
+
 std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
     std::vector<std::shared_ptr<const LibraryMesh>> meshes;
     for (const fs::path& path : own_) {

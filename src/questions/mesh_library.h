@@ -45,6 +45,9 @@ public:
     /// A mesh named in the settings: relative to `base`, then the data folders, then the bundled data.
     std::shared_ptr<const LibraryMesh> file(const std::filesystem::path& path, const std::filesystem::path& base) const;
 
+    /// A mesh that only a data folder may have, by its file name; null where none has it.
+    std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
+
     bool has_own_meshes() const { return !own_.empty(); }
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles.
     std::vector<std::shared_ptr<const LibraryMesh>> own_meshes() const;

@@ -50,6 +50,7 @@ Answer answer_q7(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_truth(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_stability(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_operators(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_claims(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_certificates(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_preflight(const MeshLibrary&, const QuestionSettings&, const Progress&);
 

@@ -34,6 +34,8 @@ std::span<const Question> supporting_list() {
         Question{"operators", "Operator laboratory",
                  "What does each way of building the discrete Laplacian keep, what does it give up, and what does that change?",
                  answer_operators},
+        Question{"claims", "Ledger of claims", "Which claims of earlier reports and of papers hold when they are measured again?",
+                 answer_claims},
         Question{"certificates", "Certificates",
                  "Are the spectra right and complete, do the operators obey their laws, and would the checks see a fault?",
                  answer_certificates},
