@@ -21,6 +21,10 @@
 
 namespace meshfolio {
 
+/// Why a claim about the size of a step says nothing of another mesh.
+inline constexpr std::string_view about_the_original =
+    "the claim is about the size of a step on the original mesh, which no data folder has; on another mesh the number means nothing";
+
 /// A smoothing run from the mesh itself.
 struct RunKey {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;

@@ -13,6 +13,7 @@ const std::vector<Claim>& curvature_claims();
 const std::vector<Claim>& operator_claims();
 const std::vector<Claim>& spectral_claims();
 const std::vector<Claim>& explicit_claims();
+const std::vector<Claim>& limit_claims();
 const std::vector<Claim>& implicit_claims();
 const std::vector<Claim>& denoising_claims();
 const std::vector<Claim>& fandisk_claims();
