@@ -126,7 +126,7 @@ report::Text verdict_text(const JudgedClaim& judged) {
     }
     if (decision.verdict == Verdict::undecidable) return t;
     if (!judged.measurement.remark.empty()) report::extend(t, " ", judged.measurement.remark);
-    if (!judged.measurement.meshes.empty()) report::extend(t, " On ", judged.measurement.meshes, ".");
+    if (!judged.measurement.meshes.empty()) report::extend(t, " Measured on ", judged.measurement.meshes, ".");
     return t;
 }
 

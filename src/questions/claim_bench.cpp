@@ -142,7 +142,9 @@ const PlaneTest& ClaimBench::plane() {
 
 std::vector<report::Input> ClaimBench::inputs() const {
     std::vector<report::Input> inputs;
-    for (const auto& [name, found] : meshes_) inputs.push_back(found.input());
+    for (const auto& [name, found] : meshes_) {
+        if (!found.own || inputs.empty()) inputs.push_back(found.input());
+    }
     return inputs;
 }
 

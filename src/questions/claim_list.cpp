@@ -11,7 +11,7 @@ const std::vector<Claim>& claim_list() {
     static const std::vector<Claim> all = [] {
         std::vector<Claim> claims;
         for (const auto* part : {&curvature_claims(), &operator_claims(), &spectral_claims(), &explicit_claims(), &limit_claims(),
-                                 &implicit_claims(), &denoising_claims(), &fandisk_claims(), &paper_claims()}) {
+                                 &implicit_claims(), &denoising_claims(), &noise_claims(), &fandisk_claims(), &paper_claims()}) {
             claims.insert(claims.end(), part->begin(), part->end());
         }
         std::stable_sort(claims.begin(), claims.end(), [](const Claim& a, const Claim& b) { return a.question < b.question; });

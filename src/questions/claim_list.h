@@ -16,6 +16,7 @@ const std::vector<Claim>& explicit_claims();
 const std::vector<Claim>& limit_claims();
 const std::vector<Claim>& implicit_claims();
 const std::vector<Claim>& denoising_claims();
+const std::vector<Claim>& noise_claims();
 const std::vector<Claim>& fandisk_claims();
 const std::vector<Claim>& paper_claims();
 

@@ -211,7 +211,7 @@ const std::vector<Claim>& implicit_claims() {
          "q6",
          "Implicit smoothing is stable where explicit smoothing is not.",
          {energy, "", at_most, 1},
-         Effort::full,
+         Effort::quick,
          stable_on_bunny},
         {"claims_s0_too_large",
          "S0",

@@ -67,16 +67,15 @@ report::Text with_verdict(const std::vector<JudgedClaim>& judged, Verdict verdic
     return t;
 }
 
-/// The refuted claim whose number is farthest from its threshold, as a ratio; thresholds that only tell rounding from something apart.
+/// The refuted claim whose percentage is farthest from its threshold, as a ratio; other units do not compare.
 const JudgedClaim* most_refuted(const std::vector<JudgedClaim>& judged) {
-    constexpr double rounding = 1e-6;
     const auto off = [](const JudgedClaim& j) {
-        const double value = std::abs(j.measurement.cases[j.decision.deciding].value), threshold = std::abs(j.claim->rule.threshold);
-        return value > 0 && threshold > rounding ? std::abs(std::log(value / threshold)) : 0.0;
+        return std::abs(std::log(std::abs(j.measurement.cases[j.decision.deciding].value / j.claim->rule.threshold)));
     };
     const JudgedClaim* most = nullptr;
     for (const JudgedClaim& j : judged) {
-        if (j.decision.verdict == Verdict::refuted && (most == nullptr || off(j) > off(*most))) most = &j;
+        if (j.decision.verdict != Verdict::refuted || j.claim->rule.unit != "%" || !std::isfinite(off(j))) continue;
+        if (most == nullptr || off(j) > off(*most)) most = &j;
     }
     return most;
 }
@@ -91,8 +90,8 @@ void add_discussion(report::Section& section, const std::vector<JudgedClaim>& ju
             section.blocks.push_back(report::Paragraph{std::move(t)});
     }
     if (const JudgedClaim* most = most_refuted(judged)) {
-        add_paragraph(section, "Farthest from its threshold is ", report::ref(std::string(most->claim->id)), ": ",
-                      with_unit(most->measurement.cases[most->decision.deciding].value, most->claim->rule), " where ",
+        add_paragraph(section, "Of the percentages, the farthest from its threshold is that of ", report::ref(std::string(most->claim->id)),
+                      ": ", with_unit(most->measurement.cases[most->decision.deciding].value, most->claim->rule), " where ",
                       words_of(most->claim->rule), " would have been needed.");
     }
     add_paragraph(section, "A verdict is about the claim as the rule puts it; whoever reads a claim otherwise finds all numbers in ",
@@ -228,7 +227,9 @@ Answer answer_claims(const MeshLibrary& library, const QuestionSettings& setting
     section.extent = report::plain(ledger_summary(ledger));
     report::Text finding = ledger_summary(ledger);
     if (const JudgedClaim* refuted = most_refuted(ledger)) {
-        report::extend(finding, " Farthest off: “", std::string(refuted->claim->words), "”");
+        report::extend(finding, " Farthest off: “", std::string(refuted->claim->words), "” (", std::string(refuted->claim->source),
+                       "): ", with_unit(refuted->measurement.cases[refuted->decision.deciding].value, refuted->claim->rule), ", true if ",
+                       words_of(refuted->claim->rule), ".");
     }
     section.findings.push_back({std::move(finding), 82});
     return answer;

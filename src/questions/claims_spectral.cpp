@@ -43,8 +43,8 @@ Measurement near_original(ClaimBench& bench) {
         plot.series.push_back(std::move(series));
     }
     plot.vertical_lines = {{5, "k = 5"}, {30, "k = 30"}, {150, "k = 150"}};
-    plot.caption = "Error of a mesh rebuilt from its k smoothest modes: it falls with every k, at 150 it is " +
-                   readable(m.cases.front().value, 2) + " % on " + bench.spectrum("bunny").name() + ".";
+    plot.caption = "Error of a mesh rebuilt from its k smoothest modes: " + readable(m.cases.front().value, 2) + " % with " +
+                   std::to_string(std::min(150, bench.spectrum("bunny").modes())) + " modes of " + bench.spectrum("bunny").name() + ".";
     plot.alt = plot.caption;
     bench.plots.push_back(plot);
     m.figure = plot.id;

@@ -27,7 +27,7 @@ std::string ReportMesh::called() const {
 
 report::Input ReportMesh::input() const {
     report::Input input = mesh->input;
-    if (entry == nullptr) return input;
+    if (entry == nullptr || own) return input;
     input.role = entry->name;
     input.asked = entry->file;
     input.stand_in = !original;
@@ -38,10 +38,11 @@ ReportMesh report_mesh(const MeshLibrary& library, std::string_view name) {
     ReportMesh found;
     const auto it = std::find_if(stand_ins.begin(), stand_ins.end(), [&](const StandIn& s) { return s.name == name; });
     if (it != stand_ins.end()) found.entry = &*it;
-    if (found.entry && !library.has_own_meshes()) found.mesh = library.in_data(found.entry->file);
+    found.own = library.has_own_meshes();
+    if (found.entry && !found.own) found.mesh = library.in_data(found.entry->file);
     found.original = found.mesh != nullptr;
     if (!found.mesh) found.mesh = library.role(std::string(found.entry ? found.entry->role : name));
-    if (!found.entry) found.original = !library.has_own_meshes() && !found.mesh->input.stand_in;
+    if (!found.entry) found.original = !found.own && !found.mesh->input.stand_in;
     return found;
 }
 
