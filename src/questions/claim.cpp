@@ -28,8 +28,10 @@ std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>&
     if (chosen.size() > cases_in_words) {
         const auto [low, high] = std::minmax_element(chosen.begin(), chosen.end(),
                                                      [&](std::size_t a, std::size_t b) { return cases[a].value < cases[b].value; });
-        return counted(static_cast<int>(chosen.size()), "case") + ", from " + with_unit(cases[*low].value, rule) + " (" +
-               cases[*low].condition + ") to " + with_unit(cases[*high].value, rule) + " (" + cases[*high].condition + ")";
+        const std::string many = counted(static_cast<int>(chosen.size()), "case") + ", ";
+        if (cases[*low].value == cases[*high].value) return many + "all " + with_unit(cases[*low].value, rule);
+        return many + "from " + with_unit(cases[*low].value, rule) + " (" + cases[*low].condition + ") to " +
+               with_unit(cases[*high].value, rule) + " (" + cases[*high].condition + ")";
     }
     std::vector<std::string> values;
     for (const std::size_t i : chosen) values.push_back(with_unit(cases[i].value, rule) + " (" + cases[i].condition + ")");
@@ -114,8 +116,8 @@ report::Text verdict_text(const JudgedClaim& judged) {
             report::extend(t, ": ", decision.why, ".");
             break;
         case Verdict::conditional:
-            report::extend(t, ". It is true for ", values_of(judged, decision.within), ", but not for ", values_of(judged, decision.beyond),
-                           ".");
+            report::extend(t, ". On the side it needs: ", values_of(judged, decision.within),
+                           "; on the other: ", values_of(judged, decision.beyond), ".");
             break;
         case Verdict::holds:
             report::extend(t, ". Measured: ", values_of(judged, decision.within), ".");

@@ -141,9 +141,7 @@ Measurement noise_needs_implicit(ClaimBench& bench) {
                                                                                 least_error(bench, share * edge, implicit_euler, 5, 10)});
     }
     m.meshes = bench.called({"fandisk"});
-    m.remark = report::text(
-        "Explicit steps of 1, at most 60 of them, beside implicit ones of 5, at most 10: what a larger λ does in one step, "
-        "several smaller ones do as well.");
+    m.remark = report::text("Explicit steps of 1, at most 60 of them, beside implicit ones of 5, at most 10.");
     return m;
 }
 

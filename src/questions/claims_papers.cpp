@@ -88,7 +88,7 @@ Measurement taubin_keeps_volume(ClaimBench& bench) {
     }
     m.meshes = bench.called({"bunny", "bumpy_cube"});
     if (m.cases.empty()) m.undecidable = "the mesh is open and encloses no volume";
-    m.remark = report::text("The positive steps alone shrink it by up to ", readable_percent(shrunk, 2), ".");
+    m.remark = report::text("The positive steps alone shrink it by up to ", readable_percent(shrunk, 2), ". A negative loss is a gain.");
     return m;
 }
 

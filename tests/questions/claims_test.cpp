@@ -114,8 +114,9 @@ TEST(ClaimRule, AChangedResultChangesTheVerdict) {
                                                                                : Verdict::conditional;
         EXPECT_EQ(after, opposite) << claim.id;
         JudgedClaim rejudged{&claim, other, decide(claim.rule, other)};
-        if (opposite != Verdict::conditional)
+        if (opposite != Verdict::conditional) {
             EXPECT_NE(report::plain(verdict_text(rejudged)), report::plain(verdict_text(before))) << claim.id;
+        }
         ++changed;
     }
     EXPECT_GT(changed, 20);
