@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "report/escape.h"
+
 namespace meshfolio::report {
 
 namespace {
@@ -41,7 +43,7 @@ Numbering::Numbering(const Document& document, const std::vector<Work>& works) {
             const auto* formula = std::get_if<Formula>(&block);
             if (formula && !formula->id.empty()) add(formula->id, "Equation ", "(" + next(equations) + ")");
             if (const auto* list = std::get_if<EntryList>(&block)) {
-                for (const Entry& entry : list->entries) add(entry.id, list->kind + " ", next(entries));
+                for (const Entry& entry : list->entries) add(entry.id, safe_text(list->kind) + " ", next(entries));
             }
         }
     }

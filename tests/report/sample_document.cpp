@@ -40,6 +40,14 @@ Table ledger() {
     return table;
 }
 
+/// The same with numbers at the head of its rows.
+Table counts() {
+    Table table{"q1_counts", "Two counts.", {{"k"}, {"share", "%"}}, {}};
+    table.sortable = true;
+    table.rows = {{5.0, 0.5}, {15.0, 0.75}};
+    return table;
+}
+
 EntryList claims() {
     return {"Claim",
             {{"q1_claim_one", text("S0: it is so."), {text("True if it is."), text("It is, see ", ref("q1_errors"), ".")}},
@@ -99,6 +107,7 @@ Section answered() {
                 error_plot(),
                 long_table(),
                 ledger(),
+                counts(),
                 claims()};
     s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
                 check_at_most("L2 error of H on sphere", 0.01, 0.0088),

@@ -75,7 +75,7 @@ TEST(WriteJson, EntriesAreThereWhereThereAreAnyAndTablesNameThem) {
     EXPECT_EQ(questions[0]["entries"][0]["id"], "q1_claim_one");
     EXPECT_EQ(questions[0]["entries"][0]["kind"], "Claim");
     EXPECT_EQ(questions[0]["entries"][1]["paragraphs"], json::array({"It is."}));
-    EXPECT_EQ(questions[0]["tables"].back()["rows"][0][0], "q1_claim_one");
+    EXPECT_EQ(questions[0]["tables"][2]["rows"][0][0], "q1_claim_one");
     EXPECT_FALSE(questions[1].contains("entries"));
 }
 
