@@ -18,3 +18,78 @@ for (const section of document.querySelectorAll("main section[id]")) observer.ob
 addEventListener("beforeprint", () => {
     for (const details of document.querySelectorAll("details:not(.views)")) details.open = true;
 });
+
+// ---- tables that can be sorted and filtered ----------------------------------------------------------------------------
+
+/// What a cell is sorted by: a number, a text, or null where there is nothing.
+function keyOf(cell) {
+    if (cell === undefined) return null;
+    if (cell.dataset.value !== undefined) return Number(cell.dataset.value);
+    const text = cell.textContent.trim();
+    return text === "" || text === "–" ? null : text;
+}
+
+/// Numbers before texts, what is empty last in either direction.
+function compareKeys(a, b, direction) {
+    if (a === null || b === null) return (a === null) - (b === null);
+    if (typeof a !== typeof b) return typeof a === "number" ? -1 : 1;
+    return direction * (typeof a === "number" ? a - b : a.localeCompare(b, "en", { numeric: true }));
+}
+
+/// Rows that compare equal keep their order, so that sorting by one column and then by another sorts by both.
+function sortRows(table, column, direction) {
+    const body = table.tBodies[0];
+    const keyed = [...body.rows].map((row) => [keyOf(row.cells[column]), row]);
+    keyed.sort(([a], [b]) => compareKeys(a, b, direction));
+    body.append(...keyed.map(([, row]) => row));
+}
+
+function makeSortable(table) {
+    const heads = [...table.tHead.rows[0].cells];
+    heads.forEach((head, column) => {
+        const button = document.createElement("button");
+        button.type = "button";
+        button.className = "sort";
+        button.append(...head.childNodes);
+        head.append(button);
+        button.addEventListener("click", () => {
+            const descending = head.getAttribute("aria-sort") === "ascending";
+            for (const other of heads) other.removeAttribute("aria-sort");
+            head.setAttribute("aria-sort", descending ? "descending" : "ascending");
+            sortRows(table, column, descending ? -1 : 1);
+        });
+    });
+}
+
+/// A choice of the values of one column, in the order in which they come.
+function choiceOf(table, head, column, changed) {
+    const label = document.createElement("label"), select = document.createElement("select");
+    select.append(new Option("all", ""));
+    const values = new Set([...table.tBodies[0].rows].map((row) => row.cells[column].textContent.trim()));
+    for (const value of values) select.append(new Option(value === "" ? "–" : value, value));
+    select.autocomplete = "off";
+    select.addEventListener("change", changed);
+    label.append(head.textContent.trim(), select);
+    return { label, allows: (row) => select.selectedIndex === 0 || row.cells[column].textContent.trim() === select.value };
+}
+
+function makeFilters(table) {
+    const heads = [...table.tHead.rows[0].cells], rows = [...table.tBodies[0].rows];
+    const told = document.createElement("output");
+    const show = () => {
+        for (const row of rows) row.hidden = !choices.every((choice) => choice.allows(row));
+        told.textContent = `${rows.filter((row) => !row.hidden).length} of ${rows.length} rows`;
+    };
+    const choices = heads.flatMap((head, column) => ("filter" in head.dataset ? [choiceOf(table, head, column, show)] : []));
+    if (choices.length === 0) return;
+    const tools = document.createElement("div");
+    tools.className = "table-tools";
+    tools.append(...choices.map((choice) => choice.label), told);
+    (table.closest(".scroll") ?? table).before(tools);
+    show();
+}
+
+for (const table of document.querySelectorAll("table[data-sortable]")) {
+    makeFilters(table);
+    makeSortable(table);
+}

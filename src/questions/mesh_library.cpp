@@ -197,15 +197,8 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name
         Found found;
         found.input.role = name;
         if (!path.empty()) {
-            std::vector<fs::path> candidates{base / path};
-            for (const fs::path& folder : folders_) candidates.push_back(folder / path);
-            for (const fs::path& folder : folders_) candidates.push_back(folder / path.filename());
-            const auto is_file = [](const fs::path& candidate) {
-                std::error_code error;
-                return fs::is_regular_file(candidate, error);
-            };
-            const auto it = std::find_if(candidates.begin(), candidates.end(), is_file);
-            if (it != candidates.end()) found.path = *it;
+            std::error_code error;
+            found.path = fs::is_regular_file(base / path, error) ? base / path : in_folders(folders_, path);
         }
         found.bundled_file = stand_in;
         found.input.asked = path.empty() ? name : path.generic_string();
@@ -213,6 +206,21 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name
         found.input.file = found.path ? found.path->filename().string() : stand_in;
         found.label = found.input.file;
         found.name = short_name(found.input.file);
+        return found;
+    });
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
+    const auto path = in_folders(folders_, file);
+    if (!path) return nullptr;
+    return loaded("data " + file.string(), [&] {
+        Found found;
+        found.path = path;
+        found.name = name_of(file);
+        found.label = file.string();
+        found.input.role = found.name;
+        found.input.asked = file.string();
+        found.input.file = file.filename().string();
         return found;
     });
 }

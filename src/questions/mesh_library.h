@@ -49,6 +49,8 @@ public:
     /// data folder, then by its bare name. An empty path is that of a mesh not to be had. The user's own mesh takes its place, too.
     std::shared_ptr<const LibraryMesh> original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
                                                 const std::filesystem::path& base) const;
+    /// A mesh that only a data folder may have, by its file name; null where none has it.
+    std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
 
     bool has_own_meshes() const { return !own_.empty(); }
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles.

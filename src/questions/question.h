@@ -55,6 +55,7 @@ Answer answer_prediction(const MeshLibrary&, const QuestionSettings&, const Prog
 Answer answer_methods(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_operators(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_reproductions(const MeshLibrary&, const QuestionSettings&, const Progress&);
+Answer answer_claims(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_certificates(const MeshLibrary&, const QuestionSettings&, const Progress&);
 Answer answer_preflight(const MeshLibrary&, const QuestionSettings&, const Progress&);
 

@@ -48,6 +48,8 @@ std::span<const Question> supporting_list() {
         Question{"reproductions", "Experiments of earlier reports",
                  "What do the experiments of four earlier reports show when they are done again with their own parameters?",
                  answer_reproductions},
+        Question{"claims", "Ledger of claims", "Which claims of earlier reports and of papers hold when they are measured again?",
+                 answer_claims},
         Question{"certificates", "Certificates",
                  "Are the spectra right and complete, do the operators obey their laws, and would the checks see a fault?",
                  answer_certificates},

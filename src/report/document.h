@@ -49,6 +49,10 @@ struct Column {
         double low, high;
     };
     std::optional<Heat> heat = {};
+    /// Readers of the page may choose one of its values and see those rows alone.
+    bool filter = false;
+    /// Texts are ids of what is referred to: people see "Figure 1.3", with a link; files keep the id.
+    bool reference = false;
 };
 
 struct Table {
@@ -56,6 +60,7 @@ struct Table {
     std::string caption;
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;   // each as long as `columns`
+    bool sortable = false;                 // readers of the page may sort it by any column
 };
 
 struct Series {
@@ -116,7 +121,19 @@ struct Figure {
     std::string alt;
 };
 
-using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Figure>;
+/// One of several texts of a kind that are numbered and referred to: "Claim A.3".
+struct Entry {
+    std::string id;
+    Text title;
+    std::vector<Text> paragraphs;
+};
+
+struct EntryList {
+    std::string kind;   // "Claim"
+    std::vector<Entry> entries;
+};
+
+using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Figure, EntryList>;
 
 // ---- what a section proves and says -----------------------------------------------------------------------------------
 

@@ -1,5 +1,5 @@
 /// @file
-/// What everything in a document is called: "Figure 1.3", "Table 4.1", "Equation (2.2)", "Question 5", "[4]".
+/// What everything in a document is called: "Figure 1.3", "Table 4.1", "Equation (2.2)", "Claim A.3", "Question 5", "[4]".
 #pragma once
 
 #include <map>
@@ -23,7 +23,7 @@ public:
     /// @throws std::logic_error naming an id that is used twice
     Numbering(const Document& document, const std::vector<Work>& works);
 
-    /// Of a figure, table, plot, map, formula, question or cited work. "t:q1_errors" means "q1_errors".
+    /// Of a figure, table, plot, map, formula, entry, question or cited work. "t:q1_errors" means "q1_errors".
     /// What belongs to a section that failed or was not asked for is called by that section, without an anchor: one failure must
     /// not take the other sections with it.
     /// @throws std::logic_error naming the id if nothing has it

@@ -105,6 +105,19 @@ json figure_view(const Figure& figure, const ViewContext& context) {
     return view;
 }
 
+json entries_view(const EntryList& list, const ViewContext& context) {
+    json entries = json::array();
+    for (const Entry& entry : list.entries) {
+        json paragraphs = json::array();
+        for (const Text& paragraph : entry.paragraphs) paragraphs.push_back({{"runs", text_view(paragraph, context.numbering)}});
+        entries.push_back({{"id", safe_text(entry.id)},
+                           {"label", context.numbering.resolve(entry.id).label},
+                           {"title", {{"runs", text_view(entry.title, context.numbering)}}},
+                           {"paragraphs", std::move(paragraphs)}});
+    }
+    return {{"entries", std::move(entries)}};
+}
+
 }   // namespace
 
 json text_view(const Text& text, const Numbering& numbering) {
@@ -160,6 +173,8 @@ json block_view(const Block& block, const std::string& section_number, int& head
         view = drawing_view(*map, context);
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
+    } else if (const auto* entries = std::get_if<EntryList>(&block)) {
+        view = entries_view(*entries, context);
     }
     view["is_heading"] = std::holds_alternative<Heading>(block);
     view["is_paragraph"] = std::holds_alternative<Paragraph>(block);
@@ -168,6 +183,7 @@ json block_view(const Block& block, const std::string& section_number, int& head
     view["is_table"] = std::holds_alternative<Table>(block);
     view["is_plot"] = std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
     view["is_figure"] = std::holds_alternative<Figure>(block);
+    view["is_entry_list"] = std::holds_alternative<EntryList>(block);
     return view;
 }
 

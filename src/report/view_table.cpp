@@ -110,27 +110,30 @@ std::vector<std::string> paddings_of(const std::vector<std::string>& texts) {
 }
 
 struct ColumnView {
-    bool numeric;
+    bool numeric, reference;
     std::optional<double> best;
     std::vector<std::string> texts, paddings;   // one a row
 };
 
 ColumnView column_view(const Table& table, std::size_t column) {
-    ColumnView view{is_numeric(table, column), best_of(table, column), number_texts(table, column), {}};
+    ColumnView view{is_numeric(table, column), table.columns[column].reference, best_of(table, column), number_texts(table, column), {}};
     view.paddings = view.numeric ? paddings_of(view.texts) : std::vector<std::string>(view.texts.size());
     return view;
 }
 
-json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& columns) {
+json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& columns, const Numbering& numbering) {
     json cells = json::array();
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const double* x = number_in(table.rows[r], c);
         const auto* words = c < table.rows[r].size() ? std::get_if<std::string>(&table.rows[r][c]) : nullptr;
-        json cell = prose_view(words ? *words : "");
+        const bool refers = words != nullptr && columns[c].reference;
+        json cell = refers ? json{{"runs", text_view({ref(*words)}, numbering)}} : prose_view(words ? *words : "");
         cell["is_words"] = words != nullptr;
         cell["number"] = columns[c].texts[r];
         cell["padding"] = columns[c].paddings[r];
         cell["is_numeric"] = columns[c].numeric;
+        cell["has_value"] = x && std::isfinite(*x);
+        cell["value"] = x ? exact_text(*x) : "";
         cell["is_best"] = x && columns[c].best && *x == *columns[c].best;
         const auto& heat = table.columns[c].heat;
         cell["has_heat"] = x && heat;
@@ -159,14 +162,15 @@ json table_view(const Table& table, const ViewContext& context) {
         heads.push_back({{"name", prose_view(column.name)},
                          {"unit", safe_text(column.unit)},
                          {"has_unit", !column.unit.empty()},
+                         {"is_filter", column.filter},
                          {"is_numeric", columns.back().numeric}});
     }
     const std::size_t shown = std::max<std::size_t>(context.options.table_rows, 2), total = table.rows.size();
     const std::size_t first = total <= shown ? total : (shown + 1) / 2, last = total <= shown ? 0 : shown / 2;
     json rows = json::array();
-    for (std::size_t r = 0; r < first; ++r) rows.push_back(row_view(table, r, columns));
+    for (std::size_t r = 0; r < first; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
     if (first + last < total) rows.push_back(gap_view(total - first - last, columns.size()));
-    for (std::size_t r = total - last; r < total; ++r) rows.push_back(row_view(table, r, columns));
+    for (std::size_t r = total - last; r < total; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
     const Reference self = context.numbering.resolve(table.id);
     return {{"id", safe_text(table.id)},
             {"label", self.label},
@@ -175,6 +179,7 @@ json table_view(const Table& table, const ViewContext& context) {
             {"columns", std::move(heads)},
             {"rows", std::move(rows)},
             {"is_cut", first + last < total},
+            {"is_sortable", table.sortable && first + last == total},
             {"has_best", has_best}};
 }
 

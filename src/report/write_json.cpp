@@ -102,6 +102,14 @@ Json figure_json(const Figure& figure, const DrawnFigures& drawn) {
     return {{"id", figure.id}, {"caption", figure.caption}, {"alt", figure.alt}, {"sheet", sheet}, {"views", views}};
 }
 
+void append_entries(const EntryList& list, Json& entries) {
+    for (const Entry& entry : list.entries) {
+        Json paragraphs = Json::array();
+        for (const Text& paragraph : entry.paragraphs) paragraphs.push_back(plain(paragraph));
+        entries.push_back({{"id", entry.id}, {"kind", list.kind}, {"title", plain(entry.title)}, {"paragraphs", paragraphs}});
+    }
+}
+
 Json check_json(const Check& check) {
     constexpr const char* kind[] = {"near", "at_most", "at_least"};
     Json json = {{"name", check.name},
@@ -134,12 +142,13 @@ Json list_of(const std::vector<Item>& items, Convert convert) {
 
 Json section_json(const Section& section, const DrawnFigures& drawn, const WriteOptions& options) {
     constexpr const char* status[] = {"ok", "failed", "skipped"};
-    Json tables = Json::array(), plots = Json::array(), maps = Json::array(), figures = Json::array();
+    Json tables = Json::array(), plots = Json::array(), maps = Json::array(), figures = Json::array(), entries = Json::array();
     for (const Block& block : section.blocks) {
         if (const auto* table = std::get_if<Table>(&block)) tables.push_back(table_json(*table));
         if (const auto* plot = std::get_if<Plot>(&block)) plots.push_back(plot_json(*plot));
         if (const auto* map = std::get_if<Map>(&block)) maps.push_back(map_json(*map));
         if (const auto* figure = std::get_if<Figure>(&block)) figures.push_back(figure_json(*figure, drawn));
+        if (const auto* list = std::get_if<EntryList>(&block)) append_entries(*list, entries);
     }
     Json json = {{"id", section.id},
                  {"title", section.title},
@@ -156,6 +165,7 @@ Json section_json(const Section& section, const DrawnFigures& drawn, const Write
     json["plots"] = std::move(plots);
     json["maps"] = std::move(maps);
     json["figures"] = std::move(figures);
+    if (!entries.empty()) json["entries"] = std::move(entries);
     json["checks"] = list_of(section.checks, check_json);
     json["findings"] = list_of(section.findings, [](const Finding& f) { return Json{{"text", plain(f.text)}, {"weight", f.weight}}; });
     json["warnings"] = section.warnings;

@@ -36,6 +36,12 @@ inline std::string prose_of(const report::Section& section) {
         if (const auto* figure = std::get_if<report::Figure>(&block)) prose += "\n" + figure->caption + "\n" + figure->alt;
         if (const auto* plot = std::get_if<report::Plot>(&block)) prose += "\n" + plot->caption + "\n" + plot->alt;
         if (const auto* map = std::get_if<report::Map>(&block)) prose += "\n" + map->caption + "\n" + map->alt;
+        if (const auto* list = std::get_if<report::EntryList>(&block)) {
+            for (const report::Entry& entry : list->entries) {
+                prose += "\n" + report::plain(entry.title);
+                for (const report::Text& paragraph : entry.paragraphs) prose += "\n" + report::plain(paragraph);
+            }
+        }
     }
     for (const report::Finding& finding : section.findings) prose += "\n" + report::plain(finding.text);
     return prose;
@@ -69,7 +75,13 @@ inline void expect_well_formed(const Answer& answer) {
         if (const auto* table = std::get_if<report::Table>(&block)) {
             enter(table->id);
             EXPECT_FALSE(table->rows.empty()) << table->id;
-            for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->columns.size()) << table->id;
+            for (const auto& row : table->rows) {
+                EXPECT_EQ(row.size(), table->columns.size()) << table->id;
+                for (std::size_t c = 0; c < row.size(); ++c) {
+                    const auto* id = std::get_if<std::string>(&row[c]);
+                    if (table->columns[c].reference && id) references.insert(*id);
+                }
+            }
         }
         if (const auto* plot = std::get_if<report::Plot>(&block)) {
             enter(plot->id);
@@ -84,9 +96,17 @@ inline void expect_well_formed(const Answer& answer) {
             figures.insert(figure->id);
         }
         if (const auto* formula = std::get_if<report::Formula>(&block); formula && !formula->id.empty()) enter(formula->id);
-        if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) {
-            for (const report::Run& run : paragraph->text) {
+        const auto enter_references = [&](const report::Text& text) {
+            for (const report::Run& run : text) {
                 if (run.kind == report::Run::Kind::reference) references.insert(run.content);
+            }
+        };
+        if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) enter_references(paragraph->text);
+        if (const auto* list = std::get_if<report::EntryList>(&block)) {
+            for (const report::Entry& entry : list->entries) {
+                enter(entry.id);
+                enter_references(entry.title);
+                for (const report::Text& text : entry.paragraphs) enter_references(text);
             }
         }
     }

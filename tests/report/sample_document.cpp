@@ -31,6 +31,29 @@ Table long_table() {
     return table;
 }
 
+/// Sorted and filtered by its readers; its first column refers to entries.
+Table ledger() {
+    Table table{"q1_ledger", "Two claims.", {{"no."}, {"verdict"}, {"number", "%"}}, {}};
+    table.columns[0].reference = table.columns[1].filter = true;
+    table.sortable = true;
+    table.rows = {{std::string("q1_claim_one"), std::string("holds"), 0.25}, {std::string("q1_claim_two"), std::string("refuted"), Cell()}};
+    return table;
+}
+
+/// The same with numbers at the head of its rows.
+Table counts() {
+    Table table{"q1_counts", "Two counts.", {{"k"}, {"share", "%"}}, {}};
+    table.sortable = true;
+    table.rows = {{5.0, 0.5}, {15.0, 0.75}};
+    return table;
+}
+
+EntryList claims() {
+    return {"Claim",
+            {{"q1_claim_one", text("S0: it is so."), {text("True if it is."), text("It is, see ", ref("q1_errors"), ".")}},
+             {"q1_claim_two", text("S1: it is not."), {text("It is.")}}}};
+}
+
 Plot error_plot() {
     Plot plot{"q1_error_versus_k",
               "Error against k with its minimum.",
@@ -101,7 +124,10 @@ Section answered() {
                 error_table(),
                 error_plot(),
                 long_table(),
-                error_map()};
+                error_map(),
+                ledger(),
+                counts(),
+                claims()};
     s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
                 check_at_most("L2 error of H on sphere", 0.01, 0.0088),
                 check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1)};
@@ -171,12 +197,15 @@ Document hostile_document() {
     s.blocks.push_back(Paragraph{text(hostile, strong(hostile), emphasis(hostile), code(hostile), math(hostile))});
     s.blocks.push_back(BulletList{{text(hostile)}});
     s.blocks.push_back(Figure{"q1_hostile", hostile, hostile});
-    s.blocks.push_back(Table{"q1_hostile_table", hostile, {{hostile, hostile}, {"x", "", 3}}, {{hostile, 1.0}}});
     Map map = error_map();
     map.id = "q1_hostile_map";
     map.caption = map.alt = map.x_label = map.y_label = map.value_label = map.undefined = map.panels[0].title = hostile;
     map.panels[0].lines[0].name = map.panels[0].markers[0].label = hostile;
     s.blocks.emplace_back(map);
+    Table table{"q1_hostile_table", hostile, {{hostile, hostile}, {"x", "", 3}}, {{hostile, 1.0}}};
+    table.sortable = table.columns[0].filter = true;
+    s.blocks.push_back(table);
+    s.blocks.push_back(EntryList{hostile, {{"q1_hostile_entry", text(hostile), {text(hostile)}}}});
     s.blocks.push_back(Plot{"q1_hostile_plot",
                             hostile,
                             hostile,

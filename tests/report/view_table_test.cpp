@@ -100,6 +100,38 @@ TEST(ViewTable, LongTablesShowTheirEnds) {
     EXPECT_EQ(view_of(column(cells), 100)["rows"].size(), 100u);
 }
 
+// What a script sorts by is the number itself, not what is printed of it.
+TEST(ViewTable, ValuesKeepEveryDigit) {
+    Table table = column({1.0 / 3, 1e-7, Cell(), std::nan("")});
+    table.sortable = true;
+    const json view = view_of(table);
+    EXPECT_EQ(view["is_sortable"], true);
+    Words values;
+    for (const json& row : view["rows"]) values.push_back(row["cells"][0]["has_value"] == true ? row["cells"][0]["value"] : "none");
+    EXPECT_EQ(values, (Words{"0.3333333333333333", "1e-07", "none", "none"}));
+}
+
+TEST(ViewTable, ATableWithRowsLeftOutIsNotSorted) {
+    Table table = column({1.0, 2.0, 3.0, 4.0});
+    table.sortable = true;
+    EXPECT_EQ(view_of(table, 4)["is_sortable"], true);
+    EXPECT_EQ(view_of(table, 3)["is_sortable"], false);
+    EXPECT_EQ(view_of(column({1.0}))["is_sortable"], false) << "unless asked for";
+}
+
+TEST(ViewTable, AReferenceIsALinkWithTheNameOfItsTarget) {
+    Table table{"t", "", {{"see"}}, {{std::string("t")}}};
+    table.columns[0].reference = table.columns[0].filter = true;
+    const json view = view_of(table);
+    EXPECT_EQ(view["columns"][0]["is_filter"], true);
+    const json& run = view["rows"][0]["cells"][0]["runs"][0];
+    EXPECT_EQ(run["is_link"], true);
+    EXPECT_EQ(run["href"], "#t");
+    EXPECT_EQ(run["text"], "Table 1.1");
+    table.rows[0][0] = std::string("t_unknown");
+    EXPECT_THROW(view_of(table), std::logic_error) << "leads nowhere";
+}
+
 TEST(BriefNumber, SaysTheSameWithFewerDigits) {
     EXPECT_EQ(brief(2, 4), "2");
     EXPECT_EQ(brief(0.01, 4), "0.01");

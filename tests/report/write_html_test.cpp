@@ -123,6 +123,17 @@ TEST(WriteHtml, ReferencesAreLinksWithTheirNumbers) {
     EXPECT_NE(page.find("<a href=\"#ref-desbrun_1999\">[" + number + "]</a>"), std::string::npos);
 }
 
+TEST(WriteHtml, ALedgerIsAPlainTableThatAScriptMaySortAndFilter) {
+    const std::string page = sample_page();
+    EXPECT_EQ(count_of(page, "<table data-sortable=\"true\">"), 2u) << "of all tables those that say so";
+    EXPECT_NE(page.find("<th scope=\"col\" data-filter=\"true\">verdict</th>"), std::string::npos);
+    EXPECT_NE(page.find("<th scope=\"row\"><a href=\"#q1_claim_one\">Claim 1.1</a></th><td>holds</td>"), std::string::npos);
+    EXPECT_NE(page.find("data-value=\"0.25\""), std::string::npos);
+    EXPECT_NE(page.find("<th scope=\"row\" class=\"numeric\" data-value=\"15\">15</th>"), std::string::npos);
+    EXPECT_NE(page.find("id=\"q1_claim_two\""), std::string::npos);
+    EXPECT_EQ(body_of(page).find("<select"), std::string::npos) << "without a script there is nothing that does nothing";
+}
+
 TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
     const std::string page = sample_page();
     EXPECT_NE(page.find("alt=\"A plane from six directions, values from 0 to 1.\" width=\"1200\" height=\"800\"/>"), std::string::npos);

@@ -1,0 +1,87 @@
+/// @file
+/// A claim that someone made, as data: its words, the rule that was fixed before anything was measured, the measurement, and the verdict
+/// that follows from both.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/text.h"
+
+namespace meshfolio {
+
+enum class Verdict { holds, conditional, refuted, undecidable };
+
+std::string_view word_of(Verdict verdict);     // "holds", "holds with condition", "refuted", "not decidable here"
+std::string_view symbol_of(Verdict verdict);   // "✓", "◐", "✗", "?"
+
+/// What makes a claim true: one quantity on the right side of one threshold, in every case it is measured in.
+struct Rule {
+    std::string_view quantity;   // "gap between the two results, of how far they moved"
+    std::string_view unit;       // "%"; empty: a pure number
+    enum class Relation { at_most, at_least } relation = Relation::at_most;
+    double threshold = 0;   // in that unit
+
+    bool satisfied_by(double value) const { return relation == Relation::at_most ? value <= threshold : value >= threshold; }
+};
+/// "at most 5 %".
+std::string words_of(const Rule& rule);
+
+/// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
+struct Case {
+    std::string condition;   // "random triangles"
+    double value = 0;        // in the unit of the rule; NaN: not defined there
+};
+
+struct Measurement {
+    std::vector<Case> cases;
+    std::string undecidable;   // why nothing can be decided here: then the cases do not count
+    report::Text remark;       // what explains the numbers
+    std::string meshes;        // measured on: "creature, in place of bunny.off"; empty: none of the library
+    std::string figure;        // id of the plot that shows it; empty: the table of all measurements
+};
+
+/// The verdict is a function of the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else on
+/// the condition of those that do. Cases without a finite value decide nothing.
+struct Decision {
+    Verdict verdict = Verdict::undecidable;
+    std::vector<std::size_t> within, beyond;   // cases that satisfy the rule, and that do not
+    std::size_t deciding = 0;                  // the case nearest to the threshold among those that turn the scale
+    std::string why;                           // of undecidable
+};
+Decision decide(const Rule& rule, const Measurement& measurement);
+
+class ClaimBench;
+
+/// The least run in which a claim is measured.
+enum class Effort { quick, full };
+
+struct Claim {
+    std::string_view id;         // "claims_s0_bunny_limit", unique
+    std::string_view source;     // "S0", "Taubin 1995"
+    std::string_view citation;   // id of the work in the bibliography; empty for the reports
+    std::string_view question;   // "q5"
+    std::string_view words;      // what is claimed, in words of our own
+    Rule rule;
+    Effort effort = Effort::quick;
+    Measurement (*measure)(ClaimBench& bench) = nullptr;
+};
+
+/// A claim with what was measured and what follows.
+struct JudgedClaim {
+    const Claim* claim = nullptr;
+    Measurement measurement;
+    Decision decision;
+};
+
+/// "0.35 %", "0.35": a value with the unit of the rule.
+std::string with_unit(double value, const Rule& rule);
+
+/// Rule and condition as they were fixed beforehand.
+report::Text rule_text(const JudgedClaim& judged);
+/// Verdict, deciding number and what explains it, generated from the numbers.
+report::Text verdict_text(const JudgedClaim& judged);
+
+}   // namespace meshfolio

@@ -1,0 +1,298 @@
+// The ledger of claims: the rule decides, planted claims come out as they must, and every claim of the list is complete.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geometry/curvature.h"
+#include "geometry/mesh_laws.h"
+#include "mesh/sample_shapes.h"
+#include "questions/claim_bench.h"
+#include "questions/claim_list.h"
+#include "questions/claims_section.h"
+#include "questions/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+using enum Rule::Relation;
+
+namespace {
+
+Measurement measured(std::vector<double> values) {
+    Measurement m;
+    for (const double value : values) m.cases.push_back({"case " + std::to_string(m.cases.size() + 1), value});
+    return m;
+}
+
+Verdict verdict_of(const Rule& rule, std::vector<double> values) { return decide(rule, measured(std::move(values))).verdict; }
+
+// ---- planted claims, measured as those of the ledger are ------------------------------------------------------------------
+
+/// Roughness after 400 explicit steps, of that at the start.
+Measurement energy_after(ClaimBench& bench, double share) {
+    const SmoothingSubject& s = bench.subject("sphere");
+    const Positions& X = bench.run("sphere", {SmoothingScheme::explicit_euler, share * s.critical, 400}).X;
+    Measurement m;
+    m.cases = {{"sphere", roughness(s, X) / roughness(s, s.mesh().X)}};
+    return m;
+}
+Measurement below_the_limit(ClaimBench& bench) { return energy_after(bench, 0.5); }
+Measurement beyond_the_limit(ClaimBench& bench) { return energy_after(bench, 1.5); }
+Measurement total_curvature(ClaimBench& bench) {
+    const LibraryMesh& torus = *bench.mesh("torus").mesh;
+    Measurement m;
+    m.cases = {{"torus", angle_deficit(torus.mesh(), torus.prepared->topology).sum() / (2 * M_PI)}};
+    return m;
+}
+Measurement sphere_curvature_measured(ClaimBench& bench) {
+    const LibraryMesh& sphere = *bench.mesh("sphere").mesh;
+    const Vector H = cotangent_mean_curvature(sphere.mesh(), sphere.prepared->topology, bench.subject("sphere").laplacian);
+    Measurement m;
+    m.cases = {{"sphere", H.mean()}};
+    return m;
+}
+
+Claim planted(const Rule& rule, Measurement (*measure)(ClaimBench&)) {
+    return {"claims_planted", "test", "", "q5", "planted", rule, Effort::quick, measure};
+}
+
+Verdict judged_verdict(const Rule& rule, Measurement (*measure)(ClaimBench&)) {
+    const MeshLibrary library({}, {});
+    const QuestionSettings settings = quick_settings();
+    ClaimBench bench(library, settings);
+    return judged(planted(rule, measure), bench).decision.verdict;
+}
+
+}   // namespace
+
+TEST(ClaimRule, AllCasesSomeCasesNoCase) {
+    const Rule rule{"x", "", at_most, 5};
+    EXPECT_EQ(verdict_of(rule, {1, 5}), Verdict::holds);
+    EXPECT_EQ(verdict_of(rule, {1, 5.0001}), Verdict::conditional);
+    EXPECT_EQ(verdict_of(rule, {6, 7}), Verdict::refuted);
+    const Rule other{"x", "", at_least, 5};
+    EXPECT_EQ(verdict_of(other, {5, 6}), Verdict::holds);
+    EXPECT_EQ(verdict_of(other, {4, 6}), Verdict::conditional);
+    EXPECT_EQ(verdict_of(other, {4}), Verdict::refuted);
+}
+
+TEST(ClaimRule, WhatIsNotDefinedDecidesNothing) {
+    const Rule rule{"x", "", at_most, 5};
+    EXPECT_EQ(verdict_of(rule, {std::nan(""), 1}), Verdict::holds);
+    EXPECT_EQ(verdict_of(rule, {std::nan("")}), Verdict::undecidable);
+    EXPECT_EQ(verdict_of(rule, {}), Verdict::undecidable);
+    EXPECT_EQ(verdict_of(rule, {INFINITY, 7}), Verdict::refuted);
+    Measurement told = measured({1});
+    told.undecidable = "the mesh is not there";
+    EXPECT_EQ(decide(rule, told).verdict, Verdict::undecidable);
+    EXPECT_EQ(decide(rule, told).why, "the mesh is not there");
+}
+
+TEST(ClaimRule, TheDecidingCaseIsTheOneNearestToTheThreshold) {
+    const Rule rule{"x", "", at_most, 5};
+    EXPECT_EQ(decide(rule, measured({1, 4, 2})).deciding, 1u);
+    EXPECT_EQ(decide(rule, measured({100, 6, 50})).deciding, 1u);
+    EXPECT_EQ(decide(rule, measured({1, 4.9, 50, 6})).deciding, 3u) << "of those that do not satisfy the rule";
+    EXPECT_EQ(decide({"x", "", at_least, 0}, measured({-3, -1, -2})).deciding, 1u);
+}
+
+TEST(ClaimRule, AChangedResultChangesTheVerdict) {
+    const MeshLibrary library({}, {});
+    const QuestionSettings settings = quick_settings();
+    ClaimBench bench(library, settings);
+    int changed = 0;
+    for (const Claim& claim : claim_list()) {
+        const JudgedClaim before = judged(claim, bench);
+        if (before.decision.verdict == Verdict::undecidable) continue;
+        Measurement other = before.measurement;
+        // Reflected about the threshold, by ratio where that keeps the sign: on the other side, and never on it.
+        for (Case& c : other.cases) c.value = 2 * claim.rule.threshold - c.value + (claim.rule.relation == at_most ? 1e-12 : -1e-12);
+        const Verdict after = decide(claim.rule, other).verdict;
+        const Verdict opposite = before.decision.verdict == Verdict::holds     ? Verdict::refuted
+                                 : before.decision.verdict == Verdict::refuted ? Verdict::holds
+                                                                               : Verdict::conditional;
+        EXPECT_EQ(after, opposite) << claim.id;
+        JudgedClaim rejudged{&claim, other, decide(claim.rule, other)};
+        if (opposite != Verdict::conditional) {
+            EXPECT_NE(report::plain(verdict_text(rejudged)), report::plain(verdict_text(before))) << claim.id;
+        }
+        ++changed;
+    }
+    EXPECT_GT(changed, 20);
+}
+
+TEST(PlantedClaims, FalseOnesAreRefuted) {
+    EXPECT_EQ(judged_verdict({"roughness left by steps of 1.5 limits", "", at_most, 1}, beyond_the_limit), Verdict::refuted);
+    EXPECT_EQ(judged_verdict({"total curvature of a torus / 2π", "", at_least, 2}, total_curvature), Verdict::refuted);
+    EXPECT_EQ(judged_verdict({"mean curvature of the unit sphere", "", at_least, 1.9}, sphere_curvature_measured), Verdict::refuted);
+}
+
+TEST(PlantedClaims, TrueOnesHold) {
+    EXPECT_EQ(judged_verdict({"roughness left by steps of half the limit", "", at_most, 1}, below_the_limit), Verdict::holds);
+    EXPECT_EQ(judged_verdict({"total curvature of a torus / 2π", "", at_most, 1e-9}, total_curvature), Verdict::holds);
+    EXPECT_EQ(judged_verdict({"mean curvature of the unit sphere", "", at_least, 0.99}, sphere_curvature_measured), Verdict::holds);
+}
+
+TEST(ClaimList, EveryClaimIsComplete) {
+    std::set<std::string_view> ids;
+    std::set<std::string> sources;
+    for (const Claim& claim : claim_list()) {
+        SCOPED_TRACE(claim.id);
+        EXPECT_TRUE(claim.id.starts_with("claims_"));
+        EXPECT_TRUE(ids.insert(claim.id).second) << "twice";
+        EXPECT_FALSE(claim.words.empty());
+        EXPECT_TRUE(claim.words.ends_with("."));
+        EXPECT_FALSE(claim.rule.quantity.empty());
+        EXPECT_TRUE(std::isfinite(claim.rule.threshold));
+        EXPECT_NE(claim.measure, nullptr);
+        EXPECT_NE(question_of_id(claim.question), nullptr);
+        const bool report = claim.source.size() == 2 && claim.source[0] == 'S';
+        EXPECT_EQ(claim.citation.empty(), report) << "a paper is cited, a report is not";
+        sources.insert(std::string(claim.source));
+    }
+    EXPECT_GE(ids.size(), 45u);
+    for (const char* source : {"S0", "S1", "S2", "S3"}) EXPECT_TRUE(sources.contains(source));
+    EXPECT_GE(sources.size(), 8u) << "four reports, and papers";
+}
+
+TEST(ClaimsSection, BundledMeshes) {
+    const Answer answer = answer_claims(MeshLibrary({}, {}), quick_settings(), no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    const report::Table& ledger = table_named(answer.section, "claims_ledger");
+    EXPECT_EQ(ledger.rows.size(), claim_list().size());
+    EXPECT_TRUE(ledger.sortable);
+    const std::string prose = prose_of(answer.section);
+    EXPECT_NE(prose.find("creature in place of bunny.off"), std::string::npos) << "what stands in is told";
+    EXPECT_NE(prose.find("a quick run does not measure it"), std::string::npos);
+}
+
+TEST(ClaimsSection, MeshesOfOnesOwn) {
+    TriangleMesh one{Positions(3, 3), Faces(1, 3)};
+    one.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+    one.F << 0, 1, 2;
+    TriangleMesh far = icosphere(2);
+    far.X = (1e7 * far.X).rowwise() + Eigen::RowVector3d(1e12, -1e12, 1e12);
+    for (const auto& [mesh, name] : {std::pair{one, "claim_triangle"}, std::pair{cube_mesh(1), "claim_box"}, std::pair{far, "claim_far"},
+                                     std::pair{grid_mesh(6, 5, 2, 1), "claim_grid"}}) {
+        SCOPED_TRACE(name);
+        const Answer answer = answer_claims(library_of(mesh, name), quick_settings(), no_progress);
+        expect_well_formed(answer);
+        expect_checks_pass(answer.section);
+    }
+}
+
+// ---- the meshes of the reports --------------------------------------------------------------------------------------------
+
+namespace {
+
+const std::filesystem::path mesh_folder = std::filesystem::path(MESHFOLIO_SOURCE_DIR).parent_path() / "shared" / "meshes";
+
+JudgedClaim judged_on_originals(std::string_view id) {
+    const MeshLibrary library({mesh_folder / "coursework", mesh_folder / "classic"}, {});
+    const QuestionSettings settings;
+    ClaimBench bench(library, settings);
+    const auto& claims = claim_list();
+    const auto it = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id == id; });
+    if (it == claims.end()) throw std::logic_error("no claim " + std::string(id));
+    return judged(*it, bench);
+}
+
+bool originals_are_there() { return std::filesystem::exists(mesh_folder / "classic" / "bunny.off"); }
+
+}   // namespace
+
+#define NEEDS_ORIGINALS() \
+    if (!originals_are_there()) GTEST_SKIP() << "no meshes at " << mesh_folder
+
+// The numbers expected below were measured independently.
+
+TEST(ClaimsOnOriginals, ConstantsOfTheOriginals) {
+    NEEDS_ORIGINALS();
+    const MeshLibrary library({mesh_folder / "classic"}, {});
+    for (const StandIn& entry : stand_in_list()) {
+        const ReportMesh found = report_mesh(library, entry.name);
+        ASSERT_TRUE(found.original) << entry.name;
+        EXPECT_NEAR(found.mesh->prepared->preflight.mean_edge / entry.mean_edge, 1, 1e-5) << entry.name;
+        EXPECT_NEAR(smoothing_subject(found.mesh).critical / entry.critical, 1, 1e-5) << entry.name;
+    }
+}
+
+TEST(ClaimsOnOriginals, BunnyLimitMatchesWithTheFactorOneHalf) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s0_bunny_limit");
+    EXPECT_EQ(claim.decision.verdict, Verdict::conditional);
+    EXPECT_NEAR(claim.measurement.cases[0].value, 2e-7 / 1.93e-7, 0.005);
+    EXPECT_NEAR(claim.measurement.cases[1].value, 2e-7 / 0.97e-7, 0.02);
+}
+
+TEST(ClaimsOnOriginals, BunnyZigzagsComeFromTheMissingHalfOrTheRebuiltOperator) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s0_bunny_zigzag");
+    EXPECT_EQ(claim.decision.verdict, Verdict::conditional);
+    ASSERT_EQ(claim.measurement.cases.size(), 3u);
+    EXPECT_NEAR(2 * claim.measurement.cases[0].value, 1.04, 0.005);
+    EXPECT_GT(2 * claim.measurement.cases[2].value, 14) << "λμ_max by step 50";
+}
+
+TEST(ClaimsOnOriginals, TheCubeShrinksAndIsNotUnstable) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s0_cube_too_large");
+    EXPECT_EQ(claim.decision.verdict, Verdict::refuted);
+    EXPECT_NEAR(claim.measurement.cases[0].value, 100 * 1e-3 / 0.247, 0.001);
+    EXPECT_NEAR(100 - judged_on_originals("claims_s0_cube_deforms").measurement.cases.back().value, 76, 0.5) << "% of its size";
+}
+
+TEST(ClaimsOnOriginals, ExplicitEqualsImplicitAtTheSameStep) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s1_same_as_explicit");
+    EXPECT_EQ(claim.decision.verdict, Verdict::holds);
+    EXPECT_NEAR(claim.measurement.cases[0].value, 100 * 0.0014 / 0.40, 0.03);
+}
+
+TEST(ClaimsOnOriginals, IterationsStandForTheStepInPart) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s3_iterations_for_step");
+    EXPECT_EQ(claim.decision.verdict, Verdict::conditional);
+    EXPECT_NEAR(claim.measurement.cases.back().value, 100 * 0.054 / 0.40, 0.4);
+}
+
+TEST(ClaimsOnOriginals, UniformLimitsExplainSTwoAndSThree) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s2_unstable");
+    EXPECT_EQ(claim.decision.verdict, Verdict::holds);
+    EXPECT_NEAR(claim.measurement.cases[0].value, 1.5 / 1.36, 0.01);
+    const JudgedClaim beyond = judged_on_originals("claims_s3_beyond_one");
+    EXPECT_EQ(beyond.decision.verdict, Verdict::conditional);
+    EXPECT_NEAR(beyond.measurement.cases[2].value, 1.5 / 1.34, 0.01);
+}
+
+TEST(ClaimsOnOriginals, IrregularTrianglesCostAQuarterOfTheCurvature) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s0_irregular");
+    EXPECT_EQ(claim.decision.verdict, Verdict::refuted);
+    for (const Case& c : claim.measurement.cases) EXPECT_NEAR(c.value, 27, 2.5) << c.condition;
+}
+
+TEST(ClaimsOnOriginals, NoiseMinimaComeInOrderButLater) {
+    NEEDS_ORIGINALS();
+    EXPECT_EQ(judged_on_originals("claims_s0_minima_order").decision.verdict, Verdict::holds);
+    EXPECT_NE(judged_on_originals("claims_s0_minima").decision.verdict, Verdict::holds);
+}
+
+TEST(ClaimsOnOriginals, ThePlaneOfTheCourseIsFlat) {
+    NEEDS_ORIGINALS();
+    const JudgedClaim claim = judged_on_originals("claims_s3_plane_structure");
+    EXPECT_EQ(claim.decision.verdict, Verdict::refuted);
+    EXPECT_LT(claim.measurement.cases[0].value, 1e-12);
+}
+
+TEST(ClaimsOnOriginals, RestOfTheTable) {
+    NEEDS_ORIGINALS();
+    EXPECT_EQ(judged_on_originals("claims_s0_nonlinear").decision.verdict, Verdict::refuted);
+    EXPECT_EQ(judged_on_originals("claims_s3_tip").decision.verdict, Verdict::refuted);
+    EXPECT_EQ(judged_on_originals("claims_s0_stable").decision.verdict, Verdict::holds);
+    const JudgedClaim cheaper = judged_on_originals("claims_s0_cheaper");
+    EXPECT_GT(cheaper.measurement.cases[0].value, 5) << "at equal λ and t implicit costs more: 0.39 s beside 0.03 s";
+}
