@@ -22,15 +22,16 @@ report::Text damping_words(const std::vector<ModeStudy>& studies) {
         for (const ModeDamping& d : study.dampings) worst = std::max(worst, d.deviation(study.eigenvalues));
     }
     const ModeStudy& first = studies.front();
-    const ModeDamping &half = first.dampings[0], &close = first.dampings[1];
+    const ModeDamping& close = first.dampings[1];
     const double top = first.subject.top.value;
     return report::text("The laws hold for every mode that was looked at, ", std::to_string(modes),
                         " in all: no coefficient is farther than ", readable(worst, 2), " from its law (", ref("modes_damping"),
                         "). They also say what is wrong with a step near the limit. After ", std::to_string(close.steps),
                         " explicit steps at 0.95 λ_crit ", readable_percent(std::abs(close.law(top)), 2),
                         " of the top mode is left, and it has changed its sign at every step, while the modes around ", math("μ = 1/λ"),
-                        " are gone; at half the limit the top mode itself is gone to ", readable(std::abs(half.law(top)), 1),
-                        ". Implicit steps leave less of a mode the higher it is, at any ", math("λ"), ".");
+                        " are gone; at half the limit it is the top mode itself that is gone. Implicit steps leave less of a mode the "
+                        "higher it is, at any ",
+                        math("λ"), ".");
 }
 
 report::Text gap_words(const ModeStudy& study) {

@@ -184,6 +184,8 @@ TEST(SvgMap, CellsLieWhereTheirValuesAre) {
     const std::string corner = matches(svg, "<path d=\"M([0-9.]+ [0-9.]+)H[^\"]*\" fill=\"#fde725\"").at(0);
     EXPECT_NEAR(std::stod(corner), left + across * 2 / 3, 0.2);
     EXPECT_NEAR(std::stod(corner.substr(corner.find(' '))), top + down / 2, 0.2);
+    const std::string end = matches(svg, "<path d=\"M[0-9. ]+H[0-9.]+V([0-9.]+)H[^\"]*\" fill=\"#fde725\"").at(0);
+    EXPECT_NEAR(std::stod(end), top + down, 0.2) << "rows go up";
 }
 
 TEST(SvgMap, UndefinedCellsAreHatchedAndNamed) {
