@@ -1,6 +1,6 @@
 /// @file
-/// A claim that someone made, as data: its words, the rule that was fixed before anything was measured, the measurement, and the verdict
-/// that follows from both.
+/// A claim that someone made, as data: its words, the rule that would make it true, the measurement, and the verdict that follows from
+/// both.
 #pragma once
 
 #include <cstddef>
@@ -79,7 +79,7 @@ struct JudgedClaim {
 /// "0.35 %", "0.35": a value with the unit of the rule.
 std::string with_unit(double value, const Rule& rule);
 
-/// Rule and condition as they were fixed beforehand.
+/// The rule, and on which meshes it was measured.
 report::Text rule_text(const JudgedClaim& judged);
 /// Verdict, deciding number and what explains it, generated from the numbers.
 report::Text verdict_text(const JudgedClaim& judged);

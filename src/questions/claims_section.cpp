@@ -1,4 +1,4 @@
-// The section "claims": what earlier reports and papers say, measured again and judged by rules fixed beforehand.
+// The section "claims": what earlier reports and papers say, measured again and judged, each by its rule.
 #include "questions/claims_section.h"
 
 #include <algorithm>
@@ -24,8 +24,10 @@ void add_method(report::Section& section) {
     add_paragraph(
         section,
         "S0 to S3 are four earlier reports on this coursework; to their claims come some of the papers that the methods are taken from. "
-        "Each claim is told in words of our own and turned into a rule before anything is measured: one quantity, one threshold, and "
-        "the cases that the claim does not exclude. The verdict follows from the rule and the numbers alone:");
+        "Each claim is told in words of our own and turned into a rule: one quantity, one threshold, and the cases that the claim does "
+        "not exclude. Seven rules (low noise, noise beyond repair, the operator of A_i + A_j, Taubin's and Rippa's claims, small steps) "
+        "were put more exactly after a first measurement had shown them to test something else than is claimed; the others stand as "
+        "they were first written. The verdict follows from the rule and the numbers alone, on any mesh:");
     section.blocks.push_back(report::BulletList{
         {report::text(report::strong(shown(Verdict::holds)), " – every case is on the right side of the threshold;"),
          report::text(report::strong(shown(Verdict::conditional)), " – some cases are: the claim needs the condition that is named;"),
@@ -194,7 +196,7 @@ std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged)
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
     const int total = static_cast<int>(judged.size());
     const auto number = [&](Verdict verdict) { return std::to_string(count_of(judged, verdict)); };
-    return report::text("Of ", counted(total, "claim"), " of earlier reports and papers, measured again by rules fixed beforehand, ",
+    return report::text("Of ", counted(total, "claim"), " of earlier reports and papers, measured again, each by a rule of its own, ",
                         number(Verdict::holds), " hold, ", number(Verdict::conditional), " hold with a condition, ",
                         number(Verdict::refuted), " are refuted, and ", number(Verdict::undecidable), " cannot be decided here.");
 }

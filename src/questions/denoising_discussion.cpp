@@ -123,7 +123,7 @@ report::Text verdict(const std::vector<DenoisingStudy>& studies) {
                    "clean mesh, is in ",
                    ref("prediction"), ".");
                    ref("q7_results"), "). Seven other methods, and other kinds of noise, are tried in ", ref("methods"), ".");
-    return t;
+                   return t;
 }
 
 }   // namespace
