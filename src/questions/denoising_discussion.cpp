@@ -121,9 +121,8 @@ report::Text verdict(const std::vector<DenoisingStudy>& studies) {
                    ref("q7_results"),
                    "). Where the minimum is expected to be beside where it is measured, and how it is found without the "
                    "clean mesh, is in ",
-                   ref("prediction"), ".");
-                   ref("q7_results"), "). Seven other methods, and other kinds of noise, are tried in ", ref("methods"), ".");
-                   return t;
+                   ref("prediction"), ". Seven other methods, and other kinds of noise, are tried in ", ref("methods"), ".");
+    return t;
 }
 
 }   // namespace
