@@ -25,9 +25,11 @@ void add_method(report::Section& section) {
         section,
         "S0 to S3 are four earlier reports on this coursework; to their claims come some of the papers that the methods are taken from. "
         "Each claim is told in words of our own and turned into a rule: one quantity, one threshold, and the cases that the claim does "
-        "not exclude. Seven rules (low noise, noise beyond repair, the operator of A_i + A_j, Taubin's and Rippa's claims, small steps) "
-        "were put more exactly after a first measurement had shown them to test something else than is claimed; the others stand as "
-        "they were first written. The verdict follows from the rule and the numbers alone, on any mesh:");
+        "not exclude. Seven rules (low noise, noise beyond repair, the operator of ",
+        report::math("A_i + A_j"),
+        ", Taubin's and Rippa's claims, small steps) were put more exactly after a first measurement had shown them to test "
+        "something else than is claimed; the others stand as they were first written. The verdict follows from the rule and the "
+        "numbers alone, on any mesh:");
     section.blocks.push_back(report::BulletList{
         {report::text(report::strong(shown(Verdict::holds)), " – every case is on the right side of the threshold;"),
          report::text(report::strong(shown(Verdict::conditional)), " – some cases are: the claim needs the condition that is named;"),
