@@ -55,14 +55,21 @@ const MeshRole* role_of_path(const std::string& path) {
     return it == roles.end() ? nullptr : &*it;
 }
 
-/// `path` in the first of `folders` that has it, by the path itself or by the bare file name.
-std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const fs::path& path) {
-    for (const fs::path& folder : folders) {
-        for (const fs::path& candidate : {folder / path, folder / path.filename()}) {
-            if (std::error_code error; fs::exists(candidate, error)) return candidate;
-        }
+std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidates) {
+    for (const fs::path& candidate : candidates) {
+        if (std::error_code error; fs::exists(candidate, error)) return candidate;
     }
     return {};
+}
+
+/// `path` in the first of `folders` that has it, by the path itself or by the bare file name.
+std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const fs::path& path) {
+    std::vector<fs::path> candidates;
+    for (const fs::path& folder : folders) {
+        candidates.push_back(folder / path);
+        candidates.push_back(folder / path.filename());
+    }
+    return first_that_exists(candidates);
 }
 
 /// Messages name the file as it was asked for, not where the machine keeps it: they end up in the report.
@@ -197,8 +204,10 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name
         Found found;
         found.input.role = name;
         if (!path.empty()) {
-            std::error_code error;
-            found.path = fs::is_regular_file(base / path, error) ? base / path : in_folders(folders_, path);
+            std::vector<fs::path> candidates{base / path};
+            for (const fs::path& folder : folders_) candidates.push_back(folder / path);
+            for (const fs::path& folder : folders_) candidates.push_back(folder / path.filename());
+            found.path = first_that_exists(candidates);
         }
         found.bundled_file = stand_in;
         found.input.asked = path.empty() ? name : path.generic_string();

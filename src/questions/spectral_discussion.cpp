@@ -27,16 +27,22 @@ report::Text answer_to_larger_k(const SpectralStudy& study) {
     }
     report::Text t = report::text(
         "Yes, on ", study.name(), " every further eigenvector lowers the error (", ref(id_of("q4", study.name(), "error_versus_k")),
-        "), as it must for an M-orthogonal projection: from ", readable(percent * first.difference.rms),
+        "), as it must for an M-orthogonal projection: weighted by area from ", readable(percent * study.rms[first.k]),
         "\u202f% of the box diagonal at k = ", std::to_string(first.k), " to ",
-        last.difference.rms < 1e-9 * study.diagonal ? std::string("rounding") : readable(percent * last.difference.rms) + "\u202f%",
+        study.rms[last.k] < 1e-9 * study.diagonal ? std::string("rounding") : readable(percent * study.rms[last.k]) + "\u202f%",
         " at k = ", std::to_string(last.k), ".");
-    std::vector<std::string> steps;
+    std::vector<std::string> steps, beyond;
     for (const double share : {0.1, 0.01, 0.001}) {
         const int k = smallest_k_below(study, share);
-        if (k > 0) steps.push_back(std::to_string(k) + " for " + readable_percent(share, 1));
+        if (k > 0) {
+            steps.push_back(std::to_string(k) + " for " + readable_percent(share, 1));
+        } else {
+            beyond.push_back(readable_percent(share, 1));
+        }
     }
     if (!steps.empty()) report::extend(t, " It takes k = ", listed(steps), " of the diagonal.");
+    if (!beyond.empty())
+        report::extend(t, " An error of ", listed(beyond), " is not reached with the ", std::to_string(study.modes()), " modes computed.");
     return t;
 }
 
@@ -49,8 +55,10 @@ report::Text diminishing_returns(const SpectralStudy& study) {
     return report::text(
         "Between k = ", std::to_string(low), " and ", std::to_string(middle), " the rms error falls like ", math("k"),
         " to the power \u2212", readable(early, 2), ", between ", std::to_string(middle), " and ", std::to_string(high), " like \u2212",
-        readable(late, 2), ": doubling k there still divides the error by ", readable(std::pow(2, late), 2), ". Each mode of wavelength ",
-        math("2π/√μ"), " carries the detail of that size; the shortest wavelength in use is ",
+        readable(late, 2), ": doubling k there divides the error by ", readable(std::pow(2, late), 2), ", from k = ", std::to_string(high),
+        " to ", std::to_string(end), " it falls ",
+        study.rms[end] < 1e-9 * study.diagonal ? "to rounding" : "by a factor of " + readable(study.rms[high] / study.rms[end], 2),
+        ". Each mode of wavelength ", math("2π/√μ"), " carries the detail of that size; the shortest wavelength in use is ",
         readable(2 * M_PI / std::sqrt(study.spectrum.eigenvalues[end - 1])), ", ",
         readable(2 * M_PI / std::sqrt(study.spectrum.eigenvalues[end - 1]) / study.source->prepared->preflight.mean_edge, 2),
         " mean edges.");
@@ -65,13 +73,14 @@ report::Text where_the_error_sits(const SpectralStudy& study) {
     report::Text t = report::text("At k = ", std::to_string(it->k), " the 5\u202f% of vertices that are farthest off lie at ",
                                   readable(remoteness, 2), " times the mean distance from the centroid");
     if (remoteness > 1.15) {
-        report::extend(t,
-                       ": the error sits in the extremities. Thin limbs are narrow in the eigenfunctions' metric too; the low modes are "
-                       "nearly constant along them, and the bands that tell them apart are the ones left out");
+        report::extend(
+            t,
+            ": the largest errors are in the extremities. Thin limbs are narrow in the eigenfunctions' metric too; the low modes are "
+            "nearly constant along them, and the bands that tell them apart are the ones left out");
     } else if (remoteness < 0.85) {
-        report::extend(t, ": the error sits in the inner parts of the shape, not at its extremities");
+        report::extend(t, ": the largest errors are in the inner parts of the shape, not at its extremities");
     } else {
-        report::extend(t, ": it is spread over the surface and not tied to the extremities");
+        report::extend(t, ": the largest errors are not tied to the extremities");
     }
     report::extend(t, " (largest error ", readable(d.max / d.rms, 2), " times the rms).");
     if (std::isfinite(d.volume_ratio) && study.source->prepared->preflight.closed()) {

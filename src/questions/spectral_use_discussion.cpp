@@ -81,6 +81,12 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     } else {
         report::extend(t, " At k = ", std::to_string(row.k), " such modes are in use.");
     }
+    const LimbErrors& last = limbs.errors.back();
+    if (limbs.modes_needed > 0 && last.k > std::max(row.k, limbs.modes_needed)) {
+        const double later = last.thin / last.thick;
+        report::extend(t, " At k = ", std::to_string(last.k), ", with the first of these modes in use, the ratio is ", readable(later, 2),
+                       later > 1.1 ? ": one way round a limb is not yet its shape." : ".");
+    }
     report::extend(t, " The tenth of the area that is farthest from the centroid holds ", readable(100 * row.far_share, 2),
                    "\u202f% of the squared error.");
     return t;
