@@ -119,10 +119,9 @@ Measurement better_where_flat(ClaimBench& bench) {
 Measurement details_go_first(ClaimBench& bench) {
     Measurement m;
     const DenoisingStudy& study = bench.denoising("cow", {0.001, 0.003, 0.03}, 20);
-    for (const DenoisingTrial& trial : study.trials) {
-        m.cases.push_back({"noise of " + readable_percent(trial.relative) + " of the diagonal",
-                           trial.rms[static_cast<std::size_t>(trial.best_rms)] / study.mean_edge});
-    }
+    const DenoisingTrial& much = study.trials.back();   // the claim is about nothing less
+    m.cases.push_back({"noise of " + readable_percent(much.relative) + " of the diagonal",
+                       much.rms[static_cast<std::size_t>(much.best_rms)] / study.mean_edge});
     m.meshes = bench.called({"cow"});
     m.remark = report::text("A mean edge is the size of the smallest detail that the mesh can show. The best of at most 20 iterations is ",
                             std::to_string(study.trials.back().best_rms), " with most noise, ",

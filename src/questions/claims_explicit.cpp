@@ -184,7 +184,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "Steps of 8 × 10⁻⁷ to 10⁻⁴ break the bunny up more and more, until it cannot be recognised.",
-         {"the distance of the farthest vertex from the centre after 100 iterations", "× the box diagonal", at_least, 1},
+         {"the distance of the farthest vertex from the centre within 100 iterations", "× the box diagonal", at_least, 1},
          Effort::quick,
          bunny_too_large},
         {"claims_s0_small_steps",

@@ -47,15 +47,15 @@ void add_method(report::Section& section) {
                     {"answer_claims", "src/questions/claims_section.cpp", "this section"}};
 }
 
-/// By source: "S0: 5 hold, 2 …".
+/// By source: "S0: holds 5, refuted 2 and …".
 report::Text by_source(const std::vector<JudgedClaim>& judged) {
     std::map<std::string, std::map<Verdict, int>> counts;
     for (const JudgedClaim& j : judged)
-        ++counts[j.claim->citation.empty() ? std::string(j.claim->source) : "the papers"][j.decision.verdict];
+        ++counts[j.claim->citation.empty() ? std::string(j.claim->source) : "The papers"][j.decision.verdict];
     report::Text t;
     for (const auto& [source, verdicts] : counts) {
         std::vector<std::string> parts;
-        for (const auto& [verdict, n] : verdicts) parts.push_back(std::to_string(n) + " " + std::string(word_of(verdict)));
+        for (const auto& [verdict, n] : verdicts) parts.push_back(std::string(word_of(verdict)) + " " + std::to_string(n));
         report::extend(t, t.empty() ? "" : " ", report::strong(source + ":"), " ", listed(parts), ".");
     }
     return t;
@@ -226,7 +226,7 @@ Answer answer_claims(const MeshLibrary& library, const QuestionSettings& setting
     add_discussion(section, ledger);
     section.checks = ledger_checks(ledger);
 
-    section.parameters["rules"] = "fixed before measuring, one quantity and one threshold a claim";
+    section.parameters["rules"] = "one quantity and one threshold a claim";
     section.parameters["noise"] = "Gaussian, seed " + std::to_string(settings.seed);
     section.extent = report::plain(ledger_summary(ledger));
     report::Text finding = ledger_summary(ledger);

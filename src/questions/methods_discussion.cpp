@@ -69,7 +69,7 @@ report::Text winners_counted(const DenoisingLaboratory& laboratory) {
     if (trials[0] > 0) say(0, " without them. ");
     if (compared > 0) {
         report::extend(t, "The method that is best in shape is not the one that is best in normals on ", std::to_string(differ), " of ",
-                       std::to_string(compared), " (", ref("methods_winners"), "): ",
+                       counted(compared, "noisy mesh", "noisy meshes"), " on which both can be told (", ref("methods_winners"), "): ",
                        3 * differ > compared ? "which one is best depends on what is asked for."
                        : differ > 0          ? "mostly they agree."
                                              : "here they agree.");

@@ -37,10 +37,12 @@ report::Text damping_words(const std::vector<ModeStudy>& studies) {
 report::Text gap_words(const ModeStudy& study) {
     const SchemeGap* largest = nullptr;
     double worst = 0, worst_leading = 0;
+    int compared = 0;
     for (const SchemeGap& gap : study.gaps) {
         if (gap.lambda > study.subject.critical || !(gap.motion > 0)) continue;
         if (!largest || gap.measured / gap.motion > largest->measured / largest->motion) largest = &gap;
         if (!seen(study, gap)) continue;
+        ++compared;
         worst = std::max(worst, std::abs(gap.predicted / gap.measured - 1));
         worst_leading = std::max(worst_leading, std::abs(gap.leading / gap.measured - 1));
     }
@@ -50,9 +52,11 @@ report::Text gap_words(const ModeStudy& study) {
                                   " they differ most, measured by their motion, at ", readable(largest->lambda / study.subject.critical, 2),
                                   "\u202fλ_crit after ", counted(largest->steps, "step"), ": by ", readable_percent(largest->measured, 2),
                                   " of the box, ", readable_percent(share, 2), " of the motion. ");
-    report::extend(t, share < 0.05  ? "To the eye that is the same. "
-                      : share < 0.3 ? "That is seen when they lie beside each other. "
-                                    : "That is not the same. ");
+    constexpr double pixel = 1e-3, plain = 1e-2;   // of the box: in a picture of a thousand pixels
+    report::extend(t, largest->measured < pixel   ? "In a picture that is less than a pixel. "
+                      : largest->measured < plain ? "That is seen when they lie beside each other. "
+                                                  : "That is not the same. ");
+    if (compared == 0) return t;
     report::extend(t, "All gaps within the limit that stand out of rounding were predicted to ", readable(worst, 1), " before the runs (",
                    ref("modes_gap"), "); the first order in ", math("λ"), " alone is off by up to ", readable_percent(worst_leading, 2),
                    ".");

@@ -141,9 +141,8 @@ report::Table gap_table(const std::vector<ModeStudy>& studies) {
     table.id = "modes_gap";
     table.caption =
         "Explicit against implicit at equal step and iterations: area-weighted rms distance of the results. Predicted: from the spectral "
-        "measure of the input, before either run. First order: tλ²‖L²e^{tλL}X‖, what is left of it for small steps. Empty: the explicit "
-        "run "
-        "blew up.";
+        "measure of the input, before either run. First order: tλ²‖L² exp(tλL) X‖, what is left of it for small steps. Empty: the "
+        "explicit run blew up.";
     table.columns = {{"mesh", "", 3},
                      {"λ", "length²", 3},
                      {"λ/λ_crit", "", 3},

@@ -84,13 +84,10 @@ report::Text reach_of(const Studies& studies, FlowOperator kind, std::string_vie
     });
     if (off.empty()) return {};
     if (!std::isfinite(bad)) return report::text("is never more than ", readable_percent(off.high, 2), " off");
+    if (off.low == off.high) return report::text("is ", readable_percent(off.high, 2), " off");
     report::Text t = good > 0 ? report::text("is within 5 % up to σ = ", readable(good, 2), " mean edges")
                               : report::text("is more than 5 % off even at the smallest noise (", readable(bad, 2), " mean edges)");
-    if (off.high > 3) {
-        report::extend(t, " and of no use beyond");
-    } else {
-        report::extend(t, " and up to ", readable_percent(off.high, 2), " off beyond");
-    }
+    report::extend(t, ", and ", off.high > 3 ? "more than 300 %" : "up to " + readable_percent(off.high, 2), " off at some level");
     return t;
 }
 
@@ -131,6 +128,7 @@ report::Text why_words(const Studies& studies) {
         if (off > farthest) farthest = off, worst = &level, worst_study = &study;
     });
     const ErrorAccount account = error_account(*worst);
+    if (account.iteration == 0 || farthest < 0.05) return {};   // nothing has been smoothed yet, or nothing breaks
     const auto signed_percent = [](double share) { return (share < 0 ? "−" : "+") + readable_percent(std::abs(share), 2); };
     report::Text t = report::text(
         "Why it breaks (", ref("prediction_why"), "): farthest off is ", worst_study->name(), " at σ = ", readable_percent(worst->sigma, 2),
@@ -166,7 +164,7 @@ report::Text divergence_words(const Studies& studies) {
         if (const PredictedCurve* stein = tried.prediction(by_stein)) off.take(deviation(*stein, tried.measured));
     });
     report::extend(text, " Knowing σ, the estimates from the noisy meshes, which never see the clean one, are in the mean ", off.percent(),
-                   " from what was measured.");
+                   " from what was measured, each with its own operator.");
     return text;
 }
 
@@ -202,14 +200,15 @@ report::Text estimate_words(const Studies& studies) {
     if (cases == 0)
         return report::text(
             "On so few vertices no patch has more points than a quadratic has coefficients: σ cannot be estimated, and no rule be used.");
-    report::Text t =
-        report::text("The estimate of the noise from the mesh alone (", ref("prediction_rule"), ") is within 5 % in ",
-                     std::to_string(within), " of ", counted(cases, "case"), ", and between ", readable(low->mean_sigma_ratio(), 3),
-                     " and ", readable(high->mean_sigma_ratio(), 3), " times the true σ. ");
+    report::Text t = report::text("The estimate of the noise from the mesh alone (", ref("prediction_rule"), ") is within 5 % in ",
+                                  std::to_string(within), " of ", counted(cases, "case"), ", ",
+                                  low == high ? "" : "between " + readable(low->mean_sigma_ratio(), 3) + " and ",
+                                  readable(high->mean_sigma_ratio(), 3), " times the true σ. ");
     if (high->mean_sigma_ratio() > 1.05) {
         report::extend(t, "It is largest on ", high_study->name(), " at σ = ", readable_percent(high->sigma, 2), " (",
                        readable(high->sigma_edges, 2), " mean edges), where noise alone explains ", readable_percent(high->kept, 2),
-                       " of the patches: what a quadratic over two rings cannot follow, creases and detail, is taken for noise.");
+                       " of the patches",
+                       high->kept < 0.9 ? ": what a quadratic over two rings cannot follow, creases and detail, is taken for noise." : ".");
     } else {
         report::extend(t, "Nowhere is shape taken for noise to any extent that matters.");
     }
@@ -234,7 +233,8 @@ report::Text rule_words(const Studies& studies) {
     if (stein.empty()) return {};
     report::Text t =
         report::text("Minimising Stein's estimate with the estimated σ, which needs nothing but the noisy mesh, costs ", stein.percent(),
-                     " in the mean over the seeds beyond the best iteration of each; with σ known ", known.percent(), ". ");
+                     " in the mean over the seeds beyond the best iteration of each with the noisy mesh's own operator; with σ known ",
+                     known.percent(), ". ");
     if (stein.high > 0.1) {
         report::extend(t, "The worst case is ", worst_study->name(), " at σ = ", readable_percent(worst->sigma, 2),
                        worst->mean_sigma_ratio() > 1.5 ? ", where σ is overestimated and the shape smoothed away. " : ". ");

@@ -42,8 +42,13 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     figure.title = e.from + ": " + e.name;
     figure.subtitle = mesh.used->input.file;
     figure.panels.push_back(panel_of(*mesh.used, id + "_before", "before", colours_of(mesh, colour, mesh.mesh().X)));
+    std::vector<std::string> gone;   // out of the picture with their first step
     for (const ExperimentRun& run : done.runs) {
         if (run.mesh != m) continue;
+        if (run.run.in_view_iteration == 0 && run.run.result.blew_up) {
+            gone.push_back("λ = " + given_text(e, run.given) + " (" + variant_text(e, run.kind, run.area, run.method) + ")");
+            continue;
+        }
         bool ended = false;   // a run that has left the picture is shown once
         for (std::size_t i = 0; i < e.iterations.size() && !ended; ++i) {
             const Shown shown = shown_at(run, i, e.iterations[i]);
@@ -59,6 +64,7 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     figure.range = range_of(r, colour, {figure.panels.front()});
     figure.caption = mesh.used->input.file + " before and after each run, camera and scale those of the input.";
     if (figure.range) figure.caption += " Colours: " + figure.range->quantity + ", in the range of the input.";
+    if (!gone.empty()) figure.caption += " Beyond the picture after the first step already, so not drawn: " + listed(gone) + ".";
     add_figure(r.answer, std::move(figure));
 }
 
