@@ -72,14 +72,17 @@ Measurement collapses_to_a_line(ClaimBench& bench) {
         }
     }
     m.meshes = bench.called({"bunny", "cow"});
-    m.remark = report::text("Beyond the limit the fastest mode outgrows all others, and one mode times one direction is a line.");
+    m.remark = report::text(
+        "In the end the fastest mode outgrows all others, and one mode times one direction is a line; 100 iterations are not the end where "
+        "a second one grows nearly as fast.");
     return m;
 }
 
 Measurement unstable_at_15(ClaimBench& bench) {
     Measurement m;
-    m.cases = {{"uniform operator", 1.5 / bench.uniform_limit("bunny")},
-               {"cotangent operator, λ in the mesh's own unit", 1.5 / bench.subject("bunny").critical}};
+    m.cases = {{"uniform operator", 1.5 / bench.uniform_limit("bunny")}};
+    if (bench.has_limit_of_original("bunny"))   // an area means nothing on another mesh
+        m.cases.push_back({"cotangent operator, λ in the mesh's own unit", 1.5 / bench.subject("bunny").critical});
     m.meshes = bench.called({"bunny"});
     m.remark = report::text("The uniform limit is ", readable(bench.uniform_limit("bunny"), 4), ".");
     return m;
@@ -127,7 +130,7 @@ const std::vector<Claim>& limit_claims() {
          "S1",
          "",
          "q5",
-         "Beyond the limit the mesh in the end collapses to a line.",
+         "Beyond the limit 100 iterations collapse the mesh to a line.",
          {"the second extent of the positions over the first, after 100 iterations", "%", at_most, 1},
          Effort::quick,
          collapses_to_a_line},
