@@ -15,7 +15,8 @@ struct SpectrumTimes {
 };
 
 struct SpectrumOptions {
-    double tolerance = 1e-9;    // relative residual asked of each pair
+    /// Relative residual asked of each pair. Where needles raise the largest row, rounding leaves some ε max(A_ii/M_ii) / μ at the least.
+    double tolerance = 1e-9;
     bool polish = false;        // residuals down to 1e-11 where rounding lets them: more steps, refined solves
     int dense_below = 700;      // vertices in use at or below which all pairs are found at once by a dense solver
     int one_slice_up_to = 60;   // pairs besides the zero modes; more are found slice by slice
@@ -28,8 +29,8 @@ struct SpectrumOptions {
 struct Spectrum {
     Vector eigenvalues;         // k values μ ≥ 0, ascending; the zero modes are exactly 0 [1/length²]
     DenseMatrix eigenvectors;   // n × k, ΦᵀMΦ = I; the largest entry of a column is positive; 0 at unreferenced vertices [1/length]
-    Vector residuals;           // ‖−Cφ − μMφ‖ / (μ‖Mφ‖); for the zero modes ‖Cφ‖ of the mesh scaled to area 1
-    bool dense = false;         // which solver ran
+    Vector residuals;           // ‖−Cφ − μMφ‖ / (μ‖Mφ‖); for the zero modes ‖Cφ‖ of the component scaled to area 1
+    bool dense = false;         // which solver ran for the whole; small components always go the dense way
     /// Negative pivots of −C − σM for one σ above μ_k (or between μ_k and the next known eigenvalue), and how many eigenvalues found
     /// lie below that σ: equal when none was missed. −1, −1 when not computed.
     int inertia_count = -1, found_below = -1;
@@ -41,7 +42,7 @@ struct Spectrum {
 
 /// k is cut to the number of vertices with mass. Dense for small meshes. Otherwise shift-invert block Lanczos: one slice with σ slightly
 /// below 0 for few pairs, several side by side for many, their limits found and every one of them proved complete by inertia counts.
-/// Memory is estimated first.
+/// Components are solved each alone, and every vector lives on one of them. Memory is estimated first.
 /// @throws MeshError if k < 1; SolverError if the memory would not suffice or pairs that inertia counts are not found
 Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const SpectrumOptions& options = {});
 

@@ -52,7 +52,9 @@ void OrthogonalityWatch::advance(bool clean) {
 void OrthogonalityWatch::compare(double measured) {
     constexpr double rounding_of_the_measurement = 1e-13;
     const double expected = last_.size() > 1 ? largest(last_, last_.size() - 1) : 0;
-    if (measured > std::max(expected, rounding_of_the_measurement)) rounding_ *= std::min(1e3, measured / expected);
+    if (!(measured > std::max(expected, rounding_of_the_measurement))) return;
+    constexpr double most_at_once = 1e3;
+    rounding_ *= measured < most_at_once * expected ? measured / expected : most_at_once;   // nothing may have been expected
 }
 
 }   // namespace meshfolio

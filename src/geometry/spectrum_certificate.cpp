@@ -47,6 +47,7 @@ struct UnitProblem {
     Vector M, mu;
     DenseMatrix Phi;      // ΦᵀMΦ = I
     double mu_unit = 0;   // μ₀ = median A_ii / ΣM [1/length²]
+    Vector row_unit;      // of the component of each row, in units of μ₀: all 1 if there is one
 };
 
 double median(Vector values) {
@@ -55,19 +56,48 @@ double median(Vector values) {
     return *middle;
 }
 
+/// median A_ii / ΣM of the component of each row.
+Vector units_of_components(const SparseMatrix& A, const Vector& M) {
+    const Components components = components_of(A);
+    if (components.count == 1) return Vector::Ones(M.size());
+    std::vector<std::vector<double>> diagonal(static_cast<std::size_t>(components.count));
+    Vector mass = Vector::Zero(components.count);
+    const Vector A_ii = A.diagonal();
+    for (Eigen::Index i = 0; i < M.size(); ++i) {
+        const int c = components.label[static_cast<std::size_t>(i)];
+        diagonal[static_cast<std::size_t>(c)].push_back(A_ii[i]);
+        mass[c] += M[i];
+    }
+    Vector unit(components.count), units(M.size());
+    for (int c = 0; c < components.count; ++c) {
+        const std::vector<double>& entries = diagonal[static_cast<std::size_t>(c)];
+        unit[c] = std::max(0.0, median(Eigen::Map<const Vector>(entries.data(), static_cast<Eigen::Index>(entries.size()))) / mass[c]);
+    }
+    for (Eigen::Index i = 0; i < M.size(); ++i) units[i] = unit[components.label[static_cast<std::size_t>(i)]];
+    return units;
+}
+
 UnitProblem unit_problem(const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
     OperatorWithMass whole = operator_with_mass(laplacian);
     const double total = whole.M.sum(), row = median(whole.A.diagonal()), unit = row > 0 ? row : 1;
-    return {whole.A / unit, whole.M / total, spectrum.eigenvalues * (total / unit),
-            std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all), unit / total};
+    UnitProblem problem{whole.A / unit,
+                        whole.M / total,
+                        spectrum.eigenvalues * (total / unit),
+                        std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all),
+                        unit / total,
+                        {}};
+    problem.row_unit = units_of_components(problem.A, problem.M);
+    return problem;
 }
 
 void measure_residuals(const UnitProblem& problem, SpectrumCertificate& certificate) {
     const double largest_row = problem.A.diagonal().cwiseQuotient(problem.M).maxCoeff();
     double worst = -1;
     for (Eigen::Index j = 0; j < problem.mu.size(); ++j) {
-        const double size = std::max(problem.mu[j], 1.0);
         const Vector MPhi = problem.M.cwiseProduct(problem.Phi.col(j));
+        const Vector weight = MPhi.cwiseProduct(problem.Phi.col(j));
+        const double own_unit = weight.dot(problem.row_unit) / weight.sum();   // NaN where Φ is not finite
+        const double size = std::max({problem.mu[j], 1.0, std::isfinite(own_unit) ? own_unit : 1.0});
         const double ratio = (problem.A * problem.Phi.col(j) - problem.mu[j] * MPhi).norm() / (size * MPhi.norm());
         const double residual = std::isfinite(ratio) ? ratio : infinity;
         const double limit = std::clamp(100 * std::numeric_limits<double>::epsilon() * largest_row / size, 1e-8, 1e-3);

@@ -11,7 +11,8 @@ namespace meshfolio {
 struct SpectrumCertificate {
     /// ‖−Cφ − μMφ‖/(max(μ, μ₀)‖Mφ‖) of the pair that is nearest to its limit, or farthest beyond it; infinite where a number is not
     /// finite. The limit is 1e-8, or what rounding of the operator's largest rows leaves, 100 ε max(A_ii/M_ii)/μ; never above 1e-3.
-    /// μ₀ = median A_ii / ΣM is the operator's own unit: some 4 over the area for cotangents, whatever the unit of length.
+    /// μ₀ = median A_ii / ΣM is the operator's own unit: some 4 over the area for cotangents, whatever the unit of length. Where a pair
+    /// lives on smaller components, their own units, weighted by its share on each.
     double residual = 0, residual_limit = 1e-8;
     double orthonormality_error = 0;   // largest entry of |ΦᵀMΦ − I|
     double parseval_gap = 0;   // |‖x‖²_M − Σ|ĉ|² − ‖x − Φĉ‖²_M| / ‖x‖²_M for the positions x about their centroid

@@ -5,13 +5,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <numeric>
 #include <set>
 
 #include "errors.h"
+#include "geometry/first_failure.h"
 #include "geometry/slice_limits.h"
 #include "geometry/slice_overlaps.h"
 
@@ -66,7 +66,8 @@ public:
     void solve(std::vector<SliceGoal> goals) {
         constexpr int most_rounds = 12;
         for (int round = 0; !goals.empty(); ++round) {
-            if (round == most_rounds) throw SolverError("the eigenvalues lie too close to each other to be sliced");
+            if (round == most_rounds)
+                throw SolverError("the eigenvalues lie too close to each other to be sliced", "ask for fewer eigenpairs");
             std::vector<Slice> solved = solve_round(goals, {});
             goals.clear();
             for (Slice& slice : solved) {
@@ -132,19 +133,15 @@ private:
     std::vector<Slice> solve_round(const std::vector<SliceGoal>& goals, const std::vector<std::vector<const EightColumns*>>& locked) {
         std::vector<Slice> solved(goals.size());
         progress_.begin_round(goals.size());
-        std::atomic<bool> stopped = false;
+        FirstFailure failure;
         const auto one = [&](std::size_t i) {
             const StepReport tell = progress_.of_slice(i);
             const auto report = [&](double share) {
-                if (stopped) throw SolverError("stopped");
-                try {
-                    tell(share);
-                } catch (...) {
-                    stopped = true;
-                    throw;
-                }
+                failure.check();
+                tell(share);
             };
-            solved[i] = solve_slice(problem_, goals[i], locked.empty() ? std::vector<const EightColumns*>() : locked[i], report);
+            const std::vector<const EightColumns*> fixed = locked.empty() ? std::vector<const EightColumns*>() : locked[i];
+            failure.guard([&] { solved[i] = solve_slice(problem_, goals[i], fixed, report); });
         };
         if (goals.size() == 1) {
             one(0);
@@ -152,6 +149,7 @@ private:
             tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
             arena.execute([&] { tbb::parallel_for(std::size_t{0}, goals.size(), one, tbb::simple_partitioner()); });
         }
+        failure.rethrow();
         return solved;
     }
 
