@@ -272,7 +272,7 @@ const std::vector<Claim>& curvature_claims() {
          "S2",
          "",
          "q3",
-         "What irregular connectivity does to the uniform operator is gone with the cotangent one.",
+         "Where the surface is flat, what irregular connectivity does to the uniform operator is gone with the cotangent one.",
          {inside, "", at_most, 1e-9},
          Effort::quick,
          cotangent_on_flat},

@@ -29,7 +29,7 @@ void add_method(report::Section& section) {
         report::math("A_i + A_j"),
         ", Taubin's and Rippa's claims, small steps) were put more exactly after a first measurement had shown them to test "
         "something else than is claimed; the others stand as they were first written. The verdict follows from the rule and the "
-        "numbers alone, on any mesh:");
+        "numbers alone, on any mesh. A few claims are theorems, which only a fault of this program could refute:");
     section.blocks.push_back(report::BulletList{
         {report::text(report::strong(shown(Verdict::holds)), " – every case is on the right side of the threshold;"),
          report::text(report::strong(shown(Verdict::conditional)), " – some cases are: the claim needs the condition that is named;"),

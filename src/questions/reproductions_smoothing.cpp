@@ -42,7 +42,7 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     figure.title = e.from + ": " + e.name;
     figure.subtitle = mesh.used->input.file;
     figure.panels.push_back(panel_of(*mesh.used, id + "_before", "before", colours_of(mesh, colour, mesh.mesh().X)));
-    std::vector<std::string> gone;   // out of the picture with their first step
+    std::vector<std::string> gone, shrunk;   // out of the picture with their first step; too small to be seen in it
     for (const ExperimentRun& run : done.runs) {
         if (run.mesh != m) continue;
         if (run.run.in_view_iteration == 0 && run.run.result.blew_up) {
@@ -55,16 +55,20 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
             std::string label = variant_text(e, run.kind, run.area, run.method) + ", λ = " + given_text(e, run.given);
             if (e.lambda_unit != StepUnit::tau) label += " = " + chosen_text(run.share()) + " λ_crit";
             label += ", t = " + std::to_string(shown.iteration) + (shown.reached ? "" : ", the last in view");
-            if (has_shrunk_away(mesh, *shown.X)) label += ", too small to see";
+            ended = !shown.reached;
+            if (has_shrunk_away(mesh, *shown.X)) {
+                shrunk.push_back(label);
+                continue;
+            }
             figure.panels.push_back(panel_of(moved_to(mesh.mesh(), *shown.X), id + "_" + std::to_string(figure.panels.size()), label,
                                              colours_of(mesh, colour, *shown.X)));
-            ended = !shown.reached;
         }
     }
     figure.range = range_of(r, colour, {figure.panels.front()});
     figure.caption = mesh.used->input.file + " before and after each run, camera and scale those of the input.";
     if (figure.range) figure.caption += " Colours: " + figure.range->quantity + ", in the range of the input.";
     if (!gone.empty()) figure.caption += " Beyond the picture after the first step already, so not drawn: " + listed(gone) + ".";
+    if (!shrunk.empty()) figure.caption += " Shrunk to less than can be seen, so not drawn: " + listed(shrunk) + ".";
     add_figure(r.answer, std::move(figure));
 }
 
