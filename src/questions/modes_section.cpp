@@ -2,6 +2,7 @@
 #include "questions/modes_section.h"
 
 #include "number_text.h"
+#include "questions/laboratory_meshes.h"
 #include "questions/question.h"
 #include "questions/section_tools.h"
 #include "questions/study_list.h"
@@ -50,9 +51,7 @@ Answer answer_modes(const MeshLibrary& library, const QuestionSettings& settings
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("modes");
-    const auto meshes = settings.laboratory ? meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section)
-                        : settings.quick    ? meshes_for(library, settings, {"cube"}, section)
-                                            : meshes_for(library, settings, {"cube", "plane_ns"}, section);
+    const auto meshes = laboratory_meshes(library, settings, section);
     add_method(section);
 
     add_heading(section, "Results");

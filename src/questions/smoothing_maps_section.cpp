@@ -2,6 +2,7 @@
 #include "questions/smoothing_maps_section.h"
 
 #include "number_text.h"
+#include "questions/laboratory_meshes.h"
 #include "questions/question.h"
 #include "questions/section_tools.h"
 #include "questions/smoothing_figure.h"
@@ -58,9 +59,7 @@ Answer answer_maps(const MeshLibrary& library, const QuestionSettings& settings,
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("maps");
-    const auto meshes = settings.laboratory ? meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section)
-                        : settings.quick    ? meshes_for(library, settings, {"cube"}, section)
-                                            : meshes_for(library, settings, {"cube", "plane_ns"}, section);
+    const auto meshes = laboratory_meshes(library, settings, section);
     add_method(section);
 
     add_heading(section, "Results");

@@ -78,8 +78,8 @@ TEST(OrthogonalityWatch, FollowsALossThatNothingStops) {
     const std::vector<Step> steps = run(600, 9, INFINITY);
     EXPECT_GT(steps.back().measured, 1e-8) << "the loss must be seen to grow for this test to say anything";
     for (std::size_t j = 2; j < steps.size(); ++j) {
-        EXPECT_LT(steps[j].measured, 100 * steps[j].expected) << "step " << j;
-        EXPECT_GT(steps[j].measured, 1e-4 * steps[j].expected) << "step " << j;
+        EXPECT_LT(steps[j].measured, 6 * steps[j].expected) << "step " << j;
+        EXPECT_GT(steps[j].measured, 0.1 * steps[j].expected) << "step " << j;
     }
 }
 
