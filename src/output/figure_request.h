@@ -41,6 +41,10 @@ struct FigureRequest {
     bool three_quarter = false;
     /// The same in one frame, that of `frame_panel` as above, for one mesh in several states: sizes can be compared.
     bool three_quarter_frame = false;
+    /// The panels are one mesh before and after, and as a third, if there is one, their difference; needs `three_quarter_frame`. Readers of
+    /// the page may slide one over the other.
+    bool comparison = false;
+    bool turnable = false;        // readers of the page can turn the first panel, or the first two of a comparison, in three dimensions
     double isoline_spacing = 0;   // lines where a value is a multiple of this; 0: none
 };
 

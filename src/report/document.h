@@ -173,6 +173,7 @@ struct CodeReference {
     std::string function;   // "uniform_laplacian"
     std::string file;       // "src/geometry/uniform_laplacian.cpp"
     std::string purpose;    // "Δ with uniform weights"
+    int line = 0;           // of the function in src.txt; 0: not cited (yet)
 };
 
 struct Timing {
@@ -217,12 +218,31 @@ struct Document {
 
 // ---- what the writers need of the pictures ------------------------------------------------------------------------------
 
+/// One picture of a comparison: before, after, or the difference.
+struct DrawnPanel {
+    std::string label;           // "noisy", "after 10 steps", "moved by"
+    std::string file;            // "images/q7_fandisk_noisy_hero.png", full size
+    std::string preview_jpeg;    // bytes, shown inside the page
+    int width = 0, height = 0;   // of the preview, the same for all panels of a comparison
+};
+
+/// A mesh that readers of the page can turn.
+struct DrawnModel {
+    std::string label;      // of the panel; empty where a figure has one
+    std::string file;       // "models/q3_creature.glb"
+    std::string glb;        // its bytes, binary glTF 2.0
+    std::string quantity;   // of the values at the vertices, with the unit: "H [1/length]"; empty: none
+};
+
 /// A figure once drawn. Paths are relative to the report's folder.
 struct DrawnFigure {
     std::string sheet;                                        // "images/q1_plane_h_sheet.png"
     std::string preview_jpeg;                                 // bytes, shown inside the page
     int width = 0, height = 0;                                // of the preview
     std::vector<std::pair<std::string, std::string>> views;   // label ("+x", or "λ = 0.1, +x") → path of the full-size PNG
+    std::string print_jpeg = {};                              // bytes, for paper; empty: no PDF is asked for
+    std::vector<DrawnPanel> comparison = {};                  // before, after and their difference; empty: no comparison
+    std::vector<DrawnModel> models = {};                      // one, or before and after with linked cameras; empty: cannot be turned
 };
 using DrawnFigures = std::map<std::string, DrawnFigure>;   // by figure id
 
