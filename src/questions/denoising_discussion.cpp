@@ -1,4 +1,4 @@
-// What the numbers of question 7 say.
+// What the numbers of question 7 say: one theme a paragraph, all meshes side by side in it.
 #include <algorithm>
 #include <cmath>
 
@@ -14,75 +14,138 @@ namespace {
 using report::math;
 using report::ref;
 
-report::Text what_happened(const DenoisingStudy& study) {
+using Studies = std::vector<DenoisingStudy>;
+
+/// "σ = 0.10 % (0.015 mean edges)".
+std::string noise_of(const DenoisingStudy& study, const DenoisingTrial& trial) {
+    return "σ = " + readable_percent(trial.relative, 2) + " (" + readable(trial.sigma / study.mean_edge, 2) + " mean edges)";
+}
+
+std::string gain_of(const DenoisingTrial& trial) {
+    if (trial.best_rms == 0) return "no iteration is better than none";
+    return "the error falls by a factor of " + readable(trial.gain()) + " at iteration " + std::to_string(trial.best_rms);
+}
+
+/// From the lowest to the highest level of noise on one mesh.
+report::Text course_of(const DenoisingStudy& study) {
     const DenoisingTrial &low = study.trials.front(), &high = study.trials.back();
-    const auto told = [&](const DenoisingTrial& trial) {
-        std::string s = "at σ = " + readable_percent(trial.relative, 2) + " of the diagonal (" +
-                        readable(trial.sigma / study.mean_edge, 2) + " mean edges) ";
-        if (trial.best_rms == 0) return s + "no iteration is better than none";
-        return s + "the error falls by a factor of " + readable(trial.gain()) + " at iteration " + std::to_string(trial.best_rms);
-    };
-    report::Text t = report::text("On ", study.name(), " ", told(low));
-    if (&low != &high) report::extend(t, ", ", told(high));
-    report::extend(t, " (", ref(id_of("q7", study.name(), "error_versus_iteration")), ").");
-    if (&low != &high && low.best_rms != high.best_rms) {
-        report::extend(t, " More noise asks for ", high.best_rms > low.best_rms ? "more" : "fewer",
-                       " iterations, as far as these levels go.");
+    report::Text t = report::text("On ", study.name(), " at ", noise_of(study, low), " ", gain_of(low));
+    if (&low != &high) report::extend(t, "; at ", noise_of(study, high), " ", gain_of(high));
+    if (high.best_rms == high.iterations()) {
+        report::extend(t, ", and the minimum was not reached within ", counted(high.iterations(), "iteration"));
     }
-    const bool at_end = std::any_of(study.trials.begin(), study.trials.end(),
-                                    [&](const DenoisingTrial& trial) { return trial.best_rms == trial.iterations(); });
-    if (at_end)
-        report::extend(t, " At the highest level the minimum was not reached within ",
-                       counted(study.trials.back().iterations(), "iteration"), ".");
-    for (const DenoisingTrial& trial : study.trials) {
-        if (trial.best_rms == 0 || 2 * trial.best_rms > trial.iterations()) continue;
-        report::extend(t, " Going on to iteration ", std::to_string(trial.iterations()), " at σ = ", readable_percent(trial.relative, 2),
-                       " leaves ", readable(trial.rms.back() / trial.rms[static_cast<std::size_t>(trial.best_rms)], 2),
-                       " times the smallest error.");
-        break;
-    }
+    report::extend(t, " (", ref(id_of("q7", study.name(), "error_versus_iteration")), "). ");
     return t;
 }
 
-report::Text features_pay(const DenoisingStudy& study) {
-    if (study.feature_vertices == 0) {
-        return report::text(study.name(), " has no edge sharper than 40°, so there is no feature to lose there.");
+/// Whether more noise asks for more iterations: on every mesh alike, or on which.
+report::Text noise_and_iterations(const Studies& studies) {
+    std::vector<std::string> more, fewer;
+    for (const DenoisingStudy& study : studies) {
+        const int low = study.trials.front().best_rms, high = study.trials.back().best_rms;
+        if (low != high)
+            (high > low ? more : fewer).push_back(study.name() + " (" + std::to_string(low) + " to " + std::to_string(high) + ")");
     }
-    const int vertices = study.clean->mesh().vertex_count();
-    if (2 * study.feature_vertices > vertices) {
-        return report::text(std::to_string(study.feature_vertices), " of the ", std::to_string(vertices), " vertices of ", study.name(),
-                            " lie on edges sharper than 40°: on so coarse a mesh features and tessellation cannot be told apart.");
+    report::Text t;
+    if (!more.empty()) report::extend(t, "More noise asks for more iterations: on ", listed(more), ". ");
+    if (!fewer.empty()) report::extend(t, "More noise asks for fewer iterations on ", listed(fewer), ". ");
+    return t;
+}
+
+/// What it costs not to stop: of all trials that were taken to twice their best iteration, the dearest.
+report::Text going_on(const Studies& studies) {
+    const DenoisingStudy* where = nullptr;
+    const DenoisingTrial* worst = nullptr;
+    const auto loss = [](const DenoisingTrial& trial) { return trial.rms.back() / trial.rms[static_cast<std::size_t>(trial.best_rms)]; };
+    for (const DenoisingStudy& study : studies) {
+        for (const DenoisingTrial& trial : study.trials) {
+            if (trial.best_rms == 0 || 2 * trial.best_rms > trial.iterations() || (worst != nullptr && loss(trial) <= loss(*worst)))
+                continue;
+            where = &study;
+            worst = &trial;
+        }
     }
+    if (worst == nullptr) return {};
+    return report::text("Not stopping is dearest on ", where->name(), " at σ = ", readable_percent(worst->relative, 2), ": iteration ",
+                        std::to_string(worst->iterations()), " leaves ", readable(loss(*worst), 2), " times the error of iteration ",
+                        std::to_string(worst->best_rms), ".");
+}
+
+report::Text what_happened(const Studies& studies) {
+    report::Text t;
+    for (const DenoisingStudy& study : studies) report::extend(t, course_of(study));
+    report::extend(t, noise_and_iterations(studies), going_on(studies));
+    return t;
+}
+
+/// Error on sharp edges over that elsewhere at the best iterations, lowest and highest over the trials; highest 0: no trial has any.
+struct FeatureRatio {
     double lowest = INFINITY, highest = 0;
+};
+
+FeatureRatio feature_ratio(const DenoisingStudy& study) {
+    FeatureRatio ratio;
     for (const DenoisingTrial& trial : study.trials) {
         if (trial.best_rms == 0) continue;
-        lowest = std::min(lowest, trial.feature_rms / trial.smooth_rms);
-        highest = std::max(highest, trial.feature_rms / trial.smooth_rms);
+        ratio.lowest = std::min(ratio.lowest, trial.feature_rms / trial.smooth_rms);
+        ratio.highest = std::max(ratio.highest, trial.feature_rms / trial.smooth_rms);
     }
-    if (highest == 0) return {};
-    report::Text t = report::text("Of its ", std::to_string(vertices), " vertices ", std::to_string(study.feature_vertices),
-                                  " lie on edges sharper than 40°; at the best iterations the error there is ", readable(lowest, 3));
-    if (highest > lowest) report::extend(t, " to ", readable(highest, 3));
-    report::extend(t, " times that elsewhere",
-                   highest > 1.2  ? ": the filter cannot tell an edge from noise, and rounds it."
-                   : lowest > 0.9 ? ": edges fare no worse than the rest."
-                                  : ": edges fare better than the rest here.");
+    return ratio;
+}
+
+report::Text features_pay(const Studies& studies) {
+    std::vector<std::string> larger, alike, smaller, smooth, coarse;
+    for (const DenoisingStudy& study : studies) {
+        const int vertices = study.clean->mesh().vertex_count();
+        const std::string share = std::to_string(study.feature_vertices) + " of " + std::to_string(vertices) + " vertices";
+        const FeatureRatio ratio = feature_ratio(study);
+        if (study.feature_vertices == 0) {
+            smooth.push_back(study.name());
+        } else if (2 * study.feature_vertices > vertices) {
+            coarse.push_back(study.name() + " (" + share + ")");
+        } else if (ratio.highest > 0) {
+            const std::string range = readable(ratio.lowest, 3) + (ratio.highest > ratio.lowest ? " to " + readable(ratio.highest, 3) : "");
+            (ratio.highest > 1.2  ? larger
+             : ratio.lowest > 0.9 ? alike
+                                  : smaller)
+                .push_back(study.name() + " (" + range + " times; " + share + ")");
+        }
+    }
+    std::vector<std::string> kinds;
+    if (!larger.empty()) kinds.push_back("larger than elsewhere on " + listed(larger));
+    if (!alike.empty()) kinds.push_back("about what it is elsewhere on " + listed(alike));
+    if (!smaller.empty()) kinds.push_back("smaller than elsewhere on " + listed(smaller));
+    report::Text t;
+    if (!kinds.empty()) report::extend(t, "At the best iterations the error on edges sharper than 40° is ", listed(kinds), ".");
+    if (!larger.empty()) report::extend(t, " The filter cannot tell such an edge from noise, and rounds it.");
+    if (!smooth.empty())
+        report::extend(t, t.empty() ? "" : " ", "There is no edge sharper than 40°, so no feature to lose, on ", listed(smooth), ".");
+    if (!coarse.empty()) {
+        report::extend(t, t.empty() ? "" : " ",
+                       "Features and tessellation cannot be told apart where most vertices lie on edges sharper than 40°: on ",
+                       listed(coarse), ".");
+    }
     return t;
 }
 
-report::Text position_against_normals(const DenoisingStudy& study) {
-    for (const DenoisingTrial& trial : study.trials) {
-        if (std::abs(trial.best_angle - trial.best_rms) < 3) continue;
-        return report::text("Position and normals disagree about when to stop: at σ = ", readable_percent(trial.relative, 2),
-                            " the rms error of ", study.name(), " is smallest at iteration ", std::to_string(trial.best_rms),
-                            ", the angle between face normals at iteration ", std::to_string(trial.best_angle),
-                            trial.best_angle == trial.iterations() ? " or later" : "", ".");
+report::Text position_against_normals(const Studies& studies) {
+    std::vector<std::string> disagree;
+    for (const DenoisingStudy& study : studies) {
+        for (const DenoisingTrial& trial : study.trials) {
+            if (std::abs(trial.best_angle - trial.best_rms) < 3) continue;
+            disagree.push_back(std::to_string(trial.best_rms) + " against " + std::to_string(trial.best_angle) +
+                               (trial.best_angle == trial.iterations() ? " or later" : "") + " on " + study.name() +
+                               " at σ = " + readable_percent(trial.relative, 2));
+            break;
+        }
     }
-    return {};
+    if (disagree.empty()) return {};
+    return report::text("Position and normals disagree about when to stop. The rms error is smallest at another iteration than the angle ",
+                        "between face normals: ", listed(disagree), ".");
 }
 
 /// Above which noise, measured in mean edges, the gain reaches 1.2: a clean split of the cases or none.
-report::Text limit_in_mean_edges(const std::vector<DenoisingStudy>& studies) {
+report::Text limit_in_mean_edges(const Studies& studies) {
     const auto [smallest_helped, largest_failed] = noise_split(studies);
     if (!std::isfinite(smallest_helped) || largest_failed == 0) return {};
     if (largest_failed < smallest_helped) {
@@ -93,7 +156,7 @@ report::Text limit_in_mean_edges(const std::vector<DenoisingStudy>& studies) {
                         " mean edges on, but missed at up to ", readable(largest_failed, 2), ".");
 }
 
-report::Text verdict(const std::vector<DenoisingStudy>& studies) {
+report::Text verdict(const Studies& studies) {
     std::vector<std::string> works, fails;
     for (const DenoisingStudy& study : studies) {
         for (const DenoisingTrial& trial : study.trials) {
@@ -129,10 +192,7 @@ report::Text verdict(const std::vector<DenoisingStudy>& studies) {
 
 void add_denoising_discussion(report::Section& section, const std::vector<DenoisingStudy>& studies) {
     add_heading(section, "Discussion: when does it work, when does it fail?");
-    add_paragraphs(section, {verdict(studies)});
-    for (const DenoisingStudy& study : studies) {
-        add_paragraphs(section, {what_happened(study), features_pay(study), position_against_normals(study)});
-    }
+    add_paragraphs(section, {verdict(studies), what_happened(studies), features_pay(studies), position_against_normals(studies)});
 }
 
 }   // namespace meshfolio

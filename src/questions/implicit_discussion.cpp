@@ -1,4 +1,5 @@
-// What the numbers of question 6 say.
+// What the numbers of question 6 say: one theme a paragraph, all meshes side by side in it.
+#include <algorithm>
 #include <cmath>
 
 #include "number_text.h"
@@ -13,89 +14,143 @@ namespace {
 using report::math;
 using report::ref;
 
-report::Text agreement(const ImplicitStudy& study) {
+using Studies = std::vector<ImplicitStudy>;
+
+std::string in_limits(const ImplicitStudy& study, double lambda) { return plain_text(lambda / study.subject.critical, 3) + "\u202fλ_crit"; }
+
+/// How far apart the two schemes end within the explicit limit, as a share of the motion; NaN where there is nothing to compare.
+double gap_within_the_limit(const ImplicitStudy& study) {
     const SmoothingCell& cell = study.cell(0, study.middle_iteration());
     const double moved = vertex_rms(study.subject.mesh().X, cell.implicit_X);
-    if (cell.explicit_X.size() == 0 || moved <= 0 || cell.lambda > study.subject.critical) return {};
-    const double share = vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
-    report::Text t =
-        report::text("Within the explicit limit the two methods ",
-                     share < 0.05  ? "agree closely"
-                     : share < 0.3 ? "agree roughly"
-                                   : "differ",
-                     " on ", study.name(), ": at λ = ", step_label(study.subject, cell.lambda), " and ",
-                     counted(cell.iterations, "iteration"), " their results lie ", readable_percent(share, 2), " of the motion apart");
-    report::extend(t, ", because ", math("1 − λμ"), " and ", math("1/(1 + λμ)"), " differ by ", math("(λμ)²"), " only where ", math("λμ"),
-                   " is small.");
-    return t;
+    if (cell.explicit_X.size() == 0 || moved <= 0 || cell.lambda > study.subject.critical) return NAN;
+    return vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
 }
 
-report::Text beyond_the_limit(const ImplicitStudy& study) {
-    const SmoothingCell* blown = nullptr;
-    for (const SmoothingCell& cell : study.grid) {
-        if (cell.explicit_blow_up > 0 && (blown == nullptr || cell.lambda < blown->lambda)) blown = &cell;
+report::Text agreement(const Studies& studies) {
+    std::vector<Observed> gaps;
+    for (const ImplicitStudy& study : studies) {
+        const double gap = gap_within_the_limit(study);
+        if (std::isnan(gap)) continue;
+        const SmoothingCell& cell = study.cell(0, study.middle_iteration());
+        gaps.push_back({std::string(gap < 0.05  ? "closely"
+                                    : gap < 0.3 ? "roughly"
+                                                : "badly") +
+                            " on " + study.name() + " (" + readable_percent(gap, 2) + " of the motion apart)",
+                        "after " + counted(cell.iterations, "iteration") + " at " + in_limits(study, cell.lambda)});
     }
+    if (gaps.empty()) return {};
+    return report::text("Within the explicit limit the two methods agree ", listed_observed(gaps), ". The factors ", math("1 − λμ"),
+                        " and ", math("1/(1 + λμ)"), " differ by ", math("(λμ)²"), " only where ", math("λμ"),
+                        " is small; the modes near the limit tell them apart.");
+}
+
+/// Where the explicit runs end, one entry a mesh that has one.
+std::vector<Observed> explicit_ends(const Studies& studies) {
+    std::vector<Observed> ends;
+    for (const ImplicitStudy& study : studies) {
+        const SmoothingCell* blown = nullptr;
+        for (const SmoothingCell& cell : study.grid) {
+            if (cell.explicit_blow_up > 0 && (blown == nullptr || cell.lambda < blown->lambda)) blown = &cell;
+        }
+        if (blown == nullptr) continue;
+        ends.push_back(
+            {"in iteration " + std::to_string(blown->explicit_blow_up) + " on " + study.name(), "at " + in_limits(study, blown->lambda)});
+    }
+    return ends;
+}
+
+/// What the largest implicit step leaves of a mesh.
+Observed remains_of(const ImplicitStudy& study) {
     const SmoothingCell& far = study.cell(study.lambdas.size() - 1, study.middle_iteration());
+    const std::string when = "after " + counted(far.iterations, "iteration") + " at " + in_limits(study, far.lambda);
+    if (far.collapsed()) return {study.name() + " has collapsed to a point", when};
+    std::string told = study.name() + " keeps " + readable_percent(far.implicit_energy, 2) + " of its Dirichlet energy";
+    if (std::isfinite(far.volume_ratio)) told += " and " + readable_percent(far.volume_ratio, 2) + " of its volume";
+    if (far.inverted_faces > 0) told += ", with " + counted(far.inverted_faces, "face") + " turned over";
+    return {told, when};
+}
+
+bool has_lost_its_shape(const ImplicitStudy& study) {
+    const SmoothingCell& far = study.cell(study.lambdas.size() - 1, study.middle_iteration());
+    return far.collapsed() || far.volume_ratio < 0.5;   // no: an open mesh, whose volume is NaN
+}
+
+report::Text beyond_the_limit(const Studies& studies) {
     report::Text t;
-    if (blown != nullptr) {
-        report::extend(t, "Beyond the limit they part: at ", plain_text(blown->lambda / study.subject.critical, 3),
-                       "\u202fλ_crit the explicit run on ", study.name(), " blows up in iteration ",
-                       std::to_string(blown->explicit_blow_up), ", the implicit one does not. ");
+    const std::vector<Observed> ends = explicit_ends(studies);
+    if (!ends.empty())
+        report::extend(t, "Beyond the limit they part: the explicit run blows up ", listed_observed(ends),
+                       "; the implicit one does so nowhere. ");
+    std::vector<Observed> lost, kept;
+    for (const ImplicitStudy& study : studies) (has_lost_its_shape(study) ? lost : kept).push_back(remains_of(study));
+    if (!lost.empty()) report::extend(t, "Stable is not the same as useful: ", listed_observed(lost), ".");
+    if (!kept.empty()) {
+        report::extend(t, lost.empty() ? "Nothing stops the implicit method from going on: " : " Elsewhere ", listed_observed(kept), ".");
     }
-    if (far.collapsed()) {
-        report::extend(t, "At ", plain_text(far.lambda / study.subject.critical, 3), "\u202fλ_crit and ",
-                       counted(far.iterations, "iteration"), " ", study.name(),
-                       " has collapsed to a point: stable is not the same as useful.");
-        return t;
-    }
-    report::extend(t, "At ", plain_text(far.lambda / study.subject.critical, 3), "\u202fλ_crit and ", counted(far.iterations, "iteration"),
-                   " it leaves ", readable_percent(far.implicit_energy, 2), " of the Dirichlet energy of ", study.name());
-    if (std::isfinite(far.volume_ratio)) {
-        report::extend(t, " and ", readable_percent(far.volume_ratio, 2), " of its volume",
-                       far.volume_ratio < 0.5 ? ": stable is not the same as useful, the shape has shrunk away" : "");
-    }
-    if (far.inverted_faces > 0) report::extend(t, "; ", counted(far.inverted_faces, "face"), " point the other way");
-    report::extend(t, ".");
     return t;
 }
 
-/// Is one step of 10 λ the same as ten of λ? Looks for two cells of equal λt.
-report::Text iterations_against_steps(const ImplicitStudy& study) {
+/// Two cells of equal λt: one step of 10 λ against ten of λ, say.
+struct EqualTime {
+    const SmoothingCell *few = nullptr, *many = nullptr;
+    double share = NAN;   // distance of the results over the motion
+};
+
+EqualTime equal_time(const ImplicitStudy& study) {
     for (const SmoothingCell& a : study.grid) {
         for (const SmoothingCell& b : study.grid) {
             if (a.iterations >= b.iterations || std::abs(a.lambda * a.iterations / (b.lambda * b.iterations) - 1) > 1e-9) continue;
-            const double gap = vertex_rms(a.implicit_X, b.implicit_X), moved = vertex_rms(study.subject.mesh().X, b.implicit_X);
-            const double share = gap / moved;
-            return report::text("More iterations and larger steps are ",
-                                share < 0.1   ? "nearly"
-                                : share < 0.4 ? "roughly, but not quite,"
-                                              : "not",
-                                " interchangeable on ", study.name(), ": ", std::to_string(b.iterations), " steps of ",
-                                plain_text(b.lambda / study.subject.critical, 3), "\u202fλ_crit and ", std::to_string(a.iterations), " of ",
-                                plain_text(a.lambda / study.subject.critical, 3), "\u202fλ_crit end ", readable_percent(share, 2),
-                                " of the motion apart. Many small steps damp the high modes exponentially, one large "
-                                "step only like ",
-                                math("1/(1 + λμ)"), ".");
+            return {&a, &b, vertex_rms(a.implicit_X, b.implicit_X) / vertex_rms(study.subject.mesh().X, b.implicit_X)};
         }
     }
     return {};
 }
 
-report::Text price(const ImplicitStudy& study) {
-    const SmoothingCost& cost = study.cost;
-    report::Text t = report::text("Is implicit cheaper? To bring ", study.name(), " to ", readable_percent(cost.energy),
-                                  " of its energy takes ", counted(cost.implicit_steps, "implicit step"), " or ");
-    if (cost.explicit_steps == 0) {
-        report::extend(t, "more than 3000 explicit ones: for this much smoothing the implicit method is the only practical one.");
-        return t;
+report::Text iterations_against_steps(const Studies& studies) {
+    std::vector<Observed> compared;
+    double worst = 0;
+    for (const ImplicitStudy& study : studies) {
+        const EqualTime pair = equal_time(study);
+        if (!std::isfinite(pair.share)) continue;
+        worst = std::max(worst, pair.share);
+        compared.push_back({readable_percent(pair.share, 2) + " of the motion on " + study.name(),
+                            counted(pair.many->iterations, "step") + " of " + in_limits(study, pair.many->lambda) + " against " +
+                                std::to_string(pair.few->iterations) + " of " + in_limits(study, pair.few->lambda)});
     }
-    const double ratio = cost.explicit_operations / cost.implicit_operations;
-    report::extend(t, counted(cost.explicit_steps, "explicit one"), ". An implicit step costs ",
-                   readable(2.0 * double(cost.factor_nonzeros) / double(cost.operator_nonzeros), 2),
-                   " times an explicit one, so in multiply–adds of the steps the explicit way is ",
-                   ratio > 1 ? readable(ratio, 2) + " times as expensive" : "cheaper, " + readable(1 / ratio, 2) + " times", " (",
-                   ref("q6_cost"), "), before the one factorisation is counted",
-                   ratio > 1 ? "." : ": at this smoothness the implicit method buys stability, not speed.");
+    if (compared.empty()) return {};
+    return report::text("More iterations and larger steps are ",
+                        worst < 0.1   ? "nearly"
+                        : worst < 0.4 ? "roughly, but not quite,"
+                                      : "not",
+                        " interchangeable. After the same time λt the results lie apart by ", listed_observed(compared),
+                        ": many small steps damp the high modes exponentially, one large step only like ", math("1/(1 + λμ)"), ".");
+}
+
+report::Text price(const Studies& studies) {
+    std::vector<std::string> steps, step_ratios, ratios, speedless, hopeless;
+    for (const ImplicitStudy& study : studies) {
+        const SmoothingCost& cost = study.cost;
+        const bool first = steps.empty();
+        steps.push_back(study.name() + " to " + readable_percent(cost.energy) + (first ? " of its energy takes " : ": ") +
+                        (first ? counted(cost.implicit_steps, "implicit step") : std::to_string(cost.implicit_steps)) + " or " +
+                        (cost.explicit_steps > 0 ? std::to_string(cost.explicit_steps) : "more than 3000") +
+                        (first ? " explicit ones" : ""));
+        if (cost.explicit_steps == 0) {
+            hopeless.push_back(study.name());
+            continue;
+        }
+        step_ratios.push_back(readable(2.0 * double(cost.factor_nonzeros) / double(cost.operator_nonzeros), 2));
+        ratios.push_back(readable(cost.explicit_operations / cost.implicit_operations, 2));
+        if (cost.explicit_operations <= cost.implicit_operations) speedless.push_back(study.name());
+    }
+    report::Text t = report::text("Is implicit cheaper? To bring ", listed(steps), " (", ref("q6_cost"), ").");
+    if (!ratios.empty()) {
+        report::extend(t, " An implicit step costs ", listed(step_ratios),
+                       " times an explicit one, so in multiply–adds the explicit way is ", listed(ratios),
+                       " times as expensive, before the one factorisation is counted.");
+    }
+    if (!speedless.empty()) report::extend(t, " On ", listed(speedless), " the implicit method buys stability, not speed.");
+    if (!hopeless.empty()) report::extend(t, " For so much smoothing it is the only practical one on ", listed(hopeless), ".");
     return t;
 }
 
@@ -103,9 +158,7 @@ report::Text price(const ImplicitStudy& study) {
 
 void add_implicit_discussion(report::Section& section, const std::vector<ImplicitStudy>& studies) {
     add_heading(section, "Discussion");
-    for (const ImplicitStudy& study : studies) {
-        add_paragraphs(section, {agreement(study), beyond_the_limit(study), iterations_against_steps(study), price(study)});
-    }
+    add_paragraphs(section, {agreement(studies), beyond_the_limit(studies), iterations_against_steps(studies), price(studies)});
 }
 
 }   // namespace meshfolio

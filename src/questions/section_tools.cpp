@@ -92,6 +92,14 @@ std::string listed(const std::vector<std::string>& names) {
     return joined;
 }
 
+std::string listed_observed(const std::vector<Observed>& observed) {
+    const auto alike = [&](const Observed& each) { return each.condition == observed.front().condition; };
+    const bool told_once = observed.size() > 1 && std::all_of(observed.begin(), observed.end(), alike);
+    std::vector<std::string> told;
+    for (const Observed& each : observed) told.push_back(told_once ? each.what : each.what + " (" + each.condition + ")");
+    return listed(told) + (told_once ? ", each time " + observed.front().condition : "");
+}
+
 std::string counted(int n, std::string_view singular, std::string_view plural) {
     const std::string many = plural.empty() ? std::string(singular) + "s" : std::string(plural);
     return std::to_string(n) + " " + (n == 1 ? std::string(singular) : many);

@@ -54,6 +54,13 @@ report::Cell cell_of(double x, bool defined = true);
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& names);
 
+/// What was found, and under which condition: "3.4 % on cube", "at 0.5 λ_crit".
+struct Observed {
+    std::string what, condition;
+};
+/// "a, b and c, each time under x" where all conditions are the same, else "a (under x) and b (under y)".
+std::string listed_observed(const std::vector<Observed>& observed);
+
 /// "1 mesh", "4 meshes".
 std::string counted(int n, std::string_view singular, std::string_view plural = "");
 
