@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Builds the fuzz targets with Clang and runs each: tests/fuzz/fuzz.py [--seconds 30] [--runs N] [target …]
+
+Needs clang and its compiler-rt (Debian: clang-14 libclang-rt-14-dev). Seeds are tests/fuzz/seeds, the bundled meshes and, with --corpus DIR,
+every file below DIR. What is found stays in build/fuzz/corpus; an input that fails is copied to tests/fuzz/regressions, where the ordinary
+tests replay it. Exit code 1 if any target failed."""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build" / "fuzz"
+LIMITS = ["-timeout=5", "-rss_limit_mb=1024", "-max_len=65536", "-print_final_stats=1"]
+SANITIZER_OPTIONS = {"ASAN_OPTIONS": "detect_leaks=1:allocator_may_return_null=1", "UBSAN_OPTIONS": "print_stacktrace=1"}
+
+
+def build(targets):
+    subprocess.run(["cmake", "--preset", "fuzz"], cwd=ROOT, check=True, stdout=sys.stderr)
+    subprocess.run(["cmake", "--build", str(BUILD), "--target", *(f"fuzz_{t}" for t in targets)], check=True, stdout=sys.stderr)
+
+
+def seeds_of(target, extra):
+    """Files of the target's format: its own seeds, bundled meshes and settings, and those below the folder of the user's."""
+    ending = {"settings": ".toml", "template": ".html"}.get(target, "." + target)
+    folders = [ROOT / "data", ROOT / "templates", *extra]
+    files = [f for folder in folders for f in sorted(folder.rglob("*" + ending)) if f.is_file() and f.stat().st_size <= 65536]
+    return files + [f for kind in ("seeds", "regressions") for f in sorted((ROOT / "tests/fuzz" / kind / target).glob("*"))]
+
+
+def fuzz(target, seconds, runs, extra):
+    corpus, found = BUILD / "corpus" / target, BUILD / "found" / target
+    for folder in (corpus, found):
+        folder.mkdir(parents=True, exist_ok=True)
+    for number, seed in enumerate(seeds_of(target, extra)):
+        shutil.copy(seed, corpus / f"seed_{number:04}")
+    command = [str(BUILD / "tests/fuzz" / f"fuzz_{target}"), str(corpus), f"-artifact_prefix={found}/", *LIMITS]
+    command += [f"-runs={runs}"] if runs else [f"-max_total_time={seconds}"]
+    done = subprocess.run(command, env={**os.environ, **SANITIZER_OPTIONS}, capture_output=True, text=True, errors="replace")
+    executed = re.search(r"stat::number_of_executed_units:\s*(\d+)", done.stderr)
+    rate = re.search(r"stat::average_exec_per_sec:\s*(\d+)", done.stderr)
+    kept = [shutil.copy(f, regressions(target) / f.name) for f in found.glob("*") if not f.name.startswith("slow-unit")]
+    print(f"{target:12} {executed[1] if executed else '?':>12} executions {rate[1] if rate else '?':>8} a second  "
+          + ("clean" if done.returncode == 0 else f"FAILED, {len(kept)} inputs kept"), flush=True)
+    if done.returncode != 0:
+        print(done.stderr[-3000:], file=sys.stderr)
+    return done.returncode == 0
+
+
+def regressions(target):
+    folder = ROOT / "tests/fuzz/regressions" / target
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def main():
+    every = sorted(f.stem.removesuffix("_target") for f in (ROOT / "tests/fuzz").glob("*_target.cpp"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("targets", nargs="*", choices=[*every, []], metavar="target", help=", ".join(every))
+    parser.add_argument("--seconds", type=int, default=30, help="for each target")
+    parser.add_argument("--runs", type=int, help="executions of each target, instead of seconds")
+    parser.add_argument("--corpus", type=Path, action="append", default=[], help="folder of further seeds")
+    options = parser.parse_args()
+    targets = options.targets or every
+    build(targets)
+    clean = [fuzz(target, options.seconds, options.runs, options.corpus) for target in targets]
+    sys.exit(0 if all(clean) else 1)
+
+
+main()

@@ -1,0 +1,68 @@
+// Names, titles and texts are data: whatever bytes they hold, the files keep their structure.
+#include <nlohmann/json.hpp>
+
+#include "fuzz/fuzz_input.h"
+#include "report/writers.h"
+
+namespace {
+
+using namespace meshfolio;
+
+report::Document document_with(const std::string& words) {
+    report::Section section;
+    section.id = "q1";
+    section.title = section.asked = section.extent = words;
+    section.inputs = {{.role = words, .asked = words, .file = words, .stand_in = false, .sha256 = "", .vertices = 3, .triangles = 1}};
+    section.parameters = {{words, words}};
+    section.warnings = {words};
+    section.blocks.push_back(report::Heading{words});
+    section.blocks.push_back(report::Paragraph{report::text(words, report::strong(words), report::code(words), report::math(words))});
+    report::Table table{.id = "q1_table", .caption = words, .columns = {{.name = words, .unit = words}}, .rows = {{words}, {1.5}}};
+    section.blocks.push_back(table);
+    report::Document document;
+    document.title = document.author = document.course = words;
+    document.sections = {section};
+    return document;
+}
+
+/// Opening, closing and empty elements balance: what an XML parser asks of a page first.
+void require_balanced(std::string_view page) {
+    long depth = 0;
+    for (std::size_t at = page.find('<'); at != std::string_view::npos; at = page.find('<', at + 1)) {
+        if (page.substr(at).starts_with("<!--")) fuzzing::require(false, "a page has no comment");
+        if (page.substr(at).starts_with("<!")) continue;
+        const std::size_t end = page.find('>', at);
+        fuzzing::require(end != std::string_view::npos, "every tag ends");
+        if (page.substr(at).starts_with("</")) {
+            --depth;
+        } else if (page[end - 1] != '/') {
+            ++depth;
+        }
+        fuzzing::require(depth >= 0, "nothing closes that is not open");
+        at = end;
+    }
+    fuzzing::require(depth == 0, "everything that opens closes");
+}
+
+/// What lies outside of style sheets and scripts, in which '<' means "less".
+std::string markup_of(std::string page) {
+    for (const std::string name : {"style", "script"}) {
+        for (std::size_t from = page.find("<" + name); from != std::string::npos; from = page.find("<" + name)) {
+            const std::string close = "</" + name + ">";
+            page.erase(from, page.find(close, from) + close.size() - from);
+        }
+    }
+    return page;
+}
+
+}   // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    if (size > 4096) return 0;
+    static const report::Templates templates;
+    const report::Document document = document_with(std::string(fuzzing::text_of(bytes, size)));
+    require_balanced(markup_of(report::write_html(document, {}, templates)));
+    report::write_markdown(document, {}, templates);
+    fuzzing::require(nlohmann::json::accept(report::write_json(document, {})), "results.json is JSON");
+    return 0;
+}

@@ -1,0 +1,22 @@
+// One triangle of any size and place covers just the samples that exact arithmetic says, by the fast path and the wide one.
+#include "fuzz/fuzz_input.h"
+#include "render/coverage_reference.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    using namespace render_tests;
+    using meshfolio::fuzzing::require;
+    meshfolio::fuzzing::Bytes input(bytes, size);
+    const int bits = 8 + input.take<std::uint8_t>() % 33;   // reach, in grid steps
+    Triangle2 t;
+    for (ScreenPoint& p : t.corner) {
+        const std::int64_t reach = std::int64_t{1} << bits;
+        p.x = left + side / 2 + input.take<std::int64_t>() % reach;
+        p.y = top + side / 2 + input.take<std::int64_t>() % reach;
+        p.depth = input.take<std::int16_t>();
+    }
+    for (const int samples : {1, 4}) {
+        require(disagreements(t, drawn({t}, samples)) == 0, "coverage is exact");
+        require(disagreements(t, drawn_wide({t}, samples)) == 0, "coverage of the wide path is exact");
+    }
+    return 0;
+}
