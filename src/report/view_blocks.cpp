@@ -99,6 +99,7 @@ std::string name_of(const DrawnModel& model) {
     return safe_text("3D model" + label + " (GLB, " + std::to_string((model.glb.size() + 999) / 1000) + " KB)");
 }
 
+/// For templates/models.html: what each is called and where its file lies, and its bytes, packed, where the page can turn it.
 json models_view(const DrawnFigure& drawn, const ViewContext& context) {
     json models = json::array();
     for (const DrawnModel& model : drawn.models) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colormap.h"
+#include "draw_mesh.h"
 #include "errors.h"
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"

@@ -93,7 +93,8 @@ TEST(WriteHtml, TheViewerLiesInThePageAsDataAndThePolicyListsIt) {
     for (const DrawnModel& model : sample_models().at("q1_plane_h").models)
         EXPECT_NE(page.find("<script type=\"model/gltf-binary\" data-label=\"" + model.label + "\">" + packed(model.glb) + "</script>"),
                   std::string::npos);
-    if (has_program("xmllint")) EXPECT_TRUE(is_well_formed(page));
+    if (!has_program("xmllint")) GTEST_SKIP() << "xmllint is not installed";
+    EXPECT_TRUE(is_well_formed(page));
 }
 
 TEST(WriteHtml, ModelsAreLinkedWithOrWithoutAViewer) {
