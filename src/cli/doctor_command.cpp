@@ -7,6 +7,7 @@
 #include "cli/console.h"
 #include "cli/provenance.h"
 #include "cli/search_path.h"
+#include "report/page_viewer.h"
 
 namespace meshfolio::cli {
 
@@ -23,12 +24,14 @@ nlohmann::ordered_json findings() {
     json["compiler"] = provenance.compiler;
     json["threads"] = tbb::this_task_arena::max_concurrency();
     json["fonts"] = "DejaVu Sans, compiled in";
+    json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
     json["pdf_engines"] = nlohmann::ordered_json::object();
     for (const char* engine : pdf_engines) {
         if (const auto path = found_on_path(engine)) json["pdf_engines"][engine] = printable(path->string());
     }
     json["missing"] = nlohmann::ordered_json::array();
+    if (report::viewer_program().empty()) json["missing"].push_back("the viewer of models: apt install npm, then build again");
     if (json["pdf_engines"].empty()) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
     return json;
 }

@@ -19,6 +19,7 @@
 #include "output/label_view.h"
 #include "output/publish.h"
 #include "output/surface_of.h"
+#include "output/write_glb.h"
 #include "png.h"
 
 namespace meshfolio::cli {
@@ -30,7 +31,7 @@ constexpr int largest_cell = 2048;   // of a labelled sheet: to be looked at, no
 
 struct Options {
     std::string mesh, out = ".", size = "1024", views, field = "none", values, colormap, range;
-    std::string isolines;
+    std::string isolines, glb;
     bool edges = false, plain = false, transparent = false;
 };
 
@@ -182,6 +183,8 @@ ExitCode run_render(const Options& options) {
     if (!show_something(pictures, draw.background))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
+    if (!options.glb.empty())
+        output::replace_file(options.glb, output::write_glb(prepared.mesh, field.values, range, output::ball_around(prepared.mesh)));
     output::make_folder(options.out);
     write_pictures(options.out, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)),
                    options.plain || draw.face_colors_from_id);
@@ -214,6 +217,7 @@ Command render_command(CLI::App& parent) {
     app->add_option("--colormap", options->colormap, "see meshfolio list; default: diverging for signed values, viridis otherwise");
     app->add_option("--range", options->range, "lo,hi of the colours; default: robust");
     app->add_option("--isolines", options->isolines, "lines where the value is a multiple of this");
+    app->add_option("--glb", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
     app->add_flag("--edges", options->edges, "draw triangle edges");
     app->add_flag("--transparent", options->transparent, "no ground behind the surface");
     app->add_flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");

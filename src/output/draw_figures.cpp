@@ -18,6 +18,7 @@
 #include "draw_mesh.h"
 #include "errors.h"
 #include "file_bytes.h"
+#include "output/draw_models.h"
 #include "output/label_view.h"
 #include "output/robust_range.h"
 #include "output/safe_name.h"
@@ -228,6 +229,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         name_views(work);
         all.emplace(work.request->id, std::move(work.drawn));
     }
+    add_models(requests, folder, all);
     return all;
 }
 

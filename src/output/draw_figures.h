@@ -20,7 +20,7 @@ struct DrawSettings {
     int threads = 0;   // 0: all
 };
 
-/// Writes images/… below `folder` and returns what the writers need.
+/// Writes images/… and, for figures that can be turned, models/… below `folder` and returns what the writers need.
 /// @throws OutputError
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
                                   const DrawSettings& settings, const std::function<void(double)>& progress = {});

@@ -44,7 +44,7 @@ struct FigureRequest {
     /// The panels are one mesh before and after, and as a third, if there is one, their difference; needs `three_quarter_frame`. Readers of
     /// the page may slide one over the other.
     bool comparison = false;
-    bool turnable = false;        // readers of the page can turn the first panel, or the first two of a comparison, in three dimensions
+    bool turnable = false;        // readers of the page can turn the first panel, and with it the second if it has the same triangles
     double isoline_spacing = 0;   // lines where a value is a multiple of this; 0: none
 };
 

@@ -63,6 +63,7 @@ void add_figures(Answer& answer, const std::vector<MeshCurvature>& meshes) {
             figure.caption += undefined_words(subject);
             figure.panels = {q.panels[i]};
             figure.range = range_for(shared, figure.panels);
+            figure.turnable = q.key == "h";   // both quantities of a mesh have one shape
             add_figure(answer, std::move(figure));
         }
     }

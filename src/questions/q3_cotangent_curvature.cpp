@@ -41,6 +41,7 @@ void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
                      "All rows share camera "
                      "and colour range.";
     figure.caption += undefined_words(s);
+    figure.turnable = true;
     add_figure(answer, std::move(figure));
 }
 

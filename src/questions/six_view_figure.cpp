@@ -38,6 +38,7 @@ void add_figure(Answer& answer, SixViewFigure figure) {
     answer.section.blocks.push_back(report::Figure{figure.id, figure.caption, alternative_text(figure)});
     answer.figures.push_back({std::move(figure.id), std::move(figure.title), std::move(figure.subtitle), std::move(figure.panels),
                               std::move(figure.range), figure.edges, figure.frame_panel});
+    answer.figures.back().turnable = figure.turnable;
 }
 
 output::Panel panel_of(const LibraryMesh& mesh, std::string name, std::string label, Vector values) {

@@ -5,6 +5,7 @@
 
 #include "report/escape.h"
 #include "report/math_markup.h"
+#include "report/page_viewer.h"
 
 namespace meshfolio::report {
 
@@ -92,6 +93,26 @@ json view_groups(const DrawnFigure& drawn) {
     return groups;
 }
 
+/// "3D model, after (GLB, 23 KB)".
+std::string name_of(const DrawnModel& model) {
+    const std::string label = model.label.empty() ? "" : ", " + model.label;
+    return safe_text("3D model" + label + " (GLB, " + std::to_string((model.glb.size() + 999) / 1000) + " KB)");
+}
+
+/// For templates/models.html: what each is called and where its file lies, and its bytes, packed, where the page can turn it.
+json models_view(const DrawnFigure& drawn, const ViewContext& context) {
+    json models = json::array();
+    for (const DrawnModel& model : drawn.models) {
+        models.push_back({{"label", safe_text(model.label)},
+                          {"name", name_of(model)},
+                          {"href", url_path(model.file)},
+                          {"quantity", safe_text(model.quantity)},
+                          {"has_quantity", !model.quantity.empty()},
+                          {"data", context.options.models ? packed(model.glb) : ""}});
+    }
+    return models;
+}
+
 json figure_view(const Figure& figure, const ViewContext& context) {
     const auto it = context.figures.find(figure.id);
     const DrawnFigure drawn = it != context.figures.end() ? it->second : DrawnFigure{};
@@ -102,6 +123,9 @@ json figure_view(const Figure& figure, const ViewContext& context) {
     view["has_views"] = context.options.single_views && !drawn.views.empty();
     view["view_count"] = std::to_string(drawn.views.size());
     view["groups"] = view_groups(drawn);
+    view["has_models"] = !drawn.models.empty();
+    view["is_turnable"] = context.options.models && !drawn.models.empty();
+    view["models"] = models_view(drawn, context);
     return view;
 }
 

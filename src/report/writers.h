@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "report/document.h"
+#include "report/page_viewer.h"
 
 namespace meshfolio::report {
 
@@ -27,6 +29,7 @@ private:
 struct WriteOptions {
     bool timings = true;       // false: nothing that differs from run to run
     bool plot_files = false;   // the caller also writes svg_file_of(plot) to images/<id>.svg; Markdown then shows the plots
+    std::string_view viewer = viewer_program();   // turns the models of the page; empty: they are only linked to
 };
 
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});

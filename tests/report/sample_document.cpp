@@ -176,6 +176,13 @@ DrawnFigures sample_figures() {
     return {{"q1_plane_h", drawn}, {"cover", cover}};
 }
 
+DrawnFigures sample_models() {
+    DrawnFigures figures = sample_figures();
+    figures["q1_plane_h"].models = {{"before", "models/q1_plane.glb", std::string("glTF\0one", 8), "H [1/length]"},
+                                    {"", "models/λ = 1.glb", std::string("glTF\0two", 8), ""}};
+    return figures;
+}
+
 const std::string hostile =
     "<script>alert(1)</script>|\"'`*_x_*](y)$&amp;\\ \xff\xc0\x80 \x1b[31m\x01\r\n\t# {{title}} ]]> \xEF\xBF\xBF \u202E --> é∞";
 

@@ -9,6 +9,8 @@ namespace meshfolio::report {
 /// One of everything: each kind of block, run, status, check, input and plot, with values that are undefined, huge and tiny.
 Document sample_document();
 DrawnFigures sample_figures();
+/// The same with one figure that can be turned, before and after.
+DrawnFigures sample_models();
 
 /// Markup, quotes, separators, control characters and bytes that are no UTF-8, in one name.
 extern const std::string hostile;

@@ -82,9 +82,10 @@ TEST(Templates, WhatCannotBeUsedIsToldAsAUsageError) {
     EXPECT_NE(usage_error_of([&] { (void)write_html({}, {}, Templates(folder.path())); }).find("report.css"), std::string::npos);
 }
 
-json model_of(const Document& document, const ViewOptions& options = {}) {
-    json model = view_model(document, sample_figures(), Templates(), options);
-    for (const char* extra : {"style", "script", "policy"}) model[extra] = "";   // of the page
+json model_of(const Document& document, const ViewOptions& options = {}, const DrawnFigures& figures = sample_figures()) {
+    json model = view_model(document, figures, Templates(), options);
+    for (const char* extra : {"style", "script", "policy", "viewer"}) model[extra] = "";   // of the page
+    model["has_viewer"] = options.models;
     return model;
 }
 
@@ -94,7 +95,9 @@ std::vector<json> complete_models() {
     for (Section& section : all_well.sections) std::erase_if(section.checks, [](const Check& check) { return !check.passed; });
     ViewOptions with_files;
     with_files.plot_files = true;
-    return {model_of(sample_document()), model_of(all_well, with_files)};
+    ViewOptions with_models;
+    with_models.models = true;
+    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), with_models, sample_models())};
 }
 
 /// Every tag of the template is known to the models, and every tag is met with one of them.

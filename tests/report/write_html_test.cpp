@@ -78,6 +78,42 @@ TEST(WriteHtml, PolicyAllowsExactlyTheInlineStyleAndScript) {
     }
 }
 
+constexpr std::string_view small_viewer = "globalThis.meshfolioViewer = '</script>]]>';";
+
+std::string page_with_models(std::string_view viewer) {
+    return write_html(sample_document(), sample_models(), Templates(), {.viewer = viewer});
+}
+
+TEST(WriteHtml, TheViewerLiesInThePageAsDataAndThePolicyListsIt) {
+    const std::string page = page_with_models(small_viewer);
+    EXPECT_NE(page.find("<script type=\"application/zlib\" id=\"viewer-program\">" + packed(small_viewer) + "</script>"),
+              std::string::npos);
+    EXPECT_NE(page.find(" &#39;sha256-" + base64(sha256_bytes(std::string(small_viewer))) + "&#39;;"), std::string::npos);
+    EXPECT_EQ(page.find(small_viewer), std::string::npos) << "not as a script that is parsed with the page";
+    for (const DrawnModel& model : sample_models().at("q1_plane_h").models)
+        EXPECT_NE(page.find("<script type=\"model/gltf-binary\" data-label=\"" + model.label + "\">" + packed(model.glb) + "</script>"),
+                  std::string::npos);
+    if (!has_program("xmllint")) GTEST_SKIP() << "xmllint is not installed";
+    EXPECT_TRUE(is_well_formed(page));
+}
+
+TEST(WriteHtml, ModelsAreLinkedWithOrWithoutAViewer) {
+    for (const std::string_view viewer : {small_viewer, std::string_view()}) {
+        const std::string page = body_of(page_with_models(viewer));
+        EXPECT_NE(page.find("<a href=\"models/q1_plane.glb\">3D model, before (GLB, 1 KB)</a>"), std::string::npos);
+        EXPECT_NE(page.find("<a href=\"models/%CE%BB%20%3D%201.glb\">3D model (GLB, 1 KB)</a>"), std::string::npos);
+    }
+}
+
+TEST(WriteHtml, CarriesNoViewerWithoutModelsAndNoModelsWithoutAViewer) {
+    const std::string without_models = write_html(sample_document(), sample_figures(), Templates(), {.viewer = small_viewer});
+    for (const std::string& page : {without_models, page_with_models("")}) {
+        for (const char* trace : {"viewer-program", "meshfolioViewer", "model/gltf-binary", "data-turnable"})
+            EXPECT_EQ(page.find(trace), std::string::npos) << trace;
+    }
+    EXPECT_EQ(without_models.find("model-stage"), std::string::npos) << "nor its styles";
+}
+
 TEST(WriteHtml, HostileNamesStayText) {
     const std::string page = body_of(hostile_page());
     EXPECT_EQ(count_of(page, "<script"), 1u);   // our own

@@ -1,0 +1,83 @@
+// A model of the report (src/output/write_glb.h) read by three.js's own loader, with what the shader and the reading of values need.
+import { BufferAttribute, Group, Vector3 } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+
+import { materialFor } from "./shader.js";
+
+// As in render/scene.cpp: a vertex is a crease where the mean normal of the triangles around, weighted by area, is shorter than this.
+const creaseBegin = 0.914, creaseEnd = 0.848;
+
+/// How far each vertex takes the normal of the triangle instead of its own, 0 to 1.
+function sharpnessOf(geometry) {
+    const { position } = geometry.attributes, corners = geometry.index.array;
+    const sums = new Float64Array(4 * position.count);   // normals times areas, and areas
+    const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+    for (let i = 0; i < corners.length; i += 3) {
+        a.fromBufferAttribute(position, corners[i]);
+        b.fromBufferAttribute(position, corners[i + 1]).sub(a);
+        c.fromBufferAttribute(position, corners[i + 2]).sub(a);
+        const area = b.cross(c).length();
+        for (let k = 0; k < 3; ++k) {
+            const at = 4 * corners[i + k];
+            sums[at] += b.x, sums[at + 1] += b.y, sums[at + 2] += b.z, sums[at + 3] += area;
+        }
+    }
+    return Float32Array.from({ length: position.count }, (_, v) => {
+        const [x, y, z, area] = sums.subarray(4 * v, 4 * v + 4);
+        const length = area > 0 ? Math.hypot(x, y, z) / area : 0;
+        return Math.min(1, Math.max(0, (creaseBegin - length) / (creaseBegin - creaseEnd)));
+    });
+}
+
+/// Places in the colour map, 0 at the low end and 1 at the high one; computed here because the shader's numbers are short.
+function placesOf(values, [low, high]) {
+    return Float32Array.from(values, (value) => (value / 2 - low / 2) / (high / 2 - low / 2));
+}
+
+export class Model {
+    /// @param bytes  ArrayBuffer of a GLB
+    static async load(bytes, label) {
+        const { scene } = await new GLTFLoader().parseAsync(bytes, "");
+        return new Model(scene, label);
+    }
+
+    constructor(scene, label) {
+        this.label = label;
+        scene.traverse((object) => { if (object.isMesh) this.mesh = object; });
+        const { geometry, userData } = this.mesh;
+        this.value = userData.value ?? null;
+        this.frame = userData.frame;
+        this.values = geometry.attributes._value?.array ?? null;
+        const mask = geometry.attributes._defined;
+        this.isDefined = (v) => !mask || mask.getX(v) === 1;
+        geometry.setAttribute("sharpness", new BufferAttribute(sharpnessOf(geometry), 1));
+        if (this.values) geometry.setAttribute("place", new BufferAttribute(placesOf(this.values, this.value.range), 1));
+        const plain = this.mesh.material.color;
+        this.mesh.material.dispose();
+        this.mesh.material = materialFor(this.value, mask !== undefined, plain);
+        this.root = new Group().add(scene);
+    }
+
+    /// Moves a ball of the model's space onto the unit ball around the origin.
+    frameOn({ centre, radius }) {
+        this.root.scale.setScalar(1 / radius);
+        this.root.position.fromArray(centre).multiplyScalar(-1 / radius);
+        this.root.updateMatrixWorld(true);
+    }
+
+    /// The value at a point of a triangle: null where undefined, as decided by the nearest corner.
+    valueAt(corners, weights) {
+        if (!this.isDefined(corners[weights.indexOf(Math.max(...weights))])) return null;
+        let total = 0, weight = 0;
+        corners.forEach((v, k) => {
+            if (this.isDefined(v)) total += weights[k] * this.values[v], weight += weights[k];
+        });
+        return total / weight;
+    }
+
+    dispose() {
+        this.mesh.geometry.dispose();
+        this.mesh.material.uniforms.palette?.value?.dispose();
+        this.mesh.material.dispose();
+    }
+}

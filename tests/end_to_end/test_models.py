@@ -1,0 +1,164 @@
+"""Models to turn: `render --glb`, and those of a report inside its page and beside it, read by readers that are not ours."""
+
+import base64
+import csv
+import hashlib
+import html.parser
+import re
+import struct
+import unittest
+import zlib
+
+from glb_file import Glb
+from program import run, sample, temporary_folder
+
+
+def curvature(path, column):
+    with open(path, newline="") as file:
+        return [float(row[column]) if row[column] else None for row in csv.DictReader(file)]
+
+
+def as_float32(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def linear(channel):
+    c = channel / 255
+    return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+
+
+class RenderGlb(unittest.TestCase):
+    def glb(self, name, *options):
+        folder = temporary_folder(self)
+        mesh = sample(folder, name)
+        file = folder / "model.glb"
+        process = run("render", mesh, "--size", 32, "--out", folder / "views", "--glb", file, *options)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        run("curvature", mesh, "--csv", folder / "table.csv")
+        return Glb(file.read_bytes()), folder
+
+    def test_vertices_values_and_normals_are_those_of_the_mesh(self):
+        glb, folder = self.glb("lily", "--field", "h-cotan", "--range", "-10,10")
+        rows = list(csv.DictReader(open(folder / "table.csv", newline="")))
+        values = curvature(folder / "table.csv", "h_cotan")
+        self.assertIn(None, values, "the lily has a boundary")
+        step = glb.json["nodes"][0]["scale"][0]
+        for row, at in zip(rows, glb.positions(), strict=True):
+            for axis, x in zip("xyz", at):
+                self.assertAlmostEqual(float(row[axis]), x, delta=0.51 * step)
+        for v, (value, (stored,), (defined,)) in enumerate(
+            zip(values, glb.attributes["_VALUE"], glb.attributes["_DEFINED"], strict=True)
+        ):
+            self.assertEqual(defined, 0 if value is None else 1, v)
+            self.assertEqual(stored, 0 if value is None else as_float32(value), v)
+        for n in glb.attributes["NORMAL"]:
+            self.assertAlmostEqual(sum(c * c for c in n) ** 0.5, 1, delta=0.0068)
+
+    def test_triangles_run_as_in_the_file_and_normals_point_with_them(self):
+        glb, folder = self.glb("sphere", "--field", "z")
+        faces = [[int(word) - 1 for word in line.split()[1:]] for line in open(folder / "sphere.obj") if line.startswith("f ")]
+        self.assertEqual(glb.indices, [v for face in faces for v in face])
+        for at, n in zip(glb.positions(), glb.attributes["NORMAL"]):
+            self.assertGreater(sum(a * b for a, b in zip(at, n)), 0, "outwards on a sphere around the origin")
+
+    def test_colours_at_and_beyond_the_ends_are_those_of_the_map(self):
+        glb, _ = self.glb("sphere", "--field", "z", "--range", "-0.5,0.5")
+        ends = [[linear(int(color[k : k + 2], 16)) for k in (1, 3, 5)] for color in ("#440154", "#fde725")]
+        seen = set()
+        for (value,), color in zip(glb.attributes["_VALUE"], glb.attributes["COLOR_0"]):
+            if abs(value) >= 0.5:
+                seen.add(value > 0)
+                for c, expected in zip(color, ends[value > 0]):
+                    self.assertAlmostEqual(c, expected, delta=1e-4)
+        self.assertEqual(seen, {False, True})
+        self.assertEqual(glb.extras["value"]["range"], [-0.5, 0.5])
+
+    def test_undefined_vertices_have_the_colour_for_it(self):
+        glb, _ = self.glb("lily", "--field", "h-cotan")
+        color = glb.extras["value"]["undefined_color"]
+        expected = [linear(int(color[k : k + 2], 16)) for k in (1, 3, 5)]
+        for (defined,), seen in zip(glb.attributes["_DEFINED"], glb.attributes["COLOR_0"]):
+            if not defined:
+                self.assertLess(max(abs(a - b) for a, b in zip(seen, expected)), 1e-4)
+
+    def test_a_plain_surface_has_no_values_and_bytes_are_the_same_again(self):
+        folder = temporary_folder(self)
+        mesh = sample(folder, "torus")
+        for name in ("a.glb", "b.glb"):
+            run("render", mesh, "--size", 32, "--out", folder, "--glb", folder / name)
+        self.assertEqual((folder / "a.glb").read_bytes(), (folder / "b.glb").read_bytes())
+        self.assertEqual(set(Glb((folder / "a.glb").read_bytes()).attributes), {"POSITION", "NORMAL"})
+
+
+class Scripts(html.parser.HTMLParser):
+    """Scripts of a page: [(attributes, content)], and its policy."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.scripts, self.policy = [], ""
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        if tag == "script":
+            self.scripts.append([dict(attributes), ""])
+        elif tag == "meta" and ("http-equiv", "Content-Security-Policy") in attributes:
+            self.policy = dict(attributes)["content"]
+
+    def handle_data(self, data):
+        if self.scripts and self.cdata_elem == "script":
+            self.scripts[-1][1] += data
+
+    def of_type(self, kind):
+        return [(attributes, content) for attributes, content in self.scripts if attributes.get("type") == kind]
+
+
+def unpacked(text):
+    return zlib.decompress(base64.b64decode(text, validate=True))
+
+
+class ReportModels(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        case = type("Cleanup", (), {"addCleanup": staticmethod(cls.addClassCleanup)})
+        folder = temporary_folder(case)
+        process = run("report", "--quick", "--only", "q1,q2", "--size", 64, "--out", folder / "out", "--no-timings")
+        assert process.returncode == 0, process.stderr
+        cls.out = folder / "out"
+        cls.page = (cls.out / "index.html").read_text()
+        cls.parsed = Scripts(cls.page)
+        cls.viewer = cls.parsed.of_type("application/zlib")
+
+    def test_models_lie_beside_the_page_and_are_linked(self):
+        files = sorted(path.name for path in (self.out / "models").iterdir())
+        self.assertTrue(files)
+        self.assertEqual(files, sorted(set(re.findall(r'href="models/([^"]+\.glb)"', self.page))))
+        for file in files:
+            glb = Glb((self.out / "models" / file).read_bytes())
+            self.assertIn("_VALUE", glb.attributes)
+            self.assertEqual(glb.extras["value"]["unit"], "% of mean edge")
+
+    def test_the_page_holds_the_same_models_or_no_viewer_at_all(self):
+        inside = sorted(unpacked(content) for _, content in self.parsed.of_type("model/gltf-binary"))
+        beside = sorted(path.read_bytes() for path in (self.out / "models").iterdir())
+        self.assertEqual(inside, beside if self.viewer else [])
+        self.assertLess(sum(map(len, inside)) * 4 / 3, 8e6)
+
+    def test_the_policy_lists_exactly_the_scripts_that_may_run(self):
+        may_run = [content.encode() for attributes, content in self.parsed.scripts if "type" not in attributes]
+        may_run += [unpacked(content) for _, content in self.viewer]
+        hashes = {f"'sha256-{base64.b64encode(hashlib.sha256(script).digest()).decode()}'" for script in may_run}
+        listed = re.search(r"script-src ([^;]*);", self.parsed.policy)[1].split()
+        self.assertEqual(set(listed), hashes)
+        for script in may_run:
+            self.assertNotRegex(script.decode(), r"\beval\(|new Function\(")
+
+    def test_a_page_without_models_has_no_viewer(self):
+        out = temporary_folder(self) / "out"
+        run("report", "--quick", "--only", "q2", "--size", 64, "--out", out)
+        page = (out / "index.html").read_text()
+        for trace in ("viewer-program", "meshfolioViewer", "model/gltf-binary", "model-stage"):
+            self.assertNotIn(trace, page)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
