@@ -26,17 +26,22 @@ std::string policy_source(const std::string& text) { return "'sha256-" + base64(
 
 }   // namespace
 
+void add_style(nlohmann::json& model, const Templates& templates, const std::string& design) {
+    const bool has_script = design == "report";
+    const std::string style = raw_element(templates, design + ".css"), script = has_script ? raw_element(templates, design + ".js") : "";
+    model["style"] = style;
+    model["script"] = script;
+    model["policy"] = "default-src 'none'; img-src 'self' data:; style-src " + policy_source(style) + "; script-src " +
+                      (has_script ? policy_source(script) : "'none'") + "; base-uri 'none'; form-action 'none'";
+}
+
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options) {
     ViewOptions view;
     view.timings = options.timings;
     view.plot_files = options.plot_files;
     nlohmann::json model = view_model(document, figures, templates, view);
-    const std::string style = raw_element(templates, "report.css"), script = raw_element(templates, "report.js");
-    model["style"] = style;
-    model["script"] = script;
-    model["policy"] = "default-src 'none'; img-src 'self' data:; style-src " + policy_source(style) + "; script-src " +
-                      policy_source(script) + "; base-uri 'none'; form-action 'none'";
-    return render(templates, "report.html", model, xml_escape);
+    add_style(model, templates, options.design);
+    return render(templates, options.design + ".html", model, xml_escape);
 }
 
 }   // namespace meshfolio::report

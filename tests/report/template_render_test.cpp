@@ -94,7 +94,13 @@ std::vector<json> complete_models() {
     for (Section& section : all_well.sections) std::erase_if(section.checks, [](const Check& check) { return !check.passed; });
     ViewOptions with_files;
     with_files.plot_files = true;
-    return {model_of(sample_document()), model_of(all_well, with_files)};
+    // And on paper, where the sections that answer no question are brief.
+    Document supporting = sample_document();
+    supporting.sections[0].id = "truth";
+    ViewOptions on_paper;
+    on_paper.page_numbers = on_paper.plain_formulas = true;
+    on_paper.extent = Extent::brief;
+    return {model_of(sample_document()), model_of(all_well, with_files), model_of(supporting, on_paper)};
 }
 
 /// Every tag of the template is known to the models, and every tag is met with one of them.
@@ -114,6 +120,8 @@ void expect_all_tags_known(const std::string& name) {
 TEST(ViewModel, KnowsEveryTagOfTheHtmlTemplate) { expect_all_tags_known("report.html"); }
 
 TEST(ViewModel, KnowsEveryTagOfTheMarkdownTemplate) { expect_all_tags_known("report.md"); }
+
+TEST(ViewModel, KnowsEveryTagOfThePrintTemplate) { expect_all_tags_known("print.html"); }
 
 TEST(ViewModel, UnknownFormulaIsNamed) {
     Document document = sample_document();
