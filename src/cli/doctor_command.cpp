@@ -1,20 +1,45 @@
 #include <tbb/task_arena.h>
 #include <Eigen/Core>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/provenance.h"
-#include "cli/search_path.h"
 #include "report/page_viewer.h"
+#include "report/pdf_engine.h"
 
 namespace meshfolio::cli {
 
 namespace {
 
-constexpr std::array pdf_engines{"chromium-headless-shell", "chrome-headless-shell", "chromium",       "chromium-browser",
-                                 "google-chrome-stable",    "google-chrome",         "microsoft-edge", "weasyprint"};
+/// Those that the printed report is set in.
+constexpr std::array print_fonts{"DejaVuMathTeXGyre.ttf", "DejaVuSerifCondensed.ttf", "DejaVuSansCondensed.ttf"};
+
+bool is_installed(const std::string& font) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    for (fs::recursive_directory_iterator it("/usr/share/fonts", error), end; !error && it != end; it.increment(error)) {
+        if (it->path().filename() == font) return true;
+    }
+    return false;
+}
+
+void add_pdf(nlohmann::ordered_json& json) {
+    const report::EngineFinding finding = report::find_pdf_engine(report::engine_search());
+    json["pdf_engine"] = nullptr;
+    if (finding.engine)
+        json["pdf_engine"] = {{"program", printable(finding.engine->program.string())}, {"version", finding.engine->version}};
+    json["pdf_engines_refused"] = nlohmann::ordered_json::array();
+    for (const std::string& refused : finding.refused) json["pdf_engines_refused"].push_back(refused);
+    json["missing"] = nlohmann::ordered_json::array();
+    if (!finding.engine) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
+    for (const char* font : print_fonts) {
+        if (!is_installed(font)) json["missing"].push_back(std::string(font) + " for the PDF: apt install fonts-dejavu-extra");
+    }
+}
 
 nlohmann::ordered_json findings() {
     nlohmann::ordered_json json;
@@ -26,13 +51,8 @@ nlohmann::ordered_json findings() {
     json["fonts"] = "DejaVu Sans, compiled in";
     json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
-    json["pdf_engines"] = nlohmann::ordered_json::object();
-    for (const char* engine : pdf_engines) {
-        if (const auto path = found_on_path(engine)) json["pdf_engines"][engine] = printable(path->string());
-    }
-    json["missing"] = nlohmann::ordered_json::array();
+    add_pdf(json);
     if (report::viewer_program().empty()) json["missing"].push_back("the viewer of models: apt install npm, then build again");
-    if (json["pdf_engines"].empty()) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
     return json;
 }
 
@@ -44,10 +64,10 @@ std::string told(const nlohmann::ordered_json& json) {
     for (const auto& [key, value] : json.items()) {
         if (value.is_object()) {
             for (const auto& [name, detail] : value.items())
-                line((key == "libraries" ? "library " : "PDF engine ") + name, detail.get<std::string>());
+                line((key == "libraries" ? "library " : "PDF engine, ") + name, detail.get<std::string>());
         } else if (value.is_array()) {
-            for (const auto& entry : value) line(key, entry.get<std::string>());
-        } else {
+            for (const auto& entry : value) line(key == "missing" ? key : "PDF engine refused", entry.get<std::string>());
+        } else if (!value.is_null()) {
             line(key, value.is_string() ? value.get<std::string>() : value.dump());
         }
     }

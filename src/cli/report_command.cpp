@@ -1,4 +1,5 @@
 #include <tbb/global_control.h>
+#include <tbb/parallel_invoke.h>
 
 #include <chrono>
 #include <memory>
@@ -6,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/print_report.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/report_files.h"
@@ -59,14 +61,15 @@ report::Document document_of(const ReportSettings& settings, const std::vector<A
     return document;
 }
 
-report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<Answer>& answers, const std::filesystem::path& folder,
-                                   ProgressDisplay& display) {
+report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<Answer>& answers,
+                                   const std::set<std::string>& on_paper, const std::filesystem::path& folder, ProgressDisplay& display) {
     std::vector<output::FigureRequest> requests;
     for (const Answer& answer : answers) requests.insert(requests.end(), answer.figures.begin(), answer.figures.end());
     if (const auto cover = cover_request(answers)) requests.push_back(*cover);
     output::DrawSettings draw;
     draw.width = settings.width;
     draw.height = settings.height;
+    draw.on_paper = on_paper;
     display.step("drawing");
     auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
     display.milestone(std::to_string(requests.size()) + " figures drawn");
@@ -98,15 +101,9 @@ ExitCode summary(const report::Document& document) {
     return failures.empty() && checks.empty() ? ExitCode::ok : ExitCode::failed;
 }
 
-/// This version prints no PDF itself: whoever can do without one may go on, whoever requires one is told before any work.
-void refuse_required_pdf(const std::string& pdf) {
-    if (pdf == "require") throw EngineError("this version has no PDF engine", "print index.html from a browser, or take --pdf=auto");
-    if (pdf == "auto") warn("this version has no PDF engine; the report has HTML and Markdown");
-}
-
 ExitCode run_report(const ReportFlags& flags) {
-    refuse_required_pdf(flags.pdf);
     const ReportSettings settings = report_settings(flags);
+    const std::optional<report::PdfEngine> engine = wanted_engine(flags);
     report::Templates templates(settings.templates);
     if (settings.page_template) templates.replace("report.html", *settings.page_template);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
@@ -115,7 +112,7 @@ ExitCode run_report(const ReportFlags& flags) {
     output::Publication publication(settings.out);
 
     report::Document document;
-    std::string note;
+    std::string note, pdf_note;
     {
         ProgressDisplay display(stderr_is_terminal());
         const Stopwatch whole;
@@ -123,15 +120,24 @@ ExitCode run_report(const ReportFlags& flags) {
         document = document_of(settings, answers);
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
-        const report::DrawnFigures figures = drawn_figures(settings, answers, publication.folder(), display);
+        const auto on_paper = engine ? report::figures_told(document, settings.printed) : std::set<std::string>();
+        const report::DrawnFigures figures = drawn_figures(settings, answers, on_paper, publication.folder(), display);
         document.timings.push_back({"drawing", drawing.seconds()});
         document.timings.push_back({"up to writing", whole.seconds()});
-        display.step("writing");
-        write_report_files(document, figures, templates, {.timings = settings.timings, .plot_files = true}, answers, publication.folder());
+        display.step(engine ? "writing and printing" : "writing");
+        const report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.design};
+        tbb::parallel_invoke([&] { write_report_files(document, figures, templates, options, answers, publication.folder()); },
+                             [&] {
+                                 if (engine)
+                                     pdf_note = write_pdf(document, figures, templates, settings, *engine, flags.pdf == "require",
+                                                          publication.folder());
+                             });
         note = publication.publish();
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }
-    if (!note.empty()) warn(note);
+    for (const std::string& words : {note, pdf_note}) {
+        if (!words.empty()) warn(words);
+    }
     const ExitCode result = summary(document);
     print((settings.out / "index.html").string() + "\n");
     return result;
@@ -153,9 +159,11 @@ Command report_command(CLI::App& parent) {
     app->add_option("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
     app->add_option("--threads", flags->threads, "at most so many threads; default: all");
     app->add_option("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
-    app->add_option("--pdf", flags->pdf, "auto, require or off; this version prints no PDF itself")
+    app->add_option("--pdf", flags->pdf, "report.pdf: auto, where an engine is there; require; or off")
         ->capture_default_str()
+        ->envname("MESHFOLIO_PDF")
         ->check(CLI::IsMember({"auto", "require", "off"}));
+    app->add_option("--pdf-browser", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
     app->add_option("--templates", flags->templates, "folder of templates that replace those of the same name");
     app->add_flag("--quick", flags->quick, "small settings for a first look");
     app->add_flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");

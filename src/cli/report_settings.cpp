@@ -32,6 +32,8 @@ void take_file(ReportSettings& settings, const SettingsFile& file) {
     take(settings.seed, file.seed);
     take(settings.laboratory, file.laboratory);
     take(settings.page_template, file.page_template);
+    take(settings.design, file.design);
+    take(settings.printed, file.printed);
     settings.questions = file.questions;
     settings.experiments = file.experiments;
     settings.base = file.folder;

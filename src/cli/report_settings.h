@@ -16,7 +16,7 @@ namespace meshfolio::cli {
 /// As given on the command line; what is empty was not.
 struct ReportFlags {
     std::vector<std::string> meshes, data;
-    std::string only, out, config, threads, size, templates, pdf = "off";
+    std::string only, out, config, threads, size, templates, pdf = "auto", pdf_browser;
     bool quick = false, fail_fast = false, no_timings = false;
 };
 
@@ -24,6 +24,8 @@ struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
     std::filesystem::path out = "out", templates;
     std::optional<std::filesystem::path> page_template;
+    std::string design = "report";   // of the page, bundled
+    report::Extent printed = report::Extent::brief;
     std::string title, author, course, colormap;
     int width = 0, height = 0;   // of one view [pixels]
     int threads = 0;             // 0: all

@@ -1,5 +1,7 @@
 #include "cli/settings_file.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "cli/experiment_reader.h"
@@ -9,6 +11,7 @@
 #include "nearest_word.h"
 #include "output/safe_name.h"
 #include "questions/question.h"
+#include "report/writers.h"
 
 namespace meshfolio::cli {
 
@@ -86,17 +89,37 @@ private:
     }
 
     void read_report(const toml::table& table) {
-        const TableReader report(table, "[report]", {"title", "author", "course", "template"}, problems_);
+        const TableReader report(table, "[report]", {"title", "author", "course", "template", "pdf"}, problems_);
         settings_.title = short_text(report, "title");
         settings_.author = short_text(report, "author");
         settings_.course = short_text(report, "course");
-        if (const auto file = report.text("template")) {
-            settings_.page_template = settings_.folder / *file;
-            try {
-                read_file(*settings_.page_template, largest_file);
-            } catch (const InputError& error) {
-                problems_.add(*report.node("template"), "[report] template cannot be read: " + std::string(error.what()));
-            }
+        read_template(report);
+        read_printed(report);
+    }
+
+    /// One of the bundled designs by its name, else a file.
+    void read_template(const TableReader& report) {
+        const auto name = report.text("template");
+        if (!name) return;
+        if (std::find(std::begin(report::page_designs), std::end(report::page_designs), *name) != std::end(report::page_designs)) {
+            settings_.design = *name;
+            return;
+        }
+        settings_.page_template = settings_.folder / *name;
+        try {
+            read_file(*settings_.page_template, largest_file);
+        } catch (const InputError& error) {
+            problems_.add(*report.node("template"), "[report] template cannot be read: " + std::string(error.what()));
+        }
+    }
+
+    void read_printed(const TableReader& report) {
+        const auto extent = report.text("pdf");
+        if (!extent) return;
+        if (*extent != "brief" && *extent != "full") {
+            problems_.add(*report.node("pdf"), "[report] pdf is '" + printable(*extent) + "'", "write \"brief\" or \"full\"");
+        } else {
+            settings_.printed = *extent == "full" ? report::Extent::whole : report::Extent::brief;
         }
     }
 

@@ -13,6 +13,7 @@
 
 #include "errors.h"
 #include "questions/settings.h"
+#include "report/view_model.h"
 
 namespace meshfolio::cli {
 
@@ -30,6 +31,8 @@ struct QuestionTable {
 struct SettingsFile {
     std::optional<std::string> title, author, course;
     std::optional<std::filesystem::path> page_template;   // absolute or relative to where the program runs
+    std::optional<std::string> design;                    // of the page, bundled
+    std::optional<report::Extent> printed;                // in the PDF
     std::optional<int> width, height;                     // of one view [pixels]
     std::optional<std::string> colormap;
     std::optional<std::uint64_t> seed;

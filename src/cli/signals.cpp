@@ -14,6 +14,7 @@
 
 #include "errors.h"
 #include "output/publish.h"
+#include "report/child_process.h"
 
 namespace meshfolio::cli {
 
@@ -45,6 +46,7 @@ void tell(std::string_view message) {
     int signal = 0;
     while (sigwait(&signals, &signal) != 0) {
     }
+    report::end_children();
     output::abandon_publications();
     constexpr std::string_view message = "\nmeshfolio: interrupted; the earlier output is as it was\n";
     // On a terminal the line of progress is left first.
@@ -63,6 +65,7 @@ void tell(std::string_view message) {
     } catch (...) {
         tell("meshfolio: internal error: an exception was not caught\n");
     }
+    report::end_children();
     output::abandon_publications();
     ::_exit(static_cast<int>(ExitCode::failed));
 }

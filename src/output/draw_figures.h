@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <span>
+#include <string>
 
 #include "output/figure_request.h"
 #include "report/document.h"
@@ -17,6 +19,8 @@ struct DrawSettings {
     int strip_cell = 240;            // of one view inside a strip of several panels
     int preview_width = 1200;        // of the JPEG inside the page
     int jpeg_quality = 82;
+    std::set<std::string> on_paper = {};   // figures that also need their whole sheet as a JPEG
+    int print_quality = 92;
     int threads = 0;   // 0: all
 };
 

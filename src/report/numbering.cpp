@@ -60,6 +60,10 @@ void Numbering::add(const std::string& id, const std::string& kind, const std::s
         throw std::logic_error("report: the id " + id + " is used twice");
 }
 
+void Numbering::leave_out(const std::string& id) {
+    if (const auto it = references_.find(id); it != references_.end()) it->second.anchor.clear();
+}
+
 /// The section whose blocks are called "<section>_…"; questions also where the document lacks them.
 std::string Numbering::owner_of(const std::string& id) const {
     const std::string prefix = id.substr(0, id.find('_'));

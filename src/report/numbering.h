@@ -29,6 +29,9 @@ public:
     /// @throws std::logic_error naming the id if nothing has it
     Reference resolve(const std::string& id) const;
 
+    /// What has this id is not in the page: it keeps its name and has no anchor.
+    void leave_out(const std::string& id);
+
 private:
     void add(const std::string& id, const std::string& kind, const std::string& number);
     std::string owner_of(const std::string& id) const;

@@ -43,8 +43,13 @@ json formula_view(const Formula& formula, const ViewContext& context) {
     if (forms == context.formulas.end()) throw std::logic_error("report: formulas.json has no formula " + formula.name);
     const bool numbered = !formula.id.empty();
     const std::string number = numbered ? context.numbering.resolve(formula.id).number : "";
-    return {{"id", safe_text(formula.id)},    {"is_numbered", numbered},  {"number", number},
-            {"mathml", forms->second.mathml}, {"tex", forms->second.tex}, {"plain", forms->second.plain}};
+    return {{"id", safe_text(formula.id)},
+            {"is_numbered", numbered},
+            {"number", number},
+            {"mathml", forms->second.mathml},
+            {"tex", forms->second.tex},
+            {"plain", forms->second.plain},
+            {"has_mathml", !context.options.plain_formulas}};
 }
 
 /// What plots and maps have in common.
@@ -168,10 +173,13 @@ json picture_view(const Figure& figure, const ViewContext& context) {
     const DrawnFigure drawn = is_drawn ? it->second : DrawnFigure{};
     const std::string sheet = url_path(drawn.sheet);
     const bool inside = context.options.pictures && !drawn.preview_jpeg.empty();
+    const std::string source = inside ? "data:image/jpeg;base64," + base64(drawn.preview_jpeg) : sheet;
     return {{"alt", safe_text(figure.alt)},
             {"is_drawn", is_drawn},
+            {"is_tall", 5 * drawn.height > 6 * drawn.width},
+            {"is_wide", 2 * drawn.height < drawn.width},
             {"sheet", sheet},
-            {"source", inside ? "data:image/jpeg;base64," + base64(drawn.preview_jpeg) : sheet},
+            {"source", context.options.print_files ? url_path(print_file(figure.id)) : source},
             {"has_size", drawn.width > 0 && drawn.height > 0},
             {"width", std::to_string(drawn.width)},
             {"height", std::to_string(drawn.height)}};

@@ -9,6 +9,7 @@
 #include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/view_blocks.h"
+#include "report/view_extent.h"
 
 namespace meshfolio::report {
 
@@ -43,6 +44,15 @@ json check_view(const Check& check) {
             {"measured", measured_text(check)}, {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
             {"passed", check.passed},           {"note", prose_view(check.note)},
             {"has_note", !check.note.empty()}};
+}
+
+/// Those that did not pass.
+json failed_checks(const Section& section) {
+    json list = json::array();
+    for (const Check& check : section.checks) {
+        if (!check.passed) list.push_back(check_view(check));
+    }
+    return list;
 }
 
 /// Counts of checks, as the opening table and the headings print them.
@@ -90,7 +100,7 @@ json list_of(const std::vector<Item>& items, View view) {
 }
 
 /// What the opening table, the contents list and the section itself have in common.
-json section_head(const Section& section, const std::string& number) {
+json section_head(const Section& section, const std::string& number, Extent extent) {
     json head = score_view(passed_in(section), section.checks.size());
     head["id"] = safe_text(section.id);
     head["number"] = number;
@@ -104,11 +114,13 @@ json section_head(const Section& section, const std::string& number) {
     head["figure_count"] = std::to_string(count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section));
     head["table_count"] = std::to_string(count_of<Table>(section));
     head["checks"] = list_of(section.checks, check_view);
+    head["listed_checks"] = extent == Extent::brief ? failed_checks(section) : head["checks"];
+    head["has_listed_checks"] = !head["listed_checks"].empty();
     return head;
 }
 
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
-    json view = section_head(section, number);
+    json view = section_head(section, number, context.options.extent);
     view["asked"] = prose_view(section.asked);
     view["has_asked"] = !section.asked.empty();
     view["inputs"] = list_of(section.inputs, input_view);
@@ -121,9 +133,17 @@ json section_view(const Section& section, const std::string& number, const ViewC
     view["has_warnings"] = !section.warnings.empty();
     view["outputs"] = links_view(section.output_meshes);
     view["has_outputs"] = !section.output_meshes.empty();
+    view["own_findings"] = list_of(section.findings, [&](const Finding& f) {
+        return json{{"runs", text_view(f.text, context.numbering)}};
+    });
+    view["has_own_findings"] = !section.findings.empty();
+    view["is_brief"] = is_brief(section, context.options.extent);
     int headings = 0;
     view["blocks"] = json::array();
-    for (const Block& block : section.blocks) view["blocks"].push_back(block_view(block, number, headings, context));
+    const std::set<const Block*> told = blocks_told(section, context.options.extent);
+    for (const Block& block : section.blocks) {
+        if (told.contains(&block)) view["blocks"].push_back(block_view(block, number, headings, context));
+    }
     return view;
 }
 
@@ -205,7 +225,8 @@ json timings_view(const Document& document, const Numbering& numbering) {
 json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options) {
     const std::vector<Work> works = bibliography_of(templates);
     const auto formulas = formulas_of(templates);
-    const Numbering numbering(document, works);
+    Numbering numbering(document, works);
+    leave_out_untold(document, options.extent, numbering);
     const auto numbers = section_numbers(document);
     const ViewContext context{figures, numbering, formulas, options};
 
@@ -214,7 +235,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         passed += passed_in(document.sections[s]);
         total += document.sections[s].checks.size();
-        attempted.push_back(section_head(document.sections[s], numbers[s]));
+        attempted.push_back(section_head(document.sections[s], numbers[s], options.extent));
         attempted.back()["begins_supporting"] = s > 0 && is_question(document.sections[s - 1]) && !is_question(document.sections[s]);
         sections.push_back(section_view(document.sections[s], numbers[s], context));
     }
@@ -229,6 +250,8 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     model["has_findings"] = !model["findings"].empty();
     model["has_works"] = !model["works"].empty();
     model["has_timings"] = !model["timings"].empty();
+    model["has_page_numbers"] = options.page_numbers;
+    model["is_brief_report"] = options.extent == Extent::brief;
     return model;
 }
 

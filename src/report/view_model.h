@@ -5,22 +5,42 @@
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
 
 #include "report/document.h"
 #include "report/writers.h"
 
 namespace meshfolio::report {
 
+/// How much of the document is told.
+enum class Extent {
+    whole,
+    brief,   // of what is no question the findings, the first picture and the first table; of the checks those that failed
+};
+
 struct ViewOptions {
     bool timings = true;
-    bool pictures = true;           // previews and plots inside, for a page of one file
+    bool pictures = true;          // previews and plots inside, for a page of one file
+    bool print_files = false;      // pictures are print_file(id), beside the page
+    bool page_numbers = false;     // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
+    bool plain_formulas = false;   // for readers without MathML
+    Extent extent = Extent::whole;
     bool plot_files = false;        // images/<plot>.svg are there to link to
     bool single_views = true;       // links to the pictures a sheet is made of
     bool models = false;            // inside, for a page that can turn them; false: only linked to
     std::size_t table_rows = 200;   // longer tables show their first and last rows
 };
 
+/// Of the picture of a figure for paper.
+std::string print_file(const std::string& figure);
+
+/// Ids of the figures that are told to this extent, the cover among them.
+std::set<std::string> figures_told(const Document& document, Extent extent);
+
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula
 nlohmann::json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options);
+
+/// Adds `style`, `script` and `policy` (of the contents that the page may have) for a page of that design (writers.h).
 
 }   // namespace meshfolio::report

@@ -15,6 +15,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t most_columns = 8;   // in the usual type across a sheet of A4
+
 const double* number_in(const std::vector<Cell>& row, std::size_t column) {
     return column < row.size() ? std::get_if<double>(&row[column]) : nullptr;
 }
@@ -180,6 +182,7 @@ json table_view(const Table& table, const ViewContext& context) {
             {"rows", std::move(rows)},
             {"is_cut", first + last < total},
             {"is_sortable", table.sortable && first + last == total},
+            {"has_many_columns", table.columns.size() > most_columns},
             {"has_best", has_best}};
 }
 

@@ -27,10 +27,14 @@ private:
 };
 
 struct WriteOptions {
-    bool timings = true;       // false: nothing that differs from run to run
-    bool plot_files = false;   // the caller also writes svg_file_of(plot) to images/<id>.svg; Markdown then shows the plots
+    bool timings = true;             // false: nothing that differs from run to run
+    bool plot_files = false;         // the caller also writes svg_file_of(plot) to images/<id>.svg; Markdown then shows the plots
+    std::string design = "report";   // of the page: design.html with design.css, of the templates
     std::string_view viewer = viewer_program();   // turns the models of the page; empty: they are only linked to
 };
+
+/// The bundled designs of index.html.
+inline constexpr const char* page_designs[] = {"report", "print"};
 
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});
 std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates,

@@ -10,10 +10,10 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def run(*arguments, cwd=None, **environment):
-    """One run; environment variables by name. Returns the finished process with text streams."""
+    """One run; environment variables by name. Reports are not printed unless asked for. Returns the finished process with text streams."""
     words = [PROGRAM, *map(str, arguments)]
     return subprocess.run(
-        words, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, timeout=280, stdin=subprocess.DEVNULL
+        words, cwd=cwd, env={**os.environ, "MESHFOLIO_PDF": "off", **environment}, capture_output=True, text=True, timeout=280, stdin=subprocess.DEVNULL
     )
 
 

@@ -474,8 +474,8 @@ class ListAndDoctor(InFolder):
         for library in ('Eigen', 'oneTBB'):
             self.assertRegex(found['libraries'][library], r'^\d+\.\d+')
         self.assertIn('fonts', self.succeed('doctor'))
-        without = json.loads(self.succeed('doctor', '--json', PATH=self.folder))
-        self.assertEqual(without['pdf_engines'], {})
+        without = json.loads(self.succeed('doctor', '--json', PATH=self.folder, HOME=self.folder))
+        self.assertIsNone(without['pdf_engine'])
         self.assertTrue(without['missing'])
 
 

@@ -212,12 +212,6 @@ class Failures(unittest.TestCase):
         self.assertEqual(process.returncode, 3)
         self.assertFalse((folder / "out").exists())
 
-    def test_a_required_pdf_is_refused_before_any_work(self):
-        folder = temporary_folder(self)
-        process = run("report", "--quick", "--only", "q2", "--pdf", "require", "--out", folder / "out")
-        self.assertEqual((process.returncode, list(folder.iterdir())), (5, []))
-        self.assertEqual(run("report", "--only", "q2", "--quick", "--size", 64, "--pdf=off", "--out", folder / "out").returncode, 0)
-
     def test_wrong_settings_write_nothing(self):
         folder = temporary_folder(self)
         (folder / "report.toml").write_text('[report]\ntitel = "x"\n[[question]]\nid = "q4"\nk = -1\n')

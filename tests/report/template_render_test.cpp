@@ -97,7 +97,14 @@ std::vector<json> complete_models() {
     with_files.plot_files = true;
     ViewOptions with_models;
     with_models.models = true;
-    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), with_models, sample_models())};
+    // And on paper, where the sections that answer no question are brief.
+    Document supporting = sample_document();
+    supporting.sections[0].id = "truth";
+    ViewOptions on_paper;
+    on_paper.page_numbers = on_paper.plain_formulas = true;
+    on_paper.extent = Extent::brief;
+    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), with_models, sample_models()),
+            model_of(supporting, on_paper)};
 }
 
 /// Every tag of the template is known to the models, and every tag is met with one of them.
@@ -117,6 +124,8 @@ void expect_all_tags_known(const std::string& name) {
 TEST(ViewModel, KnowsEveryTagOfTheHtmlTemplate) { expect_all_tags_known("report.html"); }
 
 TEST(ViewModel, KnowsEveryTagOfTheMarkdownTemplate) { expect_all_tags_known("report.md"); }
+
+TEST(ViewModel, KnowsEveryTagOfThePrintTemplate) { expect_all_tags_known("print.html"); }
 
 TEST(ViewModel, UnknownFormulaIsNamed) {
     Document document = sample_document();

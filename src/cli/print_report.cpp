@@ -1,0 +1,75 @@
+#include "cli/print_report.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "cli/console.h"
+#include "errors.h"
+#include "file_bytes.h"
+#include "output/temporaries.h"
+#include "report/pdf_finish.h"
+#include "report/print_page.h"
+#include "report/print_pdf.h"
+
+namespace meshfolio::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Short, because sockets that browsers make in it have paths of at most 107 bytes.
+output::Temporary scratch_folder() {
+    std::error_code error;
+    const fs::path place = fs::temp_directory_path(error);
+    std::string name = ((error ? fs::path("/tmp") : place) / ("meshfolio-print-" + output::process_number() + "-XXXXXX")).string();
+    if (::mkdtemp(name.data()) == nullptr)
+        throw OutputError(name, std::string("cannot be made (") + std::strerror(errno) + ")", "set TMPDIR");
+    return output::Temporary(name);
+}
+
+}   // namespace
+
+std::optional<report::PdfEngine> wanted_engine(const ReportFlags& flags) {
+    if (flags.pdf == "off") return {};
+    report::EngineFinding finding = report::find_pdf_engine(report::engine_search(flags.pdf_browser));
+    std::string refused;
+    for (const std::string& one : finding.refused) refused += (refused.empty() ? " (" : "; ") + one;
+    if (!refused.empty()) refused += ")";
+    const std::string remedy = "install chromium-headless-shell, or name a browser with --pdf-browser";
+    if (!finding.engine && flags.pdf == "require") throw EngineError("there is no PDF engine" + refused, remedy);
+    if (!finding.engine) warn("there is no PDF engine" + refused + ", and so no report.pdf; " + remedy);
+    return finding.engine;
+}
+
+std::string printed_report(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                           const ReportSettings& settings, const report::PdfEngine& engine) {
+    const bool mathml = engine.kind == report::PdfEngine::Kind::chromium;
+    report::PrintPage page = report::print_page(document, figures, templates, {.extent = settings.printed, .mathml = mathml});
+    const char* seconds = std::getenv("SOURCE_DATE_EPOCH");
+    const report::PrintJob job{std::move(page.html),
+                               std::move(page.files),
+                               document.title,
+                               document.author,
+                               "meshfolio " + document.provenance.version,
+                               report::pdf_date(seconds != nullptr ? seconds : ""),
+                               "results.json",
+                               report::write_json(document, figures, {.timings = false})};
+    const output::Temporary scratch = scratch_folder();
+    return report::print_pdf(job, engine, scratch.path());
+}
+
+std::string write_pdf(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                      const ReportSettings& settings, const report::PdfEngine& engine, bool required, const fs::path& folder) {
+    std::string pdf;
+    try {
+        pdf = printed_report(document, figures, templates, settings, engine);
+    } catch (const Error& error) {
+        if (required) throw EngineError(error.what());
+        return std::string("there is no report.pdf: ") + error.what();
+    }
+    write_file(folder / "report.pdf", pdf);
+    return "";
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,30 @@
+/// @file
+/// report.pdf: the engine, and the printing.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "cli/report_settings.h"
+#include "report/pdf_engine.h"
+#include "report/writers.h"
+
+namespace meshfolio::cli {
+
+/// The engine that --pdf asks for; with `auto`, when there is none, says so in a warning.
+/// @throws EngineError when one is required and none is there
+std::optional<report::PdfEngine> wanted_engine(const ReportFlags& flags);
+
+/// The bytes of report.pdf. Nothing in them depends on the time or the place.
+/// @throws EngineError if the engine does not deliver
+std::string printed_report(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                           const ReportSettings& settings, const report::PdfEngine& engine);
+
+/// printed_report() into `folder`. A failure is the report's own only where the PDF is required.
+/// @return what to warn of, else empty
+/// @throws EngineError where it is required
+std::string write_pdf(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                      const ReportSettings& settings, const report::PdfEngine& engine, bool required, const std::filesystem::path& folder);
+
+}   // namespace meshfolio::cli

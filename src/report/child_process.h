@@ -1,0 +1,36 @@
+/// @file
+/// Another program run to its end, within a limit of time, in a process group of its own.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace meshfolio::report {
+
+struct ChildTask {
+    std::filesystem::path program;
+    std::vector<std::string> arguments;               // without the program itself
+    std::map<std::string, std::string> environment;   // takes the place of, or adds to, that of this process
+    std::filesystem::path folder = "/";               // where it runs
+    std::chrono::milliseconds limit = std::chrono::seconds(120);
+};
+
+struct ChildEnd {
+    enum class Kind { exited, killed, timed_out, not_started } kind = Kind::not_started;
+    int code = 0;         // exit code, signal, or errno of what could not be started
+    std::string output;   // the last of what it wrote to both streams
+};
+
+/// Runs the program with no input and waits for its end. Whatever it leaves running in its group is killed.
+ChildEnd run_child(const ChildTask& task);
+
+/// "ended with exit code 3", "was killed by signal 9", …, and the last line that it wrote.
+std::string words_of(const ChildEnd& end);
+
+/// For whoever ends the process early, on a signal say: kills all that run, and lets no more begin.
+void end_children() noexcept;
+
+}   // namespace meshfolio::report

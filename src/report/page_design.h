@@ -1,0 +1,22 @@
+/// @file
+/// What a design of the page has besides its markup: style sheets, scripts, and the policy that allows just these.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+struct DesignParts {
+    bool models = false;            // some figure can be turned: styles and script for that come along
+    std::string_view viewer = {};   // the program they are turned by, carried as data; empty: they are only linked to
+};
+
+/// Fills `style`, `scheme_script`, `script`, `viewer` and `policy` of a view model for `design`.html. The design "print" has no script.
+/// @throws UsageError for a text that would end its element
+void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts = {});
+
+}   // namespace meshfolio::report

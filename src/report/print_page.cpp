@@ -1,0 +1,77 @@
+#include "report/print_page.h"
+
+#include <nlohmann/json.hpp>
+
+#include "report/escape.h"
+#include "report/page_design.h"
+#include "report/template_render.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+constexpr std::size_t rows_of_the_whole = 60;
+
+/// Without tags, entities resolved, spaces and line ends as one space each.
+std::string text_of(const std::string& html) {
+    static const std::pair<std::string_view, char> entities[] = {
+        {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&#39;", '\''}};
+    std::string text;
+    for (std::size_t i = 0; i < html.size(); ++i) {
+        char c = html[i];
+        if (c == '<') {
+            i = std::min(html.find('>', i), html.size());
+            continue;
+        }
+        for (const auto& [entity, character] : entities) {
+            if (html.compare(i, entity.size(), entity) != 0) continue;
+            c = character;
+            i += entity.size() - 1;
+            break;
+        }
+        const bool space = c == ' ' || c == '\n' || c == '\t';
+        if (!space) text += c;
+        if (space && !text.empty() && text.back() != ' ') text += ' ';
+    }
+    if (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+}   // namespace
+
+PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
+    ViewOptions view;
+    view.timings = false;
+    view.print_files = true;
+    view.page_numbers = true;
+    view.plain_formulas = !options.mathml;
+    view.single_views = false;
+    view.extent = options.extent;
+    view.table_rows = options.extent == Extent::brief ? options.table_rows : rows_of_the_whole;
+    nlohmann::json model = view_model(document, figures, templates, view);
+    add_design(model, templates, "print");
+    PrintPage page{render(templates, "print.html", model, xml_escape), {}};
+    for (const std::string& id : figures_told(document, options.extent)) {
+        const auto drawn = figures.find(id);
+        if (drawn != figures.end()) page.files[print_file(id)] = drawn->second.print_jpeg;
+    }
+    return page;
+}
+
+std::vector<PageHeading> headings_of(const std::string& html) {
+    std::vector<PageHeading> headings;
+    for (std::size_t at = html.find("<h"); at != std::string::npos; at = html.find("<h", at + 1)) {
+        const char level = at + 2 < html.size() ? html[at + 2] : ' ';
+        if (level < '1' || level > '6') continue;
+        const std::size_t begin = html.find('>', at), end = html.find(std::string("</h") + level, at);
+        if (begin == std::string::npos || end == std::string::npos || end < begin) break;
+        const std::string tag = html.substr(at, begin - at);
+        const std::size_t id = tag.find(" id=\"");
+        const std::string name = id == std::string::npos ? "" : tag.substr(id + 5, tag.find('"', id + 5) - id - 5);
+        headings.push_back({name, text_of(html.substr(begin + 1, end - begin - 1)), level - '0'});
+        at = end;
+    }
+    return headings;
+}
+
+}   // namespace meshfolio::report

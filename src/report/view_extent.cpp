@@ -1,0 +1,78 @@
+#include "report/view_extent.h"
+
+#include <algorithm>
+
+namespace meshfolio::report {
+
+namespace {
+
+constexpr std::size_t widest_brief_table = 9;   // columns; wider ones need the page of their own that a brief section has not
+
+template <class... Kinds>
+const Block* first_of(const Section& section) {
+    const auto is_one = [](const Block& block) { return (std::holds_alternative<Kinds>(block) || ...); };
+    const auto it = std::find_if(section.blocks.begin(), section.blocks.end(), is_one);
+    return it != section.blocks.end() ? &*it : nullptr;
+}
+
+const Block* first_narrow_table(const Section& section) {
+    const auto it = std::find_if(section.blocks.begin(), section.blocks.end(), [](const Block& block) {
+        const auto* table = std::get_if<Table>(&block);
+        return table != nullptr && table->columns.size() <= widest_brief_table;
+    });
+    return it != section.blocks.end() ? &*it : nullptr;
+}
+
+/// What can be referred to in a block.
+std::vector<std::string> ids_in(const Block& block) {
+    if (const auto* table = std::get_if<Table>(&block)) return {table->id};
+    if (const auto* plot = std::get_if<Plot>(&block)) return {plot->id};
+    if (const auto* map = std::get_if<Map>(&block)) return {map->id};
+    if (const auto* figure = std::get_if<Figure>(&block)) return {figure->id};
+    if (const auto* formula = std::get_if<Formula>(&block)) return {formula->id};
+    std::vector<std::string> ids;
+    if (const auto* list = std::get_if<EntryList>(&block)) {
+        for (const Entry& entry : list->entries) ids.push_back(entry.id);
+    }
+    return ids;
+}
+
+}   // namespace
+
+bool is_brief(const Section& section, Extent extent) { return extent == Extent::brief && !is_question(section); }
+
+std::set<const Block*> blocks_told(const Section& section, Extent extent) {
+    std::set<const Block*> told;
+    if (!is_brief(section, extent)) {
+        for (const Block& block : section.blocks) told.insert(&block);
+        return told;
+    }
+    told = {first_of<Paragraph>(section), first_of<Figure, Plot, Map>(section), first_narrow_table(section)};
+    told.erase(nullptr);
+    return told;
+}
+
+void leave_out_untold(const Document& document, Extent extent, Numbering& numbering) {
+    for (const Section& section : document.sections) {
+        const std::set<const Block*> told = blocks_told(section, extent);
+        for (const Block& block : section.blocks) {
+            if (told.contains(&block)) continue;
+            for (const std::string& id : ids_in(block)) numbering.leave_out(id);
+        }
+    }
+}
+
+std::set<std::string> figures_told(const Document& document, Extent extent) {
+    std::set<std::string> ids;
+    if (document.cover) ids.insert(document.cover->id);
+    for (const Section& section : document.sections) {
+        for (const Block* block : blocks_told(section, extent)) {
+            if (const auto* figure = std::get_if<Figure>(block)) ids.insert(figure->id);
+        }
+    }
+    return ids;
+}
+
+std::string print_file(const std::string& figure) { return "figures/" + figure + ".jpg"; }
+
+}   // namespace meshfolio::report

@@ -1,0 +1,157 @@
+#include "report/print_page.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "errors.h"
+#include "report/print_pdf.h"
+#include "report/sample_document.h"
+#include "report/test_tools.h"
+#include "report/view_extent.h"
+
+namespace meshfolio::report {
+namespace {
+
+DrawnFigures figures_for_paper(DrawnFigures figures = sample_figures()) {
+    for (auto& [id, figure] : figures) figure.print_jpeg = "\xff\xd8\xff paper";
+    return figures;
+}
+
+/// The sample, its first section one that answers no question.
+Document supporting_document() {
+    Document document = sample_document();
+    document.sections[0].id = "truth";
+    return document;
+}
+
+PrintPage printed(const Document& document, PrintOptions options = {}) {
+    return print_page(document, figures_for_paper(), Templates(), options);
+}
+
+constexpr PrintOptions whole{.extent = Extent::whole};
+
+TEST(PrintPage, EveryLinkHasItsTargetInThePage) {
+    for (const Document& document : {sample_document(), supporting_document(), hostile_document()}) {
+        for (const PrintOptions& options : {PrintOptions{}, whole}) {
+            const std::string page = body_of(printed(document, options).html);
+            std::set<std::string> ids;
+            for (const std::string& id : matches(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id << " twice";
+            for (const std::string& link : matches(page, " href=\"([^\"]*)\""))
+                EXPECT_TRUE(link[0] == '#' && ids.contains(link.substr(1))) << link;
+        }
+    }
+}
+
+TEST(PrintPage, EveryPictureIsAFileBesideIt) {
+    const PrintPage page = printed(sample_document());
+    const auto sources = matches(page.html, " src=\"([^\"]*)\"");
+    EXPECT_FALSE(sources.empty());
+    for (const std::string& source : sources) EXPECT_TRUE(page.files.contains(source)) << source;
+    EXPECT_EQ(page.files.size(), std::set<std::string>(sources.begin(), sources.end()).size());
+}
+
+TEST(PrintPage, IsWellFormedXml) {
+    if (!has_program("xmllint")) GTEST_SKIP() << "xmllint is not installed";
+    const TemporaryFolder folder;
+    for (const Document& document : {sample_document(), supporting_document(), hostile_document(), Document()}) {
+        const auto file = folder.write("page.html", printed(document).html);
+        EXPECT_TRUE(succeeds("xmllint --noout '" + file.string() + "'"));
+    }
+}
+
+TEST(PrintPage, ImagesHaveNoBackground) {
+    // Chromium paints such a background now before, now after the picture: the PDF would differ from run to run.
+    for (const std::string& rule : matches(Templates()["print.css"], "([^{}]*img[^{}]*\\{[^}]*\\})"))
+        EXPECT_EQ(rule.find("background"), std::string::npos) << rule;
+}
+
+TEST(PrintPage, FormulasArePlainForEnginesWithoutMathml) {
+    EXPECT_NE(printed(sample_document()).html.find("<math"), std::string::npos);
+    EXPECT_EQ(printed(sample_document(), {.mathml = false}).html.find("<math"), std::string::npos);
+}
+
+TEST(PrintPage, HasNoTimings) {
+    ASSERT_NE(write_html(sample_document(), sample_figures(), Templates()).find("Timings"), std::string::npos);
+    for (const PrintOptions& options : {PrintOptions{}, whole})
+        EXPECT_EQ(printed(sample_document(), options).html.find("Timings"), std::string::npos);
+}
+
+TEST(PrintPage, LongTablesAreCut) {
+    Document document = sample_document();
+    Table table{"q1_long", "Long", {{.name = "number"}}, {}};
+    for (int i = 0; i < 40; ++i) table.rows.push_back({static_cast<double>(i)});
+    document.sections[0].blocks.push_back(table);
+    EXPECT_NE(printed(document, {.table_rows = 10}).html.find("30 rows are only in tables/q1_long.csv"), std::string::npos);
+    EXPECT_EQ(printed(document, whole).html.find("rows are only in tables/q1_long.csv"), std::string::npos);
+}
+
+TEST(PrintPage, WhatIsNotToldIsNamedButNotLinked) {
+    const Document document = supporting_document();
+    const Section& section = document.sections[0];
+    const auto told = blocks_told(section, Extent::brief);
+    EXPECT_LT(told.size(), section.blocks.size());
+    EXPECT_LE(told.size(), 3u);
+    EXPECT_EQ(blocks_told(section, Extent::whole).size(), section.blocks.size());
+    const auto pictures = [](const std::set<const Block*>& blocks) {
+        return std::count_if(blocks.begin(), blocks.end(),
+                             [](const Block* b) { return std::holds_alternative<Figure>(*b) || std::holds_alternative<Plot>(*b); });
+    };
+    EXPECT_EQ(pictures(told), 1);
+    // A question is told whole.
+    EXPECT_EQ(blocks_told(sample_document().sections[0], Extent::brief).size(), section.blocks.size());
+}
+
+TEST(PrintPage, OnlyFiguresThatAreToldNeedAPicture) {
+    const auto brief = figures_told(supporting_document(), Extent::brief), all = figures_told(supporting_document(), Extent::whole);
+    EXPECT_LE(brief.size(), all.size());
+    EXPECT_EQ(printed(supporting_document()).files.size(), brief.size());
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), brief.begin(), brief.end()));
+}
+
+TEST(PrintPage, HeadingsAreReadWithTheirWordsApart) {
+    const auto headings = headings_of(
+        "<head><title>x</title></head><h1>Mesh\nprocessing</h1><hr/><h2 id=\"q1\"><span class=\"number\">1</span> A &amp; "
+        "<em>B</em></h2><h3>C</h3>");
+    ASSERT_EQ(headings.size(), 3u);
+    EXPECT_EQ(headings[0].title, "Mesh processing");
+    EXPECT_EQ(headings[1].title, "1 A & B");
+    EXPECT_EQ(headings[1].id, "q1");
+    EXPECT_EQ(headings[2].level, 3);
+}
+
+TEST(PrintPage, EveryPageNumberThatIsAskedForHasItsHeading) {
+    const PrintPage page = printed(supporting_document());
+    std::set<std::string> ids;
+    for (const PageHeading& heading : headings_of(page.html)) ids.insert(heading.id);
+    const auto asked = matches(page.html, "@page:([^@]*)@");
+    EXPECT_GE(asked.size(), supporting_document().sections.size());
+    for (const std::string& id : asked) EXPECT_TRUE(ids.contains(id)) << id;
+}
+
+TEST(PrintPdf, APageThatNeedsWhatIsNotThereIsRefused) {
+    // Engines pass over a missing picture without a word, and turn other links into paths of the machine.
+    const TemporaryFolder folder;
+    const PdfEngine engine{PdfEngine::Kind::chromium, "/bin/true", "Chromium 150"};
+    for (const char* body : {"<img src=\"missing.jpg\"/>", "<a href=\"tables/a.csv\">a</a>", "<img src=\"empty.jpg\"/>"}) {
+        PrintJob job;
+        job.html = body;
+        job.files["empty.jpg"] = "";
+        try {
+            (void)print_pdf(job, engine, folder.path());
+            ADD_FAILURE() << body;
+        } catch (const EngineError& error) {
+            EXPECT_NE(std::string(error.what()).find("which is not there"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(PrintPdf, SuccessIsNotBelieved) {
+    const TemporaryFolder folder;
+    PrintJob job;
+    job.html = "<h1>Title</h1>";
+    EXPECT_THROW((void)print_pdf(job, {PdfEngine::Kind::chromium, "/bin/true", "Chromium 150"}, folder.path()), EngineError);
+}
+
+}   // namespace
+}   // namespace meshfolio::report
