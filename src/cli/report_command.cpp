@@ -6,14 +6,17 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/own_source.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/report_files.h"
 #include "cli/report_settings.h"
 #include "cli/run_questions.h"
+#include "file_bytes.h"
 #include "number_text.h"
 #include "output/draw_figures.h"
 #include "output/publish.h"
+#include "submission/citations.h"
 
 namespace meshfolio::cli {
 
@@ -121,6 +124,7 @@ ExitCode run_report(const ReportFlags& flags) {
         const Stopwatch whole;
         const std::vector<Answer> answers = run_questions(meshes, settings, display);
         document = document_of(settings, answers);
+        submission::cite(document, own_source());
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
         const report::DrawnFigures figures = drawn_figures(settings, answers, publication.folder(), display);
@@ -128,6 +132,7 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"up to writing", whole.seconds()});
         display.step("writing");
         write_report_files(document, figures, templates, {.timings = settings.timings, .plot_files = true}, answers, publication.folder());
+        write_file(publication.folder() / "src.txt", own_source().text());
         note = publication.publish();
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }
