@@ -26,5 +26,6 @@ Command sample_command(CLI::App& parent);
 Command list_command(CLI::App& parent);
 Command doctor_command(CLI::App& parent);
 Command verify_command(CLI::App& parent);
+Command submit_command(CLI::App& parent);
 
 }   // namespace meshfolio::cli

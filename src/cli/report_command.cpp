@@ -7,15 +7,18 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/own_source.h"
 #include "cli/print_report.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/report_files.h"
 #include "cli/report_settings.h"
 #include "cli/run_questions.h"
+#include "file_bytes.h"
 #include "number_text.h"
 #include "output/draw_figures.h"
 #include "output/publish.h"
+#include "submission/citations.h"
 
 namespace meshfolio::cli {
 
@@ -118,6 +121,7 @@ ExitCode run_report(const ReportFlags& flags) {
         const Stopwatch whole;
         const std::vector<Answer> answers = run_questions(meshes, settings, display);
         document = document_of(settings, answers);
+        submission::cite(document, own_source());
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
         const auto on_paper = engine ? report::figures_told(document, settings.printed) : std::set<std::string>();
@@ -132,6 +136,7 @@ ExitCode run_report(const ReportFlags& flags) {
                                      pdf_note = write_pdf(document, figures, templates, settings, *engine, flags.pdf == "require",
                                                           publication.folder());
                              });
+        write_file(publication.folder() / "src.txt", own_source().text());
         note = publication.publish();
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }

@@ -52,6 +52,7 @@ Answer skipped(std::string_view id, const std::string& why) {
     Answer answer;
     answer.section = section_of(id);
     answer.section.status = report::Status::skipped;
+    answer.section.code.clear();
     answer.section.extent = why;
     return answer;
 }

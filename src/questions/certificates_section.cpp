@@ -133,10 +133,6 @@ void add_method(report::Section& section) {
                   "the positions and the sum of ",
                   math("M"), " are the area, and ", math("CX"),
                   " is minus the gradient of the area, which normals and edges give without a cotangent.");
-    section.code = {{"certify_spectrum", "src/geometry/spectrum_certificate.cpp", "residuals, orthonormality, Parseval, inertia, zeros"},
-                    {"first_variation_error", "src/geometry/mesh_laws.cpp", "CX = −∇area"},
-                    {"planted_faults", "src/questions/planted_faults.cpp", "the faults and the checks that are to see them"},
-                    {"answer_certificates", "src/questions/certificates_section.cpp", "this section"}};
 }
 
 void add_discussion(report::Section& section, const std::vector<Certified>& meshes, const std::vector<FaultTrial>& trials,

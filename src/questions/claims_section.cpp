@@ -40,11 +40,6 @@ void add_method(report::Section& section) {
         "The deciding number is the one nearest to the threshold among those that turn the scale. Where the mesh a claim is about "
         "is not there, another stands in for it: steps are then the same multiples of its largest stable step, lengths and noise "
         "the same multiples of its mean edge. What depends on the original itself stays undecided.");
-    section.code = {{"decide", "src/questions/claim.cpp", "rule and numbers to verdict"},
-                    {"claim_list", "src/questions/claim_list.cpp", "all claims, from the files claims_*.cpp by subject"},
-                    {"ClaimBench", "src/questions/claim_bench.cpp", "meshes, operators, runs and spectra shared by the claims"},
-                    {"report_mesh", "src/questions/stand_ins.cpp", "which mesh stands for which"},
-                    {"answer_claims", "src/questions/claims_section.cpp", "this section"}};
 }
 
 /// By source: "S0: holds 5, refuted 2 and …".

@@ -248,10 +248,6 @@ report::Section ground_truth_section(const GroundTruth& truth) {
                      std::to_string(runs_of(truth, MeshKind::regular).size()) + " surfaces in " + std::to_string(mesh_kinds.size()) +
                      " kinds of mesh";
     section.parameters = {{"seed", std::to_string(truth.seed)}, {"refinements", std::to_string(truth.runs.front().levels.size())}};
-    section.code = {{"jet_curvature", "src/geometry/jet_fit.cpp", "H and K of a cubic fitted to two rings"},
-                    {"corrected_curvature", "src/geometry/corrected_curvature.cpp", "interpolated corrected curvature measures"},
-                    {"truth_mesh", "src/questions/ground_truth_meshes.cpp", "the meshes of the panel"},
-                    {"panel_level", "src/questions/ground_truth.cpp", "errors of all estimators on one mesh"}};
     add_method(section, truth);
     add_heading(section, "Results");
     section.blocks.emplace_back(overview(truth));

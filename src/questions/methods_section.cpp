@@ -76,13 +76,6 @@ void add_method(report::Section& section, const SearchBudget& budget) {
                   "shape, and of which no filter can know: whoever takes off all that is normal to a smooth surface, and leaves what is "
                   "within it, two thirds of the mean square of Gaussian noise, gains ",
                   math("√(3/2) = 1.22"), " in places.");
-    section.code = {{"with_noise", "src/mesh/vertex_noise.cpp", "the kinds of noise"},
-                    {"denoise", "src/geometry/denoising_methods.cpp", "every method, by name"},
-                    {"filtered_normals", "src/geometry/normal_filters.cpp", "bilateral and guided normals, vertex update"},
-                    {"conformalised", "src/geometry/conformal_flow.cpp", "conformalised mean curvature flow"},
-                    {"with_volumes", "src/geometry/component_size.cpp", "rescaling to a volume or an area"},
-                    {"search", "src/questions/denoising_search.cpp", "the best within the budget"},
-                    {"answer_methods", "src/questions/methods_section.cpp", "this section"}};
 }
 
 /// The library's meshes, and beside the bundled roles an ellipsoid of our own: smooth, closed and small enough to be taken whole.

@@ -29,11 +29,6 @@ void add_method(report::Section& section) {
                   math("e^{TL}X"), " of the same energy, and so how many steps of which ", math("λ"),
                   " a given smoothness takes. Operations are counted from the pattern: three multiply–adds for each entry of ", math("C"),
                   " in an explicit step, and those of the factor ", ref("davis_2006"), " in an implicit one.");
-    section.code = {{"spectral_measure", "src/geometry/spectral_measure.cpp", "coordinates over the spectrum, by Lanczos"},
-                    {"factor_operations", "src/geometry/factor_operations.cpp", "what a factorisation and its solves cost"},
-                    {"mode_study", "src/questions/mode_study.cpp", "damping and gaps, measured and predicted"},
-                    {"CostModel", "src/questions/smoothing_costs.cpp", "what a given smoothness costs either way"},
-                    {"answer_modes", "src/questions/modes_section.cpp", "this section"}};
 }
 
 void add_timings(report::Section& section, const ModeStudy& study) {

@@ -168,11 +168,6 @@ void add_method(report::Section& section) {
         " draw other straight edges over the same surface; the tufted cover ", ref("sharp_crane_2020"),
         " glues front and back of every triangle around each edge and flips there, so that boundaries and non-manifold edges need "
         "no exception.");
-    section.code = {{"laplace_operator", "src/geometry/laplace_operator.cpp", "every operator, by name"},
-                    {"intrinsic_delaunay", "src/geometry/intrinsic_delaunay.cpp", "flips by edge lengths alone"},
-                    {"tufted_cover", "src/geometry/tufted_cover.cpp", "two-sided cover, mollified"},
-                    {"operator_scores", "src/geometry/operator_scores.cpp", "symmetry, inertia, weights, λ_crit"},
-                    {"answer_operators", "src/questions/operator_laboratory_section.cpp", "this section"}};
 }
 
 /// For each of its vertices: where operators differ most, pictures tell most.

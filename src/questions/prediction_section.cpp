@@ -46,11 +46,6 @@ void add_rule_words(report::Section& section) {
                   " a quadratic height is fitted to each vertex and its two rings, ", math("m"), " points with residuals ", math("r"), "; ",
                   math("κ"), " corrects for the cut:");
     add_formula(section, "noise_from_residuals");
-    section.code = {{"denoising_prediction", "src/geometry/denoising_prediction.cpp", "expected error by all modes or probes"},
-                    {"noise_level", "src/geometry/noise_level.cpp", "σ from the mesh alone"},
-                    {"risk_estimate", "src/geometry/risk_estimate.cpp", "Stein's estimate, its best iteration, discrepancy principle"},
-                    {"denoising_run", "src/questions/prediction_runs.cpp", "runs with the three operators"},
-                    {"answer_prediction", "src/questions/prediction_section.cpp", "this section"}};
 }
 
 void add_parameters(report::Section& section, const std::vector<PredictionStudy>& studies, const QuestionSettings& settings) {

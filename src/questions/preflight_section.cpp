@@ -187,11 +187,6 @@ void add_method(report::Section& section) {
                   "Meshes are centred and scaled inside: formulas see differences of positions, lengths times a power of two that "
                   "makes the box about 1, and areas that sum to 1 in eigenproblems; results are given in the units of the file. The checks "
                   "move every mesh far away, at another scale, and compare.");
-    section.code = {{"prepare_mesh", "src/mesh/mesh_checks.cpp", "repairs and counts"},
-                    {"consistent_orientation", "src/mesh/orientation.cpp", "one orientation a component"},
-                    {"defect_list", "src/questions/mesh_defects.cpp", "what each defect affects and what is done"},
-                    {"change_when_moved", "src/geometry/mesh_facts.cpp", "that place and size do not matter"},
-                    {"answer_preflight", "src/questions/preflight_section.cpp", "this section"}};
 }
 
 /// What was found and is still there, open boundaries and further components apart: "needle faces (lily 2)".

@@ -203,13 +203,6 @@ void add_method(report::Section& section) {
                   "estimates are held against it:");
     add_formula(section, "gauss_bonnet", "q1_eq_gauss_bonnet");
     add_formula(section, "relative_l2_error");
-    section.code = {{"uniform_laplacian", "src/geometry/uniform_laplacian.cpp", "Δ with uniform weights, as a sparse matrix"},
-                    {"uniform_mean_curvature", "src/geometry/curvature.cpp", "½‖Δx‖ with its sign; _scaled: times 4/h²"},
-                    {"angle_deficit", "src/geometry/curvature.cpp", "2π − Σθ, on the boundary π − Σθ"},
-                    {"gaussian_curvature", "src/geometry/curvature.cpp", "K = (2π − Σθ)/A"},
-                    {"vertex_areas", "src/geometry/vertex_areas.cpp", "barycentric, Voronoi and mixed areas"},
-                    {"known_surfaces", "src/questions/known_surfaces.cpp", "sphere, ellipsoid and torus, regular and jittered"},
-                    {"answer_q1", "src/questions/q1_uniform_curvature.cpp", "this section"}};
 }
 
 void add_refinement_checks(report::Section& section, const std::vector<UniformRefinement>& refinements) {

@@ -327,12 +327,6 @@ void add_method(report::Section& section) {
     add_formula(section, "gaussian_and_mean_from_forms");
     add_formula(section, "euler_formula", "q2_eq_euler");
     add_formula(section, "tip_by_parameters", "q2_eq_parameters");
-    section.code = {{"ellipsoid_forms", "src/geometry/fundamental_forms.cpp", "E, F, G, e, f, g in closed form"},
-                    {"ellipsoid_forms_by_differences", "src/geometry/fundamental_forms.cpp", "the same by central differences"},
-                    {"normal_curvature", "src/geometry/fundamental_forms.cpp", "κ_n = II(t, t)/I(t, t)"},
-                    {"principal_curvatures", "src/geometry/fundamental_forms.cpp", "extrema of κ_n and their directions"},
-                    {"ellipsoid_curvature", "src/geometry/analytic_surfaces.cpp", "K and H from the implicit equation"},
-                    {"answer_q2", "src/questions/q2_ellipsoid_forms.cpp", "this section"}};
 }
 
 }   // namespace

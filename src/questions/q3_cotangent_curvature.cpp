@@ -237,14 +237,6 @@ void add_method(report::Section& section) {
     add_formula(section, "uniform_scaling");
     add_paragraph(section, "On surfaces with closed form, refined step by step, the order of convergence is the slope of the error:");
     add_formula(section, "convergence_order", "q3_eq_order");
-    section.code = {{"laplace_beltrami", "src/geometry/cotangent_laplacian.cpp", "C and M from a mesh"},
-                    {"corner_cotangents", "src/geometry/cotangent_laplacian.cpp", "cotangents from positions or edge lengths"},
-                    {"vertex_areas", "src/geometry/vertex_areas.cpp", "barycentric, Voronoi and mixed areas"},
-                    {"cotangent_mean_curvature", "src/geometry/curvature.cpp", "H = ±½‖Lx‖"},
-                    {"uniform_mean_curvature_scaled", "src/geometry/curvature.cpp", "question 1's estimate times 4/h²"},
-                    {"compare_operators", "src/questions/cotangent_study.cpp", "both estimates and the variants on a mesh"},
-                    {"jet_curvature", "src/geometry/jet_fit.cpp", "H of a degree-3 jet, the second opinion"},
-                    {"answer_q3", "src/questions/q3_cotangent_curvature.cpp", "this section"}};
 }
 
 void add_findings(report::Section& section, const std::vector<CotangentComparison>& meshes,

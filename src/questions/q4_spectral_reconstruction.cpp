@@ -156,15 +156,6 @@ void add_method(report::Section& section) {
     add_paragraph(section, "A low-pass needs no modes at all: a polynomial of the operator, here a Chebyshev series on a proved bound ",
                   math("b"), " of the spectrum, takes as many products with ", math("C"), " as its degree says.");
     add_formula(section, "chebyshev_filter", "q4_eq_chebyshev");
-    section.code = {{"smallest_eigenpairs", "src/geometry/laplace_spectrum.cpp", "the k smallest eigenpairs"},
-                    {"certify_spectrum", "src/geometry/spectrum_certificate.cpp", "that they are right and none is missing"},
-                    {"reconstruct", "src/geometry/spectral_reconstruction.cpp", "X_k = Φ_k Φ_kᵀ M X"},
-                    {"reconstruction_rms", "src/geometry/spectral_reconstruction.cpp", "error for every k by Parseval"},
-                    {"filtered", "src/geometry/spectral_filter.cpp", "gains on frequency bands"},
-                    {"chebyshev_low_pass", "src/geometry/chebyshev_filter.cpp", "low-pass by products with C alone"},
-                    {"reconstruct_unmapped", "src/geometry/spectral_mistakes.cpp", "the mistaken ways, for comparison"},
-                    {"local_thickness", "src/geometry/local_thickness.cpp", "how thick the shape is at each vertex"},
-                    {"answer_q4", "src/questions/q4_spectral_reconstruction.cpp", "this section"}};
 }
 
 /// What the modes are good for beyond rebuilding, and what they cost.

@@ -162,10 +162,6 @@ void add_method(report::Section& section) {
     add_paragraph(section, "Each eigenmode is multiplied by ", math("1 − λμ"), " a step. The step is stable as long as no mode grows:");
     add_formula(section, "explicit_damping");
     add_formula(section, "stability_limit", "q5_eq_limit");
-    section.code = {{"smooth", "src/geometry/laplacian_smoothing.cpp", "the iteration, with blow-up caught"},
-                    {"explicit_step", "src/geometry/laplacian_smoothing.cpp", "X + λLX"},
-                    {"largest_eigenvalue", "src/geometry/stability.cpp", "μ_max by Lanczos, Gershgorin bound"},
-                    {"answer_q5", "src/questions/q5_explicit_smoothing.cpp", "this section"}};
 }
 
 }   // namespace

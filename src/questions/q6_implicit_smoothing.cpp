@@ -164,10 +164,6 @@ void add_method(report::Section& section) {
     add_formula(section, "implicit_step", "q6_eq_step");
     add_paragraph(section, "Each eigenmode is divided by ", math("1 + λμ"), " a step, whatever λ:");
     add_formula(section, "implicit_damping", "q6_eq_damping");
-    section.code = {{"smooth", "src/geometry/laplacian_smoothing.cpp", "factor once, solve three right-hand sides a step"},
-                    {"implicit_step", "src/geometry/laplacian_smoothing.cpp", "(M − λC)X' = MX"},
-                    {"SparseFactor", "src/geometry/sparse_factor.cpp", "Cholesky factorisation"},
-                    {"answer_q6", "src/questions/q6_implicit_smoothing.cpp", "this section"}};
 }
 
 }   // namespace

@@ -147,10 +147,6 @@ void add_method(report::Section& section) {
                   "clean mesh after every "
                   "iteration:");
     add_formula(section, "rms_error", "q7_eq_rms");
-    section.code = {{"with_gaussian_noise", "src/mesh/vertex_noise.cpp", "seeded noise"},
-                    {"smooth", "src/geometry/laplacian_smoothing.cpp", "implicit smoothing"},
-                    {"vertex_rms", "src/geometry/mesh_error.cpp", "error against the clean mesh"},
-                    {"answer_q7", "src/questions/q7_denoising_study.cpp", "this section"}};
 }
 
 void add_finding(report::Section& section, const std::vector<DenoisingStudy>& studies) {

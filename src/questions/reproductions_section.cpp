@@ -29,13 +29,6 @@ void add_method(report::Section& section, const QuestionSettings& settings) {
         math("λ_crit"),
         " where a mesh is only smoothed, of the mean edge (squared for λ) where noise is removed. The uniform operator's λ has no "
         "unit and stays. What a report does not say is chosen by a rule that stands beside it.");
-    section.code = {{"read_experiments", "src/cli/experiment_reader.cpp", "the settings of an experiment"},
-                    {"experiment_meshes", "src/questions/experiment_study.cpp", "the mesh it is done on, or its stand-in"},
-                    {"smoothing_experiment", "src/questions/experiment_study.cpp", "smoothing runs"},
-                    {"noisy_experiment", "src/questions/experiment_study.cpp", "noise and its removal"},
-                    {"curvature_experiment", "src/questions/experiment_fields.cpp", "H and K as the reports drew them"},
-                    {"reconstruction_experiment", "src/questions/experiment_fields.cpp", "meshes from few eigenvectors"},
-                    {"answer_reproductions", "src/questions/reproductions_section.cpp", "this section"}};
 }
 
 template <class Done>

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "questions/cited_code.h"
+
 namespace meshfolio {
 
 report::Section section_of(std::string_view id) {
@@ -13,6 +15,7 @@ report::Section section_of(std::string_view id) {
     section.id = question->id;
     section.title = question->title;
     section.asked = question->asked;
+    section.code = cited_code(id);
     return section;
 }
 

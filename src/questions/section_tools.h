@@ -13,7 +13,7 @@
 
 namespace meshfolio {
 
-/// An empty section of the question or supporting section `id`, with its title and what it asks.
+/// An empty section of the question or supporting section `id`, with its title, what it asks and the code it cites.
 report::Section section_of(std::string_view id);
 
 /// The meshes a question works on: those of the settings, else the user's own, else these roles. Their inputs, and the

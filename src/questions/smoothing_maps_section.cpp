@@ -25,10 +25,6 @@ void add_method(report::Section& section) {
     add_paragraph(section, "Beyond the limit a mode grows by a constant factor, so that the iteration at which it reaches a distance ",
                   math("R"), " is known beforehand from how much of it the input has:");
     add_formula(section, "blow_up_iteration", "maps_eq_blow_up");
-    section.code = {{"smoothing_maps", "src/questions/smoothing_maps.cpp", "both planes, measured as the runs pass"},
-                    {"GrowingModes", "src/questions/smoothing_maps.cpp", "when a run beyond the limit blows up"},
-                    {"ImplicitSolver", "src/geometry/implicit_solver.cpp", "one symbolic analysis for every λ"},
-                    {"answer_maps", "src/questions/smoothing_maps_section.cpp", "this section"}};
 }
 
 void add_pictures(Answer& answer, const SmoothingMaps& maps) {

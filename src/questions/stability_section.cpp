@@ -31,11 +31,6 @@ void add_method(report::Section& section) {
         "missed the top, the factorisation just above its value would break down, and bisection with inverse iteration would find "
         "it. The bound of Gershgorin needs neither and is enough where a safe step will do:");
     add_formula(section, "gershgorin_bound");
-    section.code = {{"stability_certificate", "src/geometry/stability_certificate.cpp", "both bounds of μ_max, and the repair"},
-                    {"largest_eigenvalue", "src/geometry/stability.cpp", "Lanczos, Gershgorin bound, units of λ"},
-                    {"mode_growth", "src/geometry/mode_growth.cpp", "the top mode measured over many steps"},
-                    {"LimitWatch", "src/geometry/limit_watch.cpp", "λμ_max of every step, and steps that keep the limit"},
-                    {"answer_stability", "src/questions/stability_section.cpp", "this section"}};
 }
 
 }   // namespace

@@ -83,7 +83,11 @@ json input_view(const Input& input) {
 }
 
 json code_view(const CodeReference& code) {
-    return {{"function", safe_text(code.function)}, {"file", safe_text(code.file)}, {"purpose", prose_view(code.purpose)}};
+    return {{"function", safe_text(code.function)},
+            {"file", safe_text(code.file)},
+            {"purpose", prose_view(code.purpose)},
+            {"line", std::to_string(code.line)},
+            {"has_line", code.line > 0}};
 }
 
 json links_view(const std::vector<std::string>& files) {

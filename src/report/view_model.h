@@ -41,6 +41,4 @@ std::set<std::string> figures_told(const Document& document, Extent extent);
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula
 nlohmann::json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options);
 
-/// Adds `style`, `script` and `policy` (of the contents that the page may have) for a page of that design (writers.h).
-
 }   // namespace meshfolio::report

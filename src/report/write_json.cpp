@@ -127,6 +127,12 @@ Json input_json(const Input& input) {
             {"sha256", input.sha256}, {"vertices", input.vertices}, {"triangles", input.triangles}};
 }
 
+Json code_json(const CodeReference& code) {
+    Json json = {{"function", code.function}, {"file", code.file}, {"purpose", code.purpose}};
+    if (code.line > 0) json["line"] = code.line;
+    return json;
+}
+
 Json timings_json(const std::vector<Timing>& timings) {
     Json list = Json::array();
     for (const Timing& timing : timings) list.push_back({{"what", timing.what}, {"seconds", number(timing.seconds)}});
@@ -158,9 +164,7 @@ Json section_json(const Section& section, const DrawnFigures& drawn, const Write
     if (section.status == Status::failed) json["failure"] = section.failure;
     json["inputs"] = list_of(section.inputs, input_json);
     json["parameters"] = section.parameters;
-    json["code"] = list_of(section.code, [](const CodeReference& c) {
-        return Json{{"function", c.function}, {"file", c.file}, {"purpose", c.purpose}};
-    });
+    json["code"] = list_of(section.code, code_json);
     json["tables"] = std::move(tables);
     json["plots"] = std::move(plots);
     json["maps"] = std::move(maps);

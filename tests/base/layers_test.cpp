@@ -22,8 +22,9 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"geometry", {"mesh"}},
     {"report", {}},
     {"output", {"report", "mesh", "render"}},
+    {"submission", {"output", "report"}},
     {"questions", {"output", "report", "geometry", "mesh"}},
-    {"cli", {"questions", "output", "report", "geometry", "mesh", "render"}},
+    {"cli", {"submission", "questions", "output", "report", "geometry", "mesh", "render"}},
 };
 
 std::set<std::string> included_by(const fs::path& file) {

@@ -39,6 +39,26 @@ def ply(path):
     return vertices, triangles
 
 
+def png_size(path):
+    """Width and height of an 8-bit PNG whose chunks are whole and whose pixels inflate to what the header says."""
+    data = read(path)
+    assert data[:8] == b'\x89PNG\r\n\x1a\n', path
+    at, pixels, header = 8, b'', None
+    while at < len(data):
+        length, kind = struct.unpack_from('>I4s', data, at)
+        body = data[at + 8:at + 8 + length]
+        assert zlib.crc32(kind + body) == struct.unpack_from('>I', data, at + 8 + length)[0], path
+        if kind == b'IHDR':
+            header = struct.unpack('>IIBB', body[:10])
+        if kind == b'IDAT':
+            pixels += body
+        at += 12 + length
+    width, height, depth, kind = header
+    channels = {2: 3, 6: 4}[kind]
+    assert depth == 8 and len(zlib.decompress(pixels)) == height * (1 + width * channels), path
+    return width, height
+
+
 def png(path):
     """Width, height and rows of (r, g, b) of an 8-bit PNG; alpha is dropped."""
     data = read(path)

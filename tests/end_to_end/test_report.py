@@ -5,12 +5,11 @@ import hashlib
 import html.parser
 import json
 import re
-import struct
 import unittest
 import urllib.parse
 import xml.etree.ElementTree
-import zlib
 
+from file_readers import png_size
 from program import SOURCE, run, sample, temporary_folder
 
 QUESTIONS = ["q1", "q2", "q3", "q4", "q5", "q6", "q7"]
@@ -40,26 +39,6 @@ def digest(path):
 
 def tree(folder):
     return {str(p.relative_to(folder)): digest(p) for p in sorted(folder.rglob("*")) if p.is_file()}
-
-
-def png_size(path):
-    """Checks every chunk's CRC and that the pixels inflate to what the header says."""
-    data = path.read_bytes()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n", path
-    at, pixels, header = 8, b"", None
-    while at < len(data):
-        (length,), kind = struct.unpack(">I", data[at : at + 4]), data[at + 4 : at + 8]
-        body, crc = data[at + 8 : at + 8 + length], struct.unpack(">I", data[at + 8 + length : at + 12 + length])[0]
-        assert zlib.crc32(kind + body) == crc, path
-        if kind == b"IHDR":
-            header = struct.unpack(">IIBB", body[:10])
-        if kind == b"IDAT":
-            pixels += body
-        at += 12 + length
-    width, height, depth, kind = header
-    channels = {2: 3, 6: 4}[kind]
-    assert depth == 8 and len(zlib.decompress(pixels)) == height * (1 + width * channels), path
-    return width, height
 
 
 class QuickReport(unittest.TestCase):

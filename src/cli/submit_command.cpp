@@ -1,0 +1,55 @@
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/own_source.h"
+#include "questions/question.h"
+#include "submission/submission.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+struct Options {
+    std::string out = "out";
+    submission::SubmissionOptions submission;
+    bool without_pdf = false, without_images = false;
+};
+
+std::string megabytes(std::size_t bytes) {
+    const std::size_t tenths = (bytes + 50000) / 100000;
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
+}
+
+ExitCode run_submit(Options options) {
+    options.submission.pdf = !options.without_pdf;
+    options.submission.images = !options.without_images;
+    for (const Question& question : question_list()) options.submission.questions.emplace_back(question.id);
+    const submission::ReportFolder report = submission::read_report(options.out);
+    const submission::Submission submission = submission::pack(report, own_source(), options.submission);
+    const std::string note = submission::publish(report, submission);
+    if (!note.empty()) warn(note);
+    for (const std::string& warning : submission.warnings) warn(warning);
+    complain(std::to_string(submission.files) + " files, " + megabytes(submission.zip.size()) + ", checked and packed");
+    print((report.path / "submission.zip").string() + "\n");
+    return ExitCode::ok;
+}
+
+}   // namespace
+
+Command submit_command(CLI::App& parent) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* app = parent.add_subcommand("submit", "submission.zip from a built report, checked");
+    app->add_option("--out", options->out, "folder of the report; the archive is put into it")->capture_default_str();
+    app->add_option("--author", options->submission.author, "whose work it is; default: the author the report names");
+    app->add_flag("--without-pdf", options->without_pdf, "hand in without report.pdf");
+    app->add_flag("--without-images", options->without_images,
+                  "leave out images/ and report.md: a smaller archive, the page is still whole");
+    app->footer(
+        "Refuses, and changes nothing, when a question is missing, a citation does not resolve, the report is of another version,\n"
+        "something in its folder was changed, or a program is among its files.\n"
+        "Example: meshfolio submit --out out --author 'Ada Lovelace'");
+    return {app, [options] { return run_submit(*options); }};
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,14 @@
+/// @file
+/// Where in C++ text a function or a class is defined, as a reader would find it: not a call, not a declaration, not a comment.
+#pragma once
+
+#include <string_view>
+
+namespace meshfolio::submission {
+
+/// The line, counted from 1, that holds the name in the definition of a function or a class at namespace scope; 0 if there is none.
+/// Of overloads the first counts. "Type::member" asks for a member defined outside its class; a bare name finds one too, when no
+/// function or class of that name alone is defined: "SparseFactor" may be the constructor SparseFactor::SparseFactor.
+long definition_line(std::string_view cpp, std::string_view name);
+
+}   // namespace meshfolio::submission

@@ -1,0 +1,106 @@
+#include "submission/report_folder.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "errors.h"
+#include "file_bytes.h"
+#include "output/publish.h"
+#include "sha256.h"
+#include "submission/suspicious_file.h"
+
+namespace meshfolio::submission {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* renew = "make the report again with meshfolio report";
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& problem, const std::string& remedy, long line = 0) {
+    throw InputError({file.string(), line}, problem, remedy);
+}
+
+/// Neither kept by SHA256SUMS nor part of the report: the sums themselves, and what git is told.
+bool is_apart(const std::string& path) { return path == output::sums_file || path == ".gitignore"; }
+
+void require_harmless(const fs::path& file, const std::string& path, const fs::file_status& status) {
+    constexpr const char* remedy = "take it out of the folder";
+    if (fs::is_symlink(status)) refuse(file, "is a link", remedy);
+    if (const std::string problem = path_problem(path); !problem.empty()) refuse(file, problem, remedy);
+    if (!fs::is_regular_file(status)) refuse(file, "is not a regular file", remedy);
+    constexpr auto anyone = fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+    if ((status.permissions() & anyone) != fs::perms::none)
+        refuse(file, "is executable", "take the right away (chmod -x), or the file out");
+}
+
+/// Every file of the folder, none of them suspicious.
+std::map<std::string, std::string> harmless_files(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {   // does not follow links
+        if (fs::is_directory(entry.symlink_status())) continue;
+        const std::string path = entry.path().lexically_relative(folder).generic_string();
+        require_harmless(entry.path(), path, entry.symlink_status());
+        std::string bytes = read_file(entry.path());
+        if (const std::string kind = program_kind(bytes); !kind.empty()) refuse(entry.path(), "is " + kind, "take it out of the folder");
+        files.emplace(path, std::move(bytes));
+    }
+    return files;
+}
+
+struct Sum {
+    std::string digest;
+    long line = 0;
+};
+
+/// SHA256SUMS by path. @throws InputError with the line that is none of its format
+std::map<std::string, Sum> listed_sums(const fs::path& file, const std::string& text) {
+    std::map<std::string, Sum> sums;
+    long number = 0;
+    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+        end = std::min(text.find('\n', at), text.size());
+        const std::string line = text.substr(at, end - at);
+        ++number;
+        if (line.size() < 67 || line.substr(64, 2) != "  ") refuse(file, "is not a list of sha256sum", renew, number);
+        const std::string path = line.substr(66);
+        if (const std::string problem = path_problem(path); !problem.empty()) refuse(file, "'" + path + "' " + problem, renew, number);
+        sums[path] = {line.substr(0, 64), number};
+    }
+    return sums;
+}
+
+void require_sums(const fs::path& folder, const std::map<std::string, std::string>& files) {
+    const fs::path sums_path = folder / output::sums_file;
+    const auto text = files.find(output::sums_file);
+    if (text == files.end()) refuse(sums_path, "is not there", renew);
+    const std::map<std::string, Sum> sums = listed_sums(sums_path, text->second);
+    for (const auto& [path, sum] : sums) {
+        if (is_apart(path)) continue;
+        const auto file = files.find(path);
+        if (file == files.end()) refuse(sums_path, path + " is listed and not there", renew, sum.line);
+        if (sha256(file->second) != sum.digest) refuse(folder / path, "was changed after the report was written", renew);
+    }
+    for (const auto& [path, bytes] : files) {
+        if (!is_apart(path) && !sums.contains(path)) refuse(folder / path, "is no part of the report", "take it out of the folder");
+    }
+}
+
+}   // namespace
+
+ReportFolder read_report(const fs::path& folder) try {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) {
+        refuse(folder, "is not a folder", "make a report with meshfolio report --out " + folder.string() + ", or name another with --out");
+    }
+    if (!fs::exists(folder / output::marker_file, error)) {
+        refuse(folder, "holds no report of meshfolio", "make one with meshfolio report --out " + folder.string());
+    }
+    ReportFolder report{folder, harmless_files(folder)};
+    require_sums(folder, report.files);
+    for (const char* apart : {output::marker_file, output::sums_file, ".gitignore"}) report.files.erase(apart);
+    return report;
+} catch (const fs::filesystem_error& error) {
+    throw InputError({folder.string(), 0}, "cannot be read (" + error.code().message() + ")");
+}
+
+}   // namespace meshfolio::submission

@@ -1,0 +1,173 @@
+#include "submission/source_listing.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <tuple>
+
+#include "submission/definition.h"
+
+namespace meshfolio::submission {
+
+namespace {
+
+// ---- the order an examiner reads in ----------------------------------------------------------------------------------------
+
+struct Part {
+    std::string_view title;
+    std::vector<std::string_view> beginnings;   // of the paths in it; the first part that has one of them takes a file
+};
+
+const std::vector<Part>& parts() {
+    static const std::vector<Part> list{
+        {"The seven questions",
+         {"src/questions/q1_", "src/questions/q2_", "src/questions/q3_", "src/questions/q4_", "src/questions/q5_", "src/questions/q6_",
+          "src/questions/q7_"}},
+        {"The mathematics", {"src/geometry/"}},
+        {"Meshes and their files", {"src/mesh/"}},
+        {"What questions share, and the sections that support them", {"src/questions/"}},
+        {"The report and its writers", {"src/report/"}},
+        {"Drawing and publishing", {"src/output/"}},
+        {"The submission", {"src/submission/"}},
+        {"The command line", {"src/main.cpp", "src/cli/"}},
+        {"The base of all", {"src/"}},
+        {"The renderer", {"render/"}},
+        {"Templates", {"templates/"}},
+        {"Settings", {"data/"}},
+        {"Tests", {"tests/"}},
+        {"Building", {""}},
+    };
+    return list;
+}
+
+std::size_t part_of(std::string_view path) {
+    const auto begins = [&](std::string_view beginning) { return path.starts_with(beginning); };
+    const auto holds = [&](const Part& part) { return std::any_of(part.beginnings.begin(), part.beginnings.end(), begins); };
+    return static_cast<std::size_t>(std::find_if(parts().begin(), parts().end(), holds) - parts().begin());
+}
+
+std::string_view ending_of(std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('/') + 1);
+    const std::size_t dot = name.rfind('.');
+    return dot == std::string_view::npos || dot == 0 ? std::string_view() : name.substr(dot);
+}
+
+/// Within a part: by module, a header before what implements it.
+auto place_of(std::size_t part, const std::string& path) {
+    const std::string_view ending = ending_of(path);
+    return std::tuple(part, path.substr(0, path.size() - ending.size()), ending != ".h", path);
+}
+
+// ---- the text --------------------------------------------------------------------------------------------------------------
+
+std::vector<std::string_view> lines_of(std::string_view bytes) {
+    std::vector<std::string_view> lines;
+    while (!bytes.empty()) {
+        const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+        lines.push_back(bytes.substr(0, end));
+        bytes.remove_prefix(std::min(end + 1, bytes.size()));
+    }
+    return lines;
+}
+
+std::string right(const std::string& text, std::size_t width) {
+    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+}
+std::string left(const std::string& text, std::size_t width) {
+    return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
+}
+std::string right(int number, std::size_t width) { return right(std::to_string(number), width); }
+
+constexpr int banner_lines = 4;   // a blank line, a rule, the path, a rule
+const std::string rule(100, '=');
+
+class NumberedText {
+public:
+    void add(std::string_view line) {
+        text_ += right(++lines_, 6);
+        if (!line.empty()) text_ += "  ";
+        text_ += line;
+        text_ += '\n';
+    }
+    std::string text() && { return std::move(text_); }
+
+private:
+    std::string text_ = {};
+    int lines_ = 0;
+};
+
+}   // namespace
+
+bool SourceListing::is_source(std::string_view path) {
+    constexpr std::array endings{".cpp", ".h", ".html", ".css", ".js", ".mjs", ".ts", ".toml", ".cmake", ".sh", ".py", ".yml"};
+    constexpr std::array names{"CMakeLists.txt", "CMakePresets.json", "package.json",  "build-report",
+                               "run-tests",      ".ci/run",           ".clang-format", ".clang-tidy"};
+    const auto ends = [&](std::string_view ending) { return path.ends_with(ending); };
+    if (ends("formulas.json") || ends("package-lock.json")) return false;   // made: MathML by pandoc, the lock by npm
+    if (path.starts_with("templates/")) return !ends(".png");
+    return std::any_of(endings.begin(), endings.end(), ends) || std::any_of(names.begin(), names.end(), ends);
+}
+
+std::vector<std::string> SourceListing::head(const std::string& title) const {
+    std::vector<std::string> lines{
+        title,
+        "",
+        "Every line begins with its number: L420 in the report is line 420 here. Listed are the project's own program, templates,",
+        "settings, tests and build files, as they were when the program was built. Meshes, pictures, tables of numbers and prose are",
+        "in the source archive. Nothing of others is in either.",
+        "",
+        "WHERE EACH QUESTION IS ANSWERED: line, function or class, file, purpose",
+    };
+    for (const CitingSection& section : index_) {
+        lines.push_back("");
+        lines.push_back(section.label + "  " + section.title);
+        for (const report::CodeReference& code : section.code) {
+            const std::string purpose = code.purpose.empty() ? "" : " " + code.purpose;
+            lines.push_back("  " + left(code.line > 0 ? "L" + std::to_string(code.line) : "?", 8) + left(code.function, 34) + " " +
+                            (purpose.empty() ? code.file : left(code.file, 46) + purpose));
+        }
+    }
+    lines.insert(lines.end(), {"", "FILES: first line, number of lines, path"});
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        const Listed& listed = files_[i];
+        if (i == 0 || files_[i - 1].part != listed.part) lines.insert(lines.end(), {"", std::string(parts()[listed.part].title)});
+        lines.push_back("  " + left("L" + std::to_string(listed.first), 8) + right(listed.lines, 5) + "  " + listed.file.path);
+    }
+    return lines;
+}
+
+SourceListing::SourceListing(const std::string& title, const std::vector<SourceFile>& files, std::vector<CitingSection> index)
+    : index_(std::move(index)) {
+    for (const SourceFile& file : files) {
+        if (is_source(file.path)) files_.push_back({file, part_of(file.path), static_cast<int>(lines_of(file.bytes).size())});
+    }
+    std::sort(files_.begin(), files_.end(),
+              [](const Listed& a, const Listed& b) { return place_of(a.part, a.file.path) < place_of(b.part, b.file.path); });
+
+    int line = static_cast<int>(head(title).size());   // as long whatever the numbers in it
+    for (Listed& listed : files_) {
+        listed.first = line + banner_lines + 1;
+        line += banner_lines + listed.lines;
+    }
+    for (CitingSection& section : index_) {
+        for (report::CodeReference& code : section.code) code.line = line_of(code.function, code.file);
+    }
+
+    NumberedText text;
+    for (const std::string& row : head(title)) text.add(row);
+    for (const Listed& listed : files_) {
+        const std::string range = "L" + std::to_string(listed.first) + " to L" + std::to_string(listed.first + listed.lines - 1);
+        for (const std::string& row : {std::string(), rule, listed.file.path + "   (" + range + ")", rule}) text.add(row);
+        for (const std::string_view row : lines_of(listed.file.bytes)) text.add(row);
+    }
+    text_ = std::move(text).text();
+}
+
+int SourceListing::line_of(const std::string& function, const std::string& file) const {
+    const auto listed = std::find_if(files_.begin(), files_.end(), [&](const Listed& l) { return l.file.path == file; });
+    if (listed == files_.end()) return 0;
+    const long line = definition_line(listed->file.bytes, function);
+    return line == 0 ? 0 : listed->first - 1 + static_cast<int>(line);
+}
+
+}   // namespace meshfolio::submission
