@@ -64,6 +64,7 @@ void add_figures(Answer& answer, const std::vector<MeshCurvature>& meshes) {
             figure.panels = {q.panels[i]};
             figure.range = range_for(shared, figure.panels);
             add_figure(answer, std::move(figure));
+            answer.figures.back().turnable = true;
         }
     }
 }

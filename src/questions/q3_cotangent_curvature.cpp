@@ -42,6 +42,7 @@ void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
                      "and colour range.";
     figure.caption += undefined_words(s);
     add_figure(answer, std::move(figure));
+    answer.figures.back().turnable = true;
 }
 
 /// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
