@@ -16,6 +16,7 @@ struct ViewOptions {
     bool pictures = true;           // previews and plots inside, for a page of one file
     bool plot_files = false;        // images/<plot>.svg are there to link to
     bool single_views = true;       // links to the pictures a sheet is made of
+    bool passed_checks = true;      // in the lists of checks
     std::size_t table_rows = 200;   // longer tables show their first and last rows
 };
 

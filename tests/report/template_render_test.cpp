@@ -84,7 +84,7 @@ TEST(Templates, WhatCannotBeUsedIsToldAsAUsageError) {
 
 json model_of(const Document& document, const ViewOptions& options = {}) {
     json model = view_model(document, sample_figures(), Templates(), options);
-    for (const char* extra : {"style", "script", "policy"}) model[extra] = "";   // of the page
+    for (const char* extra : {"style", "scheme_script", "script", "policy"}) model[extra] = "";   // of the page
     return model;
 }
 
