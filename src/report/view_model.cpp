@@ -277,6 +277,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
         {"works", works_view(works, numbering)},  {"timings", options.timings ? timings_view(document, numbering) : json::array()}};
     model["cover"] = document.cover ? picture_view(*document.cover, context) : json(false);
     model["score"]["is_complete"] = options.passed_checks;
+    model["score"]["lists_checks"] = options.passed_checks || passed < total;
     model["used"] = meshes_used(document);
     model["answers"] = answered_view(document);
     model["has_findings"] = !model["findings"].empty();

@@ -15,7 +15,7 @@ export const launch = () =>
 /// the files in images/.
 export async function open(browser, folder, options = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
-    context.setDefaultTimeout(20000);
+    context.setDefaultTimeout(90000);
     const page = await context.newPage();
     const url = pathToFileURL(path.join(folder, "index.html")).href, images = pathToFileURL(path.join(folder, "images")).href + "/";
     page.problems = [];
