@@ -15,6 +15,8 @@
 #include "cli/report_settings.h"
 #include "cli/run_questions.h"
 #include "file_bytes.h"
+#include "geometry/curvature.h"
+#include "mesh/mesh_topology.h"
 #include "number_text.h"
 #include "output/draw_figures.h"
 #include "output/publish.h"
@@ -34,21 +36,32 @@ private:
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-/// The title picture: of the figures of one mesh with values, the one with the most triangles, seen from the right front and above.
-std::optional<output::FigureRequest> cover_request(const std::vector<Answer>& answers) {
+/// Sum of the magnitudes of the angle deficits: 4π for what is closed and convex, 0 for what is flat, more the more there is to be seen.
+double bending(const TriangleMesh& mesh) { return angle_deficit(mesh, topology_of(mesh)).cwiseAbs().sum(); }
+
+/// The title picture: of the figures of one mesh with values, one that readers can turn if there is one, the mesh that is bent most.
+const output::FigureRequest* most_worth_seeing(const std::vector<Answer>& answers) {
     const output::FigureRequest* best = nullptr;
-    const auto triangles = [](const output::FigureRequest& figure) { return figure.panels.front().mesh->F.rows(); };
+    std::pair<bool, double> most;
     for (const Answer& answer : answers)
         for (const output::FigureRequest& figure : answer.figures) {
-            const bool has_values = figure.panels.size() == 1 && figure.panels.front().values.size() > 0 && figure.range;
-            if (has_values && (best == nullptr || triangles(figure) > triangles(*best))) best = &figure;
+            if (figure.panels.size() != 1 || figure.panels.front().values.size() == 0 || !figure.range) continue;
+            const std::pair<bool, double> worth{figure.turnable, bending(*figure.panels.front().mesh)};
+            if (best == nullptr || worth > most) best = &figure, most = worth;
         }
+    return best;
+}
+
+/// That figure seen from the right front and above, without its titles.
+std::optional<output::FigureRequest> cover_request(const std::vector<Answer>& answers) {
+    const output::FigureRequest* best = most_worth_seeing(answers);
     if (best == nullptr) return std::nullopt;
     output::FigureRequest cover = *best;
     cover.id = cover.panels.front().name = "cover";
     cover.title.clear();
     cover.subtitle.clear();
     cover.three_quarter = true;
+    cover.turnable = false;
     return cover;
 }
 
@@ -59,8 +72,10 @@ report::Document document_of(const ReportSettings& settings, const std::vector<A
     document.course = settings.course;
     document.provenance = provenance_of(described(settings), settings.seed);
     for (const Answer& answer : answers) document.sections.push_back(answer.section);
-    if (const auto cover = cover_request(answers))
-        document.cover = report::Figure{cover->id, "", cover->range->quantity + " on a surface seen from the right front and above"};
+    if (const output::FigureRequest* seen = most_worth_seeing(answers)) {
+        const std::string mesh = seen->subtitle.empty() ? "a surface" : seen->subtitle;
+        document.cover = report::Figure{"cover", "", seen->range->quantity + " on " + mesh + ", seen from the right front and above"};
+    }
     return document;
 }
 

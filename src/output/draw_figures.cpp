@@ -18,8 +18,10 @@
 #include "draw_mesh.h"
 #include "errors.h"
 #include "file_bytes.h"
+#include "output/comparison_picture.h"
 #include "output/draw_models.h"
 #include "output/label_view.h"
+#include "output/preview.h"
 #include "output/robust_range.h"
 #include "output/safe_name.h"
 #include "output/surface_of.h"
@@ -34,6 +36,7 @@ struct Work {
     const FigureRequest* request = nullptr;
     render::DrawOptions options;
     std::vector<render::SheetRow> rows;
+    std::vector<Preview> previews;   // of the panels of a comparison
     std::atomic<int> panels_left = 0;
     report::DrawnFigure drawn;
 };
@@ -63,6 +66,9 @@ void require_good_names(std::span<const FigureRequest> requests) {
         if (request.frame_panel >= static_cast<int>(request.panels.size())) {
             throw std::logic_error("figure " + request.id + " is framed on a panel it has not");
         }
+        const bool comparable =
+            request.three_quarter && request.three_quarter_frame && (request.panels.size() == 2 || request.panels.size() == 3);
+        if (request.comparison && !comparable) throw std::logic_error("figure " + request.id + " cannot be a comparison");
     }
 }
 
@@ -96,6 +102,7 @@ render::DrawOptions options_of(const FigureRequest& request, const DrawSettings&
     render::DrawOptions options;
     options.width = is_gallery(request) ? (settings.width + 1) / 2 : settings.width;
     options.height = is_gallery(request) ? (settings.height + 1) / 2 : settings.height;
+    if (request.comparison) options.height = static_cast<int>(comparison_share * settings.height);
     options.edges = request.edges;
     options.isoline_spacing = request.isoline_spacing;
     if (!request.three_quarter) options.frame = render::frame_of(framed_box(request), options.width, options.height, options.fill);
@@ -113,6 +120,17 @@ std::string view_file(const Panel& panel, const render::View& view) {
     return "images/" + panel.name + "_" + std::string(view.name) + ".png";
 }
 
+bool has_undefined(const FigureRequest& request) {
+    for (const Panel& panel : request.panels) {
+        if (panel.values.array().isNaN().any()) return true;
+    }
+    return false;
+}
+
+render::ColorBar legend_of(const Work& work) {
+    return color_bar_of(*work.request->range, has_undefined(*work.request), work.options.undefined_color);
+}
+
 /// Six pictures into files; the sheet keeps them small.
 void draw_panel(Work& work, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const Panel& panel = work.request->panels[index];
@@ -128,16 +146,14 @@ void draw_panel(Work& work, std::size_t index, const std::filesystem::path& fold
     tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
         row.pictures[i] = render::shrink(views[i], cell, cell * views[i].height / views[i].width);
         label_view(views[i], directions[i].name);
+        if (work.request->comparison) {
+            const render::ColorBar bar = colored ? legend_of(work) : render::ColorBar{};
+            views[i] = with_room_below(views[i], settings.height, colored ? &bar : nullptr);
+            work.previews[index] = preview_of(views[i], settings.panel_width, settings.jpeg_quality);
+        }
         write_file(folder / view_file(panel, directions[i]), render::encode_png(views[i]));
         views[i] = {};
     });
-}
-
-bool has_undefined(const FigureRequest& request) {
-    for (const Panel& panel : request.panels) {
-        if (panel.values.array().isNaN().any()) return true;
-    }
-    return false;
 }
 
 /// One picture a panel: small multiples, side by side and named below, rather than a row each.
@@ -160,7 +176,7 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     sheet.rows = std::move(work.rows);
     if (request.three_quarter && request.panels.size() > 1) fold_into_grid(sheet);
     if (request.range) {
-        sheet.color_bar = color_bar_of(*request.range, has_undefined(request), work.options.undefined_color);
+        sheet.color_bar = legend_of(work);
         // of these panels: several figures may share a range
         sheet.color_bar->histogram = histogram(finite_values(request.panels), request.range->low, request.range->high);
     }
@@ -169,13 +185,10 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     write_file(folder / work.drawn.sheet, render::encode_png(image));
 
     if (settings.on_paper.contains(request.id)) work.drawn.print_jpeg = render::encode_jpeg(image, settings.print_quality);
-
-    const bool too_wide = image.width > settings.preview_width;
-    const int width = too_wide ? settings.preview_width : image.width;
-    const int height = too_wide ? std::max(1, image.height * width / image.width) : image.height;
-    work.drawn.width = width;
-    work.drawn.height = height;
-    work.drawn.preview_jpeg = render::encode_jpeg(too_wide ? render::shrink(image, width, height) : image, settings.jpeg_quality);
+    Preview preview = preview_of(image, settings.preview_width, settings.jpeg_quality);
+    work.drawn.width = preview.width;
+    work.drawn.height = preview.height;
+    work.drawn.preview_jpeg = std::move(preview.jpeg);
 }
 
 void name_views(Work& work) {
@@ -184,6 +197,15 @@ void name_views(Work& work) {
             const std::string prefix = work.request->panels.size() > 1 ? panel.label + ", " : "";
             work.drawn.views.emplace_back(prefix + std::string(view.name), view_file(panel, view));
         }
+    }
+}
+
+void name_comparison(Work& work) {
+    for (std::size_t p = 0; p < work.previews.size(); ++p) {
+        const Panel& panel = work.request->panels[p];
+        Preview& preview = work.previews[p];
+        work.drawn.comparison.push_back(
+            {panel.label, view_file(panel, render::three_quarter_view()), std::move(preview.jpeg), preview.width, preview.height});
     }
 }
 
@@ -207,6 +229,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         figures[f].request = &requests[f];
         figures[f].options = options_of(requests[f], settings);
         figures[f].rows.resize(requests[f].panels.size());
+        figures[f].previews.resize(requests[f].comparison ? requests[f].panels.size() : 0);
         figures[f].panels_left = static_cast<int>(requests[f].panels.size());
         for (std::size_t p = 0; p < requests[f].panels.size(); ++p) pieces.push_back({f, p});
     }
@@ -229,6 +252,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     report::DrawnFigures all;
     for (Work& work : figures) {
         name_views(work);
+        name_comparison(work);
         all.emplace(work.request->id, std::move(work.drawn));
     }
     add_models(requests, folder, all);

@@ -65,6 +65,7 @@ void add_figures(Answer& answer, const std::vector<MeshCurvature>& meshes) {
             figure.range = range_for(shared, figure.panels);
             figure.turnable = q.key == "h";   // both quantities of a mesh have one shape
             add_figure(answer, std::move(figure));
+            answer.figures.back().turnable = true;
         }
     }
 }

@@ -43,6 +43,7 @@ void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
     figure.caption += undefined_words(s);
     figure.turnable = true;
     add_figure(answer, std::move(figure));
+    answer.figures.back().turnable = true;
 }
 
 /// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "number_text.h"
+#include "questions/comparison_figure.h"
 #include "questions/discussions.h"
 #include "questions/law_checks.h"
 #include "questions/section_tools.h"
@@ -40,6 +41,25 @@ void add_reconstruction_figure(Answer& answer, const SpectralStudy& study) {
         "The original and its reconstructions from the k smallest eigenvectors, one row a k, coloured by how far each vertex "
         "is from where it was. All rows share camera, scale and colour range.";
     add_figure(answer, std::move(figure));
+}
+
+/// The original against the reconstruction in the middle: coarser ones are blobs, finer ones show nothing.
+void add_before_after(Answer& answer, const SpectralStudy& study, const std::string& colormap) {
+    const Reconstruction& r = study.reconstructions[study.reconstructions.size() / 2];
+    const std::string k = std::to_string(r.k);
+    ComparisonFigure figure;
+    figure.id = id_of("q4", study.name(), "before_after");
+    figure.title = study.name() + " rebuilt from " + k + " eigenvectors";
+    figure.subtitle = study.source->input.file + ", " + k + " of " + std::to_string(study.vertices()) + " modes";
+    figure.caption = "The original " + study.name() + " against its reconstruction from the first " + k + " of " +
+                     std::to_string(study.vertices()) + " modes: the Hausdorff distance between the surfaces is " +
+                     readable(100 / study.diagonal * r.difference.hausdorff) + "\u202f% of the box diagonal, and the normals turn by " +
+                     readable(r.difference.mean_normal_angle * 180 / M_PI) + "° on average.";
+    figure.before = panel_of(*study.source, figure.id + "_original", "original");
+    figure.after = panel_of(r.mesh, figure.id + "_rebuilt", "rebuilt, k = " + k);
+    figure.diagonal = study.diagonal;
+    figure.colormap = colormap;
+    add_comparison(answer, std::move(figure));
 }
 
 void add_error_table(report::Section& section, const SpectralStudy& study) {
@@ -208,6 +228,7 @@ Answer answer_q4(const MeshLibrary& library, const QuestionSettings& settings, c
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const SpectralStudy& study = studies[i];
         add_reconstruction_figure(answer, study);
+        add_before_after(answer, study, settings.colormap);
         add_error_table(section, study);
         add_error_plot(section, study);
         add_threshold_table(section, study);

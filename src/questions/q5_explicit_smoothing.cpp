@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "number_text.h"
+#include "questions/comparison_figure.h"
 #include "questions/discussions.h"
 #include "questions/section_tools.h"
 #include "questions/smoothing_figure.h"
@@ -20,7 +21,7 @@ using report::math;
 
 // ---- results ----------------------------------------------------------------------------------------------------------
 
-void add_before_after_figure(Answer& answer, const ExplicitStudy& study) {
+void add_sweep_figure(Answer& answer, const ExplicitStudy& study) {
     SixViewFigure figure;
     figure.id = id_of("q5", study.name(), "sweep");
     figure.title = "Explicit smoothing of " + study.name();
@@ -37,6 +38,27 @@ void add_before_after_figure(Answer& answer, const ExplicitStudy& study) {
         ", one row a step size, coloured by cotangent mean "
         "curvature times the mean edge length of the input. Camera, scale and colour range are those of the input in every row.";
     add_smoothing_figure(answer, study.subject, id_of("q5", study.name(), "before"), std::move(figure));
+}
+
+/// What the recommended step does to the mesh.
+void add_before_after(Answer& answer, const ExplicitStudy& study, const std::string& colormap) {
+    if (study.best < 0) return;
+    const SmoothingRun& run = study.runs[static_cast<std::size_t>(study.best)];
+    const std::string times = counted(run.result.iterations, "iteration");
+    ComparisonFigure figure;
+    figure.id = id_of("q5", study.name(), "before_after");
+    figure.title = study.name() + " before and after " + times;
+    figure.subtitle = "explicit, λ = " + step_label(study.subject, run.lambda);
+    figure.caption = study.name() + " before and after " + times +
+                     " with the recommended step, λ = " + step_label(study.subject, run.lambda) + ": the Dirichlet energy falls to " +
+                     readable(100 * run.energy.back()) + "\u202f% of the input's, and the normals turn by " +
+                     readable(run.moved.mean_normal_angle * 180 / M_PI) + "° on average" +
+                     (std::isnan(run.volume_ratio) ? "." : "; " + readable(100 * run.volume_ratio) + "\u202f% of the volume are left.");
+    figure.before = panel_of(*study.subject.source, figure.id + "_input", "before");
+    figure.after = panel_of(moved_to(study.subject.mesh(), run.result.X), figure.id + "_smoothed", "after " + times);
+    figure.diagonal = study.subject.diagonal;
+    figure.colormap = colormap;
+    add_comparison(answer, std::move(figure));
 }
 
 /// The top mode starts a thousandth of an edge high: factors below 10⁻⁸ are rounding and count as 0.
@@ -177,7 +199,8 @@ Answer answer_q5(const MeshLibrary& library, const QuestionSettings& settings, c
     const auto studies = studies_of(meshes, "explicit smoothing", settings, progress, explicit_study);
     add_limit_table(section, studies);
     for (const ExplicitStudy& study : studies) {
-        add_before_after_figure(answer, study);
+        add_sweep_figure(answer, study);
+        add_before_after(answer, study, settings.colormap);
         add_sweep_table(section, study);
         add_energy_plot(section, study);
         add_checks(section, study);

@@ -4,6 +4,7 @@
 
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
+#include "questions/comparison_figure.h"
 #include "questions/discussions.h"
 #include "questions/section_tools.h"
 #include "questions/smoothing_figure.h"
@@ -24,9 +25,14 @@ std::string label_of(const ImplicitStudy& study, const SmoothingCell& cell, cons
     return scheme + ", λ = " + step_label(study.subject, cell.lambda) + ", t = " + std::to_string(cell.iterations);
 }
 
+/// The diagonal of the box around X over that of the input.
+double size_left(const ImplicitStudy& study, const Positions& X) {
+    return bounding_box(moved_to(study.subject.mesh(), X)).diagonal() / study.subject.diagonal;
+}
+
 /// ", shrunk to 3 %" where the box has lost more than four fifths of its diagonal, or nothing.
 std::string shrinkage(const ImplicitStudy& study, const Positions& X) {
-    const double share = bounding_box(moved_to(study.subject.mesh(), X)).diagonal() / study.subject.diagonal;
+    const double share = size_left(study, X);
     if (share > 0.2) return "";
     return share < 1e-4 ? ", shrunk to a point" : ", shrunk to " + readable_percent(share, 2);
 }
@@ -49,6 +55,34 @@ void add_figure_of(Answer& answer, const ImplicitStudy& study, const std::string
     figure.caption = std::move(caption) +
                      " Coloured by cotangent mean curvature times the mean edge of the input; camera, scale and range are the input's.";
     add_smoothing_figure(answer, study.subject, id_of("q6", study.name(), what + "_before"), std::move(figure));
+}
+
+/// The largest step that leaves something to be seen at the middle number of iterations: three quarters of the size.
+void add_before_after(Answer& answer, const ImplicitStudy& study, const std::string& colormap) {
+    const SmoothingCell* shown = nullptr;
+    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
+        const SmoothingCell& cell = study.cell(l, study.middle_iteration());
+        if (size_left(study, cell.implicit_X) > 0.75) shown = &cell;
+    }
+    if (shown == nullptr) return;
+    const std::string times = counted(shown->iterations, "iteration");
+    ComparisonFigure figure;
+    figure.id = id_of("q6", study.name(), "before_after");
+    figure.title = study.name() + " before and after " + times + ", implicit";
+    figure.subtitle = "λ = " + step_label(study.subject, shown->lambda);
+    figure.caption = study.name() + " before and after " + times +
+                     " of implicit smoothing at λ = " + step_label(study.subject, shown->lambda) +
+                     ", the largest step tried that keeps three quarters of the size: " + readable(100 * shown->implicit_energy) +
+                     "\u202f% of the Dirichlet energy are left" +
+                     (std::isnan(shown->volume_ratio) ? "" : " and " + readable(100 * shown->volume_ratio) + "\u202f% of the volume") +
+                     (shown->explicit_blow_up > 0
+                          ? ". The explicit scheme blew up at this step in iteration " + std::to_string(shown->explicit_blow_up) + "."
+                          : ". The explicit scheme took this step without blowing up.");
+    figure.before = panel_of(*study.subject.source, figure.id + "_input", "before");
+    figure.after = panel_of(moved_to(study.subject.mesh(), shown->implicit_X), figure.id + "_smoothed", "after " + times);
+    figure.diagonal = study.subject.diagonal;
+    figure.colormap = colormap;
+    add_comparison(answer, std::move(figure));
 }
 
 void add_figures(Answer& answer, const ImplicitStudy& study) {
@@ -179,6 +213,7 @@ Answer answer_q6(const MeshLibrary& library, const QuestionSettings& settings, c
     const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, implicit_study);
     for (const ImplicitStudy& study : studies) {
         add_figures(answer, study);
+        add_before_after(answer, study, settings.colormap);
         add_grid_table(section, study);
         add_checks(section, study);
         section.timings.push_back({"implicit steps on " + study.name() + " to the energy of the cost table", study.cost.implicit_seconds});

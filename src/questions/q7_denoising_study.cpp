@@ -4,6 +4,7 @@
 #include <ranges>
 
 #include "number_text.h"
+#include "questions/comparison_figure.h"
 #include "questions/discussions.h"
 #include "questions/section_tools.h"
 #include "questions/six_view_figure.h"
@@ -54,6 +55,29 @@ void add_figure_of(Answer& answer, const DenoisingStudy& study, const DenoisingT
                      (trial.minimum_reached() ? "at the iteration with the smallest error, and smoothed on to " : "and smoothed to ") +
                      last + "; coloured by the distance of each vertex to where it belongs.";
     add_figure(answer, std::move(figure));
+}
+
+/// The noise that smoothing did most against.
+void add_before_after(Answer& answer, const DenoisingStudy& study, const std::string& colormap) {
+    const auto less_gain = [](const DenoisingTrial& a, const DenoisingTrial& b) { return a.gain() < b.gain(); };
+    const DenoisingTrial& trial = *std::max_element(study.trials.begin(), study.trials.end(), less_gain);
+    if (trial.best_rms == 0) return;   // nothing was better than the noise
+    const double percent = 100 / study.diagonal;
+    const std::string sigma = "σ = " + readable_percent(trial.relative, 2), times = counted(trial.best_rms, "iteration");
+    ComparisonFigure figure;
+    figure.id = id_of("q7", study.name(), "before_after");
+    figure.title = study.name() + " noisy and denoised, " + sigma;
+    figure.subtitle = "implicit, " + times + " with λ = " + readable(study.lambda);
+    figure.caption = study.name() + " with noise of " + sigma + " of the box diagonal, and after " + times +
+                     ", when it is closest to the clean mesh: the rms error falls from " + readable(percent * trial.rms.front()) +
+                     "\u202f% to " + readable(percent * trial.rms[static_cast<std::size_t>(trial.best_rms)]) +
+                     "\u202f% of the box diagonal, " + readable(trial.gain(), 2) + "-fold.";
+    figure.before = panel_of(trial.noisy, figure.id + "_noisy", "noisy, " + sigma);
+    figure.after = panel_of(trial.best, figure.id + "_denoised", "denoised, t = " + std::to_string(trial.best_rms));
+    figure.diagonal = study.diagonal;
+    figure.colormap = colormap;
+    figure.frame_panel = -1;   // noise may reach beyond the clean box
+    add_comparison(answer, std::move(figure));
 }
 
 void add_error_plot(report::Section& section, const DenoisingStudy& study) {
@@ -183,6 +207,7 @@ Answer answer_q7(const MeshLibrary& library, const QuestionSettings& settings, c
     add_result_table(section, studies);
     for (const DenoisingStudy& study : studies) {
         add_error_plot(section, study);
+        add_before_after(answer, study, settings.colormap);
         for (std::size_t i = study.trials.size() > 2 ? 1 : 0; i < study.trials.size(); ++i) add_figure_of(answer, study, study.trials[i]);
         add_checks(section, study);
         section.parameters["λ on " + study.name()] = plain_text(study.lambda, 6);

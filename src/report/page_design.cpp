@@ -50,15 +50,21 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
 
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
     const bool has_script = design == "report", with_viewer = has_script && parts.models && !parts.viewer.empty();
-    std::vector<std::string> styles = {design + ".css"}, scripts = {"report.js"};
+    // What each script does is told at its head. They know nothing of one another.
+    std::vector<std::string> styles = {design + ".css"},
+                             scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js", "page_comparison.js"};
     if (has_script && parts.models) styles.emplace_back("models.css");
     if (with_viewer) scripts.emplace_back("models.js");
 
     const std::string style = joined_styles(templates, styles);
-    std::vector<std::string> run;   // the texts that are run
-    if (has_script) run.push_back(joined_scripts(templates, scripts));
+    // The scheme is chosen before anything is drawn, hence a script of its own.
+    const std::string scheme = has_script ? raw_element(raw_text(templates, "page_scheme.js")) : "";
+    const std::string script = has_script ? joined_scripts(templates, scripts) : "";
+    std::vector<std::string> run;   // the texts that are
+    if (has_script) run = {scheme, script};
     model["style"] = style;
-    model["script"] = has_script ? run.front() : "";
+    model["scheme_script"] = scheme;
+    model["script"] = script;
     model["has_viewer"] = with_viewer;
     model["viewer"] = with_viewer ? packed(parts.viewer) : "";
     if (with_viewer) run.emplace_back(parts.viewer);

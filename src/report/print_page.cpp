@@ -47,6 +47,7 @@ PrintPage print_page(const Document& document, const DrawnFigures& figures, cons
     view.plain_formulas = !options.mathml;
     view.single_views = false;
     view.extent = options.extent;
+    view.passed_checks = options.extent == Extent::whole;
     view.table_rows = options.extent == Extent::brief ? options.table_rows : rows_of_the_whole;
     nlohmann::json model = view_model(document, figures, templates, view);
     add_design(model, templates, "print");

@@ -66,7 +66,9 @@ std::string point_shape(Point p, int shape, const std::string& color) {
 
 std::string dashes_of(std::size_t index, const Series& series) {
     constexpr std::array<const char*, 6> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5"};
-    return series.style == Series::Style::dashed ? "6 5" : dashes[index % dashes.size()];
+    // Several dashed series of one plot are to be told apart without colour, too.
+    constexpr std::array<const char*, 6> of_dashed{"6 5", "3 6", "13 5", "8 4 2 4", "8 3 2 3 2 3", "2 2 6 2"};
+    return (series.style == Series::Style::dashed ? of_dashed : dashes)[index % dashes.size()];
 }
 
 std::string ticks_below(const Axis& axis, const Box& frame) {

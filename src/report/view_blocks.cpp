@@ -118,6 +118,27 @@ json models_view(const DrawnFigure& drawn, const ViewContext& context) {
     return models;
 }
 
+std::string image_source(const std::string& file, const std::string& jpeg, const ViewContext& context) {
+    const bool inside = context.options.pictures && !jpeg.empty();
+    return inside ? "data:image/jpeg;base64," + base64(jpeg) : url_path(file);
+}
+
+/// Before, after and their difference.
+json comparison_view(const Figure& figure, const DrawnFigure& drawn, const ViewContext& context) {
+    json panels = json::array();
+    const std::string name = context.numbering.resolve(figure.id).label;
+    for (const DrawnPanel& panel : drawn.comparison) {
+        panels.push_back({{"label", prose_view(panel.label)},
+                          {"alt", name + ": " + safe_text(panel.label)},
+                          {"href", url_path(panel.file)},
+                          {"source", image_source(panel.file, panel.preview_jpeg, context)},
+                          {"has_size", panel.width > 0 && panel.height > 0},
+                          {"width", std::to_string(panel.width)},
+                          {"height", std::to_string(panel.height)}});
+    }
+    return panels;
+}
+
 json figure_view(const Figure& figure, const ViewContext& context) {
     const auto it = context.figures.find(figure.id);
     const DrawnFigure drawn = it != context.figures.end() ? it->second : DrawnFigure{};
@@ -131,6 +152,8 @@ json figure_view(const Figure& figure, const ViewContext& context) {
     view["has_models"] = !drawn.models.empty();
     view["is_turnable"] = context.options.models && !drawn.models.empty();
     view["models"] = models_view(drawn, context);
+    view["panels"] = comparison_view(figure, drawn, context);
+    view["is_comparison"] = !drawn.comparison.empty();
     return view;
 }
 
@@ -172,17 +195,16 @@ json picture_view(const Figure& figure, const ViewContext& context) {
     const bool is_drawn = it != context.figures.end();
     const DrawnFigure drawn = is_drawn ? it->second : DrawnFigure{};
     const std::string sheet = url_path(drawn.sheet);
-    const bool inside = context.options.pictures && !drawn.preview_jpeg.empty();
-    const std::string source = inside ? "data:image/jpeg;base64," + base64(drawn.preview_jpeg) : sheet;
-    return {{"alt", safe_text(figure.alt)},
-            {"is_drawn", is_drawn},
-            {"is_tall", 5 * drawn.height > 6 * drawn.width},
-            {"is_wide", 2 * drawn.height < drawn.width},
-            {"sheet", sheet},
-            {"source", context.options.print_files ? url_path(print_file(figure.id)) : source},
-            {"has_size", drawn.width > 0 && drawn.height > 0},
-            {"width", std::to_string(drawn.width)},
-            {"height", std::to_string(drawn.height)}};
+    return {
+        {"alt", safe_text(figure.alt)},
+        {"is_drawn", is_drawn},
+        {"is_tall", 5 * drawn.height > 6 * drawn.width},
+        {"is_wide", 2 * drawn.height < drawn.width},
+        {"sheet", sheet},
+        {"source", context.options.print_files ? url_path(print_file(figure.id)) : image_source(drawn.sheet, drawn.preview_jpeg, context)},
+        {"has_size", drawn.width > 0 && drawn.height > 0},
+        {"width", std::to_string(drawn.width)},
+        {"height", std::to_string(drawn.height)}};
 }
 
 json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context) {

@@ -46,15 +46,6 @@ json check_view(const Check& check) {
             {"has_note", !check.note.empty()}};
 }
 
-/// Those that did not pass.
-json failed_checks(const Section& section) {
-    json list = json::array();
-    for (const Check& check : section.checks) {
-        if (!check.passed) list.push_back(check_view(check));
-    }
-    return list;
-}
-
 /// Counts of checks, as the opening table and the headings print them.
 json score_view(std::size_t passed, std::size_t total) {
     return {{"passed_count", std::to_string(passed)},
@@ -104,7 +95,7 @@ json list_of(const std::vector<Item>& items, View view) {
 }
 
 /// What the opening table, the contents list and the section itself have in common.
-json section_head(const Section& section, const std::string& number, Extent extent) {
+json section_head(const Section& section, const std::string& number, const ViewOptions& options) {
     json head = score_view(passed_in(section), section.checks.size());
     head["id"] = safe_text(section.id);
     head["number"] = number;
@@ -117,14 +108,24 @@ json section_head(const Section& section, const std::string& number, Extent exte
     head["failure"] = safe_text(section.failure);
     head["figure_count"] = std::to_string(count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section));
     head["table_count"] = std::to_string(count_of<Table>(section));
-    head["checks"] = list_of(section.checks, check_view);
-    head["listed_checks"] = extent == Extent::brief ? failed_checks(section) : head["checks"];
-    head["has_listed_checks"] = !head["listed_checks"].empty();
+    head["checks"] = json::array();
+    for (const Check& check : section.checks)
+        if (options.passed_checks || !check.passed) head["checks"].push_back(check_view(check));
+    head["has_listed_checks"] = !head["checks"].empty();
     return head;
 }
 
+/// The numbered headings within a section, for the contents list.
+json headings_view(const json& blocks) {
+    json list = json::array();
+    for (const json& block : blocks)
+        if (block["is_heading"].get<bool>())
+            list.push_back({{"number", block["number"]}, {"title", block["title"]}, {"anchor", block["anchor"]}});
+    return list;
+}
+
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
-    json view = section_head(section, number, context.options.extent);
+    json view = section_head(section, number, context.options);
     view["asked"] = prose_view(section.asked);
     view["has_asked"] = !section.asked.empty();
     view["inputs"] = list_of(section.inputs, input_view);
@@ -148,6 +149,8 @@ json section_view(const Section& section, const std::string& number, const ViewC
     for (const Block& block : section.blocks) {
         if (told.contains(&block)) view["blocks"].push_back(block_view(block, number, headings, context));
     }
+    view["headings"] = headings_view(view["blocks"]);
+    view["has_headings"] = !view["headings"].empty();
     return view;
 }
 
@@ -198,6 +201,40 @@ json provenance_view(const Document& document) {
             {"meshes", std::move(inputs)}};
 }
 
+/// The meshes the questions were answered on, each role once.
+json meshes_used(const Document& document) {
+    std::set<std::string> told;
+    std::size_t stand_ins = 0;
+    json list = json::array();
+    for (const Section& section : document.sections) {
+        if (!is_question(section)) continue;
+        for (const Input& input : section.inputs) {
+            if (!told.insert(input.role).second) continue;
+            list.push_back(input_view(input));
+            stand_ins += input.stand_in ? 1 : 0;
+        }
+    }
+    return {{"meshes", list},
+            {"mesh_count", std::to_string(list.size())},
+            {"has_meshes", !list.empty()},
+            {"stand_in_count", std::to_string(stand_ins)},
+            {"has_stand_ins", stand_ins > 0}};
+}
+
+/// How many of the questions asked for are answered: "7 of 7".
+json answered_view(const Document& document) {
+    std::size_t asked = 0, answered = 0;
+    for (const Section& section : document.sections) {
+        if (!is_question(section) || section.status == Status::skipped) continue;
+        ++asked;
+        answered += section.status == Status::ok ? 1 : 0;
+    }
+    return {{"asked_count", std::to_string(asked)},
+            {"answered_count", std::to_string(answered)},
+            {"has_questions", asked > 0},
+            {"all_answered", asked == answered}};
+}
+
 json works_view(const std::vector<Work>& works, const Numbering& numbering) {
     json list = json::array();
     for (const Work& work : works) {
@@ -215,7 +252,10 @@ json works_view(const std::vector<Work>& works, const Numbering& numbering) {
 json timings_view(const Document& document, const Numbering& numbering) {
     json list = json::array();
     const auto add = [&](const std::string& where, const Timing& timing) {
-        list.push_back({{"where", where}, {"what", safe_text(timing.what)}, {"seconds", readable(timing.seconds, 3)}});
+        list.push_back({{"where", where},
+                        {"what", safe_text(timing.what)},
+                        {"seconds", readable(timing.seconds, 3)},
+                        {"value", exact_text(timing.seconds)}});
     };
     for (const Section& section : document.sections) {
         for (const Timing& timing : section.timings) add(numbering.resolve(section.id).label, timing);
@@ -239,7 +279,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         passed += passed_in(document.sections[s]);
         total += document.sections[s].checks.size();
-        attempted.push_back(section_head(document.sections[s], numbers[s], options.extent));
+        attempted.push_back(section_head(document.sections[s], numbers[s], options));
         attempted.back()["begins_supporting"] = s > 0 && is_question(document.sections[s - 1]) && !is_question(document.sections[s]);
         sections.push_back(section_view(document.sections[s], numbers[s], context));
     }
@@ -251,6 +291,10 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
         {"sections", std::move(sections)},        {"findings", findings_view(document, numbers, numbering)},
         {"works", works_view(works, numbering)},  {"timings", options.timings ? timings_view(document, numbering) : json::array()}};
     model["cover"] = document.cover ? picture_view(*document.cover, context) : json(false);
+    model["score"]["is_complete"] = options.passed_checks;
+    model["score"]["lists_checks"] = options.passed_checks || passed < total;
+    model["used"] = meshes_used(document);
+    model["answers"] = answered_view(document);
     model["has_findings"] = !model["findings"].empty();
     model["has_works"] = !model["works"].empty();
     model["has_timings"] = !model["timings"].empty();

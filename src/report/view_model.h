@@ -29,6 +29,7 @@ struct ViewOptions {
     bool plot_files = false;        // images/<plot>.svg are there to link to
     bool single_views = true;       // links to the pictures a sheet is made of
     bool models = false;            // inside, for a page that can turn them; false: only linked to
+    bool passed_checks = true;      // in the lists of checks; false: only those that failed
     std::size_t table_rows = 200;   // longer tables show their first and last rows
 };
 

@@ -174,14 +174,15 @@ json table_view(const Table& table, const ViewContext& context) {
     if (first + last < total) rows.push_back(gap_view(total - first - last, columns.size()));
     for (std::size_t r = total - last; r < total; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
     const Reference self = context.numbering.resolve(table.id);
+    const bool whole = first + last == total, worth_sorting = table.sortable || total >= 3;
     return {{"id", safe_text(table.id)},
             {"label", self.label},
             {"caption", prose_view(table.caption)},
             {"csv", url_path("tables/" + table.id + ".csv")},
             {"columns", std::move(heads)},
             {"rows", std::move(rows)},
-            {"is_cut", first + last < total},
-            {"is_sortable", table.sortable && first + last == total},
+            {"is_cut", !whole},
+            {"is_sortable", whole && worth_sorting},
             {"has_many_columns", table.columns.size() > most_columns},
             {"has_best", has_best}};
 }

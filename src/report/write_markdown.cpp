@@ -1,6 +1,8 @@
 // report.md for a repository or a job summary: GitHub-flavoured, small enough to be shown whole.
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "report/escape.h"
 #include "report/template_render.h"
@@ -24,11 +26,41 @@ std::string without_gaps(const std::string& text) {
     return dense;
 }
 
-/// Cut between two lines, with a word about it.
-std::string cut(std::string text) {
-    const std::string note = "\n\n*The rest is left out here, because this file would be too large to be shown; see* `index.html`.\n";
-    text.resize(text.rfind('\n', size_limit - note.size()));
-    return text + note;
+/// The parts under a title of the second order, each with the anchor above its title.
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    for (std::size_t title = text.find("\n## "); title != std::string::npos; title = text.find("\n## ", title + 1)) {
+        const std::size_t line_before = text.rfind('\n', title - std::min<std::size_t>(title, 2)) + 1;
+        const std::size_t start = text.compare(line_before, 7, "<a id=\"") == 0 ? line_before : title + 1;
+        parts.push_back(text.substr(begin, start - begin));
+        begin = start;
+    }
+    parts.push_back(text.substr(begin));
+    return parts;
+}
+
+/// The longest parts are cut between two lines, all to the same length and with a word about it, so that no question is lost whole.
+std::string cut(const std::string& text) {
+    const std::string note =
+        "\n\n*The rest of this part is left out, because this file would be too large to be shown; see* `index.html`.\n\n";
+    const std::vector<std::string> parts = parts_of(text);
+    const auto size_with = [&](std::size_t longest) {
+        std::size_t sum = 0;
+        for (const std::string& part : parts) sum += std::min(part.size(), longest);
+        return sum;
+    };
+    std::size_t fits = 0, too_long = size_limit;
+    while (too_long - fits > 1) {
+        const std::size_t middle = fits + (too_long - fits) / 2;
+        (size_with(middle) <= size_limit ? fits : too_long) = middle;
+    }
+    std::string all;
+    for (const std::string& part : parts) {
+        const std::size_t kept = part.size() <= fits ? part.size() : part.rfind('\n', fits - std::min(fits, note.size()));
+        all += kept == part.size() ? part : part.substr(0, kept == std::string::npos ? 0 : kept) + note;
+    }
+    return all;
 }
 
 }   // namespace
@@ -37,19 +69,22 @@ std::string write_markdown(const Document& document, const DrawnFigures& figures
     struct Detail {
         bool single_views;
         std::size_t table_rows;
+        bool passed_checks;
     };
     std::string text;
-    for (const Detail detail : std::array<Detail, 4>{{{true, 40}, {false, 40}, {false, 12}, {false, 4}}}) {
+    for (const Detail detail :
+         std::array<Detail, 5>{{{true, 40, true}, {false, 40, true}, {false, 12, true}, {false, 12, false}, {false, 4, false}}}) {
         ViewOptions view;
         view.timings = options.timings;
         view.pictures = false;
         view.plot_files = options.plot_files;
         view.single_views = detail.single_views;
         view.table_rows = detail.table_rows;
+        view.passed_checks = detail.passed_checks;
         text = without_gaps(render(templates, "report.md", view_model(document, figures, templates, view), markdown_escape));
         if (text.size() <= size_limit) return text;
     }
-    return cut(std::move(text));
+    return cut(text);
 }
 
 }   // namespace meshfolio::report

@@ -8,6 +8,7 @@
 #include "camera.h"
 #include "file_bytes.h"
 #include "mesh/sample_shapes.h"
+#include "output/preview.h"
 #include "output/temporary_folder.h"
 
 using namespace meshfolio;
@@ -202,4 +203,72 @@ TEST(DrawFigures, AGalleryIsDrawnAtHalfTheSize) {
     const auto pictures = pictures_of(balls(thirteen, true));
     ASSERT_EQ(pictures.size(), 13u);
     EXPECT_EQ(big_endian(pictures[12], 16), 60);
+}
+
+// ---- comparisons --------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A ball before and after, and by how much it shrank.
+FigureRequest shrunk_ball() {
+    FigureRequest request{
+        "q5_pair",
+        "Before and after",
+        "",
+        {panel_of(icosphere(2), "before", false), panel_of(icosphere(2, 0.8), "after", false), panel_of(icosphere(2, 0.8), "moved", true)},
+        {},
+        false,
+        0};
+    request.three_quarter = request.three_quarter_frame = request.comparison = true;
+    request.range = robust_range({request.panels.back()}, "viridis", "displacement", "%", 0);
+    return request;
+}
+
+}   // namespace
+
+TEST(DrawFigures, AComparisonHasOnePreviewAPanelAllOfOneSize) {
+    const TemporaryFolder folder;
+    const auto drawn = draw_figures(std::vector{shrunk_ball()}, folder.path(), small_pictures()).at("q5_pair");
+    ASSERT_EQ(drawn.comparison.size(), 3u);
+    for (const auto& panel : drawn.comparison) {
+        const std::string png = read_file(folder.path() / panel.file);
+        EXPECT_EQ(big_endian(png, 16), 120) << panel.file;
+        EXPECT_EQ(big_endian(png, 20), 120) << panel.file;
+        EXPECT_EQ(panel.width, 120) << "never enlarged";
+        EXPECT_EQ(panel.height, 120);
+        EXPECT_TRUE(panel.preview_jpeg.starts_with("\xff\xd8\xff"));
+    }
+    EXPECT_EQ(drawn.comparison[0].label, "before");
+    EXPECT_EQ(drawn.comparison[0].file, "images/before_hero.png");
+    EXPECT_NE(drawn.comparison[0].preview_jpeg, drawn.comparison[1].preview_jpeg);
+    EXPECT_TRUE(draw_figures(requests(), folder.path(), small_pictures()).at("q5_cube").comparison.empty());
+}
+
+TEST(DrawFigures, OnlyTheDifferenceOfAComparisonHasColoursAndTheirBar) {
+    const TemporaryFolder folder, other;
+    FigureRequest request = shrunk_ball();
+    const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q5_pair");
+    request.range->quantity = "something else";
+    const auto named = draw_figures(std::vector{request}, other.path(), small_pictures()).at("q5_pair");
+    for (const std::size_t plain : {0u, 1u}) EXPECT_EQ(drawn.comparison[plain].preview_jpeg, named.comparison[plain].preview_jpeg);
+    EXPECT_NE(drawn.comparison[2].preview_jpeg, named.comparison[2].preview_jpeg) << "its bar names the quantity";
+}
+
+TEST(DrawFigures, RefusesAComparisonThatIsNone) {
+    const TemporaryFolder folder;
+    FigureRequest alone = shrunk_ball(), own_frames = shrunk_ball();
+    alone.panels.resize(1);
+    own_frames.three_quarter_frame = false;
+    for (const FigureRequest& request : {alone, own_frames})
+        EXPECT_THROW(draw_figures(std::vector{request}, folder.path(), small_pictures()), std::logic_error);
+}
+
+TEST(PreviewOf, ShrinksButNeverEnlarges) {
+    render::Image picture(40, 20);
+    picture.at(3, 3) = {200, 10, 10, 255};
+    const Preview same = preview_of(picture, 40, 82), smaller = preview_of(picture, 10, 82), larger = preview_of(picture, 400, 82);
+    EXPECT_EQ(same.jpeg, larger.jpeg);
+    EXPECT_EQ(larger.width, 40);
+    EXPECT_EQ(smaller.width, 10);
+    EXPECT_EQ(smaller.height, 5);
 }

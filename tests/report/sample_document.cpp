@@ -120,6 +120,7 @@ Section answered() {
                 Formula{"ellipsoid_EFG", ""},
                 Heading{"Results"},
                 Figure{"q1_plane_h", "Mean curvature of the plane.", "A plane from six directions, values from 0 to 1."},
+                Figure{"q1_before_after", "Before and after.", "A plane before and after, which moved by 1 %."},
                 Figure{"q1_missing", "A figure without a picture.", "Nothing."},
                 error_table(),
                 error_plot(),
@@ -173,7 +174,12 @@ DrawnFigures sample_figures() {
             drawn.views.emplace_back(std::string(panel) + ", " + view, std::string("images/q1_plane_h_") + view + ".png");
     }
     const DrawnFigure cover{"images/cover_sheet.png", std::string("\xff\xd8\xff\0cover", 9), 900, 1000, {}};
-    return {{"q1_plane_h", drawn}, {"cover", cover}};
+    DrawnFigure compared{"images/q1_before_after_sheet.png", std::string("\xff\xd8\xff\0sheet", 9), 1200, 500, {}};
+    for (const char* panel : {"before", "after", "moved"}) {
+        compared.comparison.push_back(
+            {panel, std::string("images/q1_") + panel + "_hero.png", std::string("\xff\xd8\xff\0", 4) + panel, 640, 640});
+    }
+    return {{"q1_plane_h", drawn}, {"q1_before_after", compared}, {"cover", cover}};
 }
 
 DrawnFigures sample_models() {

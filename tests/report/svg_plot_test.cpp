@@ -190,6 +190,9 @@ TEST(SvgPlot, SeriesDifferWithoutColour) {
     for (int i = 0; i < 6; ++i) plot.series.push_back({"s" + std::to_string(i), {1, 2}, {1.0 + i, 2.0 + i}, {}, {}});
     const auto dashes = matches(svg_of(plot), "stroke-linejoin=\"round\" stroke-dasharray=\"([^\"]*)\"/>");
     EXPECT_EQ(std::set<std::string>(dashes.begin(), dashes.end()).size(), 5u);   // and the first is not dashed
+    for (Series& series : plot.series) series.style = Series::Style::dashed;
+    const auto all_dashed = matches(svg_of(plot), "stroke-linejoin=\"round\" stroke-dasharray=\"([^\"]*)\"/>");
+    EXPECT_EQ(std::set<std::string>(all_dashed.begin(), all_dashed.end()).size(), 6u);
 }
 
 TEST(SvgPlot, SaysWhatIsToBeSeen) {

@@ -84,7 +84,7 @@ TEST(Templates, WhatCannotBeUsedIsToldAsAUsageError) {
 
 json model_of(const Document& document, const ViewOptions& options = {}, const DrawnFigures& figures = sample_figures()) {
     json model = view_model(document, figures, Templates(), options);
-    for (const char* extra : {"style", "script", "policy", "viewer"}) model[extra] = "";   // of the page
+    for (const char* extra : {"style", "scheme_script", "script", "policy", "viewer"}) model[extra] = "";   // of the page
     model["has_viewer"] = options.models;
     return model;
 }

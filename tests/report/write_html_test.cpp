@@ -40,8 +40,9 @@ TEST(WriteHtml, IsWellFormedXml) {
 
 TEST(WriteHtml, TellsInTheOrderTheCourseworkAsksFor) {
     const auto positions = positions_of(body_of(sample_page()).substr(body_of(sample_page()).find("<main")),
-                                        {"<h1>", "class=\"provenance\"", "Questions attempted and how far", "Key findings", ">Checks</h2>",
-                                         "id=\"q1\"", "id=\"q2\"", "id=\"q3\"", ">References</h2>", ">Provenance</h2>", ">Timings</h2>"});
+                                        {"<h1>", "class=\"provenance\"", "class=\"meshes\"", "class=\"cover\"", "class=\"score\"",
+                                         "Key findings", "Questions attempted and how far", "id=\"q1\"", "id=\"q2\"", "id=\"q3\"",
+                                         "id=\"ground_truth\"", ">References</h2>", ">Provenance</h2>", ">Timings</h2>", ">Checks</h2>"});
     EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
 }
 
@@ -70,12 +71,17 @@ TEST(WriteHtml, PolicyAllowsExactlyTheInlineStyleAndScript) {
         page.substr(page.find("default-src"), page.find("\"/>", page.find("default-src")) - page.find("default-src"));
     EXPECT_EQ(policy.rfind("default-src &#39;none&#39;; img-src &#39;self&#39; data:;", 0), 0u);
     EXPECT_EQ(policy.find("unsafe"), std::string::npos);
-    for (const char* element : {"style", "script"}) {
-        const std::size_t begin = page.find(std::string("<") + element + ">") + std::string(element).size() + 2;
-        const std::string content = page.substr(begin, page.find(std::string("</") + element + ">") - begin);
-        EXPECT_NE(policy.find(std::string(element) + "-src &#39;sha256-" + base64(sha256_bytes(content)) + "&#39;"), std::string::npos)
-            << element;
+    std::size_t elements = 0;
+    for (const std::string element : {"style", "script"}) {
+        const std::string sources = policy.substr(policy.find(element + "-src"), policy.find(';', policy.find(element + "-src")));
+        for (std::size_t at = page.find("<" + element + ">"); at != std::string::npos; at = page.find("<" + element + ">", at + 1)) {
+            const std::size_t begin = at + element.size() + 2;
+            const std::string content = page.substr(begin, page.find("</" + element + ">", begin) - begin);
+            EXPECT_NE(sources.find("&#39;sha256-" + base64(sha256_bytes(content)) + "&#39;"), std::string::npos) << element;
+            ++elements;
+        }
     }
+    EXPECT_EQ(count_of(policy, "sha256-"), elements);
 }
 
 constexpr std::string_view small_viewer = "globalThis.meshfolioViewer = '</script>]]>';";
@@ -116,7 +122,7 @@ TEST(WriteHtml, CarriesNoViewerWithoutModelsAndNoModelsWithoutAViewer) {
 
 TEST(WriteHtml, HostileNamesStayText) {
     const std::string page = body_of(hostile_page());
-    EXPECT_EQ(count_of(page, "<script"), 1u);   // our own
+    EXPECT_EQ(count_of(page, "<script"), 1u);   // our own; that of the scheme is in the head
     EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
     EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;"), std::string::npos);
     EXPECT_NE(page.find("{{title}}"), std::string::npos);   // not a tag again
@@ -135,7 +141,8 @@ TEST(WriteHtml, SaysWhichMeshStandsInForAnother) {
 }
 
 TEST(WriteHtml, ScoresCountPassedChecks) {
-    EXPECT_NE(sample_page().find("3 of 5 checks passed"), std::string::npos);
+    EXPECT_NE(sample_page().find("<b>3</b> of 5 checks passed"), std::string::npos);
+    EXPECT_NE(sample_page().find("<b>1</b> of 2 questions answered"), std::string::npos) << "what was not asked for does not count";
     EXPECT_NE(sample_page().find(">2/4</a>"), std::string::npos);
     EXPECT_NE(sample_page().find(">1/1</a>"), std::string::npos);
 }
@@ -161,7 +168,7 @@ TEST(WriteHtml, ReferencesAreLinksWithTheirNumbers) {
 
 TEST(WriteHtml, ALedgerIsAPlainTableThatAScriptMaySortAndFilter) {
     const std::string page = sample_page();
-    EXPECT_EQ(count_of(page, "<table data-sortable=\"true\">"), 2u) << "of all tables those that say so";
+    EXPECT_EQ(count_of(page, "<table data-sortable=\"true\">"), 4u) << "those that say so, whatever has three rows, and the timings";
     EXPECT_NE(page.find("<th scope=\"col\" data-filter=\"true\">verdict</th>"), std::string::npos);
     EXPECT_NE(page.find("<th scope=\"row\"><a href=\"#q1_claim_one\">Claim 1.1</a></th><td>holds</td>"), std::string::npos);
     EXPECT_NE(page.find("data-value=\"0.25\""), std::string::npos);
@@ -176,6 +183,30 @@ TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
     EXPECT_NE(page.find("data:image/jpeg;base64," + base64(std::string("\xff\xd8\xff\0jpeg", 8))), std::string::npos);
     EXPECT_EQ(count_of(page, "href=\"images/q1_plane_h_sheet.png\""), 2u);
     EXPECT_NE(page.find("<a href=\"images/q1_plane_h_%2Bx.png\">+x</a>"), std::string::npos);
+}
+
+TEST(WriteHtml, AComparisonIsItsThreePicturesSideBySide) {
+    const std::string page = sample_page();
+    const auto positions = positions_of(page, {"id=\"q1_before_after\"", "aria-label=\"A plane before and after, which moved by 1 %.\"",
+                                               "href=\"images/q1_before_hero.png\"", "href=\"images/q1_after_hero.png\"",
+                                               "href=\"images/q1_moved_hero.png\"", "href=\"images/q1_before_after_sheet.png\""});
+    EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
+    EXPECT_EQ(count_of(page, "class=\"panel\""), 3u);
+    EXPECT_EQ(count_of(page, "width=\"640\" height=\"640\""), 3u);
+    EXPECT_EQ(page.find(base64(std::string("\xff\xd8\xff\0sheet", 9))), std::string::npos) << "its sheet would show the same again";
+}
+
+TEST(WriteHtml, TheFirstPageSaysWhichMeshesStandIn) {
+    const std::string page = sample_page();
+    EXPECT_NE(page.find("<b>On 2 meshes</b>, 1 of them bundled"), std::string::npos);
+    EXPECT_NE(page.find("<span class=\"stand-in\">plane</span>"), std::string::npos);
+    EXPECT_NE(page.find("<span>sphere</span>"), std::string::npos);
+}
+
+TEST(WriteHtml, TheContentsListTheHeadingsOfEverySection) {
+    const std::string page = sample_page(), list = page.substr(page.find("<nav"), page.find("</nav>") - page.find("<nav"));
+    EXPECT_NE(list.find("<a href=\"#section-1.1\"><span class=\"number\">1.1</span>Method</a>"), std::string::npos);
+    EXPECT_EQ(count_of(list, "#section-"), 2u);
 }
 
 TEST(WriteHtml, TheTitlePictureStandsOnTheFirstPageWhenThereIsOne) {

@@ -125,6 +125,22 @@ TEST(WriteMarkdown, NeverExceedsItsLimit) {
     const std::string cut = write_markdown(document, figures, Templates());
     EXPECT_LE(cut.size(), limit);
     EXPECT_NE(cut.find("see* `index.html`"), std::string::npos);
+    EXPECT_GT(cut.size(), limit - 4096) << "no more is left out than must be";
+    for (const char* whole : {"<a id=\"q1\"></a>\n\n## 1 ", "<a id=\"q2\"></a>\n\n## 2 ", "<a id=\"q3\"></a>\n\n## 3 ", "## References",
+                              "## Provenance", "## Checks", "ellipsoid.obj:3: not a number"}) {
+        EXPECT_NE(cut.find(whole), std::string::npos) << whole;
+    }
+}
+
+TEST(WriteMarkdown, ChecksThatPassedAreLeftOutBeforeRowsAre) {
+    Document document = sample_document();
+    for (int i = 0; i < 3000; ++i) document.sections[1].checks.push_back(check_near("passes " + std::string(80, 'x'), 1, 1, 0));
+    const std::string text = write_markdown(document, sample_figures(), Templates());
+    EXPECT_EQ(text.find("passes x"), std::string::npos);
+    EXPECT_NE(text.find("order of convergence on torus"), std::string::npos) << "what failed is still told";
+    EXPECT_NE(text.find("Those that passed are listed in `index.html`"), std::string::npos);
+    EXPECT_EQ(sample_text().find("Those that passed are listed"), std::string::npos);
+    EXPECT_EQ(text.find("see* `index.html`"), std::string::npos) << "nothing had to be cut";
 }
 
 }   // namespace

@@ -1,25 +1,4 @@
-// Extras only: without this script nothing is missing from the page.
-"use strict";
-
-// The contents list follows the scroll.
-const links = new Map([...document.querySelectorAll(".contents a")].map((a) => [a.getAttribute("href").slice(1), a]));
-const inView = new Set();
-const observer = new IntersectionObserver((entries) => {
-    for (const entry of entries) entry.isIntersecting ? inView.add(entry.target) : inView.delete(entry.target);
-    const first = [...document.querySelectorAll("main section[id]")].find((section) => inView.has(section));
-    for (const [id, link] of links) {
-        if (first?.id === id) link.setAttribute("aria-current", "true");
-        else link.removeAttribute("aria-current");
-    }
-}, { rootMargin: "-10% 0px -70% 0px" });
-for (const section of document.querySelectorAll("main section[id]")) observer.observe(section);
-
-// Printing shows what is folded away on the screen.
-addEventListener("beforeprint", () => {
-    for (const details of document.querySelectorAll("details:not(.views)")) details.open = true;
-});
-
-// ---- tables that can be sorted and filtered ----------------------------------------------------------------------------
+// Tables can be sorted and filtered; what scrolls sideways says so.
 
 /// What a cell is sorted by: a number, a text, or null where there is nothing.
 function keyOf(cell) {
@@ -44,8 +23,9 @@ function sortRows(table, column, direction) {
     body.append(...keyed.map(([, row]) => row));
 }
 
+/// A column is sorted upwards, downwards, and then as it came.
 function makeSortable(table) {
-    const heads = [...table.tHead.rows[0].cells];
+    const heads = [...table.tHead.rows[0].cells], asItCame = [...table.tBodies[0].rows];
     heads.forEach((head, column) => {
         const button = document.createElement("button");
         button.type = "button";
@@ -53,10 +33,14 @@ function makeSortable(table) {
         button.append(...head.childNodes);
         head.append(button);
         button.addEventListener("click", () => {
-            const descending = head.getAttribute("aria-sort") === "ascending";
+            const before = head.getAttribute("aria-sort");
             for (const other of heads) other.removeAttribute("aria-sort");
-            head.setAttribute("aria-sort", descending ? "descending" : "ascending");
-            sortRows(table, column, descending ? -1 : 1);
+            if (before === "descending") {
+                table.tBodies[0].append(...asItCame);
+                return;
+            }
+            head.setAttribute("aria-sort", before === "ascending" ? "descending" : "ascending");
+            sortRows(table, column, before === "ascending" ? -1 : 1);
         });
     });
 }
@@ -92,4 +76,19 @@ function makeFilters(table) {
 for (const table of document.querySelectorAll("table[data-sortable]")) {
     makeFilters(table);
     makeSortable(table);
+}
+
+// ---- what is wider than its place ---------------------------------------------------------------------------------------
+
+/// At which sides there is more to be seen.
+function tellOfMore(box) {
+    const beyond = box.scrollWidth - box.clientWidth;
+    const sides = [box.scrollLeft > 1 ? "left" : "", box.scrollLeft < beyond - 1 ? "right" : ""].join(" ").trim();
+    if ((box.dataset.more ?? "") !== sides) sides ? (box.dataset.more = sides) : delete box.dataset.more;
+}
+
+const sizes = new ResizeObserver((entries) => entries.forEach((entry) => tellOfMore(entry.target)));
+for (const box of document.querySelectorAll(".scroll")) {
+    sizes.observe(box);
+    box.addEventListener("scroll", () => tellOfMore(box), { passive: true });
 }

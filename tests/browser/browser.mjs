@@ -1,0 +1,32 @@
+// What the tests of the page have in common: the reports, the browser, and a page that keeps account of what went wrong.
+import { existsSync } from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const required = (name) => process.env[name] ?? (() => { throw new Error(`${name} is not set; run these tests through ctest`); })();
+/// A quick report of the bundled meshes, and one whose title, author and mesh have names that try to break out of the page.
+export const reports = { quick: path.resolve(required("REPORTS"), "quick"), hostile: path.resolve(required("REPORTS"), "hostile") };
+
+export const launch = () =>
+    chromium.launch({ executablePath: required("CHROMIUM"), args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] });
+
+/// The page of a report with `problems`: what went to the console as an error, what was thrown, what was asked for beyond the page and
+/// the files in images/.
+export async function open(browser, folder, options = {}) {
+    const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
+    context.setDefaultTimeout(90000);
+    const page = await context.newPage();
+    const url = pathToFileURL(path.join(folder, "index.html")).href, images = pathToFileURL(path.join(folder, "images")).href + "/";
+    page.problems = [];
+    page.on("console", (message) => { if (["error", "warning"].includes(message.type())) page.problems.push(message.text()); });
+    page.on("pageerror", (error) => page.problems.push(String(error)));
+    page.on("dialog", (dialog) => { page.problems.push(`a dialog: ${dialog.message()}`); dialog.dismiss(); });
+    page.on("request", (request) => {
+        const asked = request.url();
+        if (asked.split("#")[0] !== url && !asked.startsWith(images) && !asked.startsWith("data:")) page.problems.push(`asks for ${asked}`);
+    });
+    if (!existsSync(path.join(folder, "index.html"))) throw new Error(`there is no report in ${folder}`);
+    await page.goto(url);
+    return page;
+}

@@ -1,0 +1,176 @@
+// What the scripts add: pictures in full size, comparisons, the scheme. By keyboard and by pointer.
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, describe, test } from "node:test";
+import { launch, open, reports } from "./browser.mjs";
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+const shown = (page) => page.$eval(".lightbox .stage img", (image) => image.getAttribute("src"));
+const loaded = (page) => page.waitForFunction(() => {
+    const image = document.querySelector(".lightbox .stage img");
+    return image.complete && image.naturalWidth > 0;
+});
+
+describe("pictures in full size", () => {
+    let page;
+    before(async () => { page = await open(browser, reports.quick); });
+    after(() => page.context().close());
+
+    test("by keyboard: open, to the next figure and view, close, and back where one was", async () => {
+        const link = page.locator("#q1 figure.picture .plate > a").first();
+        await link.focus();
+        await page.keyboard.press("Enter");
+        await loaded(page);
+        const first = await shown(page);
+        assert.equal(first, await link.getAttribute("href"));
+        assert.ok(first.startsWith("images/") && first.endsWith("_sheet.png"), "the file, not the preview");
+        await page.keyboard.press("ArrowDown");
+        await loaded(page);
+        assert.match(await shown(page), /_%2Bx\.png$/);
+        await page.keyboard.press("ArrowUp");
+        assert.equal(await shown(page), first);
+        await page.keyboard.press("ArrowRight");
+        await loaded(page);
+        const second = await shown(page);
+        assert.notEqual(second, first);
+        assert.match(await page.locator(".lightbox .where").textContent(), /^Figure 1\.2/);
+        await page.keyboard.press("ArrowLeft");
+        assert.equal(await shown(page), first);
+        await page.keyboard.press("Escape");
+        assert.equal(await page.locator(".lightbox").evaluate((dialog) => dialog.open), false);
+        assert.ok(await link.evaluate((element) => element === document.activeElement), "focus is back");
+        assert.deepEqual(page.problems, []);
+    });
+
+    test("by pointer: a single view, the next figure, the cross", async () => {
+        const figure = page.locator("#q1 figure.picture").first();
+        await figure.locator("details.views summary").click();
+        await figure.locator(".views a").nth(2).click();
+        await loaded(page);
+        assert.equal(await shown(page), await figure.locator(".views a").nth(2).getAttribute("href"));
+        await page.getByRole("button", { name: "Next figure" }).click();
+        assert.match(await page.locator(".lightbox .where").textContent(), /^Figure 1\.2/);
+        await page.getByRole("button", { name: "Close" }).click();
+        assert.equal(await page.locator(".lightbox").evaluate((dialog) => dialog.open), false);
+    });
+
+    test("a link is still a link for whoever wants another window", async () => {
+        const [other] = await Promise.all([
+            page.context().waitForEvent("page"),
+            page.locator("#q1 figure.picture .plate > a").first().click({ modifiers: ["Control"] })]);
+        assert.match(other.url(), /_sheet\.png$/);
+        await other.close();
+    });
+
+    test("where images/ is not beside the page the preview is shown, and that is said", async () => {
+        const folder = mkdtempSync(path.join(tmpdir(), "meshfolio-page-"));
+        cpSync(path.join(reports.quick, "index.html"), path.join(folder, "index.html"));
+        const alone = await open(browser, folder);
+        await alone.locator("#q1 figure.picture .plate > a").first().click();
+        await alone.waitForFunction(() => document.querySelector(".lightbox .stage img").src.startsWith("data:image/jpeg"));
+        await loaded(alone);
+        assert.match(await alone.locator(".lightbox .where").textContent(), /only the preview/);
+        await alone.context().close();
+        rmSync(folder, { recursive: true });
+    });
+});
+
+describe("comparisons", () => {
+    let page, comparison;
+    before(async () => {
+        page = await open(browser, reports.quick);
+        comparison = page.locator("#q7 .comparison").first();
+    });
+    after(() => page.context().close());
+    const seen = () => comparison.locator(".pair").evaluate((pair) => parseFloat(getComputedStyle(pair).getPropertyValue("--seen")));
+    const clip = () => comparison.locator("img.after").evaluate((image) => getComputedStyle(image).clipPath);
+
+    test("there is one in each question that changes a mesh, with three pictures of one size", async () => {
+        for (const id of ["q4", "q5", "q6", "q7"]) {
+            const sizes = await page.$$eval(`#${id} .comparison`, (all) => all.map((one) =>
+                [...one.querySelectorAll(".panel img")].map((image) => `${image.naturalWidth}×${image.naturalHeight}`)));
+            assert.ok(sizes.length > 0, id);
+            for (const of of sizes) assert.ok(of.length === 3 && new Set(of).size === 1, `${id}: ${of}`);
+        }
+    });
+
+    test("the slider by keyboard", async () => {
+        await comparison.getByRole("button", { name: "Slider" }).focus();
+        await page.keyboard.press("Enter");
+        const range = comparison.getByRole("slider");
+        await page.keyboard.press("Tab");
+        await page.keyboard.press("Tab");
+        assert.ok(await range.evaluate((input) => input === document.activeElement), "Tab leads from the ways to the slider");
+        const middle = await seen();
+        await page.keyboard.press("ArrowRight");
+        assert.ok(await seen() > middle);
+        await page.keyboard.press("Home");
+        assert.equal(await seen(), 0);
+        assert.match(await clip(), /inset\(0px 0px 0px 0%\)/);
+        await page.keyboard.press("End");
+        assert.equal(await seen(), 100);
+        assert.match(await range.getAttribute("aria-valuetext"), /^100 % noisy/);
+    });
+
+    test("the slider by pointer", async () => {
+        await comparison.getByRole("button", { name: "Slider" }).click();
+        const box = await comparison.locator(".pair").boundingBox();
+        await page.mouse.move(box.x + 0.8 * box.width, box.y + 0.5 * box.height);
+        await page.mouse.down();
+        assert.ok(Math.abs(await seen() - 80) <= 1);
+        await page.mouse.move(box.x + 0.2 * box.width, box.y + 0.6 * box.height, { steps: 3 });
+        await page.mouse.up();
+        assert.ok(Math.abs(await seen() - 20) <= 1);
+        await page.mouse.move(box.x + 0.9 * box.width, box.y + 0.6 * box.height);
+        assert.ok(Math.abs(await seen() - 20) <= 1, "let go is let go");
+    });
+
+    test("the difference alone, and side by side again", async () => {
+        const visible = () => comparison.locator(".panel").evaluateAll((panels) => panels.map((panel) => panel.checkVisibility()));
+        await comparison.getByRole("button", { name: "Difference" }).click();
+        assert.deepEqual(await visible(), [false, false, true]);
+        assert.equal(await comparison.locator(".slider").isVisible(), false);
+        await comparison.getByRole("button", { name: "Side by side" }).click();
+        assert.deepEqual(await visible(), [true, true, true]);
+        assert.equal(await comparison.locator('[aria-pressed="true"]').count(), 1);
+        assert.deepEqual(page.problems, []);
+    });
+});
+
+describe("the scheme", () => {
+    const ground = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const light = "rgb(255, 255, 255)";
+
+    test("is the system's until the button says otherwise, and is remembered", async () => {
+        for (const scheme of ["light", "dark"]) {
+            const page = await open(browser, reports.hostile, { colorScheme: scheme });
+            assert.equal(await ground(page) === light, scheme === "light");
+            const button = page.locator("button.scheme");
+            await button.focus();
+            await page.keyboard.press("Enter");
+            assert.equal(await ground(page) === light, scheme === "dark");
+            assert.match(await button.getAttribute("aria-label"), new RegExp(`to the ${scheme} scheme`));
+            await page.reload();
+            assert.equal(await ground(page) === light, scheme === "dark", "after a reload");
+            await button.click();
+            assert.equal(await ground(page) === light, scheme === "light");
+            assert.deepEqual(page.problems, []);
+            await page.context().close();
+        }
+    });
+
+    test("plots follow it, pictures stay on white", async () => {
+        const page = await open(browser, reports.quick, { colorScheme: "dark" });
+        const stroke = () => page.locator("svg.plot path[stroke^='var(--plot-1']").first().evaluate((path) => getComputedStyle(path).stroke);
+        const dark = await stroke();
+        assert.equal(await page.locator(".plate").first().evaluate((plate) => getComputedStyle(plate).backgroundColor), light);
+        await page.locator("button.scheme").click();
+        assert.notEqual(await stroke(), dark);
+        await page.context().close();
+    });
+});

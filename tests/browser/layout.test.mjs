@@ -1,0 +1,100 @@
+// From a telephone to a wide screen, on paper, and for whoever does not see it: nothing is cut off, nothing is out of reach.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import { after, before, describe, test } from "node:test";
+import { launch, open, reports } from "./browser.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+/// What reaches beyond the window, apart from what scrolls within its box.
+const beyond = (page) => page.evaluate(() => {
+    const width = document.documentElement.clientWidth;
+    return [...document.querySelectorAll("body *")]
+        .filter((element) => !element.closest(".scroll > *, .skip, svg, math, dialog"))
+        .filter((element) => { const box = element.getBoundingClientRect(); return box.width > 0 && (box.right > width + 1 || box.left < -1); })
+        .map((element) => `${element.tagName}.${element.className} ${element.textContent.trim().slice(0, 40)}`);
+});
+
+describe("no sideways scrolling and nothing cut off", () => {
+    for (const width of [360, 768, 1280, 1920]) {
+        test(`at ${width} pixels`, async () => {
+            for (const folder of [reports.quick, reports.hostile]) {
+                const page = await open(browser, folder, { viewport: { width, height: 900 } });
+                assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+                assert.deepEqual((await beyond(page)).slice(0, 5), []);
+                const cut = await page.$$eval("main :is(p, h1, h2, h3, figcaption, .panel-name, .badge)", (elements) => elements
+                    .filter((element) => getComputedStyle(element).overflow === "hidden" && element.scrollWidth > element.clientWidth + 1)
+                    .map((element) => element.textContent.slice(0, 60)));
+                assert.deepEqual(cut, []);
+                await page.context().close();
+            }
+        });
+    }
+
+    test("lines of text are about 66 characters long", async () => {
+        const page = await open(browser, reports.quick, { viewport: { width: 1440, height: 900 } });
+        const lengths = await page.$$eval("section.question > p:not([class])", (paragraphs) => paragraphs
+            .map((p) => p.textContent.length / Math.max(1, Math.round(p.getBoundingClientRect().height / parseFloat(getComputedStyle(p).lineHeight))))
+            .sort((a, b) => a - b));
+        const longest = lengths.at(Math.floor(0.9 * lengths.length));
+        assert.ok(longest > 50 && longest < 82, `${longest} characters a line`);
+        await page.context().close();
+    });
+
+    test("words in plots stay within the picture", async () => {
+        const page = await open(browser, reports.quick);
+        const cut = await page.$$eval("svg.plot", (plots) => plots.flatMap((plot) => [...plot.querySelectorAll("text")].filter((text) => {
+            const box = text.getBBox(), frame = plot.viewBox.baseVal;
+            return box.x < -2 || box.y < -2 || box.x + box.width > frame.width + 2 || box.y + box.height > frame.height + 2;
+        }).map((text) => `${plot.closest("figure").id}: ${text.textContent}`)));
+        assert.deepEqual(cut, []);
+        await page.context().close();
+    });
+});
+
+test("on paper: light, complete, without what is only for the screen", async () => {
+    const page = await open(browser, reports.quick, { viewport: { width: 680, height: 1000 }, colorScheme: "dark" });
+    await page.locator("button.scheme").click();
+    await page.locator("button.scheme").click();   // dark by choice, not only by the system
+    await page.locator("#q7 .comparison button").nth(1).click();   // the slider
+    await page.emulateMedia({ media: "print", colorScheme: "dark" });
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    assert.equal(await page.evaluate(() => getComputedStyle(document.body).color), "rgb(28, 29, 33)");
+    for (const gone of [".contents", "button:not(.sort)", "select", ".slider"]) assert.equal(await page.locator(`${gone}:visible`).count(), 0, gone);
+    assert.deepEqual(await page.locator("#q7 .comparison").first().locator(".panel").evaluateAll((all) => all.map((one) => one.checkVisibility())),
+                     [true, true, true]);
+    const folded = await page.$$eval("main :is(p, td, th, img, svg, figcaption)", (elements) => elements
+        .filter((element) => !element.closest("details.views, .files, .slider") && !element.checkVisibility()).map((element) => element.textContent.slice(0, 60)));
+    assert.deepEqual(folded.slice(0, 5), []);
+    assert.deepEqual((await beyond(page)).slice(0, 5), []);
+    await page.context().close();
+});
+
+describe("axe finds nothing, by WCAG 2.1 A and AA and by its best practices", () => {
+    const check = async (page) => {
+        await page.evaluate(axe);   // from outside: the page's own policy would not let it in
+        const { violations } = await page.evaluate(() => axe.run(document, {
+            runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"], resultTypes: ["violations"] }));
+        return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(" … ")}`);
+    };
+    for (const colorScheme of ["light", "dark"]) {
+        test(`in the ${colorScheme} scheme`, async () => {
+            const page = await open(browser, reports.quick, { colorScheme });
+            await page.locator("#q7 .comparison button").nth(1).click();
+            await page.$$eval("details", (all) => { for (const one of all) one.open = true; });
+            assert.deepEqual(await check(page), []);
+            await page.context().close();
+        });
+        test(`in the ${colorScheme} scheme, a picture open in full size`, async () => {
+            const page = await open(browser, reports.hostile, { colorScheme });
+            await page.locator("figure.picture .plate > a").first().click();
+            assert.deepEqual(await check(page), []);
+            await page.context().close();
+        });
+    }
+});

@@ -1,0 +1,122 @@
+// The page as it is when it has been opened: complete, in order, and without anything from elsewhere.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { launch, open, reports } from "./browser.mjs";
+
+let browser, page;
+before(async () => {
+    browser = await launch();
+    page = await open(browser, reports.quick, { viewport: { width: 1440, height: 900 } });
+});
+after(() => browser.close());
+
+test("title, hero, score and findings are seen at once, the questions right after", async () => {
+    const boxes = await page.evaluate(() => Object.fromEntries(["h1", ".cover img", ".score", ".findings", "#questions-attempted"].map(
+        (selector) => [selector, document.querySelector(selector).getBoundingClientRect().toJSON()])));
+    for (const selector of ["h1", ".cover img", ".score", ".findings"]) {
+        const { top, bottom } = boxes[selector];
+        assert.ok(top >= 0 && bottom <= 900, `${selector} reaches from ${top} to ${bottom}`);
+    }
+    assert.ok(boxes["#questions-attempted"].top < 900, "the table of questions begins on the first screen");
+    const findings = await page.locator(".findings > li").count();
+    assert.ok(findings >= 3 && findings <= 5, `${findings} findings`);
+});
+
+test("the questions come first, the list of all checks last", async () => {
+    const ids = await page.$$eval("main > section", (sections) => sections.map((section) => section.id));
+    assert.deepEqual(ids.slice(0, 9), ["questions-attempted", "q1", "q2", "q3", "q4", "q5", "q6", "q7", "truth"]);
+    assert.equal(ids.at(-1), "all-checks");
+    assert.ok(ids.indexOf("where-from") > ids.indexOf("cited-works"));
+});
+
+test("every link within the page lands where it is seen", async () => {
+    const lost = await page.evaluate(() => {
+        const missed = [];
+        for (const link of document.querySelectorAll('a[href^="#"]')) {
+            const target = document.getElementById(decodeURIComponent(link.getAttribute("href").slice(1)));
+            if (!target) missed.push(`${link.textContent} leads nowhere`);
+        }
+        return missed;
+    });
+    assert.deepEqual(lost, []);
+    for (const link of await page.locator(".contents a:visible, .attempted td a").all()) {
+        await link.click();
+        await page.evaluate(() => new Promise((done) => setTimeout(() => requestAnimationFrame(done))));   // what is folded opens after the click
+        const { id, top } = await page.evaluate(() => {
+            const target = document.getElementById(location.hash.slice(1));
+            return { id: target.id, top: target.getBoundingClientRect().top, open: target.open };
+        });
+        const end = await page.evaluate(() => scrollY + innerHeight >= document.documentElement.scrollHeight - 1);
+        assert.ok(top > -2 && (top < 60 || (end && top < 900)), `${id} is at ${top}`);
+    }
+});
+
+test("the contents list follows the scroll and shows the parts of what is read", async () => {
+    for (const id of ["q1", "q5", "truth", "claims", "all-checks"]) {
+        await page.evaluate((name) => document.getElementById(name).scrollIntoView(), id);
+        await page.waitForFunction((name) => document.querySelector(".contents .current > a")?.hash === `#${name}`, id);
+        const seen = await page.$$eval(".contents a", (links) => ({
+            current: links.filter((link) => link.ariaCurrent === "true").map((link) => link.hash),
+            parts: links.filter((link) => link.closest(".parts") && link.checkVisibility()).map((link) => link.hash),
+        }));
+        assert.equal(seen.current.length, 1);
+        const number = await page.$eval(`.contents a[href="#${id}"]`, (link) => link.querySelector(".number")?.textContent);
+        for (const part of seen.parts) assert.ok(part.startsWith(`#section-${number}.`), `${part} is shown in ${id}`);
+        assert.equal(seen.parts.length > 0, number !== undefined, `parts of ${id}`);
+    }
+    await page.evaluate(() => document.querySelector("#q5 h3:nth-of-type(2)").scrollIntoView());
+    await page.waitForFunction(() => document.querySelector('.contents a[aria-current]')?.hash === "#section-5.2");
+});
+
+test("whatever is scrolled past: no error and no request beyond the page and its pictures", async () => {
+    for (const folder of [reports.quick, reports.hostile]) {
+        const other = await open(browser, folder);
+        const height = await other.evaluate(() => document.documentElement.scrollHeight);
+        for (let y = 0; y < height; y += 5000) await other.evaluate((top) => scrollTo(0, top), y);
+        const blank = await other.$$eval("main img", (images) => images.filter((image) => image.complete && !image.naturalWidth).length);
+        assert.equal(blank, 0, "pictures without content");
+        assert.deepEqual(other.problems, []);
+        await other.context().close();
+    }
+});
+
+test("hostile names stay text", async () => {
+    const other = await open(browser, reports.hostile);
+    assert.match(await other.locator("h1").textContent(), /^<script>alert\(1\)<\/script>"'<\/style>\{\{title\}\} \]\]> <img/);
+    assert.equal(await other.locator("main script, main style, main iframe, main img:not(.plate img)").count(), 0);
+    assert.deepEqual(other.problems, []);
+    await other.context().close();
+});
+
+test("without JavaScript nothing is missing and nothing is there that does nothing", async () => {
+    const plain = await open(browser, reports.quick, { javaScriptEnabled: false });
+    const unseen = await plain.evaluate(() => [...document.querySelectorAll("main :is(p, li, td, th, img, svg, math, h1, h2, h3, figcaption)")]
+        .filter((element) => !element.closest("details.views") && !element.checkVisibility({ visibilityProperty: true, opacityProperty: true }))
+        .map((element) => element.outerHTML.slice(0, 80)));
+    assert.deepEqual(unseen.slice(0, 5), []);
+    assert.equal(await plain.locator("button, dialog, input, select").count(), 0);
+    const words = (where) => where.evaluate(() => {
+        const copy = document.querySelector("main").cloneNode(true);
+        for (const tool of copy.querySelectorAll(".table-tools, .ways, .slider")) tool.remove();
+        return copy.textContent.replace(/\s+/g, " ").length;
+    });
+    assert.equal(await words(plain), await words(page));
+    assert.deepEqual(plain.problems, []);
+    await plain.context().close();
+});
+
+test("on a telephone the contents unfold by their button, and a link folds them again", async () => {
+    const narrow = await open(browser, reports.hostile, { viewport: { width: 360, height: 740 } });
+    const link = narrow.locator('.contents a[href="#q5"]'), button = narrow.getByRole("button", { name: "Contents" });
+    assert.equal(await link.isVisible(), false);
+    await button.focus();
+    await narrow.keyboard.press("Enter");
+    assert.equal(await button.getAttribute("aria-expanded"), "true");
+    await link.click();
+    assert.equal(await link.isVisible(), false);
+    assert.equal(await narrow.evaluate(() => location.hash), "#q5");
+    await narrow.context().close();
+    const plain = await open(browser, reports.hostile, { viewport: { width: 360, height: 740 }, javaScriptEnabled: false });
+    assert.ok(await plain.locator('.contents a[href="#q5"]').isVisible(), "without a script it is not folded");
+    await plain.context().close();
+});
