@@ -26,5 +26,7 @@ Command sample_command(CLI::App& parent);
 Command list_command(CLI::App& parent);
 Command doctor_command(CLI::App& parent);
 Command verify_command(CLI::App& parent);
+Command cache_command(CLI::App& parent);
+Command templates_command(CLI::App& parent);
 
 }   // namespace meshfolio::cli

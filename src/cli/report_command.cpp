@@ -6,11 +6,14 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/cover.h"
+#include "cli/from_results.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/report_files.h"
 #include "cli/report_settings.h"
 #include "cli/run_questions.h"
+#include "cli/stored_results.h"
 #include "number_text.h"
 #include "output/draw_figures.h"
 #include "output/publish.h"
@@ -29,47 +32,31 @@ private:
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-/// The title picture: of the figures of one mesh with values, the one with the most triangles, seen from the right front and above.
-std::optional<output::FigureRequest> cover_request(const std::vector<Answer>& answers) {
-    const output::FigureRequest* best = nullptr;
-    const auto triangles = [](const output::FigureRequest& figure) { return figure.panels.front().mesh->F.rows(); };
-    for (const Answer& answer : answers)
-        for (const output::FigureRequest& figure : answer.figures) {
-            const bool has_values = figure.panels.size() == 1 && figure.panels.front().values.size() > 0 && figure.range;
-            if (has_values && (best == nullptr || triangles(figure) > triangles(*best))) best = &figure;
-        }
-    if (best == nullptr) return std::nullopt;
-    output::FigureRequest cover = *best;
-    cover.id = cover.panels.front().name = "cover";
-    cover.title.clear();
-    cover.subtitle.clear();
-    cover.three_quarter = true;
-    return cover;
-}
-
-report::Document document_of(const ReportSettings& settings, const std::vector<Answer>& answers) {
+report::Document document_of(const ReportSettings& settings, const std::vector<QuestionResult>& results,
+                             const std::optional<Cover>& cover) {
     report::Document document;
     document.title = settings.title;
     document.author = settings.author;
     document.course = settings.course;
     document.provenance = provenance_of(described(settings), settings.seed);
-    for (const Answer& answer : answers) document.sections.push_back(answer.section);
-    if (const auto cover = cover_request(answers))
-        document.cover = report::Figure{cover->id, "", cover->range->quantity + " on a surface seen from the right front and above"};
+    for (const QuestionResult& result : results) document.sections.push_back(result.section());
+    if (cover) document.cover = cover->figure();
     return document;
 }
 
-report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<Answer>& answers, const std::filesystem::path& folder,
-                                   ProgressDisplay& display) {
+report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<QuestionResult>& results,
+                                   const std::optional<Cover>& cover, const std::filesystem::path& folder, ProgressDisplay& display) {
     std::vector<output::FigureRequest> requests;
-    for (const Answer& answer : answers) requests.insert(requests.end(), answer.figures.begin(), answer.figures.end());
-    if (const auto cover = cover_request(answers)) requests.push_back(*cover);
+    for (const QuestionResult& result : results)
+        requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
+    if (cover && cover->request) requests.push_back(*cover->request);
     output::DrawSettings draw;
     draw.width = settings.width;
     draw.height = settings.height;
     display.step("drawing");
     auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
     display.milestone(std::to_string(requests.size()) + " figures drawn");
+    add_stored_figures(results, cover, figures);
     return figures;
 }
 
@@ -113,22 +100,28 @@ ExitCode run_report(const ReportFlags& flags) {
     std::optional<tbb::global_control> threads;
     if (settings.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
     output::Publication publication(settings.out);
+    const auto store = flags.no_cache ? nullptr : cache_for_report();
+    std::optional<QuestionCache> cache;
+    if (store) cache.emplace(*store, settings, meshes, publication.folder());
 
     report::Document document;
     std::string note;
     {
         ProgressDisplay display(stderr_is_terminal());
         const Stopwatch whole;
-        const std::vector<Answer> answers = run_questions(meshes, settings, display);
-        document = document_of(settings, answers);
+        std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, display);
+        const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
+        const std::optional<Cover> cover = chosen_cover(results, cache ? &*cache : nullptr, again);
+        document = document_of(settings, results, cover);
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
-        const report::DrawnFigures figures = drawn_figures(settings, answers, publication.folder(), display);
+        const report::DrawnFigures figures = drawn_figures(settings, results, cover, publication.folder(), display);
         document.timings.push_back({"drawing", drawing.seconds()});
         document.timings.push_back({"up to writing", whole.seconds()});
         display.step("writing");
-        write_report_files(document, figures, templates, {.timings = settings.timings, .plot_files = true}, answers, publication.folder());
-        note = publication.publish();
+        write_report_files(document, figures, templates, {.timings = settings.timings, .plot_files = true}, answers_of(results),
+                           stored_sections(results), publication.folder());
+        note = publication.publish(stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr));
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }
     if (!note.empty()) warn(note);
@@ -160,8 +153,10 @@ Command report_command(CLI::App& parent) {
     app->add_flag("--quick", flags->quick, "small settings for a first look");
     app->add_flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
     app->add_flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
+    app->add_flag("--no-cache", flags->no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
+    app->add_option("--from", flags->from, "results.json of an earlier report, which is rendered again without computing anything");
     app->footer("Example: meshfolio report --data meshes/coursework --out out\n         meshfolio report my.obj --only q1,q3 --quick");
-    return {app, [flags] { return run_report(*flags); }};
+    return {app, [flags] { return flags->from.empty() ? run_report(*flags) : report_from_results(*flags); }};
 }
 
 }   // namespace meshfolio::cli

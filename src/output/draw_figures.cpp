@@ -19,6 +19,7 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "output/label_view.h"
+#include "output/preview.h"
 #include "output/robust_range.h"
 #include "output/safe_name.h"
 #include "output/surface_of.h"
@@ -167,12 +168,10 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     work.drawn.sheet = "images/" + request.id + "_sheet.png";
     write_file(folder / work.drawn.sheet, render::encode_png(image));
 
-    const bool too_wide = image.width > settings.preview_width;
-    const int width = too_wide ? settings.preview_width : image.width;
-    const int height = too_wide ? std::max(1, image.height * width / image.width) : image.height;
-    work.drawn.width = width;
-    work.drawn.height = height;
-    work.drawn.preview_jpeg = render::encode_jpeg(too_wide ? render::shrink(image, width, height) : image, settings.jpeg_quality);
+    Preview preview = preview_of(image, settings.preview_width, settings.jpeg_quality);
+    work.drawn.width = preview.width;
+    work.drawn.height = preview.height;
+    work.drawn.preview_jpeg = std::move(preview.jpeg);
 }
 
 void name_views(Work& work) {

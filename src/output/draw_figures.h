@@ -16,6 +16,7 @@ struct DrawSettings {
     int sheet_cell = 400;            // of one view inside a 2 × 3 sheet
     int strip_cell = 240;            // of one view inside a strip of several panels
     int preview_width = 1200;        // of the JPEG inside the page
+    int panel_width = 640;           // of the JPEG of one picture of a comparison
     int jpeg_quality = 82;
     int threads = 0;   // 0: all
 };
