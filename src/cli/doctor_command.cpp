@@ -3,10 +3,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/cache_folder.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/provenance.h"
 #include "cli/search_path.h"
+#include "number_text.h"
 
 namespace meshfolio::cli {
 
@@ -14,6 +16,18 @@ namespace {
 
 constexpr std::array pdf_engines{"chromium-headless-shell", "chrome-headless-shell", "chromium",       "chromium-browser",
                                  "google-chrome-stable",    "google-chrome",         "microsoft-edge", "weasyprint"};
+
+/// "/home/me/.cache/meshfolio, 171 MB of at most 2147 MB"
+std::string cache_in_words() try {
+    const auto folder = output::default_cache_folder();
+    if (!folder) return "none: neither XDG_CACHE_HOME nor HOME names a folder";
+    const auto megabytes = [](std::uintmax_t bytes) { return plain_text(static_cast<double>(bytes) / 1e6, 4) + " MB"; };
+    const std::uintmax_t limit = cache_limit();
+    return printable(folder->string()) + ", " + megabytes(output::ResultCache(*folder, limit).size().bytes) + " of at most " +
+           megabytes(limit);
+} catch (const OutputError& error) {
+    return std::string("none: ") + error.what();
+}
 
 nlohmann::ordered_json findings() {
     nlohmann::ordered_json json;
@@ -28,6 +42,7 @@ nlohmann::ordered_json findings() {
     for (const char* engine : pdf_engines) {
         if (const auto path = found_on_path(engine)) json["pdf_engines"][engine] = printable(path->string());
     }
+    json["cache"] = cache_in_words();
     json["missing"] = nlohmann::ordered_json::array();
     if (json["pdf_engines"].empty()) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
     return json;
