@@ -80,7 +80,7 @@ std::set<std::string> files_of(const report::Section& section, const report::Dra
     return files;
 }
 
-// ---- figures: names, sizes, and the digests of their bytes ----------------------------------------------------------------
+// ---- figures: names, sizes, digests of their bytes. Pictures for paper are not kept: they follow from the sheets. ----------
 
 json json_of(const report::DrawnFigure& figure, output::ResultCache& store) {
     json panels = json::array(), models = json::array();
@@ -89,8 +89,8 @@ json json_of(const report::DrawnFigure& figure, output::ResultCache& store) {
     for (const report::DrawnModel& m : figure.models) models.push_back({m.label, m.file, store.keep(m.glb), m.quantity});
     return {{"sheet", figure.sheet}, {"preview", store.keep(figure.preview_jpeg)},
             {"width", figure.width}, {"height", figure.height},
-            {"views", figure.views}, {"print", figure.print_jpeg.empty() ? "" : store.keep(figure.print_jpeg)},
-            {"comparison", panels},  {"models", models}};
+            {"views", figure.views}, {"comparison", panels},
+            {"models", models}};
 }
 
 /// What is stored has been lost or damaged.
@@ -109,7 +109,6 @@ report::DrawnFigure figure_of(const json& stored, output::ResultCache& store) {
     figure.width = stored.at("width");
     figure.height = stored.at("height");
     figure.views = stored.at("views").get<std::vector<std::pair<std::string, std::string>>>();
-    if (!stored.at("print").get<std::string>().empty()) figure.print_jpeg = bytes_of(stored.at("print"), store);
     for (const json& p : stored.at("comparison"))
         figure.comparison.push_back({p.at(0), p.at(1), bytes_of(p.at(2), store), p.at(3), p.at(4)});
     for (const json& m : stored.at("models")) figure.models.push_back({m.at(0), m.at(1), bytes_of(m.at(2), store), m.at(3)});

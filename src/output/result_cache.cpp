@@ -132,7 +132,7 @@ std::optional<std::string> ResultCache::bytes_of(const std::string& digest) {
 
 std::string ResultCache::keep(std::string_view bytes) {
     std::string digest = sha256(bytes);
-    if (!fs::exists(object(digest))) write_new(object(digest), bytes);
+    if (!bytes_of(digest)) write_new(object(digest), bytes);   // not there, or damaged and removed
     return digest;
 }
 
@@ -141,7 +141,7 @@ std::string ResultCache::keep_file(const fs::path& file) {
     std::string digest = sha256(bytes);
     const fs::path path = object(digest);
     make_folder(path.parent_path());
-    if (::link(file.c_str(), path.c_str()) != 0 && errno != EEXIST) write_new(path, bytes);
+    if (!bytes_of(digest) && ::link(file.c_str(), path.c_str()) != 0 && errno != EEXIST) write_new(path, bytes);
     return digest;
 }
 

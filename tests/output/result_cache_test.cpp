@@ -97,6 +97,18 @@ TEST(ResultCache, DamageCountsAsAbsence) {
     }
 }
 
+TEST(ResultCache, KeepingRepairsWhatIsDamaged) {
+    const TemporaryFolder folder;
+    ResultCache cache(folder.path() / "cache", roomy);
+    write_file(folder.path() / "a", "picture");
+    const std::string digest = cache.keep("picture");
+    for (const bool as_file : {true, false}) {
+        for (const fs::path& file : files_below(folder.path() / "cache")) spoil(file, "damaged");
+        EXPECT_EQ(as_file ? cache.keep_file(folder.path() / "a") : cache.keep("picture"), digest);
+        EXPECT_EQ(cache.bytes_of(digest), "picture");
+    }
+}
+
 TEST(ResultCache, NamesThatAreNoDigestsLeadNowhere) {
     const TemporaryFolder folder;
     ResultCache cache(folder.path() / "cache", roomy);
