@@ -1,8 +1,12 @@
 /// @file
-/// Pictures to bytes. PNG by a Paeth filter and a coder of our own, RGB when the picture is opaque; JPEG by stb_image_write.
+/// Pictures to bytes and back. PNG by a Paeth filter and a coder of our own, RGB when the picture is opaque; JPEG by
+/// stb_image_write; PNG is read by stb_image.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "image.h"
 
@@ -12,5 +16,8 @@ namespace render {
 std::string encode_png(const Image& image);
 /// Composited on white. quality 1–100; 4:4:4 from 91 up (stb).
 std::string encode_jpeg(const Image& image, int quality);
+
+/// What encode_png() wrote, or any other PNG of 8 bits a channel; nothing when it is none, damaged or larger than `largest` pixels.
+std::optional<Image> decode_png(std::string_view png, std::int64_t largest = 480'000'000);
 
 }   // namespace render

@@ -76,15 +76,24 @@ void write_all(int descriptor, std::string_view bytes, const std::string& name) 
     }
 }
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) {
+namespace {
+
+void write_new(const std::filesystem::path& path, std::string_view bytes, bool synced) {
+    struct stat there {};
+    if (::lstat(path.c_str(), &there) == 0 && S_ISREG(there.st_mode) && there.st_nlink > 1) ::unlink(path.c_str());
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.get() < 0) throw OutputError(path.string(), "cannot create the file (" + reason() + ")");
     write_all(file.get(), bytes, path.string());
     // /dev/null and /dev/stdout know no fsync; that is not a failed write.
-    if (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS) {
+    if (synced && ::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS) {
         throw OutputError(path.string(), "cannot flush to disk (" + reason() + ")");
     }
     if (!file.close_checked()) throw OutputError(path.string(), "cannot close the file (" + reason() + ")");
 }
+
+}   // namespace
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) { write_new(path, bytes, true); }
+void write_unsynced(const std::filesystem::path& path, std::string_view bytes) { write_new(path, bytes, false); }
 
 }   // namespace meshfolio

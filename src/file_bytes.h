@@ -13,9 +13,12 @@ namespace meshfolio {
 /// @throws InputError if it is missing, unreadable, not a regular file, or larger than `limit` bytes
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{4} << 30);
 
-/// Creates or replaces `path` with `bytes`; the data has reached the disk when this returns.
+/// Creates or replaces `path` with `bytes`; the data has reached the disk when this returns. A file that has other links as well is
+/// replaced by a new one, so that what they name stays as it was.
 /// @throws OutputError naming the path and the system's reason
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+/// The same for what may be lost with the power.
+void write_unsynced(const std::filesystem::path& path, std::string_view bytes);
 
 /// Writes to an open descriptor (1: standard output) until all is taken.
 /// @throws OutputError as above; `name` is what the message calls the target

@@ -27,5 +27,7 @@ Command list_command(CLI::App& parent);
 Command doctor_command(CLI::App& parent);
 Command verify_command(CLI::App& parent);
 Command submit_command(CLI::App& parent);
+Command cache_command(CLI::App& parent);
+Command templates_command(CLI::App& parent);
 
 }   // namespace meshfolio::cli

@@ -5,9 +5,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/cache_folder.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/provenance.h"
+#include "number_text.h"
 #include "report/page_viewer.h"
 #include "report/pdf_engine.h"
 
@@ -41,6 +43,18 @@ void add_pdf(nlohmann::ordered_json& json) {
     }
 }
 
+/// "/home/me/.cache/meshfolio, 171 MB of at most 2147 MB"
+std::string cache_in_words() try {
+    const auto folder = output::default_cache_folder();
+    if (!folder) return "none: neither XDG_CACHE_HOME nor HOME names a folder";
+    const auto megabytes = [](std::uintmax_t bytes) { return plain_text(static_cast<double>(bytes) / 1e6, 4) + " MB"; };
+    const std::uintmax_t limit = cache_limit();
+    return printable(folder->string()) + ", " + megabytes(output::ResultCache(*folder, limit).size().bytes) + " of at most " +
+           megabytes(limit);
+} catch (const OutputError& error) {
+    return std::string("none: ") + error.what();
+}
+
 nlohmann::ordered_json findings() {
     nlohmann::ordered_json json;
     const report::Provenance provenance = provenance_of({}, 0);
@@ -51,6 +65,7 @@ nlohmann::ordered_json findings() {
     json["fonts"] = "DejaVu Sans, compiled in";
     json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
+    json["cache"] = cache_in_words();
     add_pdf(json);
     if (report::viewer_program().empty()) json["missing"].push_back("the viewer of models: apt install npm, then build again");
     return json;

@@ -43,9 +43,9 @@ std::optional<report::PdfEngine> wanted_engine(const ReportFlags& flags) {
 }
 
 std::string printed_report(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                           const ReportSettings& settings, const report::PdfEngine& engine) {
+                           report::Extent extent, const report::PdfEngine& engine) {
     const bool mathml = engine.kind == report::PdfEngine::Kind::chromium;
-    report::PrintPage page = report::print_page(document, figures, templates, {.extent = settings.printed, .mathml = mathml});
+    report::PrintPage page = report::print_page(document, figures, templates, {.extent = extent, .mathml = mathml});
     const char* seconds = std::getenv("SOURCE_DATE_EPOCH");
     const report::PrintJob job{std::move(page.html),
                                std::move(page.files),
@@ -57,19 +57,6 @@ std::string printed_report(const report::Document& document, const report::Drawn
                                report::write_json(document, figures, {.timings = false})};
     const output::Temporary scratch = scratch_folder();
     return report::print_pdf(job, engine, scratch.path());
-}
-
-std::string write_pdf(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                      const ReportSettings& settings, const report::PdfEngine& engine, bool required, const fs::path& folder) {
-    std::string pdf;
-    try {
-        pdf = printed_report(document, figures, templates, settings, engine);
-    } catch (const Error& error) {
-        if (required) throw EngineError(error.what());
-        return std::string("there is no report.pdf: ") + error.what();
-    }
-    write_file(folder / "report.pdf", pdf);
-    return "";
 }
 
 }   // namespace meshfolio::cli

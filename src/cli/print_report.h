@@ -19,12 +19,6 @@ std::optional<report::PdfEngine> wanted_engine(const ReportFlags& flags);
 /// The bytes of report.pdf. Nothing in them depends on the time or the place.
 /// @throws EngineError if the engine does not deliver
 std::string printed_report(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                           const ReportSettings& settings, const report::PdfEngine& engine);
-
-/// printed_report() into `folder`. A failure is the report's own only where the PDF is required.
-/// @return what to warn of, else empty
-/// @throws EngineError where it is required
-std::string write_pdf(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                      const ReportSettings& settings, const report::PdfEngine& engine, bool required, const std::filesystem::path& folder);
+                           report::Extent extent, const report::PdfEngine& engine);
 
 }   // namespace meshfolio::cli

@@ -7,13 +7,16 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/cover.h"
+#include "cli/from_results.h"
 #include "cli/own_source.h"
-#include "cli/print_report.h"
+#include "cli/paper_copy.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/report_files.h"
 #include "cli/report_settings.h"
 #include "cli/run_questions.h"
+#include "cli/stored_results.h"
 #include "file_bytes.h"
 #include "geometry/curvature.h"
 #include "mesh/mesh_topology.h"
@@ -23,6 +26,8 @@
 #include "submission/citations.h"
 
 namespace meshfolio::cli {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -36,54 +41,25 @@ private:
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-/// Sum of the magnitudes of the angle deficits: 4π for what is closed and convex, 0 for what is flat, more the more there is to be seen.
-double bending(const TriangleMesh& mesh) { return angle_deficit(mesh, topology_of(mesh)).cwiseAbs().sum(); }
-
-/// The title picture: of the figures of one mesh with values, one that readers can turn if there is one, the mesh that is bent most.
-const output::FigureRequest* most_worth_seeing(const std::vector<Answer>& answers) {
-    const output::FigureRequest* best = nullptr;
-    std::pair<bool, double> most;
-    for (const Answer& answer : answers)
-        for (const output::FigureRequest& figure : answer.figures) {
-            if (figure.panels.size() != 1 || figure.panels.front().values.size() == 0 || !figure.range) continue;
-            const std::pair<bool, double> worth{figure.turnable, bending(*figure.panels.front().mesh)};
-            if (best == nullptr || worth > most) best = &figure, most = worth;
-        }
-    return best;
-}
-
-/// That figure seen from the right front and above, without its titles.
-std::optional<output::FigureRequest> cover_request(const std::vector<Answer>& answers) {
-    const output::FigureRequest* best = most_worth_seeing(answers);
-    if (best == nullptr) return std::nullopt;
-    output::FigureRequest cover = *best;
-    cover.id = cover.panels.front().name = "cover";
-    cover.title.clear();
-    cover.subtitle.clear();
-    cover.three_quarter = true;
-    cover.turnable = false;
-    return cover;
-}
-
-report::Document document_of(const ReportSettings& settings, const std::vector<Answer>& answers) {
+report::Document document_of(const ReportSettings& settings, const std::vector<QuestionResult>& results,
+                             const std::optional<Cover>& cover) {
     report::Document document;
     document.title = settings.title;
     document.author = settings.author;
     document.course = settings.course;
     document.provenance = provenance_of(described(settings), settings.seed);
-    for (const Answer& answer : answers) document.sections.push_back(answer.section);
-    if (const output::FigureRequest* seen = most_worth_seeing(answers)) {
-        const std::string mesh = seen->subtitle.empty() ? "a surface" : seen->subtitle;
-        document.cover = report::Figure{"cover", "", seen->range->quantity + " on " + mesh + ", seen from the right front and above"};
-    }
+    for (const QuestionResult& result : results) document.sections.push_back(result.section());
+    if (cover) document.cover = cover->figure();
     return document;
 }
 
-report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<Answer>& answers,
-                                   const std::set<std::string>& on_paper, const std::filesystem::path& folder, ProgressDisplay& display) {
+report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<QuestionResult>& results,
+                                   const std::optional<Cover>& cover, const std::set<std::string>& on_paper, const fs::path& folder,
+                                   ProgressDisplay& display) {
     std::vector<output::FigureRequest> requests;
-    for (const Answer& answer : answers) requests.insert(requests.end(), answer.figures.begin(), answer.figures.end());
-    if (const auto cover = cover_request(answers)) requests.push_back(*cover);
+    for (const QuestionResult& result : results)
+        requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
+    if (cover && cover->request) requests.push_back(*cover->request);
     output::DrawSettings draw;
     draw.width = settings.width;
     draw.height = settings.height;
@@ -91,6 +67,7 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
     display.step("drawing");
     auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
     display.milestone(std::to_string(requests.size()) + " figures drawn");
+    add_stored_figures(results, cover, figures);
     return figures;
 }
 
@@ -121,38 +98,41 @@ ExitCode summary(const report::Document& document) {
 
 ExitCode run_report(const ReportFlags& flags) {
     const ReportSettings settings = report_settings(flags);
-    const std::optional<report::PdfEngine> engine = wanted_engine(flags);
     report::Templates templates(settings.templates);
     if (settings.page_template) templates.replace("report.html", *settings.page_template);
+    PaperCopy paper(flags, templates, settings.printed);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
     std::optional<tbb::global_control> threads;
     if (settings.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
     output::Publication publication(settings.out);
+    const auto store = flags.no_cache ? nullptr : cache_for_report();
+    std::optional<QuestionCache> cache;
+    if (store) cache.emplace(*store, settings, meshes, publication.folder());
 
     report::Document document;
     std::string note, pdf_note;
     {
         ProgressDisplay display(stderr_is_terminal());
         const Stopwatch whole;
-        const std::vector<Answer> answers = run_questions(meshes, settings, display);
-        document = document_of(settings, answers);
+        std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, display);
+        const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
+        const std::optional<Cover> cover = chosen_cover(results, cache ? &*cache : nullptr, again);
+        document = document_of(settings, results, cover);
         submission::cite(document, own_source());
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
-        const auto on_paper = engine ? report::figures_told(document, settings.printed) : std::set<std::string>();
-        const report::DrawnFigures figures = drawn_figures(settings, answers, on_paper, publication.folder(), display);
+        const fs::path& folder = publication.folder();
+        report::DrawnFigures figures = drawn_figures(settings, results, cover, paper.figures(document), folder, display);
         document.timings.push_back({"drawing", drawing.seconds()});
         document.timings.push_back({"up to writing", whole.seconds()});
-        display.step(engine ? "writing and printing" : "writing");
+        display.step(paper.is_wanted() ? "writing and printing" : "writing");
         const report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.design};
-        tbb::parallel_invoke([&] { write_report_files(document, figures, templates, options, answers, publication.folder()); },
-                             [&] {
-                                 if (engine)
-                                     pdf_note = write_pdf(document, figures, templates, settings, *engine, flags.pdf == "require",
-                                                          publication.folder());
-                             });
-        write_file(publication.folder() / "src.txt", own_source().text());
-        note = publication.publish();
+        paper.prepare(document, figures, store.get(), folder);
+        tbb::parallel_invoke(
+            [&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
+            [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
+            [&] { write_file(folder / "src.txt", own_source().text()); });
+        note = publication.publish(stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr));
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }
     for (const std::string& words : {note, pdf_note}) {
@@ -188,8 +168,10 @@ Command report_command(CLI::App& parent) {
     app->add_flag("--quick", flags->quick, "small settings for a first look");
     app->add_flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
     app->add_flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
+    app->add_flag("--no-cache", flags->no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
+    app->add_option("--from", flags->from, "results.json of an earlier report, which is rendered again without computing anything");
     app->footer("Example: meshfolio report --data meshes/coursework --out out\n         meshfolio report my.obj --only q1,q3 --quick");
-    return {app, [flags] { return run_report(*flags); }};
+    return {app, [flags] { return flags->from.empty() ? run_report(*flags) : report_from_results(*flags); }};
 }
 
 }   // namespace meshfolio::cli

@@ -19,8 +19,9 @@ void write_drawing(const Drawing& drawing, const fs::path& folder) {
     write_file(folder / "images" / (drawing.id + ".svg"), report::svg_file_of(drawing));
 }
 
-void write_tables_and_plots(const report::Document& document, const fs::path& folder) {
+void write_tables_and_plots(const report::Document& document, const std::set<std::string>& stored, const fs::path& folder) {
     for (const report::Section& section : document.sections) {
+        if (stored.contains(section.id)) continue;
         for (const report::Block& block : section.blocks) {
             if (const auto* table = std::get_if<report::Table>(&block))
                 write_file(folder / "tables" / (table->id + ".csv"), report::write_csv(*table));
@@ -45,14 +46,15 @@ void write_meshes(const Answer& answer, const fs::path& folder) {
 }   // namespace
 
 void write_report_files(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                        const report::WriteOptions& options, const std::vector<Answer>& answers, const fs::path& folder) {
+                        const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
+                        const fs::path& folder) {
     for (const char* name : {"images", "meshes", "tables"}) output::make_folder(folder / name);
     tbb::parallel_invoke(
         [&] { write_file(folder / "index.html", report::write_html(document, figures, templates, options)); },
         [&] { write_file(folder / "report.md", report::write_markdown(document, figures, templates, options)); },
         [&] { write_file(folder / "results.json", report::write_json(document, figures, options)); },
-        [&] { write_tables_and_plots(document, folder); },
-        [&] { tbb::parallel_for(std::size_t{0}, answers.size(), [&](std::size_t i) { write_meshes(answers[i], folder); }); });
+        [&] { write_tables_and_plots(document, stored, folder); },
+        [&] { tbb::parallel_for(std::size_t{0}, answers.size(), [&](std::size_t i) { write_meshes(*answers[i], folder); }); });
 }
 
 }   // namespace meshfolio::cli

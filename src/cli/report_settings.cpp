@@ -36,6 +36,8 @@ void take_file(ReportSettings& settings, const SettingsFile& file) {
     take(settings.printed, file.printed);
     settings.questions = file.questions;
     settings.experiments = file.experiments;
+    settings.experiments_digest = file.digest;
+    settings.only = file.sections;
     settings.base = file.folder;
 }
 
@@ -106,15 +108,14 @@ void take_experiments(QuestionSettings& question, const ReportSettings& settings
     if (settings.quick && question.experiments.size() > 1) question.experiments.resize(1);
 }
 
-/// The file of that name, else the bundled one of data/reports.
+}   // namespace
+
 SettingsFile named_settings(const std::string& config) {
     std::error_code error;
     const std::string_view bundled = bundled_report_text(config);
     if (!bundled.empty() && !std::filesystem::exists(config, error)) return parse_settings(bundled, config + ".toml");
     return read_settings(config);
 }
-
-}   // namespace
 
 ReportSettings report_settings(const ReportFlags& flags) {
     ReportSettings settings;
@@ -128,7 +129,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     if (!flags.out.empty()) settings.out = flags.out;
     settings.templates = flags.templates;
     settings.meshes.assign(flags.meshes.begin(), flags.meshes.end());
-    settings.only = chosen_questions(flags.only);
+    if (!flags.only.empty()) settings.only = chosen_questions(flags.only);
     settings.quick = flags.quick;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;

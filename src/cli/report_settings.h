@@ -16,8 +16,8 @@ namespace meshfolio::cli {
 /// As given on the command line; what is empty was not.
 struct ReportFlags {
     std::vector<std::string> meshes, data;
-    std::string only, out, config, threads, size, templates, pdf = "auto", pdf_browser;
-    bool quick = false, fail_fast = false, no_timings = false;
+    std::string only, out, config, threads, size, templates, pdf = "auto", pdf_browser, from;
+    bool quick = false, fail_fast = false, no_timings = false, no_cache = false;
 };
 
 struct ReportSettings {
@@ -34,11 +34,16 @@ struct ReportSettings {
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
     std::vector<Experiment> experiments;              // of earlier reports; empty: the brief ones of the bundled files
+    std::string experiments_digest;                   // of the file they come from
     std::filesystem::path base;                       // what the meshes of `questions` are relative to
 };
 
 /// @throws SettingsErrors, UsageError
 ReportSettings report_settings(const ReportFlags& flags);
+
+/// The settings file of that name, else the bundled one of data/reports.
+/// @throws SettingsErrors
+SettingsFile named_settings(const std::string& config);
 
 /// Those of one question.
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);

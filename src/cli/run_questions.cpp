@@ -59,30 +59,39 @@ Answer skipped(std::string_view id, const std::string& why) {
 
 class Runner {
 public:
-    Runner(const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display)
-        : meshes_(meshes), settings_(settings), display_(display) {}
+    Runner(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache, ProgressDisplay& display)
+        : meshes_(meshes), settings_(settings), cache_(cache), display_(display) {}
 
-    Answer answer(const Question& question) {
+    QuestionResult result(const Question& question) {
         const bool asked =
             settings_.only.empty() || std::find(settings_.only.begin(), settings_.only.end(), question.id) != settings_.only.end();
-        if (!asked) return skipped(question.id, "not asked for");
+        if (!asked) return {skipped(question.id, "not asked for"), {}, {}};
         const auto began = std::chrono::steady_clock::now();
-        Answer answer = attempted(question);
+        QuestionResult result;
+        if (cache_ != nullptr) result.stored = cache_->find(std::string(question.id));
+        if (result.stored) {
+            result.answer.section = result.stored->section;
+        } else {
+            LookupRecord record;
+            result.answer = attempted(question, meshes_.recorded_in(record));
+            result.lookups = record.lookups();
+        }
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        answer.section.timings.push_back({"whole question", took.count()});
-        tell(answer.section, took.count());
-        return answer;
+        result.answer.section.timings.push_back({result.stored ? "taken from the cache" : "whole question", took.count()});
+        tell(result, took.count());
+        return result;
     }
 
 private:
     const MeshLibrary& meshes_;
     const ReportSettings& settings_;
+    const QuestionCache* cache_;
     ProgressDisplay& display_;
     std::atomic<bool> stop_ = false;
     std::atomic<int> done_ = 0;
     const std::size_t sections_ = section_ids().size();
 
-    Answer attempted(const Question& question) try {
+    Answer attempted(const Question& question, const MeshLibrary& meshes) try {
         const auto progress = [&](std::string_view step) {
             if (stop_) throw Stopped();
             display_.step(std::string(question.id) + ": " + std::string(step));
@@ -91,7 +100,7 @@ private:
         const char* fail = std::getenv("MESHFOLIO_FAIL");
         if (fail != nullptr && is_listed(fail, question.id)) throw std::runtime_error("made to fail by MESHFOLIO_FAIL");
         Answer answer = on_its_threads(
-            question, [&] { return question.answer(meshes_, question_settings(settings_, std::string(question.id)), progress); });
+            question, [&] { return question.answer(meshes, question_settings(settings_, std::string(question.id)), progress); });
         require_own_names(answer);
         place_meshes(answer);
         return answer;
@@ -125,9 +134,11 @@ private:
         }
     }
 
-    void tell(const report::Section& section, double seconds) {
+    void tell(const QuestionResult& result, double seconds) {
+        const report::Section& section = result.section();
         const bool ok = section.status == report::Status::ok;
-        display_.milestone(section.id + (ok                                         ? ": answered in " + plain_text(seconds, 2) + " s"
+        display_.milestone(section.id + (result.stored                              ? ": from the cache"
+                                         : ok                                       ? ": answered in " + plain_text(seconds, 2) + " s"
                                          : section.status == report::Status::failed ? ": failed"
                                                                                     : ": stopped"));
         display_.advance(0.7 * ++done_ / static_cast<double>(sections_));
@@ -136,20 +147,25 @@ private:
 
 }   // namespace
 
-std::vector<Answer> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display) {
+std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
+                                          ProgressDisplay& display) {
     const std::vector<std::string> ids = section_ids();
-    std::vector<Answer> answers(ids.size());
-    Runner runner(meshes, settings, display);
+    std::vector<QuestionResult> results(ids.size());
+    Runner runner(meshes, settings, cache, display);
     // Handed out one by one and from the last: the later questions take longest.
     std::atomic<std::size_t> left = ids.size();
     tbb::parallel_for(
         std::size_t{0}, ids.size(),
         [&](std::size_t) {
             const std::size_t i = --left;
-            answers[i] = runner.answer(*question_of_id(ids[i]));
+            results[i] = runner.result(*question_of_id(ids[i]));
         },
         tbb::simple_partitioner());
-    return answers;
+    return results;
+}
+
+QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display) {
+    return Runner(meshes, settings, nullptr, display).result(*question_of_id(id));
 }
 
 }   // namespace meshfolio::cli

@@ -2,17 +2,33 @@
 /// Runs the questions, several at a time; one that fails does not take the others with it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cli/progress.h"
+#include "cli/question_cache.h"
 #include "cli/report_settings.h"
 #include "questions/question.h"
 
 namespace meshfolio::cli {
 
-/// One answer a question, then one a supporting section, in their order. A question that throws has a failed section with its message, one
+/// A question answered in this run, or an answer of an earlier one.
+struct QuestionResult {
+    Answer answer;                        // of a stored one only the section
+    std::optional<StoredAnswer> stored;   // by an earlier run
+    std::vector<MeshLookup> lookups;      // of a question that has been answered now
+
+    const report::Section& section() const { return answer.section; }
+};
+
+/// One result a question, then one a supporting section, in their order. A question that throws has a failed section with its message, one
 /// that was not asked for (or stopped by --fail-fast) a skipped one. Output meshes are placed where the settings say. MESHFOLIO_FAIL=q4,q6
 /// in the environment makes these questions fail.
-std::vector<Answer> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display);
+/// @param cache  where answers of earlier runs are looked for; null: nowhere
+std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
+                                          ProgressDisplay& display);
+
+/// One of them, without the cache.
+QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display);
 
 }   // namespace meshfolio::cli

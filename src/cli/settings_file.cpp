@@ -12,6 +12,7 @@
 #include "output/safe_name.h"
 #include "questions/question.h"
 #include "report/writers.h"
+#include "sha256.h"
 
 namespace meshfolio::cli {
 
@@ -89,10 +90,11 @@ private:
     }
 
     void read_report(const toml::table& table) {
-        const TableReader report(table, "[report]", {"title", "author", "course", "template", "pdf"}, problems_);
+        const TableReader report(table, "[report]", {"title", "author", "course", "template", "pdf", "sections"}, problems_);
         settings_.title = short_text(report, "title");
         settings_.author = short_text(report, "author");
         settings_.course = short_text(report, "course");
+        settings_.sections = sections_of(report);
         read_template(report);
         read_printed(report);
     }
@@ -121,6 +123,20 @@ private:
         } else {
             settings_.printed = *extent == "full" ? report::Extent::whole : report::Extent::brief;
         }
+    }
+
+    std::vector<std::string> sections_of(const TableReader& report) {
+        const std::vector<std::string> ids = report.texts("sections"), known = section_ids();
+        std::map<std::string, int> times;
+        for (const std::string& id : ids) {
+            const toml::node& node = *report.node("sections");
+            if (!contains(known, id)) {
+                problems_.add(node, "[report] sections: no question '" + id + "'", "did you mean '" + nearest_word(id, known) + "'?");
+            } else if (++times[id] == 2) {
+                problems_.add(node, "[report] sections: '" + id + "' is given twice", "name each once; their order is fixed");
+            }
+        }
+        return ids;
     }
 
     void read_render(const toml::table& table) {
@@ -216,6 +232,7 @@ SettingsFile parse_settings(std::string_view text, const std::string& file) {
     try {
         const toml::table root = toml::parse(text, file);
         SettingsFile settings = Reader(root, file, problems).read();
+        settings.digest = sha256(text);
         problems.raise();
         return settings;
     } catch (const toml::parse_error& error) {

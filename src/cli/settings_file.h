@@ -30,6 +30,7 @@ struct QuestionTable {
 /// A settings file; keys that are not there are nothing.
 struct SettingsFile {
     std::optional<std::string> title, author, course;
+    std::vector<std::string> sections;                    // ids of the questions to answer; empty: all
     std::optional<std::filesystem::path> page_template;   // absolute or relative to where the program runs
     std::optional<std::string> design;                    // of the page, bundled
     std::optional<report::Extent> printed;                // in the PDF
@@ -41,6 +42,7 @@ struct SettingsFile {
     std::map<std::string, QuestionTable> questions;   // by id
     std::vector<Experiment> experiments;              // of earlier reports, in the order of the file
     std::filesystem::path folder;                     // of the file: meshes are relative to it
+    std::string digest;                               // SHA-256 of the text
 };
 
 /// Everything wrong in a settings file; what() is the first.

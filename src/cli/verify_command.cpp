@@ -34,7 +34,7 @@ void write_report(const Options& options, const GroundTruth& truth, const std::v
     document.title = "Verification: curvature against closed forms, certificates, planted faults";
     document.provenance = provenance_of({{"quick", options.quick ? "yes" : "no"}}, options.seed);
     document.sections = sections;
-    write_report_files(document, {}, report::Templates(), {.timings = false, .plot_files = true}, {}, publication.folder());
+    write_report_files(document, {}, report::Templates(), {.timings = false, .plot_files = true}, {}, {}, publication.folder());
     write_file(publication.folder() / "tables" / "truth_all.csv", report::write_csv(ground_truth_table(truth)));
     const std::string note = publication.publish();
     if (!note.empty()) warn(note);

@@ -67,11 +67,14 @@ std::vector<std::string> files_below(const fs::path& folder) {
     return files;
 }
 
-void write_sums(const fs::path& folder) {
+void write_sums(const fs::path& folder, const Publication::Digests& known) {
     std::vector<std::string> files = files_below(folder);
     std::erase(files, sums_file);
     std::vector<std::string> digests(files.size());
-    tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) { digests[i] = sha256(read_file(folder / files[i])); });
+    tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
+        const auto it = known.find(files[i]);
+        digests[i] = it != known.end() ? it->second : sha256(read_file(folder / files[i]));
+    });
     std::string sums;
     for (std::size_t i = 0; i < files.size(); ++i) sums += digests[i] + "  " + files[i] + "\n";
     write_file(folder / sums_file, sums);
@@ -176,10 +179,10 @@ Publication::~Publication() = default;
 
 const fs::path& Publication::folder() const { return folder_->path(); }
 
-std::string Publication::publish() try {
+std::string Publication::publish(const Digests& known) try {
     const fs::path kept = target_ / ".gitignore";
     if (fs::exists(kept)) write_file(folder() / ".gitignore", read_file(kept));
-    write_sums(folder());
+    write_sums(folder(), known);
     sync_folders(folder());
     std::string note;
     if (in_place_) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -28,10 +29,13 @@ public:
 
     const std::filesystem::path& folder() const;   // to write into
 
+    /// Files whose digest is known (by path below the folder): whoever hashed the bytes that were put there may say so.
+    using Digests = std::map<std::string, std::string>;
+
     /// Writes SHA256SUMS and the marker, carries over .gitignore, syncs, exchanges, removes the old one.
     /// @return  what to tell the user when the exchange could not be one atomic step; else empty
     /// @throws OutputError
-    std::string publish();
+    std::string publish(const Digests& known = {});
 
 private:
     struct Folder;

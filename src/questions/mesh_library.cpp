@@ -78,6 +78,14 @@ std::string bytes_of(const fs::path& path, const std::string& label) try { retur
     throw InputError({}, message.starts_with(where) ? label + message.substr(where.size()) : message);
 }
 
+/// Of a file where there is one, else of a bundled mesh; `from_file` holds what was read.
+std::string_view bytes_of(const std::optional<fs::path>& path, std::string_view bundled_file, const std::string& label,
+                          std::string& from_file) {
+    if (path) return from_file = bytes_of(*path, label);
+    if (const auto embedded = bundled(bundled_file)) return *embedded;
+    throw InputError({std::string(bundled_file)}, "is not among the bundled meshes of this build");
+}
+
 }   // namespace
 
 std::span<const MeshRole> mesh_role_list() { return roles; }
@@ -104,8 +112,24 @@ struct MeshLibrary::Found {
     report::Input input;
 };
 
+struct MeshLibrary::Shelf {
+    std::mutex mutex;
+    std::map<std::pair<MeshLookup, fs::path>, std::shared_ptr<const LibraryMesh>> meshes;   // by lookup and base folder
+    std::mutex digest_mutex;
+    std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
+
+    /// Of the bytes, each file hashed once.
+    std::string digest(const Found& where) {
+        const std::lock_guard lock(digest_mutex);
+        const std::string key = where.path ? "file " + where.path->string() : "bundled " + std::string(where.bundled_file);
+        if (const auto it = digests.find(key); it != digests.end()) return it->second;
+        std::string from_file;
+        return digests[key] = sha256(bytes_of(where.path, where.bundled_file, where.label, from_file));
+    }
+};
+
 MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::path> own_meshes, const std::vector<fs::path>& listed)
-    : folders_(std::move(data_folders)), own_(std::move(own_meshes)) {
+    : folders_(std::move(data_folders)), own_(std::move(own_meshes)), shelf_(std::make_shared<Shelf>()) {
     for (const fs::path& folder : folders_) {
         std::error_code error;
         if (!fs::is_directory(folder, error)) throw InputError({folder.string()}, "is not a folder of meshes", "correct --data");
@@ -162,92 +186,140 @@ MeshLibrary::Found MeshLibrary::found_file(const fs::path& path, const fs::path&
     return found;
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const std::string& key, const std::function<Found()>& find) const {
-    // Held while reading: a mesh that two questions want is read once.
-    const std::lock_guard lock(mutex_);
-    if (const auto it = cache_.find(key); it != cache_.end()) return it->second;
-    const Found found = find();
-    std::string from_file;
-    std::string_view bytes;
-    if (found.path) {
-        bytes = from_file = bytes_of(*found.path, found.label);
-    } else if (const auto embedded = bundled(found.bundled_file)) {
-        bytes = *embedded;
-    } else {
-        throw InputError({std::string(found.bundled_file)}, "is not among the bundled meshes of this build");
+MeshLibrary::Found MeshLibrary::found_original(const MeshLookup& lookup, const fs::path& base) const {
+    Found found;
+    found.input.role = lookup.name;
+    if (!lookup.path.empty()) {
+        std::vector<fs::path> candidates{base / lookup.path};
+        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path);
+        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path.filename());
+        found.path = first_that_exists(candidates);
     }
+    found.bundled_file = lookup.stand_in;
+    found.input.asked = lookup.path.empty() ? lookup.name : lookup.path.generic_string();
+    found.input.stand_in = !found.path;
+    found.input.file = found.path ? found.path->filename().string() : lookup.stand_in;
+    found.label = found.input.file;
+    found.name = short_name(found.input.file);
+    return found;
+}
+
+std::optional<MeshLibrary::Found> MeshLibrary::found_in_data(const fs::path& file) const {
+    Found found;
+    found.path = in_folders(folders_, file);
+    if (!found.path) return {};
+    found.name = name_of(file);
+    found.label = file.string();
+    found.input.role = found.name;
+    found.input.asked = file.string();
+    found.input.file = file.filename().string();
+    return found;
+}
+
+MeshLibrary::Found MeshLibrary::found_own(const fs::path& path) const {
+    Found found;
+    found.path = path;
+    found.label = path.filename().string();
+    found.name = name_of(path);
+    found.input.role = "your mesh";
+    found.input.file = found.label;
+    return found;
+}
+
+std::optional<MeshLibrary::Found> MeshLibrary::found(const MeshLookup& lookup, const fs::path& base) const {
+    switch (lookup.by) {
+        case MeshLookup::By::role:
+            return found_role(role_named(lookup.name));
+        case MeshLookup::By::file:
+            return found_file(lookup.path, base);
+        case MeshLookup::By::original:
+            return found_original(lookup, base);
+        case MeshLookup::By::in_data:
+            return found_in_data(lookup.path);
+        default:
+            return found_own(lookup.path);
+    }
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
+    note(lookup);
+    // Held while reading: a mesh that two questions want is read once.
+    const std::lock_guard lock(shelf_->mutex);
+    const auto key = std::pair(lookup, base);
+    if (const auto it = shelf_->meshes.find(key); it != shelf_->meshes.end()) return it->second;
+    const std::optional<Found> where = found(lookup, base);
+    if (!where) return nullptr;
+    std::string from_file;
+    const std::string_view bytes = bytes_of(where->path, where->bundled_file, where->label, from_file);
     auto mesh = std::make_shared<LibraryMesh>();
     // The ending of the file decides the format; the label may be a role's path.
-    mesh->prepared = std::make_shared<const PreparedMesh>(prepare_mesh(parse_mesh(bytes, found.label)));
-    mesh->input = found.input;
+    mesh->prepared = std::make_shared<const PreparedMesh>(prepare_mesh(parse_mesh(bytes, where->label)));
+    mesh->input = where->input;
     mesh->input.sha256 = sha256(bytes);
     mesh->input.vertices = mesh->prepared->mesh.vertex_count();
     mesh->input.triangles = mesh->prepared->mesh.face_count();
-    mesh->name = found.name;
-    return cache_[key] = mesh;
+    mesh->name = where->name;
+    return shelf_->meshes[key] = mesh;
 }
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::role(const std::string& name) const {
     if (!own_.empty()) return own_meshes().front();
-    const MeshRole& role = role_named(name);
-    return loaded("role " + name, [&] { return found_role(role); });
+    return loaded({.by = MeshLookup::By::role, .name = name}, {});
 }
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::file(const fs::path& path, const fs::path& base) const {
-    return loaded("file " + (base / path).string(), [&] { return found_file(path, base); });
+    return loaded({.by = MeshLookup::By::file, .path = path}, base);
 }
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in,
                                                          const fs::path& base) const {
     if (!own_.empty()) return own_meshes().front();
-    return loaded("original " + name + " " + (base / path).string() + " " + stand_in, [&] {
-        Found found;
-        found.input.role = name;
-        if (!path.empty()) {
-            std::vector<fs::path> candidates{base / path};
-            for (const fs::path& folder : folders_) candidates.push_back(folder / path);
-            for (const fs::path& folder : folders_) candidates.push_back(folder / path.filename());
-            found.path = first_that_exists(candidates);
-        }
-        found.bundled_file = stand_in;
-        found.input.asked = path.empty() ? name : path.generic_string();
-        found.input.stand_in = !found.path;
-        found.input.file = found.path ? found.path->filename().string() : stand_in;
-        found.label = found.input.file;
-        found.name = short_name(found.input.file);
-        return found;
-    });
+    return loaded({.by = MeshLookup::By::original, .name = name, .path = path, .stand_in = stand_in}, base);
 }
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
-    const auto path = in_folders(folders_, file);
-    if (!path) return nullptr;
-    return loaded("data " + file.string(), [&] {
-        Found found;
-        found.path = path;
-        found.name = name_of(file);
-        found.label = file.string();
-        found.input.role = found.name;
-        found.input.asked = file.string();
-        found.input.file = file.filename().string();
-        return found;
-    });
+    return loaded({.by = MeshLookup::By::in_data, .path = file}, {});
 }
 
 std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
     std::vector<std::shared_ptr<const LibraryMesh>> meshes;
-    for (const fs::path& path : own_) {
-        meshes.push_back(loaded("own " + path.string(), [&] {
-            Found found;
-            found.path = path;
-            found.label = path.filename().string();
-            found.name = name_of(path);
-            found.input.role = "your mesh";
-            found.input.file = found.label;
-            return found;
-        }));
-    }
+    for (const fs::path& path : own_) meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
     return meshes;
+}
+
+// ---- what a question looked up --------------------------------------------------------------------------------------------
+
+void LookupRecord::add(const MeshLookup& lookup) {
+    const std::lock_guard lock(mutex_);
+    lookups_.insert(lookup);
+}
+
+std::vector<MeshLookup> LookupRecord::lookups() const {
+    const std::lock_guard lock(mutex_);
+    return {lookups_.begin(), lookups_.end()};
+}
+
+MeshLibrary MeshLibrary::recorded_in(LookupRecord& record) const {
+    MeshLibrary library = *this;
+    library.record_ = &record;
+    return library;
+}
+
+void MeshLibrary::note(const MeshLookup& lookup) const {
+    if (record_ != nullptr) record_->add(lookup);
+}
+
+std::string MeshLibrary::identity_of(const MeshLookup& lookup, const fs::path& base) const try {
+    const std::optional<Found> where = found(lookup, base);
+    if (!where) return "none";
+    const report::Input& input = where->input;
+    std::string words;
+    for (const std::string& word : {where->name, where->label, input.role, input.asked, input.file, std::string(where->bundled_file)})
+        words += std::to_string(word.size()) + ":" + word;
+    words += input.stand_in ? "stand-in " : "itself ";
+    return words + shelf_->digest(*where);
+} catch (const Error& error) {
+    return std::string("error ") + error.what();
 }
 
 }   // namespace meshfolio

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +31,27 @@ struct LibraryMesh {
     std::string name;   // short, for ids and file names: [a-z0-9_]
     std::shared_ptr<const PreparedMesh> prepared;
     const TriangleMesh& mesh() const { return prepared->mesh; }
+};
+
+/// A mesh as it is asked for, before anyone knows which file that is.
+struct MeshLookup {
+    enum class By { role, file, original, in_data, own };
+    By by = By::role;
+    std::string name = {};             // of the role or the original
+    std::filesystem::path path = {};   // as in the settings
+    std::string stand_in = {};         // bundled, for an original
+    auto operator<=>(const MeshLookup&) const = default;
+};
+
+/// Everything a question looked up, each once; thread-safe.
+class LookupRecord {
+public:
+    void add(const MeshLookup& lookup);
+    std::vector<MeshLookup> lookups() const;   // sorted
+
+private:
+    mutable std::mutex mutex_;
+    std::set<MeshLookup> lookups_;
 };
 
 /// Looks a role up in the user's own meshes, then the data folders by the assignment's path, then the bundled meshes
@@ -56,16 +78,28 @@ public:
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles.
     std::vector<std::shared_ptr<const LibraryMesh>> own_meshes() const;
 
+    /// The same library with the same meshes, which enters into `record` what it is asked for from now on. `record` must outlive it.
+    MeshLibrary recorded_in(LookupRecord& record) const;
+    /// Everything that the answer to a lookup depends on, without preparing the mesh: what it is called and the SHA-256 of its bytes, or
+    /// why it cannot be had. Equal words, equal mesh.
+    std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
+
 private:
+    struct Shelf;   // what has been read, shared by copies
     std::vector<std::filesystem::path> folders_, own_;
     std::map<std::string, std::string> names_;   // path as given → name
-    mutable std::mutex mutex_;
-    mutable std::map<std::string, std::shared_ptr<const LibraryMesh>> cache_;
+    std::shared_ptr<Shelf> shelf_;
+    LookupRecord* record_ = nullptr;
 
     struct Found;
+    void note(const MeshLookup& lookup) const;
+    std::optional<Found> found(const MeshLookup& lookup, const std::filesystem::path& base) const;
     Found found_role(const MeshRole& role) const;
     Found found_file(const std::filesystem::path& path, const std::filesystem::path& base) const;
-    std::shared_ptr<const LibraryMesh> loaded(const std::string& key, const std::function<Found()>& find) const;
+    Found found_original(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    std::optional<Found> found_in_data(const std::filesystem::path& file) const;
+    Found found_own(const std::filesystem::path& path) const;
+    std::shared_ptr<const LibraryMesh> loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::string name_of(const std::filesystem::path& path) const;
 };
 

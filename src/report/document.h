@@ -18,20 +18,24 @@ namespace meshfolio::report {
 
 struct Heading {
     std::string title;   // "Method", "Results", "Discussion"
+    bool operator==(const Heading&) const = default;
 };
 
 struct Paragraph {
     Text text;
+    bool operator==(const Paragraph&) const = default;
 };
 
 struct BulletList {
     std::vector<Text> items;
+    bool operator==(const BulletList&) const = default;
 };
 
 /// A displayed equation by its name in templates/formulas.json, which keeps it as TeX, MathML and plain text.
 struct Formula {
     std::string name;   // "cotangent_laplacian"
     std::string id;     // to be referred to; empty: not numbered
+    bool operator==(const Formula&) const = default;
 };
 
 /// An empty cell means "undefined"; it is never a zero.
@@ -47,12 +51,14 @@ struct Column {
     /// A heat map: cells are shaded on a logarithmic scale, not at all up to `low`, fully from `high` on.
     struct Heat {
         double low, high;
+        bool operator==(const Heat&) const = default;
     };
     std::optional<Heat> heat = {};
     /// Readers of the page may choose one of its values and see those rows alone.
     bool filter = false;
     /// Texts are ids of what is referred to: people see "Figure 1.3", with a link; files keep the id.
     bool reference = false;
+    bool operator==(const Column&) const = default;
 };
 
 struct Table {
@@ -61,6 +67,7 @@ struct Table {
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;   // each as long as `columns`
     bool sortable = false;                 // readers of the page may sort it by any column
+    bool operator==(const Table&) const = default;
 };
 
 struct Series {
@@ -68,11 +75,13 @@ struct Series {
     std::vector<double> x, y;                      // equally long; NaN leaves a gap
     std::vector<double> y_low = {}, y_high = {};   // error band; empty: none
     enum class Style { line, points, line_and_points, dashed } style = Style::line;
+    bool operator==(const Series&) const = default;
 };
 
 struct Marker {
     double x = 0, y = 0;
     std::string label;   // "minimum, iteration 17"
+    bool operator==(const Marker&) const = default;
 };
 
 struct Plot {
@@ -86,8 +95,10 @@ struct Plot {
     struct VerticalLine {
         double x;
         std::string label;
+        bool operator==(const VerticalLine&) const = default;
     };
     std::vector<VerticalLine> vertical_lines;   // λ_crit, say
+    bool operator==(const Plot&) const = default;
 };
 
 /// Values over a plane as coloured cells: one panel or several beside each other, on common axes and one scale of colours.
@@ -102,6 +113,7 @@ struct Map {
     double middle = 0;   // where a diverging map is palest; a thin line keeps the two sides apart in grey
     struct Range {
         double low, high;
+        bool operator==(const Range&) const = default;
     };
     std::optional<Range> range = {};   // of the colours, what lies beyond has the last of them; empty: all that is finite
     std::string undefined = {};        // what the hatched cells are: "blew up"
@@ -110,8 +122,10 @@ struct Map {
         std::vector<double> values;         // the row of y[0], that of y[1], …; NaN: undefined
         std::vector<Series> lines = {};     // drawn over the cells: a limit, a prediction
         std::vector<Marker> markers = {};   // places named by one letter or two
+        bool operator==(const Panel&) const = default;
     };
     std::vector<Panel> panels = {};
+    bool operator==(const Map&) const = default;
 };
 
 /// A drawn figure; the pictures themselves are made from the request of the same id (src/output/figure_request.h).
@@ -119,6 +133,7 @@ struct Figure {
     std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
     std::string caption;
     std::string alt;
+    bool operator==(const Figure&) const = default;
 };
 
 /// One of several texts of a kind that are numbered and referred to: "Claim A.3".
@@ -126,11 +141,13 @@ struct Entry {
     std::string id;
     Text title;
     std::vector<Text> paragraphs;
+    bool operator==(const Entry&) const = default;
 };
 
 struct EntryList {
     std::string kind;   // "Claim"
     std::vector<Entry> entries;
+    bool operator==(const EntryList&) const = default;
 };
 
 using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Figure, EntryList>;
@@ -147,6 +164,7 @@ struct Check {
     bool passed = false;
     Kind kind = Kind::near;
     std::string note = {};   // why a failure is expected, or what is compared
+    bool operator==(const Check&) const = default;
 };
 /// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1".
 std::string words_of(const Check& check);
@@ -158,6 +176,7 @@ Check check_at_least(std::string name, double limit, double measured, double tol
 struct Finding {
     Text text;
     int weight = 0;   // larger first; the page shows the first five
+    bool operator==(const Finding&) const = default;
 };
 
 struct Input {
@@ -167,6 +186,7 @@ struct Input {
     bool stand_in = false;   // one of the bundled meshes in place of the one asked for
     std::string sha256;
     int vertices = 0, triangles = 0;
+    bool operator==(const Input&) const = default;
 };
 
 struct CodeReference {
@@ -174,11 +194,13 @@ struct CodeReference {
     std::string file;       // "src/geometry/uniform_laplacian.cpp"
     std::string purpose;    // "Δ with uniform weights"
     int line = 0;           // of the function in src.txt; 0: not cited (yet)
+    bool operator==(const CodeReference&) const = default;
 };
 
 struct Timing {
     std::string what;
     double seconds = 0;
+    bool operator==(const Timing&) const = default;
 };
 
 enum class Status { ok, failed, skipped };
@@ -199,6 +221,7 @@ struct Section {
     std::vector<std::string> warnings;
     std::vector<std::string> output_meshes;   // "meshes/q4_armadillo_k5.ply"
     std::vector<Timing> timings;
+    bool operator==(const Section&) const = default;
 };
 
 struct Provenance {
@@ -206,6 +229,7 @@ struct Provenance {
     std::map<std::string, std::string> libraries;   // name → version
     std::map<std::string, std::string> settings;    // without threads and paths
     std::uint64_t seed = 0;
+    bool operator==(const Provenance&) const = default;
 };
 
 struct Document {
@@ -214,6 +238,7 @@ struct Document {
     std::optional<Figure> cover;     // a picture for the first page
     std::vector<Section> sections;   // in order of the questions
     std::vector<Timing> timings;     // of the run as a whole
+    bool operator==(const Document&) const = default;
 };
 
 // ---- what the writers need of the pictures ------------------------------------------------------------------------------
@@ -224,6 +249,7 @@ struct DrawnPanel {
     std::string file;            // "images/q7_fandisk_noisy_hero.png", full size
     std::string preview_jpeg;    // bytes, shown inside the page
     int width = 0, height = 0;   // of the preview, the same for all panels of a comparison
+    bool operator==(const DrawnPanel&) const = default;
 };
 
 /// A mesh that readers of the page can turn.
@@ -232,6 +258,7 @@ struct DrawnModel {
     std::string file;       // "models/q3_creature.glb"
     std::string glb;        // its bytes, binary glTF 2.0
     std::string quantity;   // of the values at the vertices, with the unit: "H [1/length]"; empty: none
+    bool operator==(const DrawnModel&) const = default;
 };
 
 /// A figure once drawn. Paths are relative to the report's folder.
@@ -243,6 +270,7 @@ struct DrawnFigure {
     std::string print_jpeg = {};                              // bytes, for paper; empty: no PDF is asked for
     std::vector<DrawnPanel> comparison = {};                  // before, after and their difference; empty: no comparison
     std::vector<DrawnModel> models = {};                      // one, or before and after with linked cameras; empty: cannot be turned
+    bool operator==(const DrawnFigure&) const = default;
 };
 using DrawnFigures = std::map<std::string, DrawnFigure>;   // by figure id
 

@@ -54,6 +54,12 @@ void Templates::replace(const std::string& name, const fs::path& file) {
     }
 }
 
+std::vector<std::string> Templates::names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, text] : text_) names.push_back(name);
+    return names;
+}
+
 const std::string& Templates::operator[](const std::string& name) const {
     const auto it = text_.find(name);
     if (it == text_.end()) throw UsageError("there is no template " + name);

@@ -13,6 +13,7 @@ struct Run {
     Kind kind = Kind::plain;
     std::string
         content;   // math: Unicode such as "λ_crit = 2/μ_max"; reference: the id of a figure, table, plot, formula, question or cited work
+    bool operator==(const Run&) const = default;
 };
 
 using Text = std::vector<Run>;

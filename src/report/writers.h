@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "report/document.h"
 #include "report/page_viewer.h"
@@ -18,6 +19,7 @@ public:
     /// @throws UsageError if `folder` is given and not a folder, or a template in it has a syntax error (named with its line)
     explicit Templates(const std::filesystem::path& folder = {});
     const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
+    std::vector<std::string> names() const;
     /// Takes the template `name` from a file.
     /// @throws UsageError for an unknown name, an unreadable file, or a syntax error (named with its line)
     void replace(const std::string& name, const std::filesystem::path& file);

@@ -125,3 +125,12 @@ TEST(ReportSettings, ProvenanceHasNeitherThreadsNorPaths) {
     }
     EXPECT_EQ(values.at("q4 k"), "3, 4");
 }
+
+TEST(ReportSettings, SectionsOfTheFileAreTakenUnlessOnlyIsGiven) {
+    const TemporaryFolder folder;
+    ReportFlags flags;
+    flags.config = settings_in(folder, "[report]\nsections = [\"q2\", \"truth\"]\n");
+    EXPECT_EQ(report_settings(flags).only, (std::vector<std::string>{"q2", "truth"}));
+    flags.only = "q5";
+    EXPECT_EQ(report_settings(flags).only, std::vector<std::string>{"q5"});
+}

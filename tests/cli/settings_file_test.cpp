@@ -179,6 +179,20 @@ TEST(SettingsFile, OutputsStayInTheFolderAndDoNotCollide) {
     expect_problem(question("mesh = \"\""), 3, {"empty"});
 }
 
+TEST(SettingsFile, SectionsAreKnownAndGivenOnce) {
+    EXPECT_EQ(parse_settings("[report]\nsections = [\"q1\", \"truth\"]\n", "my.toml").sections, (std::vector<std::string>{"q1", "truth"}));
+    EXPECT_EQ(parse_settings("[report]\nsections = \"q4\"\n", "my.toml").sections, std::vector<std::string>{"q4"});
+    expect_problem("[report]\nsections = [\"q1\", \"thruth\"]\n", 2, {"thruth", "truth"});
+    expect_problem("[report]\n\nsections = [\"q1\", \"q1\"]\n", 3, {"q1", "twice"});
+    expect_problem("[report]\nsections = [1]\n", 2, {"not a text"});
+    expect_problem("[report]\nsections = []\n", 2, {"empty list"});
+}
+
+TEST(SettingsFile, TheDigestIsThatOfTheText) {
+    EXPECT_EQ(parse_settings("seed = 1", "a.toml").digest, parse_settings("seed = 1", "b.toml").digest);
+    EXPECT_NE(parse_settings("seed = 1", "a.toml").digest, parse_settings("seed = 2", "a.toml").digest);
+}
+
 TEST(SettingsFile, TemplateMustBeReadable) {
     const TemporaryFolder folder;
     const std::string file = (folder.path() / "my.toml").string();

@@ -10,11 +10,14 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def run(*arguments, cwd=None, **environment):
-    """One run; environment variables by name. Reports are not printed unless asked for. Returns the finished process with text streams."""
+    """One run; environment variables by name. Reports are not printed unless asked for. Returns the finished process with text streams.
+    Its cache is empty, and not the user's, unless XDG_CACHE_HOME is given: what a test runs twice is computed twice."""
     words = [PROGRAM, *map(str, arguments)]
-    return subprocess.run(
-        words, cwd=cwd, env={**os.environ, "MESHFOLIO_PDF": "off", **environment}, capture_output=True, text=True, timeout=280, stdin=subprocess.DEVNULL
-    )
+    with tempfile.TemporaryDirectory(prefix="meshfolio-cache-") as cache:
+        variables = {**os.environ, "MESHFOLIO_PDF": "off", "XDG_CACHE_HOME": cache, **{name: str(value) for name, value in environment.items()}}
+        return subprocess.run(
+            words, cwd=cwd, env=variables, capture_output=True, text=True, timeout=280, stdin=subprocess.DEVNULL
+        )
 
 
 def temporary_folder(test):

@@ -68,6 +68,12 @@ class QuickReport(unittest.TestCase):
                 self.assertTrue(check["passed"], check)
                 self.assertEqual({type(check[k]) in (int, float) for k in ("expected", "measured", "tolerance")}, {True}, check)
 
+    def test_rendered_again_from_its_results_it_is_the_same(self):
+        again = self.folder / "again"
+        process = run("report", "--from", self.out / "results.json", "--out", again)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertEqual(tree(again), tree(self.out))
+
     def test_every_promised_file_is_there(self):
         for name in ["index.html", "report.md", "results.json", "SHA256SUMS"]:
             self.assertGreater((self.out / name).stat().st_size, 0, name)

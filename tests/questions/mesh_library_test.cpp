@@ -135,3 +135,37 @@ TEST(ShortName, IsAnIdWhateverTheFileIsCalled) {
     EXPECT_EQ(short_name("<script>.obj"), "script");
     EXPECT_EQ(short_name(std::string(300, 'a') + ".obj"), std::string(40, 'a'));
 }
+
+TEST(MeshLibrary, RecordsWhatItIsAskedFor) {
+    const MeshLibrary library({}, {});
+    LookupRecord record, other;
+    const MeshLibrary recorded = library.recorded_in(record);
+    recorded.role("cube");
+    recorded.role("cube");
+    recorded.in_data("nowhere.obj");
+    EXPECT_THROW(recorded.file("missing.obj", "."), InputError);
+    library.recorded_in(other).role("torus");
+    using By = MeshLookup::By;
+    EXPECT_EQ(record.lookups(),
+              (std::vector<MeshLookup>{
+                  {.by = By::role, .name = "cube"}, {.by = By::file, .path = "missing.obj"}, {.by = By::in_data, .path = "nowhere.obj"}}));
+    EXPECT_EQ(other.lookups().size(), 1u);
+    EXPECT_EQ(recorded.role("cube"), library.role("cube")) << "read once";
+}
+
+TEST(MeshLibrary, AnIdentityChangesWithTheMeshItsNameAndItsPlace) {
+    const TemporaryFolder folder;
+    const MeshLookup lookup{.by = MeshLookup::By::role, .name = "plane"}, absent{.by = MeshLookup::By::in_data, .path = "x.obj"};
+    const auto identity = [&](const MeshLookup& l) { return MeshLibrary({folder.path()}, {}).identity_of(l, {}); };
+    const std::string bundled = identity(lookup), none = identity(absent);
+    EXPECT_EQ(bundled, identity(lookup));
+    const fs::path file = put(folder.path() / "curvatures" / "plane.obj", make_sample("plane"));
+    const std::string own = identity(lookup);
+    EXPECT_NE(own, bundled) << "of a data folder, even with the same bytes: the report says so";
+    write_file(file, read_file(file) + "# changed\n");
+    EXPECT_NE(identity(lookup), own);
+    put(folder.path() / "x.obj", make_sample("cube"));
+    EXPECT_NE(identity(absent), none);
+    const MeshLookup missing{.by = MeshLookup::By::file, .path = "missing.obj"};
+    EXPECT_EQ(identity(missing).rfind("error ", 0), 0u);
+}

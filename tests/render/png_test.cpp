@@ -198,3 +198,28 @@ TEST(Jpeg, ReadsBackNearlyTheSameOnWhite) {
 }
 
 }   // namespace
+
+TEST(DecodePng, GivesBackEveryPixel) {
+    Image image(37, 23);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const auto v = static_cast<std::uint8_t>(i * 7);
+        image.pixels[i] = {v, static_cast<std::uint8_t>(v * 3), static_cast<std::uint8_t>(i / 5), 255};
+    }
+    for (const std::uint8_t alpha : {std::uint8_t{255}, std::uint8_t{128}}) {
+        image.pixels[5].a = alpha;
+        const auto back = render::decode_png(render::encode_png(image));
+        ASSERT_TRUE(back);
+        EXPECT_EQ(back->width, image.width);
+        EXPECT_EQ(back->height, image.height);
+        EXPECT_EQ(back->pixels, image.pixels);
+    }
+}
+
+TEST(DecodePng, RefusesWhatIsNoneCutOffOrTooLarge) {
+    const std::string png = render::encode_png(Image(40, 30));
+    EXPECT_FALSE(render::decode_png(""));
+    EXPECT_FALSE(render::decode_png("\xff\xd8\xff no PNG"));
+    EXPECT_FALSE(render::decode_png(png, 40 * 30 - 1));
+    EXPECT_TRUE(render::decode_png(png, 40 * 30));
+    for (std::size_t size = 0; size < 45; ++size) EXPECT_FALSE(render::decode_png(png.substr(0, size))) << size;
+}

@@ -1,0 +1,32 @@
+#include <climits>
+#include <cstring>
+#include <memory>
+
+#include "png.h"
+
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_NO_FAILURE_STRINGS
+#include <stb_image.h>
+
+namespace render {
+
+std::optional<Image> decode_png(std::string_view png, std::int64_t largest) {
+    if (png.size() > INT_MAX) return {};
+    const auto* bytes = reinterpret_cast<const stbi_uc*>(png.data());
+    const int size = static_cast<int>(png.size());
+    int width = 0, height = 0, channels = 0;
+    // The size first: the header alone may ask for any amount of memory.
+    if (stbi_info_from_memory(bytes, size, &width, &height, &channels) == 0) return {};
+    if (width < 1 || height < 1 || std::int64_t{width} * height > largest) return {};
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(stbi_load_from_memory(bytes, size, &width, &height, &channels, 4),
+                                                                      &stbi_image_free);
+    if (pixels == nullptr) return {};
+    Image image(width, height);
+    std::memcpy(image.pixels.data(), pixels.get(), 4 * image.pixels.size());
+    return image;
+}
+
+}   // namespace render

@@ -1,0 +1,37 @@
+#include <memory>
+
+#include "cli/cache_folder.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "number_text.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+ExitCode run_cache(const std::string& action) {
+    const auto store = usable_cache();
+    if (!store) return ExitCode::ok;
+    if (action == "clear") {
+        store->clear();
+        return ExitCode::ok;
+    }
+    const output::ResultCache::Size size = store->size();
+    print(store->folder().string() + "\n" + std::to_string(size.files) + " files, " + plain_text(static_cast<double>(size.bytes) / 1e6, 4) +
+          " MB\n");
+    return ExitCode::ok;
+}
+
+}   // namespace
+
+Command cache_command(CLI::App& parent) {
+    const auto action = std::make_shared<std::string>("show");
+    CLI::App* app = parent.add_subcommand("cache", "Where answers of earlier reports are kept, and how large that is");
+    app->add_option("ACTION", *action, "show, or clear: remove them all")->capture_default_str()->check(CLI::IsMember({"show", "clear"}));
+    app->footer(
+        "It is $XDG_CACHE_HOME/meshfolio, of at most MESHFOLIO_CACHE_LIMIT megabytes (2048); what was used longest ago goes first.\n"
+        "Example: meshfolio cache clear");
+    return {app, [action] { return run_cache(*action); }};
+}
+
+}   // namespace meshfolio::cli

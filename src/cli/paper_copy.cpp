@@ -1,0 +1,85 @@
+#include "cli/paper_copy.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "cli/print_report.h"
+#include "cli/program_identity.h"
+#include "errors.h"
+#include "file_bytes.h"
+#include "output/draw_figures.h"
+#include "png.h"
+#include "report/print_page.h"
+#include "sha256.h"
+
+namespace meshfolio::cli {
+
+namespace fs = std::filesystem;
+
+PaperCopy::PaperCopy(const ReportFlags& flags, const report::Templates& templates, report::Extent extent)
+    : templates_(templates), extent_(extent), required_(flags.pdf == "require"), engine_(wanted_engine(flags)) {}
+
+std::set<std::string> PaperCopy::figures(const report::Document& document) const {
+    return is_wanted() ? report::figures_told(document, extent_) : std::set<std::string>();
+}
+
+/// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
+std::string PaperCopy::key_of(const report::Document& document, const report::DrawnFigures& figures, const fs::path& folder) const {
+    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+    output::KeyMaker key;
+    key.add("report.pdf").add(program_identity()).add(engine_->program.string()).add(engine_->version);
+    key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(epoch == nullptr ? "" : epoch);
+    for (const std::string& name : templates_.names()) key.add(name).add(templates_[name]);
+    key.add(report::write_json(document, figures, {.timings = false}));
+    for (const std::string& id : this->figures(document)) {
+        const auto drawn = figures.find(id);
+        key.add(id).add(drawn == figures.end() ? "" : sha256(read_file(folder / drawn->second.sheet)));
+    }
+    return key.key();
+}
+
+void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& figures, output::ResultCache* store,
+                        const fs::path& folder) {
+    if (!is_wanted()) return;
+    if (store != nullptr && !program_identity().empty()) {
+        key_ = key_of(document, figures, folder);
+        stored_ = store->get(key_);
+        if (stored_) return;
+    }
+    std::vector<report::DrawnFigure*> missing;
+    for (const std::string& id : this->figures(document)) {
+        const auto drawn = figures.find(id);
+        if (drawn != figures.end() && drawn->second.print_jpeg.empty()) missing.push_back(&drawn->second);
+    }
+    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+        const auto sheet = render::decode_png(read_file(folder / missing[i]->sheet));
+        if (sheet) missing[i]->print_jpeg = render::encode_jpeg(*sheet, output::DrawSettings().print_quality);
+    });
+}
+
+std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
+                             const fs::path& folder) const {
+    if (!is_wanted()) return "";
+    std::string pdf;
+    if (stored_) {
+        pdf = *stored_;
+    } else {
+        try {
+            pdf = printed_report(document, figures, templates_, extent_, *engine_);
+        } catch (const Error& error) {
+            if (required_) throw EngineError(error.what());
+            return std::string("there is no report.pdf: ") + error.what();
+        }
+        try {
+            if (!key_.empty()) store->put(key_, pdf);
+        } catch (const OutputError&) {
+            // the cache is no part of the report
+        }
+    }
+    write_file(folder / "report.pdf", pdf);
+    return "";
+}
+
+}   // namespace meshfolio::cli

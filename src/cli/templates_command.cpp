@@ -1,0 +1,58 @@
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "file_bytes.h"
+#include "output/folder_system.h"
+#include "report/template_tags.h"
+#include "report/writers.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TemplatesFlags {
+    std::string folder;
+    bool tags = false, force = false;
+};
+
+/// All of them or none: what is there already is found before anything is written.
+void export_templates(const fs::path& folder, bool force) {
+    const report::Templates templates;
+    for (const std::string& name : templates.names()) {
+        std::error_code error;
+        if (!force && fs::exists(folder / name, error))
+            throw OutputError((folder / name).string(), "is there already", "choose another folder, or --force to replace it");
+    }
+    output::make_folder(folder);
+    for (const std::string& name : templates.names()) {
+        write_file(folder / name, templates[name]);
+        print((folder / name).string() + "\n");
+    }
+}
+
+ExitCode run_templates(const TemplatesFlags& flags) {
+    if (flags.tags == !flags.folder.empty()) throw UsageError("name either a folder or --tags", "see meshfolio templates --help");
+    if (flags.tags)
+        print(report::tag_documentation());
+    else
+        export_templates(flags.folder, flags.force);
+    return ExitCode::ok;
+}
+
+}   // namespace
+
+Command templates_command(CLI::App& parent) {
+    const auto flags = std::make_shared<TemplatesFlags>();
+    CLI::App* app = parent.add_subcommand("templates", "The templates of the report, to be changed and used with report --templates");
+    app->add_option("DIR", flags->folder, "folder to write them into");
+    app->add_flag("--tags", flags->tags, "what every tag in them stands for");
+    app->add_flag("--force", flags->force, "replace files that are there");
+    app->footer("Example: meshfolio templates mine && meshfolio report --templates mine");
+    return {app, [flags] { return run_templates(*flags); }};
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,316 @@
+/// @file
+/// Which keys the parts of a report have in results.json: each is described once, for the writer and the reader alike. `Fields` is a
+/// FieldWriter or a FieldReader (json_writer.h, json_reader.h):
+///   fields(key, value)                      always there
+///   fields.optional(key, value, fallback)   left out where it is the fallback
+///   fields.derived(key, f)                  follows from the other values: written for programs, checked when read
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "report/document.h"
+
+namespace meshfolio::report {
+
+template <class Part, class Struct>
+concept part_of = std::same_as<std::remove_const_t<Part>, Struct>;
+
+/// A figure with what is known of its pictures.
+struct FigureEntry {
+    Figure figure;
+    bool is_drawn = false;
+    DrawnFigure drawn;
+};
+
+/// One entry of an EntryList, with the kind it shares with the others.
+struct NumberedEntry {
+    std::string kind;
+    Entry entry;
+};
+
+/// A block as it stands in `blocks`: short ones whole, the others by their ids.
+struct BlockEntry {
+    enum class Kind { heading, paragraph, list, formula, table, plot, map, figure, entries } kind = Kind::heading;
+    std::string title;         // heading
+    Text text;                 // paragraph
+    std::vector<Text> items;   // list
+    std::string name, id;      // formula; id also of a table, plot, map or figure
+    std::vector<std::string> ids;
+};
+
+/// A section as results.json keeps it: blocks of a kind together, and their order.
+struct SectionEntry {
+    Section section;   // without its blocks
+    std::vector<Table> tables;
+    std::vector<Plot> plots;
+    std::vector<Map> maps;
+    std::vector<FigureEntry> figures;
+    std::vector<NumberedEntry> entries;
+    std::vector<BlockEntry> blocks;
+    bool with_timings = true;
+};
+
+// ---- words for choices --------------------------------------------------------------------------------------------------
+
+inline constexpr std::array<const char*, 3> names_of(Column::Best) { return {"none", "smallest", "largest"}; }
+inline constexpr std::array<const char*, 3> names_of(Column::Rounding) { return {"nearest", "down", "up"}; }
+inline constexpr std::array<const char*, 4> names_of(Series::Style) { return {"line", "points", "line_and_points", "dashed"}; }
+inline constexpr std::array<const char*, 2> names_of(Map::Colours) { return {"sequential", "diverging"}; }
+inline constexpr std::array<const char*, 3> names_of(Check::Kind) { return {"near", "at_most", "at_least"}; }
+inline constexpr std::array<const char*, 3> names_of(Status) { return {"ok", "failed", "skipped"}; }
+inline constexpr std::array<const char*, 6> names_of(Run::Kind) { return {"plain", "strong", "emphasis", "code", "math", "reference"}; }
+inline constexpr std::array<const char*, 9> names_of(BlockEntry::Kind) {
+    return {"heading", "paragraph", "list", "formula", "table", "plot", "map", "figure", "entries"};
+}
+
+// ---- tables -------------------------------------------------------------------------------------------------------------
+
+inline std::string table_file(const std::string& id) { return "tables/" + id + ".csv"; }
+
+template <class Fields>
+void describe(Fields& fields, part_of<Column::Heat> auto& heat) {
+    fields("low", heat.low);
+    fields("high", heat.high);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Column> auto& column) {
+    const Column fallback;
+    fields("name", column.name);
+    fields("unit", column.unit);
+    fields("digits", column.digits);
+    fields.optional("best", column.best, fallback.best);
+    fields.optional("rounding", column.rounding, fallback.rounding);
+    fields.optional("heat", column.heat);
+    fields.optional("filter", column.filter, fallback.filter);
+    fields.optional("reference", column.reference, fallback.reference);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Table> auto& table) {
+    fields("id", table.id);
+    fields("caption", table.caption);
+    fields.derived("file", [&] { return table_file(table.id); });
+    fields.optional("sortable", table.sortable, false);
+    fields("columns", table.columns);
+    fields("rows", table.rows);
+}
+
+// ---- plots and maps -----------------------------------------------------------------------------------------------------
+
+template <class Fields>
+void describe(Fields& fields, part_of<Series> auto& series) {
+    fields("name", series.name);
+    fields.optional("style", series.style, Series::Style::line);
+    fields("x", series.x);
+    fields("y", series.y);
+    fields.optional("y_low", series.y_low, {});
+    fields.optional("y_high", series.y_high, {});
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Marker> auto& marker) {
+    fields("x", marker.x);
+    fields("y", marker.y);
+    fields("label", marker.label);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Plot::VerticalLine> auto& line) {
+    fields("x", line.x);
+    fields("label", line.label);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Plot> auto& plot) {
+    fields("id", plot.id);
+    fields("caption", plot.caption);
+    fields("alt", plot.alt);
+    fields.derived("file", [&] { return table_file(plot.id); });
+    fields("x_label", plot.x_label);
+    fields("y_label", plot.y_label);
+    fields("log_x", plot.log_x);
+    fields("log_y", plot.log_y);
+    fields("series", plot.series);
+    fields("markers", plot.markers);
+    fields("vertical_lines", plot.vertical_lines);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Map::Range> auto& range) {
+    fields("low", range.low);
+    fields("high", range.high);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Map> auto& map) {
+    const Map fallback;
+    fields("id", map.id);
+    fields("caption", map.caption);
+    fields("alt", map.alt);
+    fields.derived("file", [&] { return table_file(map.id); });
+    fields("x_label", map.x_label);
+    fields("y_label", map.y_label);
+    fields("value_label", map.value_label);
+    fields("log_x", map.log_x);
+    fields("log_y", map.log_y);
+    fields("log_values", map.log_values);
+    fields.optional("colours", map.colours, fallback.colours);
+    fields.optional("middle", map.middle, fallback.middle);
+    fields.optional("range", map.range);
+    fields("undefined", map.undefined);
+    fields("x", map.x);
+    fields("y", map.y);
+    fields.each("panels", map.panels, [&](auto& panel_fields, auto& panel) {
+        panel_fields("title", panel.title);
+        panel_fields.rows("values", panel.values, map.x.size(), map.y.size());
+        panel_fields("lines", panel.lines);
+        panel_fields("markers", panel.markers);
+    });
+}
+
+// ---- figures ------------------------------------------------------------------------------------------------------------
+
+template <class Fields>
+void describe(Fields& fields, part_of<DrawnPanel> auto& panel) {
+    fields("label", panel.label);
+    fields.file("file", panel.file);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<DrawnModel> auto& model) {
+    fields.optional("label", model.label, {});
+    fields.file("file", model.file);
+    fields.optional("quantity", model.quantity, {});
+}
+
+using LabelAndFile = std::pair<std::string, std::string>;
+template <class Fields>
+void describe(Fields& fields, part_of<LabelAndFile> auto& view) {
+    fields("label", view.first);
+    fields.file("file", view.second);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
+    fields("id", entry.figure.id);
+    fields("caption", entry.figure.caption);
+    fields("alt", entry.figure.alt);
+    fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn);
+    fields("views", entry.drawn.views);
+    fields.optional("comparison", entry.drawn.comparison, {});
+    fields.optional("models", entry.drawn.models, {});
+}
+
+// ---- what a section is made of ------------------------------------------------------------------------------------------
+
+template <class Fields>
+void describe(Fields& fields, part_of<NumberedEntry> auto& numbered) {
+    const auto plain_paragraphs = [&] {
+        std::vector<std::string> words;
+        for (const Text& paragraph : numbered.entry.paragraphs) words.push_back(plain(paragraph));
+        return words;
+    };
+    fields("id", numbered.entry.id);
+    fields("kind", numbered.kind);
+    fields("title_runs", numbered.entry.title);
+    fields("paragraph_runs", numbered.entry.paragraphs);
+    fields.derived("title", [&] { return plain(numbered.entry.title); });
+    fields.derived("paragraphs", plain_paragraphs);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<BlockEntry> auto& block) {
+    fields("kind", block.kind);
+    switch (block.kind) {
+        case BlockEntry::Kind::heading:
+            return fields("title", block.title);
+        case BlockEntry::Kind::paragraph:
+            return fields("text", block.text);
+        case BlockEntry::Kind::list:
+            return fields("items", block.items);
+        case BlockEntry::Kind::formula:
+            fields("name", block.name);
+            return fields.optional("id", block.id, {});
+        case BlockEntry::Kind::entries:
+            fields("title", block.title);
+            return fields("ids", block.ids);
+        default:
+            return fields("id", block.id);
+    }
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Check> auto& check) {
+    fields("name", check.name);
+    fields("kind", check.kind);
+    fields("expected", check.expected);
+    fields("measured", check.measured);
+    fields("tolerance", check.tolerance);
+    fields("passed", check.passed);
+    fields.optional("note", check.note, {});
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Finding> auto& finding) {
+    fields("runs", finding.text);
+    fields.derived("text", [&] { return plain(finding.text); });
+    fields("weight", finding.weight);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Input> auto& input) {
+    fields("role", input.role);
+    fields("asked", input.asked);
+    fields("file", input.file);
+    fields("stand_in", input.stand_in);
+    fields("sha256", input.sha256);
+    fields("vertices", input.vertices);
+    fields("triangles", input.triangles);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<CodeReference> auto& code) {
+    fields("function", code.function);
+    fields("file", code.file);
+    fields("purpose", code.purpose);
+    fields.optional("line", code.line, 0);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Timing> auto& timing) {
+    fields("what", timing.what);
+    fields("seconds", timing.seconds);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
+    auto& section = entry.section;
+    fields("id", section.id);
+    fields("title", section.title);
+    fields("asked", section.asked);
+    fields("status", section.status);
+    fields("extent", section.extent);
+    if (section.status == Status::failed) fields("failure", section.failure);
+    fields("inputs", section.inputs);
+    fields("parameters", section.parameters);
+    fields("code", section.code);
+    fields("blocks", entry.blocks);
+    fields("tables", entry.tables);
+    fields("plots", entry.plots);
+    fields("maps", entry.maps);
+    fields("figures", entry.figures);
+    fields.optional("entries", entry.entries, {});
+    fields("checks", section.checks);
+    fields("findings", section.findings);
+    fields("warnings", section.warnings);
+    fields.files("output_meshes", section.output_meshes);
+    fields.if_there("timings", section.timings, entry.with_timings);
+}
+
+}   // namespace meshfolio::report
