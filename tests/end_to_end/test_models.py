@@ -50,7 +50,8 @@ class RenderGlb(unittest.TestCase):
             zip(values, glb.attributes["_VALUE"], glb.attributes["_DEFINED"], strict=True)
         ):
             self.assertEqual(defined, 0 if value is None else 1, v)
-            self.assertEqual(stored, 0 if value is None else as_float32(value), v)
+            expected = 0 if value is None else as_float32(value)
+            self.assertAlmostEqual(stored, expected, delta=1e-6 * abs(expected), msg=v)
         for n in glb.attributes["NORMAL"]:
             self.assertAlmostEqual(sum(c * c for c in n) ** 0.5, 1, delta=0.0068)
 
