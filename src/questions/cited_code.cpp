@@ -48,6 +48,7 @@ const std::map<std::string_view, List>& citations() {
         {"q5",
          {{"smooth", "src/geometry/laplacian_smoothing.cpp", "the iteration, with blow-up caught"},
           {"explicit_step", "src/geometry/laplacian_smoothing.cpp", "X + λLX"},
+          {"ExplicitRows", "src/geometry/diffusion_kernels.cpp", "its sum over the neighbours, λ Σ w(x_j − x_i), in vectors"},
           {"largest_eigenvalue", "src/geometry/stability.cpp", "μ_max by Lanczos, Gershgorin bound"},
           {"answer_q5", "src/questions/q5_explicit_smoothing.cpp", "this section"}}},
         {"q6",

@@ -31,23 +31,24 @@ def renew_sums(out):
     (out / "SHA256SUMS").write_text("".join(f"{digest((out / p).read_bytes())}  {p}\n" for p in paths))
 
 
-class Reported(unittest.TestCase):
+KEPT = tempfile.TemporaryDirectory(prefix="meshfolio-test-")
+REPORT = Path(KEPT.name) / "out"
+
+
+def setUpModule():
     """One quick report for all tests; each works on a copy."""
+    process = run("report", "--quick", "--size", 64, "--pdf", "off", "--no-timings", "--out", REPORT)
+    assert process.returncode == 0, process.stderr
 
-    @classmethod
-    def setUpClass(cls):
-        cls.kept = tempfile.TemporaryDirectory(prefix="meshfolio-test-")
-        cls.report = Path(cls.kept.name) / "out"
-        process = run("report", "--quick", "--size", 64, "--pdf", "off", "--no-timings", "--out", cls.report)
-        assert process.returncode == 0, process.stderr
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.kept.cleanup()
+def tearDownModule():
+    KEPT.cleanup()
 
+
+class Reported(unittest.TestCase):
     def copy(self):
         out = temporary_folder(self) / "out"
-        shutil.copytree(self.report, out)
+        shutil.copytree(REPORT, out)
         return out
 
     def submit(self, out, *options, author=AUTHOR, **environment):
@@ -58,9 +59,8 @@ class Reported(unittest.TestCase):
 class Archive(Reported):
     @classmethod
     def setUpClass(cls):
-        super().setUpClass()
-        cls.out = Path(cls.kept.name) / "submitted"
-        shutil.copytree(cls.report, cls.out)
+        cls.out = Path(KEPT.name) / "submitted"
+        shutil.copytree(REPORT, cls.out)
         cls.process = run("submit", "--out", cls.out, "--author", AUTHOR, "--without-pdf")
         assert cls.process.returncode == 0, cls.process.stderr
         cls.zip = zipfile.ZipFile(cls.out / "submission.zip")
@@ -70,7 +70,7 @@ class Archive(Reported):
         self.assertEqual(self.process.stdout, f"{self.out}/submission.zip\n")
 
     def test_the_report_is_in_it_whole_and_unchanged(self):
-        for path, value in tree(self.report).items():
+        for path, value in tree(REPORT).items():
             if path not in (".meshfolio", "SHA256SUMS"):
                 self.assertEqual(digest(self.files[path]), value, path)
         self.assertTrue(any(re.fullmatch(r"meshes/q4_\w+_k5\.ply", name) for name in self.files))
@@ -182,11 +182,11 @@ class Archive(Reported):
     def test_the_folder_holds_it_with_its_sums(self):
         sums = dict(reversed(line.split("  ", 1)) for line in (self.out / "SHA256SUMS").read_text().splitlines())
         self.assertEqual(sums, {k: v for k, v in tree(self.out).items() if k != "SHA256SUMS"})
-        self.assertEqual(set(tree(self.out)) - set(tree(self.report)), {"submission.zip"})
+        self.assertEqual(set(tree(self.out)) - set(tree(REPORT)), {"submission.zip"})
 
     def test_no_path_of_this_machine_leaks(self):
         for name, data in self.files.items():
-            self.assertNotIn(self.kept.name.encode(), data, name)
+            self.assertNotIn(KEPT.name.encode(), data, name)
             if not name.startswith("source/"):
                 self.assertNotIn(str(SOURCE).encode(), data, name)
 
