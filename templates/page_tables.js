@@ -30,8 +30,8 @@ function makeSortable(table) {
         const button = document.createElement("button");
         button.type = "button";
         button.className = "sort";
-        button.append(...head.childNodes);
-        head.append(button);
+        button.append(...[...head.childNodes].filter((node) => !node.classList?.contains("unit")));   // units have a line of their own
+        head.prepend(button);
         button.addEventListener("click", () => {
             const before = head.getAttribute("aria-sort");
             for (const other of heads) other.removeAttribute("aria-sort");

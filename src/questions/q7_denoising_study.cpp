@@ -207,8 +207,8 @@ Answer answer_q7(const MeshLibrary& library, const QuestionSettings& settings, c
     add_result_table(section, studies);
     for (const DenoisingStudy& study : studies) {
         add_error_plot(section, study);
-        add_before_after(answer, study, settings.colormap);
         for (std::size_t i = study.trials.size() > 2 ? 1 : 0; i < study.trials.size(); ++i) add_figure_of(answer, study, study.trials[i]);
+        add_before_after(answer, study, settings.colormap);
         add_checks(section, study);
         section.parameters["λ on " + study.name()] = plain_text(study.lambda, 6);
     }

@@ -61,7 +61,8 @@ TEST(Q6, PanelsAreWhatTheirLabelsSay) {
     const TriangleMesh mesh = ellipsoid_mesh(2, {1.5, 1, 0.8});
     const Answer answer = answer_q6(library_of(mesh, "panels6"), quick_settings(), no_progress);
     const ImplicitStudy study = implicit_study(library_mesh(mesh, "panels6"), quick_settings());
-    ASSERT_EQ(answer.figures.size(), 3u);   // steps, pairs, iterations
+    ASSERT_EQ(answer.figures.size(), 4u);   // steps, pairs, iterations, before and after
+    EXPECT_TRUE(answer.figures[3].comparison && answer.figures[3].turnable);
     const std::vector<output::Panel>&steps = answer.figures[0].panels, &pairs = answer.figures[1].panels, &times = answer.figures[2].panels;
     for (const output::FigureRequest& figure : answer.figures) EXPECT_EQ(figure.panels[0].mesh->X, study.subject.mesh().X) << figure.id;
     ASSERT_EQ(steps.size(), study.lambdas.size() + 1);

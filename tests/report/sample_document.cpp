@@ -120,7 +120,6 @@ Section answered() {
                 Formula{"ellipsoid_EFG", ""},
                 Heading{"Results"},
                 Figure{"q1_plane_h", "Mean curvature of the plane.", "A plane from six directions, values from 0 to 1."},
-                Figure{"q1_before_after", "Before and after.", "A plane before and after, which moved by 1 %."},
                 Figure{"q1_missing", "A figure without a picture.", "Nothing."},
                 error_table(),
                 error_plot(),
@@ -128,7 +127,8 @@ Section answered() {
                 error_map(),
                 ledger(),
                 counts(),
-                claims()};
+                claims(),
+                Figure{"q1_before_after", "Before and after.", "A plane before and after, which moved by 1 %."}};
     s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
                 check_at_most("L2 error of H on sphere", 0.01, 0.0088),
                 check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1)};

@@ -179,7 +179,8 @@ TEST(WriteHtml, ALedgerIsAPlainTableThatAScriptMaySortAndFilter) {
 
 TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
     const std::string page = sample_page();
-    EXPECT_NE(page.find("alt=\"A plane from six directions, values from 0 to 1.\" width=\"1200\" height=\"800\"/>"), std::string::npos);
+    EXPECT_NE(page.find("alt=\"A plane from six directions, values from 0 to 1.\" width=\"1200\" height=\"800\" decoding=\"async\"/>"),
+              std::string::npos);
     EXPECT_NE(page.find("data:image/jpeg;base64," + base64(std::string("\xff\xd8\xff\0jpeg", 8))), std::string::npos);
     EXPECT_EQ(count_of(page, "href=\"images/q1_plane_h_sheet.png\""), 2u);
     EXPECT_NE(page.find("<a href=\"images/q1_plane_h_%2Bx.png\">+x</a>"), std::string::npos);
