@@ -184,10 +184,12 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
 }
 
 std::map<std::string, std::string> QuestionCache::keep(const report::Section& section, const report::DrawnFigures& figures,
-                                                       const CoverOffer& cover, const std::vector<MeshLookup>& lookups) const {
+                                                       const CoverOffer& cover, const std::vector<MeshLookup>& lookups) const try {
     const auto digests = write(answer_key(section.id, lookups), section, figures, cover);
     store_.put(question_key(section.id), json_of(lookups).dump());
     return digests;
+} catch (const json::exception&) {   // a name that is no UTF-8: not kept
+    return {};
 }
 
 std::map<std::string, std::string> QuestionCache::write(const std::string& key, const report::Section& section,
@@ -200,7 +202,9 @@ std::map<std::string, std::string> QuestionCache::write(const std::string& key, 
     report::Document document;
     document.sections = {section};
     document.sections[0].timings.clear();   // of that run
-    json stored = {{"section", store_.keep(report::write_json(document, figures))}, {"files", digests}, {"figures", json::object()}};
+    const std::string text = report::write_json(document, figures);
+    if (text.find("\uFFFD") != std::string::npos) return {};   // words that are no UTF-8 would not come back
+    json stored = {{"section", store_.keep(text)}, {"files", digests}, {"figures", json::object()}};
     for (const auto& [id, figure] : figures) stored["figures"][id] = json_of(figure, store_);
     stored["cover"] = {cover.turnable, cover.worth, cover.alt};
     store_.put(key, stored.dump());
