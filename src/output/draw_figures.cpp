@@ -167,7 +167,10 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     work.drawn.sheet = "images/" + request.id + "_sheet.png";
     write_file(folder / work.drawn.sheet, render::encode_png(image));
 
-    if (settings.on_paper.contains(request.id)) work.drawn.print_jpeg = render::encode_jpeg(image, settings.print_quality);
+    if (settings.on_paper.contains(request.id)) {
+        work.drawn.print_jpeg = render::encode_jpeg(image, settings.print_quality);
+        work.drawn.print_jpeg_small = render::encode_jpeg(image, settings.small_print_quality);
+    }
 
     const bool too_wide = image.width > settings.preview_width;
     const int width = too_wide ? settings.preview_width : image.width;

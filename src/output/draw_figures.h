@@ -20,7 +20,7 @@ struct DrawSettings {
     int preview_width = 1200;        // of the JPEG inside the page
     int jpeg_quality = 82;
     std::set<std::string> on_paper = {};   // figures that also need their whole sheet as a JPEG
-    int print_quality = 92;
+    int print_quality = 92, small_print_quality = 72;
     int threads = 0;   // 0: all
 };
 

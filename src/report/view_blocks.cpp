@@ -152,7 +152,7 @@ json picture_view(const Figure& figure, const ViewContext& context) {
     const std::string source = inside ? "data:image/jpeg;base64," + base64(drawn.preview_jpeg) : sheet;
     return {{"alt", safe_text(figure.alt)},
             {"is_drawn", is_drawn},
-            {"is_tall", 5 * drawn.height > 6 * drawn.width},
+            {"is_tall", 20 * drawn.height > 19 * drawn.width},
             {"is_wide", 2 * drawn.height < drawn.width},
             {"sheet", sheet},
             {"source", context.options.print_files ? url_path(print_file(figure.id)) : source},
