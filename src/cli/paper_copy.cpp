@@ -55,7 +55,7 @@ void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& 
     }
     tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
         const auto sheet = render::decode_png(read_file(folder / missing[i]->sheet));
-        if (sheet) missing[i]->print_jpeg = render::encode_jpeg(*sheet, output::DrawSettings().print_quality);
+        if (sheet) output::add_paper_pictures(*missing[i], *sheet, {});
     });
 }
 

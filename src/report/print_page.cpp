@@ -1,5 +1,6 @@
 #include "report/print_page.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "report/escape.h"
@@ -11,6 +12,7 @@ namespace meshfolio::report {
 namespace {
 
 constexpr std::size_t rows_of_the_whole = 60;
+constexpr std::size_t most_picture_bytes = 12 * 1000 * 1000;   // of a PDF that is to weigh 15 MB at most
 
 /// Without tags, entities resolved, spaces and line ends as one space each.
 std::string text_of(const std::string& html) {
@@ -37,6 +39,27 @@ std::string text_of(const std::string& html) {
     return text;
 }
 
+/// The pictures that are told: all in the better quality while they weigh little enough together, else the heaviest in the lesser one.
+std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Extent extent) {
+    std::vector<std::pair<std::string, const DrawnFigure*>> told;
+    std::size_t weight = 0;
+    for (const std::string& id : figures_told(document, extent)) {
+        const auto drawn = figures.find(id);
+        if (drawn == figures.end()) continue;
+        told.emplace_back(id, &drawn->second);
+        weight += drawn->second.print_jpeg.size();
+    }
+    std::stable_sort(told.begin(), told.end(),
+                     [](const auto& a, const auto& b) { return a.second->print_jpeg.size() > b.second->print_jpeg.size(); });
+    std::map<std::string, std::string> files;
+    for (const auto& [id, drawn] : told) {
+        const bool small = weight > most_picture_bytes && !drawn->print_jpeg_small.empty();
+        if (small) weight -= drawn->print_jpeg.size() - std::min(drawn->print_jpeg.size(), drawn->print_jpeg_small.size());
+        files[print_file(id)] = small ? drawn->print_jpeg_small : drawn->print_jpeg;
+    }
+    return files;
+}
+
 }   // namespace
 
 PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
@@ -51,12 +74,7 @@ PrintPage print_page(const Document& document, const DrawnFigures& figures, cons
     view.table_rows = options.extent == Extent::brief ? options.table_rows : rows_of_the_whole;
     nlohmann::json model = view_model(document, figures, templates, view);
     add_design(model, templates, "print");
-    PrintPage page{render(templates, "print.html", model, xml_escape), {}};
-    for (const std::string& id : figures_told(document, options.extent)) {
-        const auto drawn = figures.find(id);
-        if (drawn != figures.end()) page.files[print_file(id)] = drawn->second.print_jpeg;
-    }
-    return page;
+    return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.extent)};
 }
 
 std::vector<PageHeading> headings_of(const std::string& html) {

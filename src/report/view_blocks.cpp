@@ -198,7 +198,7 @@ json picture_view(const Figure& figure, const ViewContext& context) {
     return {
         {"alt", safe_text(figure.alt)},
         {"is_drawn", is_drawn},
-        {"is_tall", 5 * drawn.height > 6 * drawn.width},
+        {"is_tall", 20 * drawn.height > 19 * drawn.width},
         {"is_wide", 2 * drawn.height < drawn.width},
         {"sheet", sheet},
         {"source", context.options.print_files ? url_path(print_file(figure.id)) : image_source(drawn.sheet, drawn.preview_jpeg, context)},

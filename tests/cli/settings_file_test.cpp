@@ -203,6 +203,16 @@ TEST(SettingsFile, TemplateMustBeReadable) {
     EXPECT_EQ(parse_settings("[report]\ntemplate = \"page.html\"", file).page_template, folder.path() / "page.html");
 }
 
+TEST(SettingsFile, TheDesignAndTheExtentOfThePdfAreChosenByTheirNames) {
+    const SettingsFile file = parse_settings("[report]\ntemplate = \"print\"\npdf = \"full\"", "my.toml");
+    EXPECT_EQ(file.design, "print");
+    EXPECT_FALSE(file.page_template);
+    EXPECT_EQ(file.printed, report::Extent::whole);
+    EXPECT_EQ(parse_settings("[report]\npdf = \"brief\"", "my.toml").printed, report::Extent::brief);
+    expect_problem("[report]\npdf = \"short\"", 2, {"short", "full"});
+    expect_problem("[report]\npdf = true", 2, {"pdf"});
+}
+
 TEST(SettingsFile, AllProblemsAtOnceInTheOrderOfTheirLines) {
     const auto problems = problems_of(R"(seed = -1
 sead = 2
@@ -270,9 +280,8 @@ TEST(DefaultSettings, AndTheirExamplesAreGood) {
     const std::regex commented("^# (\\[+[a-z]+\\]+.*|[a-z_]+ = .*)$", std::regex::multiline);
     std::string uncommented = std::regex_replace(text, commented, "$1");
     const TemporaryFolder folder;
-    write_file(folder.path() / "my_report.html", "");
     const SettingsFile full = parse_settings(uncommented, (folder.path() / "report.toml").string());
-    EXPECT_TRUE(full.page_template);
+    EXPECT_TRUE(full.design && full.printed);
     for (const char* id : {"q4", "q6", "q7"}) EXPECT_TRUE(full.questions.contains(id)) << id;
     const QuestionTable& q4 = full.questions.at("q4");
     EXPECT_TRUE(q4.output && q4.seed && q4.threads && !q4.k.empty() && !q4.meshes.empty());

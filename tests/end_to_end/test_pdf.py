@@ -1,15 +1,18 @@
 """report.pdf as a user gets it, judged by other programs: poppler and qpdf."""
 
 import json
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
-from program import run, temporary_folder
+from program import PROGRAM, run, temporary_folder
 
 MOST_PAGES = 60
 MOST_BYTES = 15 * 1000 * 1000
@@ -209,6 +212,25 @@ class Engines(unittest.TestCase):
                 process = self.report("--pdf", "require", "--pdf-browser", self.browser(script))
                 self.assertEqual(process.returncode, 5, process.stderr)
                 self.assertFalse((self.folder / "out").exists())
+
+    def test_an_interrupt_ends_the_engine_too(self):
+        note = self.folder / "pid"
+        browser = self.browser(f"echo $$ > {note}.part; mv {note}.part {note}; exec sleep 300")
+        words = [PROGRAM, "report", "--quick", "--size", "64", "--only", "q2", "--pdf", "auto", "--pdf-browser", browser, "--out", self.folder / "out"]
+        (self.folder / "tmp").mkdir()
+        process = subprocess.Popen([str(word) for word in words], stderr=subprocess.PIPE, env={**os.environ, "TMPDIR": str(self.folder / "tmp")})
+        deadline = time.monotonic() + 240
+        while not note.exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        status = Path(f"/proc/{note.read_text().strip()}/cmdline")
+        while status.exists() and status.read_bytes() and time.monotonic() < deadline:   # a zombie has none
+            time.sleep(0.05)
+        self.assertFalse(status.exists() and status.read_bytes())
+        self.assertFalse((self.folder / "out").exists())
+        self.assertEqual(list((self.folder / "tmp").iterdir()), [])
 
     def test_weasyprint_serves_when_there_is_no_browser(self):
         program = shutil.which("weasyprint")

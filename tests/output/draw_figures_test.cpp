@@ -96,6 +96,23 @@ TEST(DrawFigures, PicturesHaveTheirSize) {
     }
 }
 
+TEST(DrawFigures, FiguresForPaperKeepTheSizeOfTheirSheet) {
+    const TemporaryFolder folder;
+    DrawSettings settings = small_pictures();
+    settings.preview_width = 60;
+    settings.on_paper = {"q5_cube"};
+    const auto drawn = draw_figures(requests(), folder.path(), settings);
+    EXPECT_TRUE(drawn.at("q1_ball_h").print_jpeg.empty());
+    const report::DrawnFigure& figure = drawn.at("q5_cube");
+    const std::string png = read_file(folder.path() / figure.sheet);
+    const std::size_t frame = figure.print_jpeg.find("\xff\xc0");   // its header holds height and width in two bytes each
+    ASSERT_NE(frame, std::string::npos);
+    const int size = big_endian(figure.print_jpeg, frame + 5);
+    EXPECT_EQ(size >> 16, big_endian(png, 20));
+    EXPECT_EQ(size & 0xffff, big_endian(png, 16));
+    EXPECT_LT(figure.print_jpeg_small.size(), figure.print_jpeg.size());
+}
+
 TEST(DrawFigures, LabelsSayPanelAndView) {
     const TemporaryFolder folder;
     const auto drawn = draw_figures(requests(), folder.path(), small_pictures());

@@ -35,14 +35,15 @@ TEST_F(PdfEngines, NoneIsFoundWhereThereIsNone) {
 }
 
 TEST_F(PdfEngines, EachComesBeforeTheNext) {
+    const auto expect_found = [&](const fs::path& newest) { EXPECT_EQ(newest, found()); };
     // From the last to the first: each new one takes the place of what was found before.
-    EXPECT_EQ(program("bin/weasyprint", "WeasyPrint version 57.2"), found());
+    expect_found(program("bin/weasyprint", "WeasyPrint version 57.2"));
     EXPECT_EQ(find_pdf_engine(search_).engine->kind, PdfEngine::Kind::weasyprint);
-    EXPECT_EQ(program("home/.cache/ms-playwright/chromium-1100/chrome-linux/chrome", "Chromium 140.0.1"), found());
-    EXPECT_EQ(program("home/.cache/ms-playwright/chromium_headless_shell-1200/chrome-linux/headless_shell", "Chromium 141.0.1"), found());
+    expect_found(program("home/.cache/ms-playwright/chromium-1100/chrome-linux/chrome", "Chromium 140.0.1"));
+    expect_found(program("home/.cache/ms-playwright/chromium_headless_shell-1200/chrome-linux/headless_shell", "Chromium 141.0.1"));
     for (const char* name : {"microsoft-edge", "google-chrome", "google-chrome-stable", "chromium-browser", "chromium",
                              "chrome-headless-shell", "chromium-headless-shell"}) {
-        EXPECT_EQ(program(std::string("bin/") + name, "Google Chrome 150.0.1"), found());
+        expect_found(program(std::string("bin/") + name, "Google Chrome 150.0.1"));
     }
     for (const char* variable : {"PUPPETEER_EXECUTABLE_PATH", "CHROME_PATH", "MESHFOLIO_CHROME"}) {
         search_.environment[variable] = program(std::string("elsewhere/") + variable, "Chromium 131.0.6778.0").string();

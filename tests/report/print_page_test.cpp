@@ -51,6 +51,22 @@ TEST(PrintPage, EveryPictureIsAFileBesideIt) {
     EXPECT_EQ(page.files.size(), std::set<std::string>(sources.begin(), sources.end()).size());
 }
 
+TEST(PrintPage, TheHeaviestPicturesGiveWayWhenAllTogetherAreTooHeavy) {
+    DrawnFigures figures = figures_for_paper();
+    figures.at("cover").print_jpeg = std::string(9'000'000, 'c');
+    figures.at("q1_plane_h").print_jpeg = std::string(2'000'000, 'p');
+    for (auto& [id, figure] : figures) figure.print_jpeg_small = "small";
+    const auto cover = [&] { return print_page(sample_document(), figures, Templates(), {}).files.at(print_file("cover")).size(); };
+    const auto plane = [&] { return print_page(sample_document(), figures, Templates(), {}).files.at(print_file("q1_plane_h")).size(); };
+    EXPECT_EQ(cover(), 9'000'000u);
+    figures.at("cover").print_jpeg.append(2'000'000, 'c');
+    EXPECT_EQ(cover(), 5u);
+    EXPECT_EQ(plane(), 2'000'000u);
+    figures.at("q1_plane_h").print_jpeg.append(11'000'000, 'p');
+    EXPECT_EQ(plane(), 5u);
+    EXPECT_EQ(cover(), 11'000'000u);   // enough has given way
+}
+
 TEST(PrintPage, IsWellFormedXml) {
     if (!has_program("xmllint")) GTEST_SKIP() << "xmllint is not installed";
     const TemporaryFolder folder;
@@ -79,11 +95,11 @@ TEST(PrintPage, HasNoTimings) {
 
 TEST(PrintPage, LongTablesAreCut) {
     Document document = sample_document();
-    Table table{"q1_long", "Long", {{.name = "number"}}, {}};
+    Table table{"q1_forty", "Long", {{.name = "number"}}, {}};
     for (int i = 0; i < 40; ++i) table.rows.push_back({static_cast<double>(i)});
     document.sections[0].blocks.push_back(table);
-    EXPECT_NE(printed(document, {.table_rows = 10}).html.find("30 rows are only in tables/q1_long.csv"), std::string::npos);
-    EXPECT_EQ(printed(document, whole).html.find("rows are only in tables/q1_long.csv"), std::string::npos);
+    EXPECT_NE(printed(document, {.table_rows = 10}).html.find("30 rows are only in tables/q1_forty.csv"), std::string::npos);
+    EXPECT_EQ(printed(document, whole).html.find("rows are only in tables/q1_forty.csv"), std::string::npos);
 }
 
 TEST(PrintPage, WhatIsNotToldIsNamedButNotLinked) {
