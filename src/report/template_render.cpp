@@ -4,6 +4,8 @@
 #include <map>
 #include <mustache.hpp>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <unordered_map>
 
 #include "errors.h"
 
@@ -35,38 +37,50 @@ std::string as_partial(std::string text) {
     return text;
 }
 
-// ---- nlohmann → mustache ------------------------------------------------------------------------------------------------
+// ---- a template evaluated against a model ---------------------------------------------------------------------------------
 
-mustache::data data_of(const json& value) {
-    if (value.is_boolean()) return mustache::data(value.get<bool>());
-    if (value.is_string()) return mustache::data(value.get_ref<const std::string&>());
-    if (value.is_array()) {
-        mustache::list items;
-        for (const json& item : value) items.push_back(data_of(item));
-        return mustache::data(items);
+using Escape = std::function<std::string(const std::string&)>;
+
+/// What is printed, line by line: a line that is blank but for sections that begin or end on it is left out.
+class Lines {
+public:
+    void add(const std::string& text) { line_ += text; }
+    void section_tag() { has_section_tag_ = true; }
+    void end(const std::string& line_end) {
+        const bool left_out = has_section_tag_ && line_.find_first_not_of(" \t") == std::string::npos;
+        if (!left_out) text_ += line_ + line_end;
+        line_.clear();
+        has_section_tag_ = false;
     }
-    if (!value.is_object()) return mustache::data(value.dump());
-    mustache::data object(mustache::data::type::object);
-    for (const auto& [name, member] : value.items()) object[name] = data_of(member);
-    return object;
-}
+    std::string take() { return std::move(text_); }
 
-// ---- which tags a template uses -----------------------------------------------------------------------------------------
+private:
+    std::string text_, line_;
+    bool has_section_tag_ = false;
+};
 
+/// Goes through a template as Mustache says. The library parses; it would copy the whole model into values of its own and parse included
+/// templates each time they are met, which took most of the time of a report whose answers are all known.
 class TagWalk {
 public:
-    TagWalk(const Templates& templates, const json& model) : templates_(templates), stack_{&model} {}
+    TagWalk(const Templates& templates, const json& model, Escape escape = {})
+        : templates_(templates), escape_(std::move(escape)), stack_{&model} {}
 
     void walk_file(const std::string& name) {
         if (++depth_ > 100) throw UsageError("the template includes itself without end", "", {name, 0});
         auto it = trees_.find(name);
         if (it == trees_.end()) {
             std::string error;
-            it = trees_.emplace(name, parsed(as_partial(templates_[name]), error)).first;
+            it = trees_.emplace(name, parsed(depth_ > 1 ? as_partial(templates_[name]) : templates_[name], error)).first;
             register_tags(name, it->second);
         }
         walk(it->second);
         --depth_;
+    }
+
+    std::string printed() {
+        lines_.end("");
+        return lines_.take();
     }
 
     TagUse result() const {
@@ -76,7 +90,7 @@ public:
             const Tag named{tag.file, line_of(templates_[tag.file], component->position), component->position, component->tag.name};
             (tag.state == State::unknown ? use.unknown : use.unreached).push_back(named);
         }
-        std::sort(use.unknown.begin(), use.unknown.end());   // the map is ordered by addresses
+        std::sort(use.unknown.begin(), use.unknown.end());   // the map has no order
         std::sort(use.unreached.begin(), use.unreached.end());
         return use;
     }
@@ -108,7 +122,7 @@ private:
             const json* value = *context;
             for (std::size_t begin = 0; value && begin <= name.size();) {
                 const std::size_t end = std::min(name.find('.', begin), name.size());
-                const auto member = value->is_object() ? value->find(name.substr(begin, end - begin)) : value->end();
+                const auto member = value->is_object() ? value->find(std::string_view(name).substr(begin, end - begin)) : value->end();
                 value = value->is_object() && member != value->end() ? &*member : nullptr;
                 begin = end + 1;
             }
@@ -119,12 +133,32 @@ private:
 
     void walk(const Component& component) {
         for (const Component& child : component.children) {
+            if (child.is_newline()) {
+                lines_.end(child.text);
+            } else if (child.is_text()) {
+                lines_.add(child.text);
+            }
             if (child.tag.type == mustache::tag_type::partial) walk_file(child.tag.name);
             if (!is_looked_up(child)) continue;
             const json* value = find(child.tag.name);
             State& state = tags_[&child].state;
             if (state != State::unknown) state = value ? State::known : State::unknown;
-            if (value && child.tag.is_section_begin()) walk_section(child, *value);
+            if (value == nullptr) continue;
+            if (child.tag.is_section_begin()) {
+                walk_section(child, *value);
+            } else {
+                print(*value, child.tag.type == mustache::tag_type::variable);
+            }
+        }
+    }
+
+    /// Texts as they are or escaped, numbers; lists, objects and booleans have nothing to print.
+    void print(const json& value, bool escaped) {
+        if (value.is_string()) {
+            const auto& text = value.get_ref<const std::string&>();
+            lines_.add(escaped && escape_ ? escape_(text) : text);
+        } else if (value.is_number()) {
+            lines_.add(value.dump());
         }
     }
 
@@ -140,30 +174,21 @@ private:
     }
 
     void walk_in(const Component& section, const json& value) {
+        lines_.section_tag();
         stack_.push_back(&value);
         walk(section);
         stack_.pop_back();
+        lines_.section_tag();
     }
 
     const Templates& templates_;
+    Escape escape_;
+    Lines lines_;
     std::vector<const json*> stack_;
     std::map<std::string, Component> trees_;
-    std::map<const Component*, Registered> tags_;
+    std::unordered_map<const Component*, Registered> tags_;
     int depth_ = 0;
 };
-
-/// Names of the templates included by `text`, and by those.
-void collect_partials(const Templates& templates, const std::string& text, std::map<std::string, std::string>& partials) {
-    std::string error;
-    Component root = parsed(text, error);
-    root.walk_children([&](Component& c) {
-        if (c.tag.type == mustache::tag_type::partial && !partials.contains(c.tag.name)) {
-            const std::string& included = partials[c.tag.name] = as_partial(templates[c.tag.name]);
-            collect_partials(templates, included, partials);
-        }
-        return Component::walk_control::walk;
-    });
-}
 
 }   // namespace
 
@@ -183,21 +208,15 @@ TagUse use_of_tags(const Templates& templates, const std::string& name, const js
 
 std::string render(const Templates& templates, const std::string& name, const json& model,
                    const std::function<std::string(const std::string&)>& escape) {
-    const TagUse use = use_of_tags(templates, name, model);
+    TagWalk walk(templates, model, escape);
+    walk.walk_file(name);
+    const TagUse use = walk.result();
     if (!use.unknown.empty()) {
         const Tag& tag = use.unknown.front();
         throw UsageError("nothing is called {{" + tag.name + "}} here", "compare it with the template that comes with meshfolio",
                          {tag.file, tag.line});
     }
-    mustache::data data = data_of(model);
-    std::map<std::string, std::string> partials;
-    collect_partials(templates, templates[name], partials);
-    for (const auto& [partial, text] : partials) data[partial] = mustache::data(text);
-    mustache::mustache page(templates[name]);
-    page.set_custom_escape(escape);
-    std::string bytes;
-    page.render(data, [&](const std::string& piece) { bytes += piece; });
-    return bytes;
+    return walk.printed();
 }
 
 }   // namespace meshfolio::report

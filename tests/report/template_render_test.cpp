@@ -103,8 +103,10 @@ std::vector<json> complete_models() {
     ViewOptions on_paper;
     on_paper.page_numbers = on_paper.plain_formulas = true;
     on_paper.extent = Extent::brief;
-    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), with_models, sample_models()),
-            model_of(supporting, on_paper)};
+    ViewOptions without_mathml;
+    without_mathml.plain_formulas = true;
+    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), without_mathml),
+            model_of(sample_document(), with_models, sample_models()), model_of(supporting, on_paper)};
 }
 
 /// Every tag of the template is known to the models, and every tag is met with one of them.

@@ -51,7 +51,7 @@ TEST(Notices, NameEveryLibraryThatIsLookedFor) {
                                                       {"libdeflate", "libdeflate-dev"},
                                                       {"nettle", "nettle-dev"},
                                                       {"libarchive", "libarchive-dev"},
-                                                      {"libqpdf", "libqpdf-dev"},
+                                                      {"qpdf", "libqpdf-dev"},
                                                       {"stb_image_write.h", "libstb-dev"},
                                                       {"mustache.hpp", "libkainjow-mustache-dev"},
                                                       {"toml++/toml.h", "libtomlplusplus-dev"},
