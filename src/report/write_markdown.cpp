@@ -71,20 +71,30 @@ std::string write_markdown(const Document& document, const DrawnFigures& figures
         std::size_t table_rows;
         bool passed_checks;
     };
-    std::string text;
-    for (const Detail detail :
-         std::array<Detail, 5>{{{true, 40, true}, {false, 40, true}, {false, 12, true}, {false, 12, false}, {false, 4, false}}}) {
+    constexpr std::array<Detail, 5> details{
+        {{true, 40, true}, {false, 40, true}, {false, 12, true}, {false, 12, false}, {false, 4, false}}};
+    const auto told_with = [&](std::size_t i) {
         ViewOptions view;
         view.timings = options.timings;
         view.pictures = false;
         view.plot_files = options.plot_files;
-        view.single_views = detail.single_views;
-        view.table_rows = detail.table_rows;
-        view.passed_checks = detail.passed_checks;
-        text = without_gaps(render(templates, "report.md", view_model(document, figures, templates, view), markdown_escape));
-        if (text.size() <= size_limit) return text;
+        view.single_views = details[i].single_views;
+        view.table_rows = details[i].table_rows;
+        view.passed_checks = details[i].passed_checks;
+        return without_gaps(render(templates, "report.md", view_model(document, figures, templates, view), markdown_escape));
+    };
+    // As much as fits, from the middle on: every attempt takes as long as the page itself.
+    std::size_t i = details.size() / 2;
+    std::string text = told_with(i);
+    while (text.size() > size_limit && i + 1 < details.size()) text = told_with(++i);
+    if (text.size() > size_limit) return cut(text);
+    const bool from_above = i > details.size() / 2;
+    while (!from_above && i > 0) {
+        std::string more = told_with(--i);
+        if (more.size() > size_limit) break;
+        text = std::move(more);
     }
-    return cut(text);
+    return text;
 }
 
 }   // namespace meshfolio::report

@@ -85,7 +85,8 @@ std::string author_of(const std::string& named, const std::string& asked) {
     }
     const std::string author = asked.empty() ? named : asked;
     if (author.size() > longest_author || printable(author) != author)
-        throw UsageError("--author is no name of at most " + std::to_string(longest_author) + " bytes on one line");
+        throw UsageError("--author is no name of at most " + std::to_string(longest_author) + " bytes on one line",
+                         "write it out, or leave --author away");
     return author;
 }
 

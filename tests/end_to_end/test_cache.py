@@ -56,7 +56,7 @@ class Cache(unittest.TestCase):
         self.assertTrue(is_cached(self.report(only="q5")[0], "q5"))
         config = self.folder / "my.toml"
         for text in ["seed = 7", '[[question]]\nid = "q5"\nlambda = 1e-3', '[[question]]\nid = "q5"\niterations = 2',
-                     '[[question]]\nid = "q5"\noutput = "modes"', '[render]\ncolormap = "turbo"', "[render]\nsize = 65"]:
+                     '[[question]]\nid = "q5"\noutput = "modes"', '[render]\ncolormap = "magma"', "[render]\nsize = 65"]:
             config.write_text(text)
             options = ["--config", config, *(["--size", 65] if "size" in text else [])]
             self.assertFalse(is_cached(self.report(*options, only="q5")[0], "q5"), text)

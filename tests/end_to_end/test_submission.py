@@ -117,7 +117,7 @@ class Archive(Reported):
 
     def test_every_mesh_and_every_picture_opens(self):
         folder = temporary_folder(self)
-        meshes = [n for n in self.files if n.endswith(".ply")]
+        meshes = [n for n in self.files if n.endswith(".ply") and not n.startswith("source/tests/")]   # those are odd on purpose
         pictures = [n for n in self.files if n.endswith(".png")]
         self.assertGreater(len(meshes), 3)
         self.assertGreater(len(pictures), 50)
@@ -141,7 +141,7 @@ class Archive(Reported):
                 line = lines[code["line"] - 1]
                 self.assertEqual(int(line[:6]), code["line"])
                 name = re.escape(code["function"])
-                self.assertRegex(line, rf"^ *\d+  ((.* )?{name}\(.*|(class|struct) {name}\b.*)$")
+                self.assertRegex(line, rf"^ *\d+  ((.* |.*::)?{name}\(.*|(class|struct) {name}\b.*)$")
                 self.assertFalse(line.endswith(";"), line)
                 self.assertIn(f"L{code['line']}", page)
                 self.assertIn(f"L{code['line']}", self.files["INSTRUCTIONS.md"].decode())
