@@ -17,12 +17,12 @@ class Cache(unittest.TestCase):
         self.cache = self.folder / "cache"
         self.number = 0
 
-    def report(self, *options, only="q2,q5", expected=0, **environment):
+    def report(self, *options, only="q2,q5", size=64, expected=0, **environment):
         """A small report into a new folder; its process and files."""
         self.number += 1
         out = self.folder / f"out{self.number}"
         environment = {"XDG_CACHE_HOME": self.cache, **environment}
-        process = run("report", "--quick", "--size", 64, "--only", only, "--no-timings", "--out", out, *options, **environment)
+        process = run("report", "--quick", "--size", size, "--only", only, "--no-timings", "--out", out, *options, **environment)
         self.assertEqual(process.returncode, expected, process.stderr)
         return process, out
 
@@ -56,11 +56,12 @@ class Cache(unittest.TestCase):
         self.assertTrue(is_cached(self.report(only="q5")[0], "q5"))
         config = self.folder / "my.toml"
         for text in ["seed = 7", '[[question]]\nid = "q5"\nlambda = 1e-3', '[[question]]\nid = "q5"\niterations = 2',
-                     '[[question]]\nid = "q5"\noutput = "modes"', '[render]\ncolormap = "magma"', "[render]\nsize = 65"]:
+                     '[[question]]\nid = "q5"\noutput = "modes"', '[render]\ncolormap = "magma"']:
             config.write_text(text)
-            options = ["--config", config, *(["--size", 65] if "size" in text else [])]
-            self.assertFalse(is_cached(self.report(*options, only="q5")[0], "q5"), text)
-            self.assertTrue(is_cached(self.report(*options, only="q5")[0], "q5"), text)
+            self.assertFalse(is_cached(self.report("--config", config, only="q5")[0], "q5"), text)
+            self.assertTrue(is_cached(self.report("--config", config, only="q5")[0], "q5"), text)
+        self.assertFalse(is_cached(self.report(only="q5", size=65)[0], "q5"))
+        self.assertTrue(is_cached(self.report(only="q5", size=65)[0], "q5"))
 
     def test_words_on_the_page_do_not_count(self):
         self.report(only="q2")
@@ -141,7 +142,7 @@ class Cache(unittest.TestCase):
 
     def test_timings_say_what_was_taken(self):
         for name in ["one", "two"]:
-            process = run("report", "--quick", "--size", 64, "--only", "q2", "--out", self.folder / name, XDG_CACHE_HOME=self.cache)
+            process = run("report", "--quick", "--size", size, "--only", "q2", "--out", self.folder / name, XDG_CACHE_HOME=self.cache)
             self.assertEqual(process.returncode, 0, process.stderr)
         timings = json.loads((self.folder / "two" / "results.json").read_text())["questions"][1]["timings"]
         self.assertEqual([t["what"] for t in timings], ["taken from the cache"])
