@@ -142,7 +142,7 @@ class Cache(unittest.TestCase):
 
     def test_timings_say_what_was_taken(self):
         for name in ["one", "two"]:
-            process = run("report", "--quick", "--size", size, "--only", "q2", "--out", self.folder / name, XDG_CACHE_HOME=self.cache)
+            process = run("report", "--quick", "--size", 64, "--only", "q2", "--out", self.folder / name, XDG_CACHE_HOME=self.cache)
             self.assertEqual(process.returncode, 0, process.stderr)
         timings = json.loads((self.folder / "two" / "results.json").read_text())["questions"][1]["timings"]
         self.assertEqual([t["what"] for t in timings], ["taken from the cache"])
