@@ -11,6 +11,7 @@
 #include "cli/stored_results.h"
 #include "file_bytes.h"
 #include "output/draw_figures.h"
+#include "output/file_sums.h"
 #include "output/folder_system.h"
 #include "output/preview.h"
 #include "output/publish.h"
@@ -36,29 +37,12 @@ bool is_taken_over(const std::string& file) {
     return in_folder && !file.starts_with("tables/") && !(file.starts_with("images/") && file.ends_with(".svg"));
 }
 
-/// The lines of SHA256SUMS: digests by file.
-std::map<std::string, std::string> sums_beside(const fs::path& folder) {
-    constexpr std::size_t digest = 64, gap = 2;
-    const fs::path path = folder / output::sums_file;
-    const std::string text = read_file(path, largest_results);
-    std::map<std::string, std::string> sums;
-    long line = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string words = text.substr(begin, end - begin);
-        begin = end + 1;
-        ++line;
-        if (words.size() <= digest + gap || words.compare(digest, gap, "  ") != 0)
-            throw InputError({path.string(), line}, "is no line of sha256sum", "take the SHA256SUMS of the report");
-        sums[words.substr(digest + gap)] = words.substr(0, digest);
-    }
-    return sums;
-}
-
 /// Files of the earlier report, read once and checked.
 class EarlierFiles {
 public:
-    explicit EarlierFiles(fs::path folder) : folder_(std::move(folder)), sums_(sums_beside(folder_)) {}
+    explicit EarlierFiles(fs::path folder)
+        : folder_(std::move(folder)),
+          sums_(output::parse_sums(read_file(folder_ / output::sums_file, largest_results), folder_ / output::sums_file)) {}
 
     /// @throws InputError for a file that is there and not what it was
     std::optional<std::string> bytes_of(const std::string& file) const {
@@ -66,7 +50,7 @@ public:
         if (!fs::exists(folder_ / file, error)) return {};
         std::string bytes = read_file(folder_ / file, largest_file);
         const auto sum = sums_.find(file);
-        if (sum == sums_.end() || sum->second != sha256(bytes))
+        if (sum == sums_.end() || sum->second.digest != sha256(bytes))
             throw InputError({(folder_ / file).string()}, "is not the file that SHA256SUMS tells of",
                              "restore it, or make the report anew");
         return bytes;
@@ -87,7 +71,7 @@ public:
         });
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (is_there[i])
-                digests[files[i]] = sums_.at(files[i]);
+                digests[files[i]] = sums_.at(files[i]).digest;
             else
                 missing.push_back(files[i]);
         }
@@ -96,7 +80,7 @@ public:
 
 private:
     fs::path folder_;
-    std::map<std::string, std::string> sums_;
+    std::map<std::string, output::FileSum> sums_;
 
     /// SHA256SUMS comes from outside as well.
     static fs::path inside(const fs::path& target, const std::string& file) {

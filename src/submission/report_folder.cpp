@@ -1,10 +1,10 @@
 #include "submission/report_folder.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "errors.h"
 #include "file_bytes.h"
+#include "output/file_sums.h"
 #include "output/publish.h"
 #include "sha256.h"
 #include "submission/suspicious_file.h"
@@ -48,34 +48,15 @@ std::map<std::string, std::string> harmless_files(const fs::path& folder) {
     return files;
 }
 
-struct Sum {
-    std::string digest;
-    long line = 0;
-};
-
-/// SHA256SUMS by path. @throws InputError with the line that is none of its format
-std::map<std::string, Sum> listed_sums(const fs::path& file, const std::string& text) {
-    std::map<std::string, Sum> sums;
-    long number = 0;
-    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
-        end = std::min(text.find('\n', at), text.size());
-        const std::string line = text.substr(at, end - at);
-        ++number;
-        if (line.size() < 67 || line.substr(64, 2) != "  ") refuse(file, "is not a list of sha256sum", renew, number);
-        const std::string path = line.substr(66);
-        if (const std::string problem = path_problem(path); !problem.empty()) refuse(file, "'" + path + "' " + problem, renew, number);
-        sums[path] = {line.substr(0, 64), number};
-    }
-    return sums;
-}
-
 void require_sums(const fs::path& folder, const std::map<std::string, std::string>& files) {
     const fs::path sums_path = folder / output::sums_file;
     const auto text = files.find(output::sums_file);
     if (text == files.end()) refuse(sums_path, "is not there", renew);
-    const std::map<std::string, Sum> sums = listed_sums(sums_path, text->second);
+    const auto sums = output::parse_sums(text->second, sums_path);
     for (const auto& [path, sum] : sums) {
         if (is_apart(path)) continue;
+        if (const std::string problem = path_problem(path); !problem.empty())
+            refuse(sums_path, "'" + path + "' " + problem, renew, sum.line);
         const auto file = files.find(path);
         if (file == files.end()) refuse(sums_path, path + " is listed and not there", renew, sum.line);
         if (sha256(file->second) != sum.digest) refuse(folder / path, "was changed after the report was written", renew);
