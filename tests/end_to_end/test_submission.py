@@ -305,7 +305,7 @@ class Refusals(Reported):
         (out / "notes.txt").unlink()
         sums = (out / "SHA256SUMS").read_text()
         (out / "SHA256SUMS").write_text("sums\n" + sums)
-        self.refuse(3, "SHA256SUMS:1: is not a list of sha256sum", out)
+        self.refuse(3, "SHA256SUMS:1: is no line of sha256sum", out)
         (out / "SHA256SUMS").write_text(sums + "0" * 64 + "  ../../secret\n")
         self.refuse(3, "leads outside its folder", out)
         (out / "SHA256SUMS").unlink()
