@@ -1,5 +1,6 @@
 #include "report/pdf_finish.h"
 
+#include <algorithm>
 #include <ctime>
 #include <map>
 #include <qpdf/QPDF.hh>
@@ -9,6 +10,7 @@
 #include <qpdf/QPDFOutlineDocumentHelper.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFWriter.hh>
+#include <set>
 
 #include "errors.h"
 #include "number_text.h"
@@ -106,6 +108,64 @@ void describe(QPDF& pdf, const PdfDetails& details) {
     root.replaceKey("/ViewerPreferences", preferences);
 }
 
+/// What an entry holds: several, one or nothing.
+std::vector<QPDFObjectHandle> several(QPDFObjectHandle entry) {
+    if (entry.isArray()) return entry.getArrayAsVector();
+    return entry.isNull() ? std::vector<QPDFObjectHandle>{} : std::vector<QPDFObjectHandle>{entry};
+}
+
+/// The elements of the structure in reading order.
+std::vector<QPDFObjectHandle> elements_of(QPDFObjectHandle structure) {
+    std::vector<QPDFObjectHandle> elements, open{structure};
+    std::set<QPDFObjGen> seen;
+    while (!open.empty()) {
+        QPDFObjectHandle element = open.back();
+        open.pop_back();
+        if (!element.isDictionary() || (element.isIndirect() && !seen.insert(element.getObjGen()).second)) continue;
+        elements.push_back(element);
+        const auto kids = several(element.getKey("/K"));
+        open.insert(open.end(), kids.rbegin(), kids.rend());
+    }
+    return elements;
+}
+
+/// Engines name the cells of tables, which others refer to as their headers, by a counter of their own, and under load it counts
+/// otherwise: they are named anew, in reading order.
+void name_elements(QPDF& pdf) {
+    QPDFObjectHandle structure = pdf.getRoot().getKey("/StructTreeRoot");
+    if (!structure.isDictionary()) return;
+    const std::vector<QPDFObjectHandle> elements = elements_of(structure);
+    std::map<std::string, std::string> names;
+    std::vector<QPDFObjectHandle> tree;
+    for (QPDFObjectHandle element : elements) {
+        if (!element.getKey("/ID").isString()) continue;
+        const std::string number = std::to_string(names.size());
+        const std::string name = "element" + std::string(8 - std::min<std::size_t>(8, number.size()), '0') + number;   // in order as text
+        if (!names.emplace(element.getKey("/ID").getStringValue(), name).second) {
+            element.removeKey("/ID");
+            continue;
+        }
+        element.replaceKey("/ID", QPDFObjectHandle::newString(name));
+        tree.insert(tree.end(), {QPDFObjectHandle::newString(name), element});
+    }
+    for (QPDFObjectHandle element : elements) {
+        for (QPDFObjectHandle attributes : several(element.getKey("/A"))) {
+            if (!attributes.isDictionary() || !attributes.getKey("/Headers").isArray()) continue;
+            std::vector<QPDFObjectHandle> headers;
+            for (QPDFObjectHandle header : attributes.getKey("/Headers").getArrayAsVector()) {
+                const auto name = header.isString() ? names.find(header.getStringValue()) : names.end();
+                if (name != names.end()) headers.push_back(QPDFObjectHandle::newString(name->second));
+            }
+            attributes.replaceKey("/Headers", QPDFObjectHandle::newArray(headers));
+        }
+    }
+    structure.removeKey("/IDTree");
+    if (tree.empty()) return;
+    QPDFObjectHandle names_of_all = QPDFObjectHandle::newDictionary();
+    names_of_all.replaceKey("/Names", QPDFObjectHandle::newArray(tree));
+    structure.replaceKey("/IDTree", pdf.makeIndirectObject(names_of_all));
+}
+
 void attach(QPDF& pdf, const PdfDetails& details) {
     if (details.attachment_name.empty()) return;
     auto stream = QPDFEFStreamObjectHelper::createEFStream(pdf, details.attachment);
@@ -117,14 +177,23 @@ void attach(QPDF& pdf, const PdfDetails& details) {
     pdf.getRoot().replaceKey("/AF", QPDFObjectHandle::newArray({file.getObjectHandle()}));
 }
 
-std::string written(QPDF& pdf) {
+std::string written(QPDF& pdf, qpdf_object_stream_e streams) {
     QPDFWriter writer(pdf);
     writer.setOutputMemory();
     writer.setDeterministicID(true);
-    writer.setObjectStreamMode(qpdf_o_generate);
+    writer.setObjectStreamMode(streams);
     writer.write();
     const auto buffer = writer.getBufferSharedPointer();
     return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
+}
+
+/// Objects are numbered as they are reached, then packed by their numbers: those the engine gave have no effect.
+std::string written(QPDF& pdf) {
+    const std::string numbered = written(pdf, qpdf_o_disable);
+    QPDF again;
+    open(again, numbered);
+    again.getTrailer().removeKey("/ID");
+    return written(again, qpdf_o_generate);
 }
 
 }   // namespace
@@ -160,6 +229,7 @@ std::string finish_pdf(std::string_view bytes, const PdfDetails& details) try {
     open(pdf, bytes);
     describe(pdf, details);
     rewrite_outline(pdf, details.outline);
+    name_elements(pdf);
     attach(pdf, details);
     return written(pdf);
 } catch (const Error&) {

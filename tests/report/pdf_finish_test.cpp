@@ -4,6 +4,7 @@
 
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+#include <qpdf/QPDFNameTreeObjectHelper.hh>
 #include <qpdf/QPDFOutlineDocumentHelper.hh>
 #include <qpdf/QPDFWriter.hh>
 
@@ -62,6 +63,62 @@ PdfDetails details() {
 TEST(PdfFinish, NothingDependsOnWhenItWasPrinted) {
     EXPECT_EQ(finish_pdf(small_pdf(3, joined, "D:20260101000000Z"), details()),
               finish_pdf(small_pdf(3, joined, "D:20270203040506Z"), details()));
+}
+
+/// With a table of two headers and a cell below each, whose elements are named by a counter that begins at `first`; the second header
+/// comes before the first one in the order of the names if `turned`.
+std::string pdf_with_a_table(int first, bool turned) {
+    const std::string plain = small_pdf(1, joined, "D:2026");
+    QPDF pdf;
+    pdf.processMemoryFile("plain", plain.data(), plain.size());
+    QPDFObjectHandle structure = pdf.makeIndirectObject(QPDFObjectHandle::parse("<< /Type /StructTreeRoot >>"));
+    QPDFObjectHandle table = pdf.makeIndirectObject(QPDFObjectHandle::parse("<< /S /Table >>"));
+    std::vector<QPDFObjectHandle> cells, names(4);
+    const std::string ids[] = {"(node" + std::to_string(first + (turned ? 2 : 0)) + ")", "(node" + std::to_string(first + 1) + ")"};
+    for (const std::string& id : ids) cells.push_back(pdf.makeIndirectObject(QPDFObjectHandle::parse("<< /S /TH /ID " + id + " /K 0 >>")));
+    for (const std::string& id : ids)
+        cells.push_back(pdf.makeIndirectObject(QPDFObjectHandle::parse("<< /S /TD /A [<< /O /Table /Headers [" + id + " (node9)] >>] >>")));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t place = turned ? 1 - i : i;
+        names[2 * place] = QPDFObjectHandle::parse(ids[i]);
+        names[2 * place + 1] = cells[i];
+    }
+    for (QPDFObjectHandle cell : cells) cell.replaceKey("/P", table);
+    table.replaceKey("/K", QPDFObjectHandle::newArray(cells));
+    table.replaceKey("/P", structure);
+    QPDFObjectHandle tree = QPDFObjectHandle::newDictionary();
+    tree.replaceKey("/Names", QPDFObjectHandle::newArray(names));
+    structure.replaceKey("/IDTree", pdf.makeIndirectObject(tree));
+    structure.replaceKey("/K", table);
+    pdf.getRoot().replaceKey("/StructTreeRoot", structure);
+    QPDFWriter writer(pdf);
+    writer.setOutputMemory();
+    writer.write();
+    const auto buffer = writer.getBufferSharedPointer();
+    return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
+}
+
+TEST(PdfFinish, NothingDependsOnTheNamesOfTheElements) {
+    const std::string expected = finish_pdf(pdf_with_a_table(22, false), details());
+    EXPECT_EQ(expected, finish_pdf(pdf_with_a_table(35, false), details()));
+    EXPECT_EQ(expected, finish_pdf(pdf_with_a_table(22, true), details()));
+    EXPECT_EQ(expected, finish_pdf(expected, details()));
+}
+
+TEST(PdfFinish, CellsKeepTheirHeaders) {
+    const std::string bytes = finish_pdf(pdf_with_a_table(22, true), details());
+    QPDF pdf;
+    pdf.processMemoryFile("finished", bytes.data(), bytes.size());
+    QPDFObjectHandle structure = pdf.getRoot().getKey("/StructTreeRoot"), cells = structure.getKey("/K").getKey("/K");
+    const auto headers = QPDFNameTreeObjectHelper(structure.getKey("/IDTree"), pdf).getAsMap();
+    ASSERT_EQ(headers.size(), 2u);
+    for (int i = 0; i < 2; ++i) {
+        QPDFObjectHandle names = cells.getArrayItem(2 + i).getKey("/A").getArrayItem(0).getKey("/Headers");
+        ASSERT_EQ(names.getArrayNItems(), 1);   // the other one names no element
+        const auto header = headers.find(names.getArrayItem(0).getStringValue());
+        ASSERT_NE(header, headers.end());
+        EXPECT_EQ(header->second.getObjGen(), cells.getArrayItem(i).getObjGen());
+    }
 }
 
 TEST(PdfFinish, TheOutlineGetsItsTitlesInFullAndKeepsItsPages) {
