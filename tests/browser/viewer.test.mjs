@@ -81,7 +81,9 @@ const problemsOf = (page) => page.problems.filter((problem) => !problem.includes
 
 // ---- what is seen and done ----------------------------------------------------------------------------------------------
 
-const block = (page, n = 0) => page.locator(".models[data-turnable]").nth(n);
+// Two figures of meshes that bulge in every direction and whose values differ: the first of the page may be a plane without any.
+const figures = ["q1_bumpy_cube_h", "q1_lily_h"];
+const block = (page, n = 0) => page.locator(`#${figures[n]} .models[data-turnable]`);
 const canvasOf = (page) => page.locator(".model-stage canvas");
 const told = (page) => page.locator(".model-value").textContent();
 const modelFile = (page, n = 0) => block(page, n).locator('a[href$=".glb"]').first().getAttribute("href");
@@ -110,12 +112,13 @@ async function drag(page, dx, dy) {
     await page.waitForTimeout(100);
 }
 
-/// The share of pixels in which two screenshots differ by more than rounding.
+/// The share of pixels in which two screenshots differ by more than rounding; at the rim it depends on the scrolling whether a part of the
+/// frame is in the picture.
 async function share(page, a, b) {
-    const [one, other] = [await pixelsOf(page, a), await pixelsOf(page, b)];
+    const [one, other] = [await pixelsOf(page, a), await pixelsOf(page, b)], rim = 3;
     let count = 0;
-    for (let y = 0; y < one.height; ++y) {
-        for (let x = 0; x < one.width; ++x) count += one.at(x, y).some((c, k) => Math.abs(c - other.at(x, y)[k]) > 24);
+    for (let y = rim; y < one.height - rim; ++y) {
+        for (let x = rim; x < one.width - rim; ++x) count += one.at(x, y).some((c, k) => Math.abs(c - other.at(x, y)[k]) > 24);
     }
     return count / (one.width * one.height);
 }
@@ -187,14 +190,14 @@ describe("a model in the page", options, () => {
     test("starts by click and is drawn", async () => {
         await started(page);
         const pixels = await pixelsOf(page), ground = pixels.at(1, 1);
-        assert.notDeepEqual(pixels.at(Math.round(pixels.width / 4), Math.round(pixels.height / 2)), ground);
+        assert.notDeepEqual(pixels.at(Math.round(pixels.width / 2), Math.round(pixels.height / 2)), ground);
         assert.deepEqual(problemsOf(page), []);
     });
 
     test("turns by dragging, and reset turns it back", async () => {
         const still = await canvasOf(page).screenshot();
         await drag(page, 80, 30);
-        assert.notDeepEqual(await canvasOf(page).screenshot(), still);
+        assert.ok(await share(page, await canvasOf(page).screenshot(), still) > 0.02);
         await page.getByRole("button", { name: "Reset" }).click();
         await canvasOf(page).focus();
         await page.waitForTimeout(100);
