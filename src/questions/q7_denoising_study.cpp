@@ -104,7 +104,7 @@ void add_error_plot(report::Section& section, const DenoisingStudy& study) {
     }
     plot.series.push_back(std::move(clean));
     plot.caption = "Error of " + study.name() +
-                   " against the clean mesh while it is smoothed, one curve a noise level, its minimum marked. The dashed curve is "
+                   " against the clean mesh while it is smoothed, one curve a noise level, its minimum marked. The one without noise is "
                    "what smoothing alone does to the clean mesh: the price that rises while the noise falls.";
     plot.alt = plot.caption;
     section.blocks.push_back(std::move(plot));
