@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "report/child_process.h"
+#include "report/draft_picture.h"
 #include "report/escape.h"
 #include "report/pdf_finish.h"
 #include "report/print_page.h"
@@ -118,25 +119,32 @@ std::string printed(const PdfEngine& engine, const std::string& html, const fs::
     return read_file(pdf);
 }
 
+void write_files(const PrintJob& job, const fs::path& scratch, bool draft) {
+    for (const auto& [name, bytes] : job.files) {
+        fs::create_directories((scratch / name).parent_path());
+        write_file(scratch / name, draft ? draft_of_jpeg(bytes) : bytes);
+    }
+}
+
 }   // namespace
 
 std::string print_pdf(const PrintJob& job, const PdfEngine& engine, const fs::path& scratch) {
     require_self_contained(job);
-    for (const auto& [name, bytes] : job.files) {
-        fs::create_directories((scratch / name).parent_path());
-        write_file(scratch / name, bytes);
-    }
     const std::vector<PageHeading> headings = headings_of(job.html);
     PageNumbers numbers;
     std::string pdf;
+    // A browser is half as fast with pictures; those of the first pass, which is printed for its page numbers only, show nothing.
+    const bool drafted = engine.kind == PdfEngine::Kind::chromium && job.html.find(mark) != std::string::npos;
     for (int pass = 0; pass < most_passes; ++pass) {
+        const bool draft = drafted && pass == 0;
+        if (pass <= (drafted ? 1 : 0)) write_files(job, scratch, draft);
         std::string html = job.html;
         const bool asks = fill_in(html, numbers);
         pdf = printed(engine, html, scratch);
         const PdfContents contents = contents_of_pdf(pdf);
         if (contents.pages < 1) throw EngineError(engine.version + " printed no page");
         const PageNumbers now = page_numbers(headings, contents);
-        if (!asks || now == numbers) break;
+        if (!draft && (!asks || now == numbers)) break;
         numbers = now;
     }
     PdfDetails details{job.title, job.author, job.creator, job.date, {}, job.attachment_name, job.attachment};
