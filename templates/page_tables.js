@@ -31,6 +31,7 @@ function makeSortable(table) {
         button.type = "button";
         button.className = "sort";
         button.append(...[...head.childNodes].filter((node) => !node.classList?.contains("unit")));   // units have a line of their own
+        if (button.lastChild?.nodeType === Node.TEXT_NODE) button.lastChild.data = button.lastChild.data.trimEnd();   // the arrow stays with the last word
         head.prepend(button);
         button.addEventListener("click", () => {
             const before = head.getAttribute("aria-sort");
