@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -55,8 +56,30 @@ void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& 
     }
     tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
         const auto sheet = render::decode_png(read_file(folder / missing[i]->sheet));
-        if (sheet) output::add_paper_pictures(*missing[i], *sheet, {});
+        if (sheet) missing[i]->print_jpeg = render::encode_jpeg(*sheet, output::DrawSettings().print_quality);
     });
+    lighten(document, figures, folder);
+}
+
+/// Where all pictures together are too heavy, the heaviest get a lesser form beside them.
+void PaperCopy::lighten(const report::Document& document, report::DrawnFigures& figures, const fs::path& folder) const {
+    constexpr int lesser_quality = 72;
+    std::vector<report::DrawnFigure*> told;
+    std::size_t weight = 0;
+    for (const std::string& id : this->figures(document)) {
+        const auto drawn = figures.find(id);
+        if (drawn == figures.end()) continue;
+        told.push_back(&drawn->second);
+        weight += drawn->second.print_jpeg.size();
+    }
+    std::stable_sort(told.begin(), told.end(), [](const auto* a, const auto* b) { return a->print_jpeg.size() > b->print_jpeg.size(); });
+    for (report::DrawnFigure* figure : told) {
+        if (weight <= report::most_picture_bytes) break;
+        const auto sheet = render::decode_png(read_file(folder / figure->sheet));
+        if (!sheet) continue;
+        figure->print_jpeg_small = render::encode_jpeg(*sheet, lesser_quality);
+        weight -= figure->print_jpeg.size() - std::min(figure->print_jpeg.size(), figure->print_jpeg_small.size());
+    }
 }
 
 std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
@@ -69,8 +92,9 @@ std::string PaperCopy::write(const report::Document& document, const report::Dra
         try {
             pdf = printed_report(document, figures, templates_, extent_, *engine_);
         } catch (const Error& error) {
-            if (required_) throw EngineError(error.what());
-            return std::string("there is no report.pdf: ") + error.what();
+            const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
+            if (required_) throw EngineError(error.what(), remedy);
+            return std::string("there is no report.pdf: ") + error.what() + "; " + remedy;
         }
         try {
             if (!key_.empty()) store->put(key_, pdf);

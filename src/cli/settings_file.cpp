@@ -86,6 +86,9 @@ private:
             problems_.add(*table.node(key), table.called(key) + " has " + std::to_string(text->size()) + " bytes",
                           "at most " + std::to_string(limits::longest_text) + " are allowed");
         }
+        const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+        if (text && std::any_of(text->begin(), text->end(), is_control))
+            problems_.add(*table.node(key), table.called(key) + " has a control character", "write it on one line, with spaces for tabs");
         return text;
     }
 

@@ -184,7 +184,7 @@ void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSetti
     work.drawn.sheet = "images/" + request.id + "_sheet.png";
     write_file(folder / work.drawn.sheet, render::encode_png(image));
 
-    if (settings.on_paper.contains(request.id)) add_paper_pictures(work.drawn, image, settings);
+    if (settings.on_paper.contains(request.id)) work.drawn.print_jpeg = render::encode_jpeg(image, settings.print_quality);
     Preview preview = preview_of(image, settings.preview_width, settings.jpeg_quality);
     work.drawn.width = preview.width;
     work.drawn.height = preview.height;
@@ -215,11 +215,6 @@ struct Piece {
 };
 
 }   // namespace
-
-void add_paper_pictures(report::DrawnFigure& drawn, const render::Image& sheet, const DrawSettings& settings) {
-    drawn.print_jpeg = render::encode_jpeg(sheet, settings.print_quality);
-    drawn.print_jpeg_small = render::encode_jpeg(sheet, settings.small_print_quality);
-}
 
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
                                   const DrawSettings& settings, const std::function<void(double)>& progress) {

@@ -8,7 +8,6 @@
 #include <span>
 #include <string>
 
-#include "image.h"
 #include "output/figure_request.h"
 #include "report/document.h"
 
@@ -22,13 +21,9 @@ struct DrawSettings {
     int panel_width = 640;           // of the JPEG of one picture of a comparison
     int jpeg_quality = 82;
     std::set<std::string> on_paper = {};   // figures that also need their whole sheet as a JPEG
-    // Above 90 the encoder keeps the colours of every pixel, for half as many bytes again and twice the time.
-    int print_quality = 90, small_print_quality = 72;
-    int threads = 0;   // 0: all
+    int print_quality = 92;                // of the JPEG for paper: with the colours of every pixel
+    int threads = 0;                       // 0: all
 };
-
-/// The picture of a sheet for paper: whole, and small where a PDF must be light.
-void add_paper_pictures(report::DrawnFigure& drawn, const render::Image& sheet, const DrawSettings& settings);
 
 /// Writes images/… and, for figures that can be turned, models/… below `folder` and returns what the writers need.
 /// @throws OutputError

@@ -38,7 +38,7 @@ std::optional<std::string> read_if_there(const fs::path& path) try { return read
     return {};
 }
 
-/// The time of the last use. That of the last change is left alone: a linked file is also a picture of some report.
+/// The time of the last use; that of the last change is left alone.
 void mark_used(const fs::path& path) {
     const timespec times[2] = {{0, UTIME_NOW}, {0, UTIME_OMIT}};
     ::utimensat(AT_FDCWD, path.c_str(), times, 0);
@@ -141,17 +141,16 @@ std::string ResultCache::keep_file(const fs::path& file) {
     std::string digest = sha256(bytes);
     const fs::path path = object(digest);
     make_folder(path.parent_path());
-    if (!bytes_of(digest) && ::link(file.c_str(), path.c_str()) != 0 && errno != EEXIST) write_new(path, bytes);
+    if (!bytes_of(digest)) write_new(path, bytes);
     return digest;
 }
 
 bool ResultCache::place(const std::string& digest, const fs::path& target) {
     const std::optional<std::string> bytes = bytes_of(digest);
     if (!bytes) return false;
-    if (::link(object(digest).c_str(), target.c_str()) != 0) {
-        if (errno == EEXIST) throw OutputError(target.string(), "is there already");
-        write_file(target, *bytes);
-    }
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(target, error))) throw OutputError(target.string(), "is there already");
+    write_file(target, *bytes);
     return true;
 }
 

@@ -1,7 +1,7 @@
 /// @file
 /// What earlier runs made, to be taken instead of made again: bytes under a key, and files by their content. Nothing is trusted: whatever
-/// does not have the digest it was stored with is removed and counts as not there. Runs may share a cache; every change is one rename or
-/// link. The least recently used goes first when the cache grows over its limit.
+/// does not have the digest it was stored with is removed and counts as not there. Runs may share a cache; every change is one rename. The
+/// least recently used goes first when the cache grows over its limit.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ public:
 
     /// Bytes by their SHA-256, as put() stores them without a key.
     std::optional<std::string> bytes_of(const std::string& digest);
-    /// Stores bytes, or a file. Where the file system can, the file is linked and not copied: then both are one, which is why nothing of
-    /// ours ever writes into a file that has a second link (write_file() makes a new one).
+    /// Stores bytes, or a copy of a file. A link would be quicker, but then whoever edits a picture of one report in place, or makes it
+    /// executable, would change it in the cache and in every other report.
     /// @return the SHA-256
     /// @throws OutputError, InputError
     std::string keep(std::string_view bytes);

@@ -59,16 +59,15 @@ report::Text going_on(const Studies& studies) {
     const auto loss = [](const DenoisingTrial& trial) { return trial.rms.back() / trial.rms[static_cast<std::size_t>(trial.best_rms)]; };
     for (const DenoisingStudy& study : studies) {
         for (const DenoisingTrial& trial : study.trials) {
-            if (trial.best_rms == 0 || 2 * trial.best_rms > trial.iterations() || (worst != nullptr && loss(trial) <= loss(*worst)))
-                continue;
+            if (2 * trial.best_rms > trial.iterations() || (worst != nullptr && loss(trial) <= loss(*worst))) continue;
             where = &study;
             worst = &trial;
         }
     }
     if (worst == nullptr) return {};
     return report::text("Not stopping is dearest on ", where->name(), " at σ = ", readable_percent(worst->relative, 2), ": iteration ",
-                        std::to_string(worst->iterations()), " leaves ", readable(loss(*worst), 2), " times the error of iteration ",
-                        std::to_string(worst->best_rms), ".");
+                        std::to_string(worst->iterations()), " leaves ", readable(loss(*worst), 2), " times the error ",
+                        worst->best_rms == 0 ? "before any smoothing" : "of iteration " + std::to_string(worst->best_rms), ".");
 }
 
 report::Text what_happened(const Studies& studies) {

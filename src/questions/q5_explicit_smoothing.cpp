@@ -53,7 +53,7 @@ void add_before_after(Answer& answer, const ExplicitStudy& study, const std::str
                      " with the recommended step, λ = " + step_label(study.subject, run.lambda) + ": the Dirichlet energy falls to " +
                      readable(100 * run.energy.back()) + "\u202f% of the input's, and the normals turn by " +
                      readable(run.moved.mean_normal_angle * 180 / M_PI) + "° on average" +
-                     (std::isnan(run.volume_ratio) ? "." : "; " + readable(100 * run.volume_ratio) + "\u202f% of the volume are left.");
+                     (std::isnan(run.volume_ratio) ? "." : "; " + readable(100 * run.volume_ratio) + "\u202f% of the volume is left.");
     figure.before = panel_of(*study.subject.source, figure.id + "_input", "before");
     figure.after = panel_of(moved_to(study.subject.mesh(), run.result.X), figure.id + "_smoothed", "after " + times);
     figure.diagonal = study.subject.diagonal;

@@ -70,14 +70,14 @@ void add_before_after(Answer& answer, const ImplicitStudy& study, const std::str
     figure.id = id_of("q6", study.name(), "before_after");
     figure.title = study.name() + " before and after " + times + ", implicit";
     figure.subtitle = "λ = " + step_label(study.subject, shown->lambda);
-    figure.caption = study.name() + " before and after " + times +
-                     " of implicit smoothing at λ = " + step_label(study.subject, shown->lambda) +
-                     ", the largest step tried that keeps three quarters of the size: " + readable(100 * shown->implicit_energy) +
-                     "\u202f% of the Dirichlet energy are left" +
-                     (std::isnan(shown->volume_ratio) ? "" : " and " + readable(100 * shown->volume_ratio) + "\u202f% of the volume") +
-                     (shown->explicit_blow_up > 0
-                          ? ". The explicit scheme blew up at this step in iteration " + std::to_string(shown->explicit_blow_up) + "."
-                          : ". The explicit scheme took this step without blowing up.");
+    figure.caption =
+        study.name() + " before and after " + times + " of implicit smoothing at λ = " + step_label(study.subject, shown->lambda) +
+        ", the largest step tried that keeps three quarters of the box diagonal, here " +
+        readable_percent(size_left(study, shown->implicit_X)) + ". Of the Dirichlet energy " + readable_percent(shown->implicit_energy) +
+        " is left" + (std::isnan(shown->volume_ratio) ? "" : ", of the volume " + readable_percent(shown->volume_ratio)) +
+        (shown->explicit_blow_up > 0
+             ? ". The explicit scheme blew up at this step in iteration " + std::to_string(shown->explicit_blow_up) + "."
+             : ". The explicit scheme took this step without blowing up.");
     figure.before = panel_of(*study.subject.source, figure.id + "_input", "before");
     figure.after = panel_of(moved_to(study.subject.mesh(), shown->implicit_X), figure.id + "_smoothed", "after " + times);
     figure.diagonal = study.subject.diagonal;

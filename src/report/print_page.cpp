@@ -12,7 +12,6 @@ namespace meshfolio::report {
 namespace {
 
 constexpr std::size_t rows_of_the_whole = 60;
-constexpr std::size_t most_picture_bytes = 12 * 1000 * 1000;   // of a PDF that is to weigh 15 MB at most
 
 /// Without tags, entities resolved, spaces and line ends as one space each.
 std::string text_of(const std::string& html) {

@@ -2,6 +2,7 @@
 /// The report as a page to be printed: set by templates/print.html for A4, its pictures in files beside it.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@ struct PrintPage {
     std::string html;                           // "@page:ID@" stands for the number of the page that the heading ID is on
     std::map<std::string, std::string> files;   // by their paths relative to the page
 };
+
+/// Pictures of a PDF that is to weigh 15 MB at most. While they weigh more together, the heaviest are taken as
+/// DrawnFigure::print_jpeg_small, where they have one.
+inline constexpr std::size_t most_picture_bytes = 12 * 1000 * 1000;
 
 struct PrintOptions {
     Extent extent = Extent::brief;

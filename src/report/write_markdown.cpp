@@ -1,6 +1,7 @@
 // report.md for a repository or a job summary: GitHub-flavoured, small enough to be shown whole.
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -40,14 +41,17 @@ std::vector<std::string> parts_of(const std::string& text) {
     return parts;
 }
 
-/// The longest parts are cut between two lines, all to the same length and with a word about it, so that no question is lost whole.
-std::string cut(const std::string& text) {
-    const std::string note =
-        "\n\n*The rest of this part is left out, because this file would be too large to be shown; see* `index.html`.\n\n";
-    const std::vector<std::string> parts = parts_of(text);
+/// Does a part answer a question of the assignment? "## 4 Spectral reconstruction", where the others have letters or no number.
+bool is_answer(const std::string& part) {
+    const std::size_t title = part.find("## ");
+    return title != std::string::npos && title + 3 < part.size() && part[title + 3] >= '0' && part[title + 3] <= '9';
+}
+
+/// The length that parts may have for all together to fit; those that are `kept` have theirs.
+std::size_t length_for(const std::vector<std::string>& parts, const std::function<bool(const std::string&)>& kept) {
     const auto size_with = [&](std::size_t longest) {
         std::size_t sum = 0;
-        for (const std::string& part : parts) sum += std::min(part.size(), longest);
+        for (const std::string& part : parts) sum += kept(part) ? part.size() : std::min(part.size(), longest);
         return sum;
     };
     std::size_t fits = 0, too_long = size_limit;
@@ -55,10 +59,24 @@ std::string cut(const std::string& text) {
         const std::size_t middle = fits + (too_long - fits) / 2;
         (size_with(middle) <= size_limit ? fits : too_long) = middle;
     }
+    return fits;
+}
+
+/// The longest parts are cut between two lines, all to the same length and with a word about it. Answers to questions stay whole as long as
+/// something is left of the others.
+std::string cut(const std::string& text) {
+    constexpr std::size_t worth_reading = 3000;
+    const std::string note =
+        "\n\n*The rest of this part is left out, because this file would be too large to be shown; see* `index.html`.\n\n";
+    const std::vector<std::string> parts = parts_of(text);
+    std::size_t longest = length_for(parts, is_answer);
+    const bool answers_whole = longest >= worth_reading;
+    if (!answers_whole) longest = length_for(parts, [](const std::string&) { return false; });
     std::string all;
     for (const std::string& part : parts) {
-        const std::size_t kept = part.size() <= fits ? part.size() : part.rfind('\n', fits - std::min(fits, note.size()));
-        all += kept == part.size() ? part : part.substr(0, kept == std::string::npos ? 0 : kept) + note;
+        const bool whole = part.size() <= longest || (answers_whole && is_answer(part));
+        const std::size_t kept = whole ? part.size() : part.rfind('\n', longest - std::min(longest, note.size()));
+        all += whole ? part : part.substr(0, kept == std::string::npos ? 0 : kept) + note;
     }
     return all;
 }

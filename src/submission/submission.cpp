@@ -67,6 +67,7 @@ Submission pack(const ReportFolder& report, const SourceListing& listing, const 
         if (is_packed(path, options)) contents[path] = bytes;
     }
     enter_source(tree, contents);
+    contents["LICENSE"] = contents.at("source/LICENSE");
     contents["NOTICES.md"] = contents.at(std::string("source/") + notices_source);
     const std::string how_to = instructions(facts, listing, tree, options);
     contents["INSTRUCTIONS.md"] = how_to;

@@ -43,6 +43,13 @@ TEST(SettingsFile, EmptyIsGoodAndSetsNothing) {
     EXPECT_TRUE(settings.questions.empty());
 }
 
+TEST(SettingsFile, WordsOfTheReportAreOnOneLine) {
+    for (const std::string key : {"title", "author", "course"}) {
+        expect_problem("[report]\n" + key + " = \"a\\nb\"\n", 2, {key, "control character"});
+        expect_problem("[report]\n" + key + " = \"a\\u007fb\"\n", 2, {key, "control character"});
+    }
+}
+
 TEST(SettingsFile, EveryKeyIsRead) {
     const SettingsFile settings = parse_settings(R"(
 seed = 9

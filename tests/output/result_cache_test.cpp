@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <thread>
 #include <vector>
 
@@ -69,15 +70,20 @@ TEST(ResultCache, FilesAreKeptByTheirContent) {
     EXPECT_THROW(cache.place(sha256("picture"), folder.path() / "b"), OutputError);
 }
 
-TEST(ResultCache, WritingOverAPlacedFileLeavesTheOthersAlone) {
+TEST(ResultCache, WhatIsDoneToAPlacedFileLeavesTheOthersAlone) {
     const TemporaryFolder folder;
+    const fs::path first = folder.path() / "first.png", second = folder.path() / "second.png", third = folder.path() / "third.png";
+    write_file(first, "picture");
     ResultCache cache(folder.path() / "cache", roomy);
-    const std::string digest = cache.keep("picture");
-    ASSERT_TRUE(cache.place(digest, folder.path() / "a"));
-    ASSERT_TRUE(cache.place(digest, folder.path() / "b"));
-    write_file(folder.path() / "a", "another");
-    EXPECT_EQ(read_file(folder.path() / "b"), "picture");
-    EXPECT_EQ(cache.bytes_of(digest), "picture");
+    const std::string digest = cache.keep_file(first);
+    ASSERT_TRUE(cache.place(digest, second));
+    std::ofstream(second, std::ios::in | std::ios::out) << "P";   // in place, as an editor may
+    fs::permissions(second, fs::perms::owner_exec, fs::perm_options::add);
+    EXPECT_EQ(read_file(first), "picture");
+    ASSERT_TRUE(cache.place(digest, third));
+    EXPECT_EQ(read_file(third), "picture");
+    EXPECT_EQ(fs::status(third).permissions() & fs::perms::owner_exec, fs::perms::none);
+    EXPECT_THROW(cache.place(digest, third), OutputError) << "is there already";
 }
 
 TEST(ResultCache, DamageCountsAsAbsence) {

@@ -147,6 +147,15 @@ TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheirErrorIsLarger) {
     EXPECT_FALSE(has(told(study), "cannot tell such an edge")) << told(study);
 }
 
+TEST(DenoisingDiscussion, NotStoppingIsDearestWhereNothingHelpedToo) {
+    DenoisingStudy study = denoising_study(cube, quick_settings());
+    for (DenoisingTrial& trial : study.trials) {
+        trial.best_rms = 0;
+        trial.rms.front() = trial.rms.back() / 46;
+    }
+    EXPECT_TRUE(has(told(study), "leaves 46 times the error before any smoothing")) << told(study);
+}
+
 TEST(DenoisingDiscussion, WhetherMoreNoiseAsksForMoreIterationsIsRead) {
     DenoisingStudy study = denoising_study(cube, quick_settings());
     study.trials.front().best_rms = 1;

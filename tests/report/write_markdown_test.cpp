@@ -132,6 +132,25 @@ TEST(WriteMarkdown, NeverExceedsItsLimit) {
     }
 }
 
+TEST(WriteMarkdown, AnswersToQuestionsStayWholeWhileTheOthersAreCut) {
+    Document document = sample_document();
+    Section supporting = document.sections[0];
+    supporting.blocks.clear();
+    supporting.id = "truth";
+    for (int i = 0; i < 100; ++i) {
+        supporting.blocks.push_back(Paragraph{text(std::string(2000, 'x'))});
+        document.sections[0].blocks.push_back(Paragraph{text(std::string(1000, 'y'))});
+    }
+    document.sections[0].blocks.push_back(Paragraph{text("The last word of the answer.")});
+    supporting.blocks.push_back(Paragraph{text("The last word of what it rests on.")});
+    document.sections.push_back(supporting);
+    const std::string text = write_markdown(document, sample_figures(), Templates());
+    EXPECT_LE(text.size(), std::size_t{256 << 10});
+    EXPECT_NE(text.find("The last word of the answer."), std::string::npos);
+    EXPECT_EQ(text.find("The last word of what it rests on."), std::string::npos);
+    EXPECT_NE(text.find("## A "), std::string::npos);
+}
+
 TEST(WriteMarkdown, ChecksThatPassedAreLeftOutBeforeRowsAre) {
     Document document = sample_document();
     for (int i = 0; i < 3000; ++i) document.sections[1].checks.push_back(check_near("passes " + std::string(80, 'x'), 1, 1, 0));
