@@ -45,7 +45,12 @@ std::optional<report::PdfEngine> wanted_engine(const ReportFlags& flags) {
 std::string printed_report(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
                            report::Extent extent, const report::PdfEngine& engine) {
     const bool mathml = engine.kind == report::PdfEngine::Kind::chromium;
-    report::PrintPage page = report::print_page(document, figures, templates, {.extent = extent, .mathml = mathml});
+    // A first look does without page numbers in the contents, and comes a third sooner. Read from the document, so that a report rendered
+    // again is printed as it was.
+    const auto quick = document.provenance.settings.find("quick");
+    const bool first_look = quick != document.provenance.settings.end() && quick->second == "yes";
+    report::PrintPage page =
+        report::print_page(document, figures, templates, {.extent = extent, .mathml = mathml, .page_numbers = !first_look});
     const char* seconds = std::getenv("SOURCE_DATE_EPOCH");
     const report::PrintJob job{std::move(page.html),
                                std::move(page.files),

@@ -65,7 +65,7 @@ PrintPage print_page(const Document& document, const DrawnFigures& figures, cons
     ViewOptions view;
     view.timings = false;
     view.print_files = true;
-    view.page_numbers = true;
+    view.page_numbers = options.page_numbers;
     view.plain_formulas = !options.mathml;
     view.single_views = false;
     view.extent = options.extent;

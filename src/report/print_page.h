@@ -24,6 +24,7 @@ inline constexpr std::size_t most_picture_bytes = 12 * 1000 * 1000;
 struct PrintOptions {
     Extent extent = Extent::brief;
     bool mathml = true;            // the engine sets it; else formulas are plain text
+    bool page_numbers = true;      // in the contents, which takes a second pass of the engine
     std::size_t table_rows = 16;   // longer tables show their first and last rows; the whole report 60
 };
 

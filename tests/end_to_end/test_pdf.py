@@ -113,12 +113,22 @@ class Printed(unittest.TestCase):
         pages = [entry["destpageposfrom1"] for entry in top[0]["kids"]]
         self.assertEqual(pages, sorted(pages))
 
+    def contents_of(self, pdf):
+        pages = output_of("pdftotext", "-layout", pdf, "-").split("\f")
+        return next(page for page in pages if re.search(r"^ *Contents", page, re.M))
+
     def test_the_contents_name_the_pages_that_the_outline_leads_to(self):
-        entries = {entry["title"]: entry["destpageposfrom1"] for entry in self.json["outlines"][0]["kids"]}
-        pages = output_of("pdftotext", "-layout", self.pdf, "-").split("\f")
-        contents = next(page for page in pages if re.search(r"^ *Contents", page, re.M))
+        out = self.folder / "whole"
+        process = run("report", "--size", 96, "--only", "q2,preflight", "--pdf", "require", "--out", out)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        outlines = json.loads(output_of("qpdf", "--json=2", "--json-key=outlines", out / "report.pdf"))["outlines"]
+        entries = {entry["title"]: entry["destpageposfrom1"] for entry in outlines[0]["kids"]}
         for title in ("References", "Provenance"):
-            self.assertRegex(contents, rf"{title} +{entries[title]}\b")
+            self.assertRegex(self.contents_of(out / "report.pdf"), rf"{title} +{entries[title]}\b")
+
+    def test_a_first_look_has_no_page_numbers_in_its_contents(self):
+        self.assertRegex(self.contents_of(self.pdf), r"(?m)(Provenance|References) *$")
+        self.assertNotIn("@page", self.contents_of(self.pdf))
 
     def test_pages_are_numbered(self):
         pages = output_of("pdftotext", "-layout", self.pdf, "-").split("\f")[:-1]
