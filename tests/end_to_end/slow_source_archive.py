@@ -1,6 +1,6 @@
 """The source inside a submission, built from scratch somewhere else as its INSTRUCTIONS.md says: the same src.txt, the same tables.
 
-A compiler cache named in CMAKE_CXX_COMPILER_LAUNCHER (run-tests names ccache) makes it a minute where it takes several: every file is still
+A compiler cache named in CMAKE_CXX_COMPILER_LAUNCHER makes it a minute where it takes several: every file is still
 looked for and read, only what was compiled before from the same text is not compiled again."""
 
 import json
