@@ -7,7 +7,8 @@ namespace meshfolio::cli {
 
 namespace {
 
-/// Sum of the magnitudes of the angle deficits: 4π for what is closed and convex, 0 for what is flat, more the more there is to be seen.
+/// Sum of the magnitudes of the angle deficits [rad]: 4π for what is closed and convex, 0 for what is flat, more the more there is to be
+/// seen.
 double bending(const TriangleMesh& mesh) { return angle_deficit(mesh, topology_of(mesh)).cwiseAbs().sum(); }
 
 CoverOffer offer_with(const output::FigureRequest& figure) {

@@ -43,7 +43,7 @@ void add_pdf(nlohmann::ordered_json& json) {
     }
 }
 
-/// "/home/me/.cache/meshfolio, 171 MB of at most 2147 MB"
+/// The folder, and "171 MB of at most 2147 MB".
 std::string cache_in_words() try {
     const auto folder = output::default_cache_folder();
     if (!folder) return "none: neither XDG_CACHE_HOME nor HOME names a folder";

@@ -21,7 +21,7 @@ namespace meshfolio::cli {
 /// The picture for the first page that an answer offers: the figure of one mesh with values that is most worth seeing.
 struct CoverOffer {
     bool turnable = false;
-    double worth = 0;   // how much its mesh is bent; 0: none
+    double worth = 0;   // 1 + how much its mesh is bent [rad]; 0: nothing is offered
     std::string alt;
 
     bool beats(const CoverOffer& other) const { return std::pair(turnable, worth) > std::pair(other.turnable, other.worth); }
