@@ -1,7 +1,6 @@
 // Question 7: what Laplacian smoothing can do against noise, measured against the clean mesh.
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "number_text.h"
 #include "questions/comparison_figure.h"
@@ -157,7 +156,8 @@ void add_result_table(report::Section& section, const std::vector<DenoisingStudy
 void add_checks(report::Section& section, const DenoisingStudy& study) {
     const std::string on = " on " + study.name();
     const double n = study.clean->mesh().vertex_count();
-    const double fall = largest_rise(std::views::reverse(study.without_noise)) / study.diagonal;
+    const std::vector<double> backwards(study.without_noise.rbegin(), study.without_noise.rend());
+    const double fall = largest_rise(backwards) / study.diagonal;
     section.checks.push_back(check_at_most("without noise the error never falls: largest fall / box diagonal" + on, 0, fall, 1e-12));
     for (const DenoisingTrial& trial : study.trials) {
         // rms of 3n normal numbers has relative standard deviation 1/√(6n); five of them.

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ranges>
-
 using namespace meshfolio;
 
 TEST(ValueLists, AValueNamedTwiceIsOne) {
@@ -19,7 +17,7 @@ TEST(ValueLists, TheLastGivenCounts) {
 TEST(ValueLists, RisesAreBetweenNeighbours) {
     const std::vector<double> values{5, 2, 3, 1, 1.5};
     EXPECT_EQ(largest_rise(values), 1);
-    EXPECT_EQ(largest_rise(std::views::reverse(values)), 3);
+    EXPECT_EQ(largest_rise(std::vector<double>(values.rbegin(), values.rend())), 3);
     EXPECT_EQ(largest_rise(std::vector<double>{3, 2, 1}), 0);
     EXPECT_EQ(largest_rise(std::vector<double>{1}), 0);
     EXPECT_EQ(largest_rise(std::vector<double>{}), 0);
