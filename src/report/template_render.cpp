@@ -83,17 +83,9 @@ public:
         return lines_.take();
     }
 
-    TagUse result() const {
-        TagUse use;
-        for (const auto& [component, tag] : tags_) {
-            if (tag.state == State::known) continue;
-            const Tag named{tag.file, line_of(templates_[tag.file], component->position), component->position, component->tag.name};
-            (tag.state == State::unknown ? use.unknown : use.unreached).push_back(named);
-        }
-        std::sort(use.unknown.begin(), use.unknown.end());   // the map has no order
-        std::sort(use.unreached.begin(), use.unreached.end());
-        return use;
-    }
+    /// The tags in one of the two states that are worth telling, in the order of their places; the map has none.
+    std::vector<Tag> unknown() const { return tags_in(State::unknown); }
+    std::vector<Tag> unreached() const { return tags_in(State::unreached); }
 
 private:
     enum class State { unreached, known, unknown };
@@ -101,6 +93,16 @@ private:
         std::string file;
         State state = State::unreached;
     };
+
+    std::vector<Tag> tags_in(State state) const {
+        std::vector<Tag> tags;
+        for (const auto& [component, tag] : tags_) {
+            if (tag.state != state) continue;
+            tags.push_back({tag.file, line_of(templates_[tag.file], component->position), component->position, component->tag.name});
+        }
+        std::sort(tags.begin(), tags.end());
+        return tags;
+    }
 
     static bool is_looked_up(const Component& c) {
         using Type = mustache::tag_type;
@@ -203,16 +205,15 @@ std::optional<SyntaxProblem> syntax_problem(const std::string& text) {
 TagUse use_of_tags(const Templates& templates, const std::string& name, const json& model) {
     TagWalk walk(templates, model);
     walk.walk_file(name);
-    return walk.result();
+    return {walk.unknown(), walk.unreached()};
 }
 
 std::string render(const Templates& templates, const std::string& name, const json& model,
                    const std::function<std::string(const std::string&)>& escape) {
     TagWalk walk(templates, model, escape);
     walk.walk_file(name);
-    const TagUse use = walk.result();
-    if (!use.unknown.empty()) {
-        const Tag& tag = use.unknown.front();
+    if (const std::vector<Tag> unknown = walk.unknown(); !unknown.empty()) {
+        const Tag& tag = unknown.front();
         throw UsageError("nothing is called {{" + tag.name + "}} here", "compare it with the template that comes with meshfolio",
                          {tag.file, tag.line});
     }

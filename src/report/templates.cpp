@@ -42,16 +42,19 @@ Templates::Templates(const fs::path& folder) {
 }
 
 void Templates::replace(const std::string& name, const fs::path& file) {
-    const auto it = text_.find(name);
-    if (it == text_.end()) throw UsageError("there is no template " + name);
     try {
-        std::string text = read_file(file);
-        std::erase(text, '\r');
-        require_syntax(name, text, file.string());
-        it->second = std::move(text);
+        set(name, read_file(file), file.string());
     } catch (const InputError& error) {
         throw UsageError(error.what());
     }
+}
+
+void Templates::set(const std::string& name, std::string text, const std::string& file) {
+    const auto it = text_.find(name);
+    if (it == text_.end()) throw UsageError("there is no template " + name);
+    std::erase(text, '\r');
+    require_syntax(name, text, file);
+    it->second = std::move(text);
 }
 
 std::vector<std::string> Templates::names() const {

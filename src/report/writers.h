@@ -23,6 +23,9 @@ public:
     /// Takes the template `name` from a file.
     /// @throws UsageError for an unknown name, an unreadable file, or a syntax error (named with its line)
     void replace(const std::string& name, const std::filesystem::path& file);
+    /// Takes the template `name` from text. @param file  what messages call it
+    /// @throws UsageError for an unknown name or a syntax error (named with its line)
+    void set(const std::string& name, std::string text, const std::string& file);
 
 private:
     std::map<std::string, std::string> text_;
