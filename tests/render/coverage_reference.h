@@ -46,16 +46,18 @@ struct Sample {
     int top, bottom;
 };
 
+/// Of every `stride` samples, in their order, the one numbered `phase`.
 template <class Visit>
-void for_each_sample(const SampleTile& tile, const Visit& visit) {
+void for_each_sample(const SampleTile& tile, const Visit& visit, int stride = 1, int phase = 0) {
     const render::SamplePattern& pattern = tile.pattern();
-    for (int row = 0; row < tile.blocks_on_side(); ++row)
-        for (int column = 0; column < tile.blocks_on_side(); ++column) {
-            const SampleBlock& block = tile.row(row)[column];
-            for (std::size_t s = 0; s < 16; ++s)
-                visit(Sample{left + column * pattern.block_side * 256 + pattern.x[s], top + row * pattern.block_side * 256 + pattern.y[s],
-                             block.highest[s], block.lowest[s], block.top[s], block.bottom[s]});
-        }
+    const int blocks = tile.blocks_on_side();
+    for (int number = phase; number < 16 * blocks * blocks; number += stride) {
+        const int row = number / 16 / blocks, column = number / 16 % blocks;
+        const auto s = static_cast<std::size_t>(number % 16);
+        const SampleBlock& block = tile.row(row)[column];
+        visit(Sample{left + column * pattern.block_side * 256 + pattern.x[s], top + row * pattern.block_side * 256 + pattern.y[s],
+                     block.highest[s], block.lowest[s], block.top[s], block.bottom[s]});
+    }
 }
 
 inline SampleTile empty_tile(int samples) {
@@ -92,13 +94,14 @@ inline SampleTile drawn_wide(const std::vector<Triangle2>& triangles, int sample
     return tile;
 }
 
-/// Samples whose coverage differs from the reference.
-inline int disagreements(const Triangle2& t, const SampleTile& tile) {
+/// Samples whose coverage differs from the reference; stride and phase as above.
+inline int disagreements(const Triangle2& t, const SampleTile& tile, int stride = 1, int phase = 0) {
     int count = 0;
-    for_each_sample(tile, [&](const Sample& s) {
+    const auto compare = [&](const Sample& s) {
         const bool expected = covers(t, s.x, s.y);
         count += (s.top == 0) == expected && (s.bottom == 0) == expected ? 0 : 1;
-    });
+    };
+    for_each_sample(tile, compare, stride, phase);
     return count;
 }
 
