@@ -20,9 +20,11 @@ std::vector<Number> each_once(std::vector<Number> values) {
 inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
 
 /// Largest rise from one value to the next; 0 where none rises.
-inline double largest_rise(const std::vector<double>& values) {
+template <class Values>
+double largest_rise(const Values& values) {
     double rise = 0;
-    for (std::size_t i = 1; i < values.size(); ++i) rise = std::max(rise, values[i] - values[i - 1]);
+    for (auto value = values.begin(), end = values.end(); value != end && value + 1 != end; ++value)
+        rise = std::max(rise, value[1] - value[0]);
     return rise;
 }
 
