@@ -8,6 +8,7 @@
 #include <string>
 
 #include "file_bytes.h"
+#include "source_dir.h"
 
 using namespace meshfolio;
 namespace fs = std::filesystem;

@@ -10,6 +10,7 @@
 #include "file_bytes.h"
 #include "output/temporary_folder.h"
 #include "questions/reproductions.h"
+#include "source_dir.h"
 
 using namespace meshfolio;
 using namespace meshfolio::cli;

@@ -6,6 +6,7 @@
 
 #include "file_bytes.h"
 #include "output/temporary_folder.h"
+#include "source_dir.h"
 
 using namespace meshfolio;
 using namespace meshfolio::cli;

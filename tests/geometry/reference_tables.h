@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "file_bytes.h"
+#include "source_dir.h"
 
 namespace meshfolio::testing {
 

@@ -17,6 +17,7 @@
 #include "mesh/mesh_checks.h"
 #include "mesh/triangle_measures.h"
 #include "sha256.h"
+#include "source_dir.h"
 
 namespace meshfolio {
 namespace {

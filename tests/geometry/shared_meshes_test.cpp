@@ -10,6 +10,7 @@
 #include "geometry/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
 #include "mesh/mesh_checks.h"
+#include "source_dir.h"
 
 namespace meshfolio {
 namespace {

@@ -10,6 +10,7 @@
 #include "geometry/cotangent_laplacian.h"
 #include "geometry/operator_test_meshes.h"
 #include "mesh/mesh_files.h"
+#include "source_dir.h"
 
 namespace meshfolio::testing {
 

@@ -11,6 +11,7 @@
 #include "file_bytes.h"
 #include "mesh/mesh_checks.h"
 #include "number_text.h"
+#include "source_dir.h"
 
 using namespace meshfolio;
 namespace fs = std::filesystem;

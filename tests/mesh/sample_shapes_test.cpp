@@ -11,6 +11,7 @@
 #include "mesh/mesh_files.h"
 #include "mesh/mesh_topology.h"
 #include "mesh/triangle_measures.h"
+#include "source_dir.h"
 
 using namespace meshfolio;
 

@@ -13,6 +13,7 @@
 
 #include "mesh/mesh_files.h"
 #include "questions/question.h"
+#include "source_dir.h"
 
 namespace meshfolio::testing_tools {
 

@@ -12,6 +12,7 @@
 #include "questions/claim_list.h"
 #include "questions/claims_section.h"
 #include "questions/study_laws.h"
+#include "source_dir.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;

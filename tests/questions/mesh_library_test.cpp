@@ -11,6 +11,7 @@
 #include "mesh/sample_shapes.h"
 #include "output/temporary_folder.h"
 #include "sha256.h"
+#include "source_dir.h"
 
 using namespace meshfolio;
 using testing_tools::TemporaryFolder;

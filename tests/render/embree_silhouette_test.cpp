@@ -16,6 +16,8 @@
 #include <numbers>
 #include <string>
 
+#include "source_dir.h"
+
 namespace {
 
 using render::Image;

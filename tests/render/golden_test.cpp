@@ -10,6 +10,7 @@
 
 #include "golden.h"
 #include "shapes.h"
+#include "source_dir.h"
 
 namespace {
 

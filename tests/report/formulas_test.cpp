@@ -6,6 +6,7 @@
 #include "file_bytes.h"
 #include "report/bibliography.h"
 #include "report/test_tools.h"
+#include "source_dir.h"
 
 namespace meshfolio::report {
 namespace {

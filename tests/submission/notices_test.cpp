@@ -8,6 +8,7 @@
 #include <string>
 
 #include "file_bytes.h"
+#include "source_dir.h"
 #include "submission/source_tree.h"
 
 namespace meshfolio::submission {

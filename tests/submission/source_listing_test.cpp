@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "file_bytes.h"
+#include "source_dir.h"
 #include "submission/citations.h"
 
 namespace meshfolio::submission {
