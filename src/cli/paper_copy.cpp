@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -49,37 +48,19 @@ void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& 
         stored_ = store->get(key_);
         if (stored_) return;
     }
-    std::vector<report::DrawnFigure*> missing;
-    for (const std::string& id : this->figures(document)) {
-        const auto drawn = figures.find(id);
-        if (drawn != figures.end() && drawn->second.print_jpeg.empty()) missing.push_back(&drawn->second);
-    }
-    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-        const auto sheet = render::decode_png(read_file(folder / missing[i]->sheet));
-        if (sheet) missing[i]->print_jpeg = render::encode_jpeg(*sheet, output::DrawSettings().print_quality);
-    });
-    lighten(document, figures, folder);
-}
-
-/// Where all pictures together are too heavy, the heaviest get a lesser form beside them.
-void PaperCopy::lighten(const report::Document& document, report::DrawnFigures& figures, const fs::path& folder) const {
-    constexpr int lesser_quality = 72;
     std::vector<report::DrawnFigure*> told;
-    std::size_t weight = 0;
     for (const std::string& id : this->figures(document)) {
-        const auto drawn = figures.find(id);
-        if (drawn == figures.end()) continue;
-        told.push_back(&drawn->second);
-        weight += drawn->second.print_jpeg.size();
+        if (const auto drawn = figures.find(id); drawn != figures.end()) told.push_back(&drawn->second);
     }
-    std::stable_sort(told.begin(), told.end(), [](const auto* a, const auto* b) { return a->print_jpeg.size() > b->print_jpeg.size(); });
-    for (report::DrawnFigure* figure : told) {
-        if (weight <= report::most_picture_bytes) break;
-        const auto sheet = render::decode_png(read_file(folder / figure->sheet));
-        if (!sheet) continue;
-        figure->print_jpeg_small = render::encode_jpeg(*sheet, lesser_quality);
-        weight -= figure->print_jpeg.size() - std::min(figure->print_jpeg.size(), figure->print_jpeg_small.size());
-    }
+    const auto jpeg_of = [&](const report::DrawnFigure& figure, int quality) {
+        const auto sheet = render::decode_png(read_file(folder / figure.sheet));
+        return sheet ? render::encode_jpeg(*sheet, quality) : "";
+    };
+    tbb::parallel_for(std::size_t{0}, told.size(), [&](std::size_t i) {
+        if (told[i]->print_jpeg.empty()) told[i]->print_jpeg = jpeg_of(*told[i], output::DrawSettings().print_quality);
+    });
+    constexpr int lesser_quality = 72;
+    report::lighten(told, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
 }
 
 std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,

@@ -41,7 +41,6 @@ private:
     std::string key_;                     // in the cache; empty: not asked
     std::optional<std::string> stored_;   // bytes that the cache had
 
-    void lighten(const report::Document& document, report::DrawnFigures& figures, const std::filesystem::path& folder) const;
     std::string key_of(const report::Document& document, const report::DrawnFigures& figures, const std::filesystem::path& folder) const;
 };
 

@@ -268,7 +268,6 @@ struct DrawnFigure {
     int width = 0, height = 0;                                // of the preview
     std::vector<std::pair<std::string, std::string>> views;   // label ("+x", or "λ = 0.1, +x") → path of the full-size PNG
     std::string print_jpeg = {};                              // bytes, for paper; empty: no PDF is asked for
-    std::string print_jpeg_small = {};                        // of lower quality, where many have to share what a PDF may weigh
     std::vector<DrawnPanel> comparison = {};                  // before, after and their difference; empty: no comparison
     std::vector<DrawnModel> models = {};                      // one, or before and after with linked cameras; empty: cannot be turned
     bool operator==(const DrawnFigure&) const = default;

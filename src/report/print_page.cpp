@@ -38,28 +38,29 @@ std::string text_of(const std::string& html) {
     return text;
 }
 
-/// The pictures that are told: all in the better quality while they weigh little enough together, else the heaviest in the lesser one.
 std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Extent extent) {
-    std::vector<std::pair<std::string, const DrawnFigure*>> told;
-    std::size_t weight = 0;
-    for (const std::string& id : figures_told(document, extent)) {
-        const auto drawn = figures.find(id);
-        if (drawn == figures.end()) continue;
-        told.emplace_back(id, &drawn->second);
-        weight += drawn->second.print_jpeg.size();
-    }
-    std::stable_sort(told.begin(), told.end(),
-                     [](const auto& a, const auto& b) { return a.second->print_jpeg.size() > b.second->print_jpeg.size(); });
     std::map<std::string, std::string> files;
-    for (const auto& [id, drawn] : told) {
-        const bool small = weight > most_picture_bytes && !drawn->print_jpeg_small.empty();
-        if (small) weight -= drawn->print_jpeg.size() - std::min(drawn->print_jpeg.size(), drawn->print_jpeg_small.size());
-        files[print_file(id)] = small ? drawn->print_jpeg_small : drawn->print_jpeg;
+    for (const std::string& id : figures_told(document, extent)) {
+        if (const auto drawn = figures.find(id); drawn != figures.end()) files[print_file(id)] = drawn->second.print_jpeg;
     }
     return files;
 }
 
 }   // namespace
+
+void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser) {
+    std::size_t weight = 0;
+    for (const DrawnFigure* figure : figures) weight += figure->print_jpeg.size();
+    std::stable_sort(figures.begin(), figures.end(),
+                     [](const auto* a, const auto* b) { return a->print_jpeg.size() > b->print_jpeg.size(); });
+    for (DrawnFigure* figure : figures) {
+        if (weight <= most) return;
+        std::string lighter = lesser(*figure);
+        if (lighter.empty() || lighter.size() >= figure->print_jpeg.size()) continue;
+        weight -= figure->print_jpeg.size() - lighter.size();
+        figure->print_jpeg = std::move(lighter);
+    }
+}
 
 PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
     ViewOptions view;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,9 +18,11 @@ struct PrintPage {
     std::map<std::string, std::string> files;   // by their paths relative to the page
 };
 
-/// Pictures of a PDF that is to weigh 15 MB at most. While they weigh more together, the heaviest are taken as
-/// DrawnFigure::print_jpeg_small, where they have one.
+/// Pictures of a PDF that is to weigh 15 MB at most.
 inline constexpr std::size_t most_picture_bytes = 12 * 1000 * 1000;
+
+/// While the pictures for paper weigh more than `most` together, the heaviest gives way: to what `lesser` makes of it, if that is lighter.
+void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser);
 
 struct PrintOptions {
     Extent extent = Extent::brief;

@@ -8,6 +8,7 @@ each file as it has lines. The tree is copied to build/mutation and built there;
 ten times as long. The tests of the same module run first, then all of the layer, then those of the layer above. What cannot change any
 result (equivalent.tsv: file, line, mutated line, why) is told apart. Exit code 1 if fewer than 95 % are killed."""
 import argparse
+import os
 import random
 import re
 import shutil
@@ -89,7 +90,8 @@ def copy_tree():
 
 
 def build(target):
-    return subprocess.run(["cmake", "--build", str(BUILD), "--target", target], capture_output=True, text=True)
+    cache = {"CCACHE_BASEDIR": str(TREE), "CCACHE_NOHASHDIR": "1"}   # what was compiled anywhere else need not be again
+    return subprocess.run(["cmake", "--build", str(BUILD), "--target", target], env={**os.environ, **cache}, capture_output=True, text=True)
 
 
 def suites_beside(file, program):
@@ -112,25 +114,58 @@ def run_tests(program, filter_="*", limit=3600.0):
     return failed[1].rstrip(",") if failed else f"crash ({done.returncode})"
 
 
-def verdict(mutant, limits):
+class Programs:
+    """Test programs, each built when it is first needed, with the time that it may take."""
+
+    def __init__(self):
+        launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+        subprocess.run(["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DMESHFOLIO_TESTS=ON",
+                        *launcher], check=True, stdout=subprocess.DEVNULL)
+        self.limits = {}
+
+    def limit(self, program):
+        """Of the tree as it is: only call it without a mutant."""
+        if program not in self.limits:
+            if (done := build(program)).returncode != 0:
+                sys.exit(done.stdout[-3000:])
+            began = time.monotonic()
+            if failed := run_tests(program):
+                sys.exit(f"{program} fails without any mutant: {failed}")
+            self.limits[program] = 10 * (time.monotonic() - began) + 10
+        return self.limits[program]
+
+
+class planted:
+    """The tree with a mutant in it."""
+
+    def __init__(self, mutant):
+        self.file, self.mutant = TREE / mutant.file, mutant
+
+    def __enter__(self):
+        self.text = self.file.read_text()
+        lines = self.text.split("\n")
+        lines[self.mutant.line - 1] = self.mutant.after
+        self.file.write_text("\n".join(lines))
+
+    def __exit__(self, *_):
+        self.file.write_text(self.text)
+
+
+def verdict(mutant, programs):
     """How the mutant dies; "" if it lives, nothing if it is no program."""
     layer = next(layer for layer in LAYERS if mutant.file.startswith(layer))
     own, above = LAYERS[layer]
-    file = TREE / mutant.file
-    text = file.read_text()
-    lines = text.split("\n")
-    lines[mutant.line - 1] = mutant.after
-    file.write_text("\n".join(lines))
-    try:
+    limit = programs.limit(own)
+    with planted(mutant):
         if build(own).returncode != 0:
             return None
         near = suites_beside(mutant.file, own)
-        killer = (run_tests(own, near, limits[own]) if near else "") or run_tests(own, limit=limits[own])
-        if not killer and build(above).returncode == 0:
-            killer = run_tests(above, limit=limits[above])
+        killer = (run_tests(own, near, limit) if near else "") or run_tests(own, limit=limit)
+    if killer:
         return killer
-    finally:
-        file.write_text(text)
+    limit = programs.limit(above)
+    with planted(mutant):
+        return run_tests(above, limit=limit) if build(above).returncode == 0 else None
 
 
 def equivalents():
@@ -154,17 +189,7 @@ def main():
 
     TREE.mkdir(parents=True, exist_ok=True)
     copy_tree()
-    subprocess.run(["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DMESHFOLIO_TESTS=ON"],
-                   check=True, stdout=subprocess.DEVNULL)
-    limits = {}
-    for program in sorted({program for pair in LAYERS.values() for program in pair}):
-        if (done := build(program)).returncode != 0:
-            sys.exit(done.stdout[-3000:])
-        began = time.monotonic()
-        if failed := run_tests(program):
-            sys.exit(f"{program} fails without any mutant: {failed}")
-        limits[program] = 10 * (time.monotonic() - began) + 10
-
+    programs = Programs()
     known, killed, lived, same = equivalents(), 0, [], 0
     for mutant in drawn:
         if killed + len(lived) + same == options.mutants:
@@ -173,7 +198,7 @@ def main():
             same += 1
             print(f"same    {mutant.name()}  <- {known[mutant.file, mutant.after.strip()]}", flush=True)
             continue
-        killer = verdict(mutant, limits)
+        killer = verdict(mutant, programs)
         if killer is None:
             continue
         killed += bool(killer)

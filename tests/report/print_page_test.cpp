@@ -52,19 +52,23 @@ TEST(PrintPage, EveryPictureIsAFileBesideIt) {
 }
 
 TEST(PrintPage, TheHeaviestPicturesGiveWayWhenAllTogetherAreTooHeavy) {
-    DrawnFigures figures = figures_for_paper();
-    figures.at("cover").print_jpeg = std::string(9'000'000, 'c');
-    figures.at("q1_plane_h").print_jpeg = std::string(2'000'000, 'p');
-    for (auto& [id, figure] : figures) figure.print_jpeg_small = "small";
-    const auto cover = [&] { return print_page(sample_document(), figures, Templates(), {}).files.at(print_file("cover")).size(); };
-    const auto plane = [&] { return print_page(sample_document(), figures, Templates(), {}).files.at(print_file("q1_plane_h")).size(); };
-    EXPECT_EQ(cover(), 9'000'000u);
-    figures.at("cover").print_jpeg.append(2'000'000, 'c');
-    EXPECT_EQ(cover(), 5u);
-    EXPECT_EQ(plane(), 2'000'000u);
-    figures.at("q1_plane_h").print_jpeg.append(11'000'000, 'p');
-    EXPECT_EQ(plane(), 5u);
-    EXPECT_EQ(cover(), 11'000'000u);   // enough has given way
+    const auto sizes_after = [](std::vector<std::size_t> sizes, std::size_t most, const std::string& lesser) {
+        std::vector<DrawnFigure> figures(sizes.size());
+        std::vector<DrawnFigure*> all;
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            figures[i].print_jpeg = std::string(sizes[i], 'x');
+            all.push_back(&figures[i]);
+        }
+        lighten(all, most, [&](const DrawnFigure&) { return lesser; });
+        for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = figures[i].print_jpeg.size();
+        return sizes;
+    };
+    using Sizes = std::vector<std::size_t>;
+    EXPECT_EQ(sizes_after({90, 20}, 110, "small"), (Sizes{90, 20}));
+    EXPECT_EQ(sizes_after({20, 110}, 120, "small"), (Sizes{20, 5}));   // enough has given way
+    EXPECT_EQ(sizes_after({20, 110}, 12, "small"), (Sizes{5, 5}));
+    EXPECT_EQ(sizes_after({20, 110}, 12, std::string(50, 's')), (Sizes{20, 50}));   // never for something heavier
+    EXPECT_EQ(sizes_after({20, 110}, 12, ""), (Sizes{20, 110}));                    // a picture that could not be read
 }
 
 TEST(PrintPage, IsWellFormedXml) {

@@ -90,7 +90,6 @@ DrawnFigures names_only(DrawnFigures figures) {
     for (auto& [id, figure] : figures) {
         figure.preview_jpeg.clear();
         figure.print_jpeg.clear();
-        figure.print_jpeg_small.clear();
         figure.width = figure.height = 0;
         for (DrawnPanel& panel : figure.comparison) panel = {panel.label, panel.file, "", 0, 0};
         for (DrawnModel& model : figure.models) model.glb.clear();
