@@ -8,6 +8,8 @@
 #include "file_bytes.h"
 #include "geometry/curvature.h"
 #include "geometry/laplace_operator.h"
+#include "in_quotes.h"
+#include "mesh/text_scanner.h"
 #include "mesh/triangle_measures.h"
 #include "nearest_word.h"
 #include "number_text.h"
@@ -16,23 +18,53 @@ namespace meshfolio::cli {
 
 namespace {
 
-std::vector<std::string_view> split(std::string_view line, char separator) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const std::size_t at = line.find(separator);
-        cells.push_back(line.substr(0, at));
-        if (at == std::string_view::npos) return cells;
-        line.remove_prefix(at + 1);
-    }
+constexpr std::uintmax_t largest_csv = std::uintmax_t{1} << 30;   // bytes
+constexpr double largest_value = 1e100;                           // that of coordinates: differences must not overflow
+constexpr const char* csv_remedy = "write a header and one row a vertex, such as meshfolio curvature --csv gives";
+
+std::size_t cell_count(std::string_view line) { return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')); }
+
+/// A cell of a line that has so many. Quotes are not taken off: numbers have none.
+std::string_view cell(std::string_view line, std::size_t number) {
+    for (; number > 0; --number) line.remove_prefix(line.find(',') + 1);
+    return line.substr(0, line.find(','));
 }
 
-/// Takes the first line off `text`, without its line end.
-std::string_view next_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
+/// The place of a column in the header.
+std::size_t column_named(const std::string& column, std::string_view header, const std::string& file) {
+    const std::size_t count = cell_count(header);
+    std::string_view rest = header;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (cell(rest, 0) == column) return i;
+        rest.remove_prefix(std::min(rest.find(','), rest.size() - 1) + 1);
+    }
+    throw InputError({file, 1}, "no column " + in_quotes(column), "the header is " + in_quotes(header, 200));
+}
+
+/// One value a row; NaN for an empty cell.
+Vector column_of(std::string_view text, const std::string& column, Eigen::Index rows, const std::string& file) {
+    LineScanner lines(text);
+    if (!lines.next()) throw InputError({file, 0}, "file is empty", csv_remedy);
+    const std::size_t columns = cell_count(lines.line()), place = column_named(column, lines.line(), file);
+    const std::string of_the_mesh = "the mesh has " + std::to_string(rows) + " vertices";
+    Vector values = Vector::Constant(rows, std::numeric_limits<double>::quiet_NaN());
+    for (Eigen::Index v = 0; v < rows; ++v) {
+        if (!lines.next())
+            throw InputError({file, lines.number()}, "ends after " + std::to_string(v) + " rows, " + of_the_mesh, csv_remedy);
+        const Location here{file, lines.number()};
+        const std::size_t cells = cell_count(lines.line());
+        if (cells != columns)
+            throw InputError(here, std::to_string(cells) + " cells, the header has " + std::to_string(columns), csv_remedy);
+        const std::string_view word = cell(lines.line(), place);
+        if (word.empty()) continue;
+        const auto value = parse_number(word);
+        if (!value) throw InputError(here, in_quotes(word) + " is not a finite number", "leave the cell empty where there is no value");
+        if (std::abs(*value) > largest_value)
+            throw InputError(here, in_quotes(word) + " is out of the supported range (1e100)", "scale the values");
+        values[v] = *value;
+    }
+    if (lines.next()) throw InputError({file, lines.number()}, "more rows than " + of_the_mesh, csv_remedy);
+    return values;
 }
 
 }   // namespace
@@ -68,42 +100,19 @@ Field field_of(const PreparedMesh& mesh, const std::string& name) {
     for (const auto& [axis, column] : {std::pair{"x", 0}, std::pair{"y", 1}, std::pair{"z", 2}}) {
         if (name == axis) return {mesh.mesh.X.col(column), name, "length", false, 1e-9 * diagonal};
     }
-    throw UsageError("unknown field '" + name + "'", "did you mean '" + nearest_word(name, field_names()) + "'?");
+    throw UsageError("unknown field " + in_quotes(name), "did you mean '" + nearest_word(name, field_names()) + "'?");
 }
 
 Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_column) {
     const std::size_t colon = file_and_column.rfind(':');
-    if (colon == std::string::npos) throw UsageError("--values needs FILE.csv:COLUMN, not '" + file_and_column + "'");
+    if (colon == std::string::npos) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
-    const std::string bytes = read_file(file);
-    std::string_view rest = bytes;
-    const std::vector<std::string_view> header = split(next_line(rest), ',');
-    const auto found = std::find(header.begin(), header.end(), column);
-    if (found == header.end())
-        throw InputError({file, 1}, "no column '" + column + "'", "the header is '" + bytes.substr(0, bytes.find('\n')) + "'");
-    const auto at = static_cast<std::size_t>(found - header.begin());
-
+    if (file.empty() || column.empty()) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
+    const std::string bytes = read_file(file, largest_csv);
+    refuse_nul_bytes(bytes, file);
     Field field;
     field.quantity = column;
-    field.values = Vector::Constant(mesh.mesh.vertex_count(), std::numeric_limits<double>::quiet_NaN());
-    long line = 1;
-    for (Eigen::Index v = 0; v < field.values.size(); ++v) {
-        ++line;
-        if (rest.empty()) {
-            throw InputError({file, line}, "ends after " + std::to_string(v) + " rows, the mesh has " +
-                                               std::to_string(field.values.size()) + " vertices");
-        }
-        const std::vector<std::string_view> cells = split(next_line(rest), ',');
-        if (cells.size() != header.size()) {
-            throw InputError({file, line}, std::to_string(cells.size()) + " cells, the header has " + std::to_string(header.size()));
-        }
-        if (cells[at].empty()) continue;
-        const auto value = parse_number(cells[at]);
-        if (!value) throw InputError({file, line}, "'" + std::string(cells[at]) + "' is not a finite number");
-        field.values[v] = *value;
-    }
-    if (!rest.empty())
-        throw InputError({file, line + 1}, "more rows than the mesh has vertices (" + std::to_string(field.values.size()) + ")");
+    field.values = column_of(without_bom(bytes), column, mesh.mesh.vertex_count(), file);
     const double low = field.values.array().isNaN().select(0, field.values).minCoeff();
     const double high = field.values.array().isNaN().select(0, field.values).maxCoeff();
     field.is_signed = low < 0 && high > 0;
