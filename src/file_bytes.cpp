@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <new>
 
 #include "errors.h"
 #include "large_pages.h"
@@ -36,25 +37,35 @@ private:
     int fd_;
 };
 
+/// A text of `size` bytes. A file may say that it is larger than the memory.
+std::string room_for(std::uintmax_t size, const Location& where) try {
+    std::string bytes;
+    bytes.reserve(size);
+    prefer_large_pages(bytes.data(), size);
+    bytes.resize(size);
+    return bytes;
+} catch (const std::bad_alloc&) {
+    throw InputError(where, "out of memory for the " + std::to_string(size) + " bytes of the file", "use a smaller one");
+}
+
 }   // namespace
 
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     const Location where{path.string(), 0};
     // O_NONBLOCK: opening a FIFO that nobody writes to must not hang.
     Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (file.get() < 0) throw InputError(where, "cannot open the file (" + reason() + ")");
+    if (file.get() < 0) throw InputError(where, "cannot open the file (" + reason() + ")", "check its name and the right to read it");
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) throw InputError(where, "cannot examine the file (" + reason() + ")");
-    if (S_ISDIR(status.st_mode)) throw InputError(where, "is a folder, not a file");
-    if (!S_ISREG(status.st_mode)) throw InputError(where, "is not a regular file");
+    if (S_ISDIR(status.st_mode)) throw InputError(where, "is a folder, not a file", "name a file in it");
+    if (!S_ISREG(status.st_mode))
+        throw InputError(where, "is not a regular file", "pipes and devices are not read; save what they give as a file");
     const auto size = static_cast<std::uintmax_t>(status.st_size);
     if (size > limit) {
-        throw InputError(where, "the file has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit));
+        throw InputError(where, "the file has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit),
+                         "make it smaller");
     }
-    std::string bytes;
-    bytes.reserve(size);
-    prefer_large_pages(bytes.data(), size);
-    bytes.resize(size);
+    std::string bytes = room_for(size, where);
     std::size_t have = 0;
     while (have < bytes.size()) {
         const ssize_t got = ::read(file.get(), bytes.data() + have, bytes.size() - have);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "errors.h"
+#include "in_quotes.h"
 #include "number_text.h"
 
 namespace meshfolio::cli {
@@ -10,18 +11,19 @@ namespace meshfolio::cli {
 namespace {
 
 [[noreturn]] void refuse(const std::string& option, std::string_view text, const std::string& wanted) {
-    throw UsageError(option + " '" + std::string(text) + "' is not " + wanted);
+    throw UsageError(option + " " + in_quotes(text) + " is not " + wanted);
 }
 
 }   // namespace
 
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(separator), text.size());
-        if (end > 0) parts.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
+    if (text.empty()) return parts;
+    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+        parts.emplace_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
     }
+    parts.emplace_back(text);
     return parts;
 }
 
@@ -35,7 +37,6 @@ long long integer_between(const std::string& option, std::string_view text, long
 std::vector<int> integers_between(const std::string& option, std::string_view text, int low, int high) {
     std::vector<int> values;
     for (const std::string& part : split(text, ',')) values.push_back(static_cast<int>(integer_between(option, part, low, high)));
-    if (values.empty() && !text.empty()) refuse(option, text, "a list of integers");
     return values;
 }
 

@@ -8,7 +8,7 @@
 
 namespace meshfolio::cli {
 
-/// The parts between separators; empty ones are left out.
+/// The parts between separators, empty ones too; none of an empty text.
 std::vector<std::string> split(std::string_view text, char separator);
 
 long long integer_between(const std::string& option, std::string_view text, long long low, long long high);

@@ -80,13 +80,21 @@ bool is_shortage(const std::exception& error) {
     return std::string_view(error.what()).starts_with("pthread_create");
 }
 
+/// A broken file of another kind may have a problem on every line.
+void complain_about(const SettingsErrors& errors) {
+    constexpr std::size_t most = 38;
+    const std::size_t told = std::min(most, errors.problems().size());
+    for (std::size_t i = 0; i < told; ++i) complain(errors.problems()[i].what());
+    if (told < errors.problems().size()) complain("… and " + std::to_string(errors.problems().size() - told) + " more problems");
+}
+
 }   // namespace
 
 int run(int argc, const char* const* argv) {
     try {
         return static_cast<int>(parse_and_run(argc, argv));
     } catch (const SettingsErrors& errors) {
-        for (const UsageError& problem : errors.problems()) complain(problem.what());
+        complain_about(errors);
         return static_cast<int>(errors.exit_code());
     } catch (const Error& error) {
         complain(error.what());

@@ -1,62 +1,65 @@
 #include "cli/csv_column.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <vector>
 
 #include "errors.h"
+#include "in_quotes.h"
+#include "mesh/text_scanner.h"
 #include "number_text.h"
 
 namespace meshfolio::cli {
 
 namespace {
 
-std::vector<std::string_view> split(std::string_view line, char separator) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const std::size_t at = line.find(separator);
-        cells.push_back(line.substr(0, at));
-        if (at == std::string_view::npos) return cells;
-        line.remove_prefix(at + 1);
-    }
+constexpr double largest_value = 1e100;   // that of coordinates: differences must not overflow
+constexpr const char* csv_remedy = "write a header and one row a vertex, such as meshfolio curvature --csv gives";
+
+std::size_t cell_count(std::string_view line) { return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')); }
+
+/// A cell of a line that has so many. Quotes are not taken off: numbers have none.
+std::string_view cell(std::string_view line, std::size_t number) {
+    for (; number > 0; --number) line.remove_prefix(line.find(',') + 1);
+    return line.substr(0, line.find(','));
 }
 
-/// Takes the first line off `text`, without its line end.
-std::string_view next_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
+/// The place of a column in the header.
+std::size_t column_named(const std::string& column, std::string_view header, const std::string& file) {
+    const std::size_t count = cell_count(header);
+    std::string_view rest = header;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (cell(rest, 0) == column) return i;
+        rest.remove_prefix(std::min(rest.find(','), rest.size() - 1) + 1);
+    }
+    throw InputError({file, 1}, "no column " + in_quotes(column), "the header is " + in_quotes(header, 200));
 }
 
 }   // namespace
 
-Vector csv_column(std::string_view text, const std::string& file, const std::string& column, Eigen::Index rows) {
-    std::string_view rest = text;
-    const std::vector<std::string_view> header = split(next_line(rest), ',');
-    const auto found = std::find(header.begin(), header.end(), column);
-    if (found == header.end())
-        throw InputError({file, 1}, "no column '" + column + "'", "the header is '" + std::string(text.substr(0, text.find('\n'))) + "'");
-    const auto at = static_cast<std::size_t>(found - header.begin());
-
+Vector csv_column(std::string_view bytes, const std::string& file, const std::string& column, Eigen::Index rows) {
+    refuse_nul_bytes(bytes, file);
+    LineScanner lines(without_bom(bytes));
+    if (!lines.next()) throw InputError({file, 0}, "file is empty", csv_remedy);
+    const std::size_t columns = cell_count(lines.line()), place = column_named(column, lines.line(), file);
+    const std::string of_the_mesh = "the mesh has " + std::to_string(rows) + " vertices";
     Vector values = Vector::Constant(rows, std::numeric_limits<double>::quiet_NaN());
-    long line = 1;
     for (Eigen::Index v = 0; v < rows; ++v) {
-        ++line;
-        if (rest.empty()) {
-            throw InputError({file, line}, "ends after " + std::to_string(v) + " rows, the mesh has " + std::to_string(rows) + " vertices");
-        }
-        const std::vector<std::string_view> cells = split(next_line(rest), ',');
-        if (cells.size() != header.size()) {
-            throw InputError({file, line}, std::to_string(cells.size()) + " cells, the header has " + std::to_string(header.size()));
-        }
-        if (cells[at].empty()) continue;
-        const auto value = parse_number(cells[at]);
-        if (!value) throw InputError({file, line}, "'" + std::string(cells[at]) + "' is not a finite number");
+        if (!lines.next())
+            throw InputError({file, lines.number()}, "ends after " + std::to_string(v) + " rows, " + of_the_mesh, csv_remedy);
+        const Location here{file, lines.number()};
+        const std::size_t cells = cell_count(lines.line());
+        if (cells != columns)
+            throw InputError(here, std::to_string(cells) + " cells, the header has " + std::to_string(columns), csv_remedy);
+        const std::string_view word = cell(lines.line(), place);
+        if (word.empty()) continue;
+        const auto value = parse_number(word);
+        if (!value) throw InputError(here, in_quotes(word) + " is not a finite number", "leave the cell empty where there is no value");
+        if (std::abs(*value) > largest_value)
+            throw InputError(here, in_quotes(word) + " is out of the supported range (1e100)", "scale the values");
         values[v] = *value;
     }
-    if (!rest.empty()) throw InputError({file, line + 1}, "more rows than the mesh has vertices (" + std::to_string(rows) + ")");
+    if (lines.next()) throw InputError({file, lines.number()}, "more rows than " + of_the_mesh, csv_remedy);
     return values;
 }
 

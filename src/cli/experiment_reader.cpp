@@ -4,9 +4,9 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "colormap.h"
+#include "in_quotes.h"
 #include "nearest_word.h"
 #include "questions/mesh_library.h"
 #include "questions/settings.h"
@@ -115,27 +115,26 @@ private:
         return text;
     }
 
-    /// A list whose words are all known, each once; empty when the key is missing or a word is wrong.
+    /// The words of a list that are known, each once.
     Words some_of(const TableReader& reader, const std::string& key, const Words& known) {
-        const Words words = reader.texts(key);
-        std::set<std::string> seen;
-        for (const std::string& word : words) {
+        Words good;
+        reader.texts(key, [&](const std::string& word, const toml::node& where) {
             if (!contains(known, word)) {
-                problems_.add(*reader.node(key), "unknown " + key + " '" + word + "' in [[experiment]]",
+                problems_.add(where, "unknown " + key + " " + in_quotes(word) + " in [[experiment]]",
                               known.empty() ? "there is none" : "did you mean '" + nearest_word(word, known) + "'?");
-                return {};
+            } else if (contains(good, word)) {
+                problems_.add(where, reader.called(key) + " '" + word + "' is given twice", "name it once");
+            } else {
+                good.push_back(word);
             }
-            if (seen.insert(word).second) continue;
-            problems_.add(*reader.node(key), reader.called(key) + " '" + word + "' is given twice", "name it once");
-            return {};
-        }
-        return words;
+        });
+        return good;
     }
 
     std::optional<std::string> one_of(const TableReader& reader, const std::string& key, const Words& known) {
         const auto word = reader.text(key);
         if (!word || contains(known, *word)) return word;
-        problems_.add(*reader.node(key), "unknown " + key + " '" + *word + "' in [[experiment]]",
+        problems_.add(*reader.node(key), "unknown " + key + " " + in_quotes(*word) + " in [[experiment]]",
                       "did you mean '" + nearest_word(*word, known) + "'?");
         return {};
     }
@@ -172,11 +171,11 @@ private:
         std::sort(experiment.k.begin(), experiment.k.end());
         if (const auto seed = reader.integer("seed", 0, std::numeric_limits<std::int64_t>::max()))
             experiment.seed = static_cast<std::uint64_t>(*seed);
-        if (!experiment.minimum.empty() && experiment.minimum.size() != experiment.noise.size()) {
-            problems_.add(*reader.node("minimum"),
-                          "[[experiment]] minimum has " + std::to_string(experiment.minimum.size()) + " values for " +
-                              std::to_string(experiment.noise.size()) + " levels of noise",
-                          "give one a level, 0 where the report says nothing");
+        if (const std::size_t given = reader.size("minimum"), levels = reader.size("noise"); given > 0 && given != levels) {
+            problems_.add(
+                *reader.node("minimum"),
+                "[[experiment]] minimum has " + std::to_string(given) + " values for " + std::to_string(levels) + " levels of noise",
+                "give one a level, 0 where the report says nothing");
         }
     }
 
@@ -197,11 +196,11 @@ private:
 };
 
 OriginalMesh read_original(const toml::table& table, const std::string& name, Problems& problems) {
-    const std::string called = "[original." + name + "]";
+    const std::string called = "[original." + printable(name) + "]";
     const TableReader reader(table, called, {"file", "stand_in", "lambda_crit", "mean_edge", "diagonal"}, problems);
     const auto number = [&](const char* key) {
         const std::vector<double> values = reader.numbers(key, 0, limits::largest_lambda, true);
-        if (values.size() > 1) problems.add(*reader.node(key), reader.called(key) + " is a list", "give one number");
+        if (reader.size(key) > 1) problems.add(*reader.node(key), reader.called(key) + " is a list", "give one number");
         return values.empty() ? 0 : values.front();
     };
     OriginalMesh mesh{name,
@@ -210,11 +209,11 @@ OriginalMesh read_original(const toml::table& table, const std::string& name, Pr
                       number("lambda_crit"),
                       number("mean_edge"),
                       number("diagonal")};
-    if (mesh.file.find('\0') != std::string::npos) problems.add(*reader.node("file"), called + " file contains a NUL");
+    if (mesh.file.find('\0') != std::string::npos) problems.add(*reader.node("file"), called + " file contains a NUL", "name a file");
     if (reader.node("stand_in") == nullptr) {
         problems.add(table, called + " has no stand_in", "name the bundled mesh that takes its place");
     } else if (!mesh.stand_in.empty() && !contains(bundled_meshes(), mesh.stand_in)) {
-        problems.add(*reader.node("stand_in"), called + " stand_in '" + mesh.stand_in + "' is not a bundled mesh",
+        problems.add(*reader.node("stand_in"), called + " stand_in " + in_quotes(mesh.stand_in) + " is not a bundled mesh",
                      "did you mean '" + nearest_word(mesh.stand_in, bundled_meshes()) + "'?");
     }
     return mesh;
@@ -246,18 +245,13 @@ std::vector<Experiment> read_experiments(const toml::table& root, Problems& prob
     std::vector<Experiment> experiments;
     const toml::node* node = root.get("experiment");
     if (node == nullptr) return experiments;
-    const toml::array* tables = node->as_array();
-    if (tables == nullptr || !node->is_array_of_tables()) {
-        problems.add(*node, "experiment is not a list of tables", "write [[experiment]] above each");
-        return experiments;
-    }
-    if (tables->size() > static_cast<std::size_t>(limits::most_experiments)) {
-        problems.add(*node, std::to_string(tables->size()) + " experiments",
-                     "at most " + std::to_string(limits::most_experiments) + " are allowed");
+    const std::size_t count = node->is_array() ? node->as_array()->size() : 1;
+    if (count > static_cast<std::size_t>(limits::most_experiments)) {
+        problems.add(*node, std::to_string(count) + " experiments", "at most " + std::to_string(limits::most_experiments) + " are allowed");
         return experiments;
     }
     ExperimentReader reader(originals, problems);
-    for (const toml::node& element : *tables) experiments.push_back(reader.read(*element.as_table()));
+    for_each_table(*node, "experiment", problems, [&](const toml::table& table) { experiments.push_back(reader.read(table)); });
     return experiments;
 }
 

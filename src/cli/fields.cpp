@@ -7,6 +7,7 @@
 #include "file_bytes.h"
 #include "geometry/curvature.h"
 #include "geometry/laplace_operator.h"
+#include "in_quotes.h"
 #include "mesh/triangle_measures.h"
 #include "nearest_word.h"
 
@@ -43,17 +44,17 @@ Field field_of(const PreparedMesh& mesh, const std::string& name) {
     for (const auto& [axis, column] : {std::pair{"x", 0}, std::pair{"y", 1}, std::pair{"z", 2}}) {
         if (name == axis) return {mesh.mesh.X.col(column), name, "length", false, 1e-9 * diagonal};
     }
-    throw UsageError("unknown field '" + name + "'", "did you mean '" + nearest_word(name, field_names()) + "'?");
+    throw UsageError("unknown field " + in_quotes(name), "did you mean '" + nearest_word(name, field_names()) + "'?");
 }
 
 Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_column) {
     const std::size_t colon = file_and_column.rfind(':');
-    if (colon == std::string::npos) throw UsageError("--values needs FILE.csv:COLUMN, not '" + file_and_column + "'");
+    if (colon == std::string::npos) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
-
+    if (file.empty() || column.empty()) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
     Field field;
     field.quantity = column;
-    field.values = csv_column(read_file(file), file, column, mesh.mesh.vertex_count());
+    field.values = csv_column(read_file(file, largest_csv), file, column, mesh.mesh.vertex_count());
     const double low = field.values.array().isNaN().select(0, field.values).minCoeff();
     const double high = field.values.array().isNaN().select(0, field.values).maxCoeff();
     field.is_signed = low < 0 && high > 0;

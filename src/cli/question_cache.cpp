@@ -11,6 +11,7 @@
 #include "file_bytes.h"
 #include "number_text.h"
 #include "output/folder_system.h"
+#include "report/json_reader.h"
 #include "report/read_json.h"
 #include "report/writers.h"
 
@@ -172,12 +173,15 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
     answer.section = report::read_json(text, "cache").document.sections.at(0);
     for (const auto& [id, figure] : stored.at("figures").items()) answer.figures[id] = figure_of(figure, store_);
     answer.digests = stored.at("files").get<std::map<std::string, std::string>>();
+    for (const auto& [file, digest] : answer.digests) report::require_inner_path(file, {});
     answer.cover = {stored.at("cover").at(0), stored.at("cover").at(1), stored.at("cover").at(2)};
     if (!place_files(answer.digests, store_, folder_)) return {};
     return answer;
 } catch (const json::exception&) {
     return {};
 } catch (const InputError&) {
+    return {};
+} catch (const report::JsonProblem&) {   // a path that leaves the report's folder
     return {};
 } catch (const Lost&) {
     return {};

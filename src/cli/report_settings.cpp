@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "cli/arguments.h"
+#include "cli/settings_reader.h"
+#include "in_quotes.h"
 #include "nearest_word.h"
 #include "number_text.h"
 #include "questions/question.h"
@@ -59,21 +61,31 @@ std::string environment(const char* name) {
     return value != nullptr ? value : "";
 }
 
-void take_environment(ReportSettings& settings) {
-    take_size(settings, "MESHFOLIO_SIZE", environment("MESHFOLIO_SIZE"));
-    take_threads(settings, "MESHFOLIO_THREADS", environment("MESHFOLIO_THREADS"));
-    take_data(settings, split(environment("MESHFOLIO_DATA"), ':'));
+void take_environment(ReportSettings& settings, Problems& problems) {
+    problems.collect([&] { take_size(settings, "MESHFOLIO_SIZE", environment("MESHFOLIO_SIZE")); });
+    problems.collect([&] { take_threads(settings, "MESHFOLIO_THREADS", environment("MESHFOLIO_THREADS")); });
+    std::vector<std::string> folders = split(environment("MESHFOLIO_DATA"), ':');
+    std::erase(folders, "");   // as in other lists of folders
+    take_data(settings, folders);
     if (const std::string out = environment("MESHFOLIO_OUT"); !out.empty()) settings.out = out;
 }
 
 std::vector<std::string> chosen_questions(const std::string& text) {
     const std::vector<std::string> known = section_ids();
-    const std::vector<std::string> chosen = split(text, ',');
-    for (const std::string& id : chosen) {
-        if (std::find(known.begin(), known.end(), id) == known.end()) {
-            throw UsageError("--only: no question '" + id + "'", "did you mean '" + nearest_word(id, known) + "'?");
+    std::vector<std::string> chosen;
+    Problems problems("");
+    for (const std::string& id : split(text, ',')) {
+        if (id.empty()) {
+            problems.add(0, "--only " + in_quotes(text) + " has a comma with nothing before or behind it", "write q1,q4");
+        } else if (std::find(known.begin(), known.end(), id) == known.end()) {
+            problems.add(0, "--only: no question " + in_quotes(id), "did you mean '" + nearest_word(id, known) + "'?");
+        } else if (std::find(chosen.begin(), chosen.end(), id) != chosen.end()) {
+            problems.add(0, "--only: '" + id + "' is given twice", "name each once; their order is fixed");
+        } else {
+            chosen.push_back(id);
         }
     }
+    problems.raise();
     return chosen;
 }
 
@@ -119,17 +131,23 @@ SettingsFile named_settings(const std::string& config) {
 
 ReportSettings report_settings(const ReportFlags& flags) {
     ReportSettings settings;
+    Problems problems("");
     take_file(settings, parse_settings(default_settings_text(), "report.toml"));
     if (flags.quick) settings.width = settings.height = quick_size;
-    take_environment(settings);
-    if (!flags.config.empty()) take_file(settings, named_settings(flags.config));
-    take_size(settings, "--size", flags.size);
-    take_threads(settings, "--threads", flags.threads);
+    take_environment(settings, problems);
+    problems.collect([&] {
+        if (!flags.config.empty()) take_file(settings, named_settings(flags.config));
+    });
+    problems.collect([&] { take_size(settings, "--size", flags.size); });
+    problems.collect([&] { take_threads(settings, "--threads", flags.threads); });
     take_data(settings, flags.data);
     if (!flags.out.empty()) settings.out = flags.out;
     settings.templates = flags.templates;
     settings.meshes.assign(flags.meshes.begin(), flags.meshes.end());
-    if (!flags.only.empty()) settings.only = chosen_questions(flags.only);
+    problems.collect([&] {
+        if (!flags.only.empty()) settings.only = chosen_questions(flags.only);
+    });
+    problems.raise();
     settings.quick = flags.quick;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;

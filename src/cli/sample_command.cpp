@@ -1,22 +1,29 @@
 #include <memory>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "mesh/sample_shapes.h"
 
 namespace meshfolio::cli {
 
+namespace {
+
+constexpr int most_subdivisions = 8;
+
+}   // namespace
+
 Command sample_command(CLI::App& parent) {
     struct Options {
         std::string name, output;
-        int subdivide = 0;
+        std::string subdivide = "0";
         bool list = false;
     };
     const auto options = std::make_shared<Options>();
     CLI::App* app = parent.add_subcommand("sample", "A bundled procedural mesh");
     app->add_option("NAME", options->name, "see --list");
     app->add_option("-o,--output", options->output, "OBJ, OFF or PLY");
-    app->add_option("--subdivide", options->subdivide, "extra 1-to-4 subdivisions")->capture_default_str()->check(CLI::Range(0, 8));
+    app->add_option("--subdivide", options->subdivide, "extra 1-to-4 subdivisions, at most 8")->capture_default_str();
     app->add_flag("--list", options->list, "names and what they are");
     app->footer("Example: meshfolio sample creature -o creature.ply --subdivide 1");
     return {app, [options] {
@@ -30,7 +37,8 @@ Command sample_command(CLI::App& parent) {
                     return ExitCode::ok;
                 }
                 if (options->name.empty() || options->output.empty()) throw UsageError("sample needs NAME and -o FILE", "or --list");
-                write_mesh_to(options->output, make_sample(options->name, options->subdivide));
+                const int subdivide = static_cast<int>(integer_between("--subdivide", options->subdivide, 0, most_subdivisions));
+                write_mesh_to(options->output, make_sample(options->name, subdivide));
                 return ExitCode::ok;
             }};
 }

@@ -8,9 +8,11 @@
 #include "cli/settings_reader.h"
 #include "colormap.h"
 #include "file_bytes.h"
+#include "in_quotes.h"
 #include "nearest_word.h"
 #include "output/safe_name.h"
 #include "questions/question.h"
+#include "report/template_render.h"
 #include "report/writers.h"
 #include "sha256.h"
 
@@ -21,7 +23,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr long long largest_seed = std::numeric_limits<std::int64_t>::max();   // TOML's integers
-constexpr std::uintmax_t largest_file = 1 << 20;
 
 /// Names in the report's folder that a question's output may not take.
 const std::vector<std::string> taken_names{"images",  "tables",       "index.html", "report.md",     "report.pdf",
@@ -44,8 +45,8 @@ public:
 
     SettingsFile read() {
         settings_.folder = fs::path(file_).parent_path();
-        const TableReader top(root_, "", {"report", "render", "question", "seed", "threads", "laboratory", "original", "experiment"},
-                              problems_);
+        const TableReader top(root_, "", {"seed", "threads", "laboratory"}, problems_,
+                              {"report", "render", "question", "original", "experiment"});
         settings_.seed = seed_of(top);
         settings_.threads = threads_of(top);
         settings_.laboratory = top.truth("laboratory");
@@ -112,8 +113,9 @@ private:
         }
         settings_.page_template = settings_.folder / *name;
         try {
-            read_file(*settings_.page_template, largest_file);
-        } catch (const InputError& error) {
+            if (name->find('\0') != std::string::npos) throw UsageError("it contains a NUL");
+            read_file(*settings_.page_template, report::template_limits::largest_file);
+        } catch (const Error& error) {
             problems_.add(*report.node("template"), "[report] template cannot be read: " + std::string(error.what()));
         }
     }
@@ -122,32 +124,30 @@ private:
         const auto extent = report.text("pdf");
         if (!extent) return;
         if (*extent != "brief" && *extent != "full") {
-            problems_.add(*report.node("pdf"), "[report] pdf is '" + printable(*extent) + "'", "write \"brief\" or \"full\"");
+            problems_.add(*report.node("pdf"), "[report] pdf is " + in_quotes(*extent), "write \"brief\" or \"full\"");
         } else {
             settings_.printed = *extent == "full" ? report::Extent::whole : report::Extent::brief;
         }
     }
 
     std::vector<std::string> sections_of(const TableReader& report) {
-        const std::vector<std::string> ids = report.texts("sections"), known = section_ids();
+        const std::vector<std::string> known = section_ids();
         std::map<std::string, int> times;
-        for (const std::string& id : ids) {
-            const toml::node& node = *report.node("sections");
+        return report.texts("sections", [&](const std::string& id, const toml::node& where) {
             if (!contains(known, id)) {
-                problems_.add(node, "[report] sections: no question '" + id + "'", "did you mean '" + nearest_word(id, known) + "'?");
+                problems_.add(where, "[report] sections: no question " + in_quotes(id), "did you mean '" + nearest_word(id, known) + "'?");
             } else if (++times[id] == 2) {
-                problems_.add(node, "[report] sections: '" + id + "' is given twice", "name each once; their order is fixed");
+                problems_.add(where, "[report] sections: '" + id + "' is given twice", "name each once; their order is fixed");
             }
-        }
-        return ids;
+        });
     }
 
     void read_render(const toml::table& table) {
         const TableReader render(table, "[render]", {"size", "colormap"}, problems_);
         const std::vector<int> size = render.integers("size", limits::smallest_size, limits::largest_size);
-        if (size.size() > 2)
-            problems_.add(*render.node("size"), "[render] size has " + std::to_string(size.size()) + " values", "write N or [W, H]");
-        if (size.size() == 1 && render.node("size")->is_array())
+        if (const std::size_t given = render.size("size"); given > 2 && given <= static_cast<std::size_t>(limits::largest_list))
+            problems_.add(*render.node("size"), "[render] size has " + std::to_string(given) + " values", "write N or [W, H]");
+        if (render.size("size") == 1 && render.node("size")->is_array())
             problems_.add(*render.node("size"), "[render] size has one value in a list", "write N or [W, H]");
         if (!size.empty()) {
             settings_.width = size.front();
@@ -155,7 +155,7 @@ private:
         }
         settings_.colormap = render.text("colormap");
         if (settings_.colormap && !contains(colormap_names(), *settings_.colormap)) {
-            problems_.add(*render.node("colormap"), "unknown colour map '" + *settings_.colormap + "'",
+            problems_.add(*render.node("colormap"), "unknown colour map " + in_quotes(*settings_.colormap),
                           "did you mean '" + nearest_word(*settings_.colormap, colormap_names()) + "'?");
         }
     }
@@ -163,19 +163,14 @@ private:
     void read_questions() {
         const toml::node* node = root_.get("question");
         if (node == nullptr) return;
-        const toml::array* tables = node->as_array();
-        if (tables == nullptr || !node->is_array_of_tables()) {
-            problems_.add(*node, "question is not a list of tables", "write [[question]] above each");
-            return;
-        }
-        for (const toml::node& element : *tables) read_question(*element.as_table());
+        for_each_table(*node, "question", problems_, [&](const toml::table& table) { read_question(table); });
     }
 
     void read_question(const toml::table& table) {
         const TableReader question(table, "[[question]]", {"id", "mesh", "k", "lambda", "iterations", "noise", "output", "seed", "threads"},
                                    problems_);
         QuestionTable read;
-        read.meshes = question.texts("mesh");
+        read.meshes = meshes_of(question);
         read.k = question.integers("k", 1, limits::largest_k);
         read.lambda = question.numbers("lambda", 0, limits::largest_lambda, true);
         read.iterations = question.integers("iterations", 1, limits::largest_iterations);
@@ -183,18 +178,17 @@ private:
         read.seed = seed_of(question);
         read.threads = threads_of(question);
         read.output = output_of(question);
-        check_meshes(question, read.meshes);
         enter(table, question, std::move(read));
     }
 
-    void check_meshes(const TableReader& question, const std::vector<std::string>& meshes) {
+    std::vector<std::string> meshes_of(const TableReader& question) {
         std::map<std::string, int> times;
-        for (const std::string& mesh : meshes) {
-            if (mesh.empty()) problems_.add(*question.node("mesh"), "[[question]] mesh is an empty path");
-            if (mesh.find('\0') != std::string::npos) problems_.add(*question.node("mesh"), "[[question]] mesh contains a NUL");
+        return question.texts("mesh", [&](const std::string& mesh, const toml::node& where) {
+            if (mesh.empty()) problems_.add(where, "[[question]] mesh is an empty path", "name a file");
+            if (mesh.find('\0') != std::string::npos) problems_.add(where, "[[question]] mesh contains a NUL", "name a file");
             if (++times[mesh] == 2)
-                problems_.add(*question.node("mesh"), "[[question]] mesh '" + mesh + "' is given twice", "its outputs would collide");
-        }
+                problems_.add(where, "[[question]] mesh " + in_quotes(mesh) + " is given twice", "its outputs would collide");
+        });
     }
 
     /// A plain name that neither leaves the report's folder nor is taken there.
@@ -204,7 +198,7 @@ private:
         const toml::node& node = *question.node("output");
         const auto line = static_cast<long>(node.source().begin.line);
         if (!output::is_safe_name(*name)) {
-            problems_.add(node, "[[question]] output '" + *name + "' is not a plain name inside the output folder",
+            problems_.add(node, "[[question]] output " + in_quotes(*name) + " is not a plain name inside the output folder",
                           "use letters, digits, '_', '-' and '.', at most 120 of them");
         } else if (contains(taken_names, *name)) {
             problems_.add(node, "[[question]] output '" + *name + "' collides with a part of the report", "choose another name");
@@ -221,7 +215,7 @@ private:
         if (!id) return;
         const std::vector<std::string> known = section_ids();
         if (!contains(known, *id)) {
-            problems_.add(*question.node("id"), "unknown question '" + *id + "'", "did you mean '" + nearest_word(*id, known) + "'?");
+            problems_.add(*question.node("id"), "unknown question " + in_quotes(*id), "did you mean '" + nearest_word(*id, known) + "'?");
         } else if (!settings_.questions.emplace(*id, std::move(read)).second) {
             problems_.add(*question.node("id"), "question '" + *id + "' is given twice", "merge the two tables");
         }
@@ -232,6 +226,11 @@ private:
 
 SettingsFile parse_settings(std::string_view text, const std::string& file) {
     Problems problems(file);
+    if (const long line = line_of_long_key(text); line > 0) {
+        problems.add(line, "a key has more than " + std::to_string(limits::longest_key) + " parts between dots",
+                     "none that is known has more than two");
+        problems.raise();
+    }
     try {
         const toml::table root = toml::parse(text, file);
         SettingsFile settings = Reader(root, file, problems).read();
@@ -248,7 +247,7 @@ SettingsFile parse_settings(std::string_view text, const std::string& file) {
 SettingsFile read_settings(const fs::path& path) {
     std::string text;
     try {
-        text = read_file(path, largest_file);
+        text = read_file(path, limits::largest_settings);
     } catch (const InputError& error) {
         throw SettingsErrors({UsageError(error.what())});
     }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "errors.h"
+#include "cli/settings_errors.h"
 #include "questions/settings.h"
 #include "report/view_model.h"
 
@@ -43,17 +43,6 @@ struct SettingsFile {
     std::vector<Experiment> experiments;              // of earlier reports, in the order of the file
     std::filesystem::path folder;                     // of the file: meshes are relative to it
     std::string digest;                               // SHA-256 of the text
-};
-
-/// Everything wrong in a settings file; what() is the first.
-class SettingsErrors : public UsageError {
-public:
-    /// @param problems  at least one
-    explicit SettingsErrors(std::vector<UsageError> problems) : UsageError(problems.front()), problems_(std::move(problems)) {}
-    const std::vector<UsageError>& problems() const { return problems_; }
-
-private:
-    std::vector<UsageError> problems_;
 };
 
 /// @throws SettingsErrors, also for a file that cannot be read

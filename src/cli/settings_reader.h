@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,7 +13,8 @@
 #define TOML_MAX_NESTED_VALUES 64
 #include <toml++/toml.h>
 
-#include "errors.h"
+#include "cli/settings_errors.h"
+#include "questions/settings.h"
 
 namespace meshfolio::cli {
 
@@ -24,6 +26,18 @@ public:
     /// @throws SettingsErrors, in order of their lines, if there is any
     void raise() const;
 
+    /// Runs a part of the reading; what it complains of becomes one of the problems.
+    template <class Part>
+    void collect(Part part) {
+        try {
+            part();
+        } catch (const SettingsErrors& errors) {
+            for (const UsageError& error : errors.problems()) problems_.push_back({0, error});
+        } catch (const UsageError& error) {
+            problems_.push_back({0, error});
+        }
+    }
+
 private:
     struct Problem {
         long line;
@@ -33,23 +47,43 @@ private:
     std::vector<Problem> problems_;
 };
 
+namespace limits {
+using namespace meshfolio::limits;
+inline constexpr long long longest_key = 16;                  // parts of a key: a.b.c has three
+inline constexpr std::uintmax_t largest_settings = 1 << 20;   // bytes of a file
+}   // namespace limits
+
+/// The line of the first key of more parts than limits::longest_key, or 0. The parser makes a table of each part, and they are taken apart
+/// by recursion, as deep as the key is long.
+long line_of_long_key(std::string_view text);
+
+/// Calls `read` with each table of a list of tables; what is something else is reported.
+void for_each_table(const toml::node& node, const std::string& name, Problems& problems,
+                    const std::function<void(const toml::table&)>& read);
+
 /// Reads the keys of one table. A value that is missing or wrong is nothing; wrong ones are reported.
 class TableReader {
 public:
     /// @param name   of the table in messages: "[report]"
-    /// @param known  every key it may have; others are reported, with the nearest known one
-    TableReader(const toml::table& table, std::string name, const std::vector<std::string>& known, Problems& problems);
+    /// @param known   every key it may have; others are reported, with the nearest known one
+    /// @param tables  every table it may have within; the same holds for others
+    TableReader(const toml::table& table, std::string name, const std::vector<std::string>& known, Problems& problems,
+                const std::vector<std::string>& tables = {});
 
     std::optional<std::string> text(std::string_view key) const;
     std::optional<bool> truth(std::string_view key) const;
     std::optional<long long> integer(std::string_view key, long long low, long long high) const;
-    /// One value or a list of 1 to limits::largest_list of them; empty when the key is missing or a value is wrong.
-    std::vector<std::string> texts(std::string_view key) const;
+    /// One value or a list of 1 to limits::largest_list of them, without those that are wrong; empty when the key is missing.
+    /// `check` looks at each text where it stands.
+    using Check = std::function<void(const std::string& text, const toml::node& where)>;
+    std::vector<std::string> texts(std::string_view key, const Check& check = {}) const;
     std::vector<int> integers(std::string_view key, long long low, long long high) const;
     /// `above`: the smallest value itself is refused.
     std::vector<double> numbers(std::string_view key, double low, double high, bool above) const;
 
     const toml::node* node(std::string_view key) const { return table_.get(key); }
+    /// How many values are given, good or not; 0 when the key is missing.
+    std::size_t size(std::string_view key) const;
     std::string called(std::string_view key) const { return name_ + (name_.empty() ? "" : " ") + std::string(key); }
 
 private:

@@ -1,6 +1,9 @@
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/progress.h"
@@ -18,9 +21,13 @@ namespace {
 
 struct Options {
     std::string out;
-    std::uint64_t seed = 1;
+    std::string seed = "1";
     bool quick = false;
 };
+
+std::uint64_t seed_of(const Options& options) {
+    return static_cast<std::uint64_t>(integer_between("--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max()));
+}
 
 /// "ok      name: measured 1.99, expected 2, tolerance 0.15".
 std::string told(const report::Check& check) {
@@ -32,7 +39,7 @@ void write_report(const Options& options, const GroundTruth& truth, const std::v
     output::Publication publication(options.out);
     report::Document document;
     document.title = "Verification: curvature against closed forms, certificates, planted faults";
-    document.provenance = provenance_of({{"quick", options.quick ? "yes" : "no"}}, options.seed);
+    document.provenance = provenance_of({{"quick", options.quick ? "yes" : "no"}}, seed_of(options));
     document.sections = sections;
     write_report_files(document, {}, report::Templates(), {.timings = false, .plot_files = true}, {}, {}, publication.folder());
     write_file(publication.folder() / "tables" / "truth_all.csv", report::write_csv(ground_truth_table(truth)));
@@ -53,7 +60,7 @@ ExitCode run_verify(const Options& options) {
     {
         ProgressDisplay display(stderr_is_terminal());
         const Progress progress = [&](std::string_view step) { display.step(std::string(step)); };
-        truth = ground_truth(options.seed, options.quick, progress);
+        truth = ground_truth(seed_of(options), options.quick, progress);
         sections = {ground_truth_section(truth), certificates(options, progress)};
     }
     if (!options.out.empty()) write_report(options, truth, sections);

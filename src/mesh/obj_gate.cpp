@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "in_quotes.h"
 #include "mesh/polygon_list.h"
 #include "mesh/text_scanner.h"
 #include "number_text.h"
@@ -209,8 +210,9 @@ private:
         const auto wrong = [&](const auto& ahead) { return ahead.first > attribute.count; };
         const auto first = std::find_if(attribute.ahead.begin(), attribute.ahead.end(), wrong);
         if (first == attribute.ahead.end()) return;
+        const std::string names(attribute.name, std::string_view(attribute.name).size() - (attribute.count == 1 ? 1 : 0));
         checked_.warnings.add(first->second, attribute.one, attribute.many,
-                              std::to_string(first->first) + ", the file has " + std::to_string(attribute.count) + " " + attribute.name);
+                              std::to_string(first->first) + ", the file has " + std::to_string(attribute.count) + " " + names);
     }
 
     void other(std::string_view keyword) {

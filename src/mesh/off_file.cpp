@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "errors.h"
+#include "in_quotes.h"
 #include "mesh/mesh_files.h"
 #include "mesh/polygon_list.h"
 #include "mesh/text_scanner.h"

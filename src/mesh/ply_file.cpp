@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "errors.h"
+#include "in_quotes.h"
 #include "mesh/mesh_files.h"
 #include "mesh/ply_header.h"
 #include "mesh/ply_rows.h"

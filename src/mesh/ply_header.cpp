@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "errors.h"
+#include "in_quotes.h"
 #include "mesh/text_scanner.h"
 #include "number_text.h"
 
@@ -91,7 +92,8 @@ private:
         const std::string_view word = take_word(rest);
         const std::optional<long long> count = parse_integer(word);
         if (!count || *count < 0 || *count > std::numeric_limits<int>::max()) {
-            fail(lines_.number(), "impossible count " + in_quotes(word) + " of element " + in_quotes(name), "the file may be damaged");
+            fail(lines_.number(), "impossible count " + in_quotes(word) + " of element " + in_quotes(name),
+                 "counts are whole numbers from 0 to " + std::to_string(std::numeric_limits<int>::max()));
         }
         header_.elements.push_back({std::string(name), *count, lines_.number(), {}});
     }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "in_quotes.h"
 #include "mesh/text_scanner.h"
 #include "mesh/triangulate_polygon.h"
 #include "number_text.h"

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "errors.h"
+#include "in_quotes.h"
 #include "mesh/mesh_files.h"
 #include "mesh/point_table.h"
 #include "mesh/polygon_list.h"

@@ -23,12 +23,6 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-std::string in_quotes(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    const bool cut = text.size() > longest;
-    return "'" + printable(std::string(text.substr(0, longest))) + (cut ? "…'" : "'");
-}
-
 std::string_view without_bom(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     return text;

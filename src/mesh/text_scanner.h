@@ -10,9 +10,6 @@ namespace meshfolio {
 /// Takes the first word off `line` and returns it; empty when only white space was left.
 std::string_view take_word(std::string_view& line);
 
-/// A piece of the input within quotes, for messages: harmless to print, and cut when long.
-std::string in_quotes(std::string_view text);
-
 /// `text` without the UTF-8 byte order mark that some editors put in front.
 std::string_view without_bom(std::string_view text);
 

@@ -32,6 +32,13 @@ bool is_within_word(const std::string& text, std::size_t i) {
     return i > 0 && i + 1 < text.size() && is_alphanumeric(text[i - 1]) && is_alphanumeric(text[i + 1]);
 }
 
+/// GitHub makes links of https://…, www.… and name@host where they stand alone in a text.
+bool makes_link(const std::string& text, std::size_t i) {
+    if (text[i] == ':') return text.compare(i, 3, "://") == 0;
+    if (text[i] == '.') return i >= 3 && (text.compare(i - 3, 3, "www") == 0 || text.compare(i - 3, 3, "WWW") == 0);
+    return text[i] == '@';
+}
+
 }   // namespace
 
 std::string safe_text(const std::string& text) {
@@ -90,7 +97,7 @@ std::string markdown_escape(const std::string& text) {
             escaped += "&gt;";
         } else {
             const bool emphasis = c == '_' && !is_within_word(text, i);
-            if (emphasis || special.find(c) != std::string_view::npos || begins_block(text, i)) escaped += '\\';
+            if (emphasis || special.find(c) != std::string_view::npos || begins_block(text, i) || makes_link(text, i)) escaped += '\\';
             escaped += c;
         }
     }

@@ -17,7 +17,7 @@ std::string valid_utf8(const std::string& text);
 /// For element content and quoted attributes of HTML, SVG and XML.
 std::string xml_escape(const std::string& text);
 
-/// For running text, table cells, link texts and `<code>` of GitHub-flavoured Markdown. Expects one line.
+/// For running text, table cells, link texts and `<code>` of GitHub-flavoured Markdown. Addresses do not become links. Expects one line.
 std::string markdown_escape(const std::string& text);
 
 /// A relative path as a URL: every byte outside [A-Za-z0-9._~/-] percent-encoded.

@@ -94,6 +94,24 @@ long line_of_json(std::string_view text, const std::string& path) {
     return finder.is_found() ? line_of_byte(text, static_cast<std::size_t>(furthest - text.data())) : 0;
 }
 
+std::optional<std::size_t> deeper_than(int levels, std::string_view text) {
+    int depth = 0;
+    bool in_text = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') {
+            in_text = !in_text;
+        } else if (in_text) {
+            if (c == '\\') ++i;
+        } else if (c == '[' || c == '{') {
+            if (++depth > levels) return i;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+    return {};
+}
+
 long line_of_byte(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, byte);
     return 1 + std::count(before.begin(), before.end(), '\n');

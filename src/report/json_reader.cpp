@@ -1,4 +1,5 @@
 #include "report/json_reader.h"
+#include "in_quotes.h"
 
 #include <algorithm>
 
@@ -56,7 +57,7 @@ FieldReader::FieldReader(const Json& object, const JsonPlace& place) : object_(o
 
 void FieldReader::finish() const {
     for (const auto& [key, value] : object_.items()) {
-        if (!known_.contains(key)) throw JsonProblem(place_, "has the unknown key '" + key + "'", "take it out");
+        if (!known_.contains(key)) throw JsonProblem(place_, "has the unknown key " + in_quotes(key), "take it out");
     }
 }
 

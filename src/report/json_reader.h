@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "errors.h"
+#include "in_quotes.h"
 #include "report/json_fields.h"
 #include "report/json_writer.h"
 
@@ -158,7 +160,7 @@ private:
             if (json == names[i]) return i;
             known += (i > 0 ? ", " : "") + std::string(names[i]);
         }
-        throw JsonProblem(place, "is " + (json.is_string() ? "'" + json.get<std::string>() + "'" : type_in_words(json)),
+        throw JsonProblem(place, "is " + (json.is_string() ? in_quotes(json.get<std::string>()) : type_in_words(json)),
                           "it may be " + known);
     }
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "errors.h"
+#include "in_quotes.h"
 #include "report/json_line.h"
 #include "report/json_reader.h"
 #include "report/json_report.h"
@@ -13,11 +14,13 @@ namespace meshfolio::report {
 
 namespace {
 
+constexpr int deepest_json = 64;   // ours is at most a third as deep
+
 /// Refuses an id that something else has already.
 class Ids {
 public:
     void add(const std::string& id, const JsonPlace& place) {
-        if (!ids_.insert(id).second) throw JsonProblem(place, "uses the id '" + id + "' a second time", "give each its own");
+        if (!ids_.insert(id).second) throw JsonProblem(place, "uses the id " + in_quotes(id) + " a second time", "give each its own");
     }
 
     void add(const SectionEntry& section, const JsonPlace& place) {
@@ -49,9 +52,10 @@ void require_version(const Json& json) {
     const auto version = json.is_object() ? json.find("schema_version") : json.end();
     if (!json.is_object() || version == json.end()) throw JsonProblem(root, "is no results.json", "name the results.json of a report");
     if (*version == schema_version) return;
-    throw JsonProblem({&root, "schema_version"},
-                      "is " + version->dump(-1, ' ', true, Json::error_handler_t::replace) + ", not " + std::to_string(schema_version),
-                      "make the report anew, or take the meshfolio that made it");
+    throw JsonProblem(
+        {&root, "schema_version"},
+        "is " + in_quotes(version->dump(-1, ' ', true, Json::error_handler_t::replace)) + ", not " + std::to_string(schema_version),
+        "make the report anew, or take the meshfolio that made it");
 }
 
 void add_sections(std::vector<SectionEntry>& entries, bool questions, const char* key, Ids& ids, ReadReport& read) {
@@ -93,6 +97,10 @@ ReadReport report_of(ReportEntry entry) {
 }   // namespace
 
 ReadReport read_json(std::string_view text, const std::string& file) {
+    if (const auto deep = deeper_than(deepest_json, text)) {
+        throw InputError({file, line_of_byte(text, *deep)}, "is nested more than " + std::to_string(deepest_json) + " deep",
+                         "take a results.json as meshfolio writes it");
+    }
     try {
         const Json json = Json::parse(text);
         require_version(json);
@@ -103,7 +111,8 @@ ReadReport read_json(std::string_view text, const std::string& file) {
     } catch (const Json::parse_error& error) {
         throw InputError({file, line_of_byte(text, error.byte)}, "is not JSON", "take a results.json as meshfolio writes it");
     } catch (const Json::exception& error) {   // a number beyond all limits
-        throw InputError({file, 0}, "is not JSON that can be read (" + std::string(error.what()) + ")");
+        throw InputError({file, 0}, "is not JSON that can be read (" + std::string(error.what()).substr(0, 100) + ")",
+                         "take a results.json as meshfolio writes it");
     }
 }
 

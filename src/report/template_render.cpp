@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "errors.h"
 
@@ -16,6 +17,8 @@ namespace {
 namespace mustache = kainjow::mustache;
 using nlohmann::json;
 using Component = mustache::component<std::string>;
+
+constexpr std::size_t longest_name = 200;   // of a tag in a message
 
 long line_of(const std::string& text, std::size_t position) {
     const std::size_t end = std::min(position, text.size());
@@ -29,6 +32,27 @@ Component parsed(const std::string& text, std::string& error) {
     Component root;
     const mustache::parser<std::string> parser(text, context, root, error);
     return root;
+}
+
+/// Asked before the parser, which copies the text of every section and follows them by recursion.
+std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
+    int depth = 0;
+    for (std::size_t at = text.find("{{"), end = 0; at != std::string::npos; at = text.find("{{", end)) {
+        const bool is_triple = text.compare(at, 3, "{{{") == 0;
+        const std::string_view close = is_triple ? "}}}" : "}}";
+        end = text.find(close, at + close.size());
+        if (end == std::string::npos) break;   // the parser tells of it
+        const std::size_t first = text.find_first_not_of(" \t\r\n", at + 2);
+        end += close.size();
+        if (is_triple) continue;
+        if (text[first] == '=') return SyntaxProblem{"the delimiters of tags cannot be changed", line_of(text, at)};
+        if (text[first] == '/') --depth;
+        if ((text[first] == '#' || text[first] == '^') && ++depth > template_limits::deepest_sections) {
+            return SyntaxProblem{"more than " + std::to_string(template_limits::deepest_sections) + " sections within one another",
+                                 line_of(text, at)};
+        }
+    }
+    return {};
 }
 
 /// An included template does not bring its last line end along: it may stand within a line.
@@ -45,6 +69,7 @@ using Escape = std::function<std::string(const std::string&)>;
 class Lines {
 public:
     void add(const std::string& text) { line_ += text; }
+    std::size_t size() const { return text_.size() + line_.size(); }
     void section_tag() { has_section_tag_ = true; }
     void end(const std::string& line_end) {
         const bool left_out = has_section_tag_ && line_.find_first_not_of(" \t") == std::string::npos;
@@ -67,7 +92,11 @@ public:
         : templates_(templates), escape_(std::move(escape)), stack_{&model} {}
 
     void walk_file(const std::string& name) {
-        if (++depth_ > 100) throw UsageError("the template includes itself without end", "", {name, 0});
+        if (++depth_ > template_limits::deepest_includes) {
+            throw UsageError("templates include one another more than " + std::to_string(template_limits::deepest_includes) + " deep",
+                             "one that includes itself never ends", {name, 0});
+        }
+        const std::string_view includer = std::exchange(file_, name);
         auto it = trees_.find(name);
         if (it == trees_.end()) {
             std::string error;
@@ -76,6 +105,7 @@ public:
         }
         walk(it->second);
         --depth_;
+        file_ = includer;
     }
 
     std::string printed() {
@@ -83,9 +113,19 @@ public:
         return lines_.take();
     }
 
-    /// The tags in one of the two states that are worth telling, in the order of their places; the map has none.
-    std::vector<Tag> unknown() const { return tags_in(State::unknown); }
-    std::vector<Tag> unreached() const { return tags_in(State::unreached); }
+    TagUse result() const {
+        TagUse use;
+        for (const auto& [component, tag] : tags_) {
+            if (tag.state == State::known) continue;
+            const Tag named{tag.file, 0, component->position, component->tag.name};
+            (tag.state == State::unknown ? use.unknown : use.unreached).push_back(named);
+        }
+        for (std::vector<Tag>* tags : {&use.unknown, &use.unreached}) {
+            std::sort(tags->begin(), tags->end());   // the map has no order
+            find_lines(*tags);
+        }
+        return use;
+    }
 
 private:
     enum class State { unreached, known, unknown };
@@ -94,14 +134,16 @@ private:
         State state = State::unreached;
     };
 
-    std::vector<Tag> tags_in(State state) const {
-        std::vector<Tag> tags;
-        for (const auto& [component, tag] : tags_) {
-            if (tag.state != state) continue;
-            tags.push_back({tag.file, line_of(templates_[tag.file], component->position), component->position, component->tag.name});
+    /// Lines of tags in the order of their positions: each text is gone through once, however many there are.
+    void find_lines(std::vector<Tag>& tags) const {
+        const Tag* before = nullptr;
+        for (Tag& tag : tags) {
+            const bool goes_on = before != nullptr && before->file == tag.file;
+            const std::string_view text = std::string_view(templates_[tag.file]).substr(0, tag.position);
+            const std::string_view between = text.substr(goes_on ? std::min(before->position, text.size()) : 0);
+            tag.line = (goes_on ? before->line : 1) + std::count(between.begin(), between.end(), '\n');
+            before = &tag;
         }
-        std::sort(tags.begin(), tags.end());
-        return tags;
     }
 
     static bool is_looked_up(const Component& c) {
@@ -133,8 +175,18 @@ private:
         return nullptr;
     }
 
+    /// Sections of lists within sections of lists soon take longer than anyone waits for.
+    void take_step() {
+        const bool too_long = ++steps_ > template_limits::most_steps;
+        if (!too_long && lines_.size() <= template_limits::largest_print) return;
+        throw UsageError(too_long ? "the template takes more than " + std::to_string(template_limits::most_steps) + " steps"
+                                  : "the template prints more than " + std::to_string(template_limits::largest_print) + " bytes",
+                         "does it repeat a list within itself?", {std::string(file_), 0});
+    }
+
     void walk(const Component& component) {
         for (const Component& child : component.children) {
+            take_step();
             if (child.is_newline()) {
                 lines_.end(child.text);
             } else if (child.is_text()) {
@@ -189,12 +241,15 @@ private:
     std::vector<const json*> stack_;
     std::map<std::string, Component> trees_;
     std::unordered_map<const Component*, Registered> tags_;
+    std::string_view file_;   // that is being evaluated
     int depth_ = 0;
+    long long steps_ = 0;
 };
 
 }   // namespace
 
 std::optional<SyntaxProblem> syntax_problem(const std::string& text) {
+    if (auto problem = nesting_problem(text)) return problem;
     std::string error;
     parsed(text, error);
     if (error.empty()) return {};
@@ -205,17 +260,18 @@ std::optional<SyntaxProblem> syntax_problem(const std::string& text) {
 TagUse use_of_tags(const Templates& templates, const std::string& name, const json& model) {
     TagWalk walk(templates, model);
     walk.walk_file(name);
-    return {walk.unknown(), walk.unreached()};
+    return walk.result();
 }
 
 std::string render(const Templates& templates, const std::string& name, const json& model,
                    const std::function<std::string(const std::string&)>& escape) {
     TagWalk walk(templates, model, escape);
     walk.walk_file(name);
-    if (const std::vector<Tag> unknown = walk.unknown(); !unknown.empty()) {
-        const Tag& tag = unknown.front();
-        throw UsageError("nothing is called {{" + tag.name + "}} here", "compare it with the template that comes with meshfolio",
-                         {tag.file, tag.line});
+    const TagUse use = walk.result();
+    if (!use.unknown.empty()) {
+        const Tag& tag = use.unknown.front();
+        throw UsageError("nothing is called {{" + tag.name.substr(0, longest_name) + "}} here",
+                         "compare it with the template that comes with meshfolio", {tag.file, tag.line});
     }
     return walk.printed();
 }

@@ -17,6 +17,16 @@ struct SyntaxProblem {
     long line = 0;
 };
 
+/// What a template may ask for; each limit is named in the message about one that asks for more.
+namespace template_limits {
+inline constexpr std::size_t largest_file = std::size_t{4} << 20;      // bytes
+inline constexpr int deepest_sections = 32;                            // within one another, in one file
+inline constexpr int deepest_json = 64;                                // levels of a template that is JSON
+inline constexpr int deepest_includes = 100;                           // {{>name}} in what {{>name}} brings
+inline constexpr long long most_steps = 30'000'000;                    // texts and tags evaluated
+inline constexpr std::size_t largest_print = std::size_t{256} << 20;   // bytes
+}   // namespace template_limits
+
 /// What is wrong with the syntax of a template, if anything.
 std::optional<SyntaxProblem> syntax_problem(const std::string& text);
 

@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "embedded_templates.h"
 #include "errors.h"
 #include "file_bytes.h"
+#include "report/json_line.h"
 #include "report/template_render.h"
 #include "report/writers.h"
 
@@ -20,11 +20,14 @@ void require_syntax(const std::string& name, const std::string& text, const std:
             throw UsageError("template syntax: " + problem->what, "close the tag or take it out", {file, problem->line});
         }
     } else if (name.ends_with(".json")) {
+        if (const auto deep = deeper_than(template_limits::deepest_json, text)) {
+            throw UsageError("is nested more than " + std::to_string(template_limits::deepest_json) + " deep", "make it flatter",
+                             {file, line_of_byte(text, *deep)});
+        }
         try {
             const auto parsed = nlohmann::json::parse(text);
         } catch (const nlohmann::json::parse_error& error) {
-            const auto before = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-            throw UsageError("not JSON", "", {file, 1 + std::count(text.begin(), before, '\n')});
+            throw UsageError("not JSON", "correct it, or take it out of the folder", {file, line_of_byte(text, error.byte)});
         }
     }
 }
@@ -35,7 +38,8 @@ Templates::Templates(const fs::path& folder) {
     for (const auto& file : meshfolio_embedded::embedded_templates()) text_[std::string(file.name)] = std::string(file.bytes);
     if (folder.empty()) return;
     std::error_code ignored;
-    if (!fs::is_directory(folder, ignored)) throw UsageError("not a folder of templates", "", {folder.string(), 0});
+    if (!fs::is_directory(folder, ignored))
+        throw UsageError("not a folder of templates", "make one with meshfolio templates FOLDER", {folder.string(), 0});
     for (const auto& [name, unused] : text_) {
         if (fs::exists(folder / name, ignored)) replace(name, folder / name);
     }
@@ -43,7 +47,7 @@ Templates::Templates(const fs::path& folder) {
 
 void Templates::replace(const std::string& name, const fs::path& file) {
     try {
-        set(name, read_file(file), file.string());
+        set(name, read_file(file, template_limits::largest_file), file.string());
     } catch (const InputError& error) {
         throw UsageError(error.what());
     }

@@ -1,8 +1,9 @@
-// A corpus of hostile and odd meshes outside of the project, when it is there: a table says of each file whether it must be
-// refused (and at which line), taken with a warning, or taken silently, and what its numbers are.
+// A corpus of hostile and odd meshes outside of the project, where MESHFOLIO_BAD_MESHES names its folder: a table says of each file whether
+// it must be refused (and at which line), taken with a warning, or taken silently, and what its numbers are.
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -18,7 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path corpus = fs::path(MESHFOLIO_SOURCE_DIR) / ".." / "shared" / "badmeshes";
+fs::path corpus_folder() {
+    const char* folder = std::getenv("MESHFOLIO_BAD_MESHES");
+    return folder != nullptr ? folder : "";
+}
+const fs::path corpus = corpus_folder();
 
 struct Row {
     std::string file, wrong, kind, says, line, expect, firmness;
@@ -90,7 +95,7 @@ void expect_facts(const Row& row, const Preflight& p) {
 }   // namespace
 
 TEST(BadMeshes, EveryRowOfTheTableHolds) {
-    if (!fs::exists(corpus / "manifest.tsv")) GTEST_SKIP() << "no corpus at " << corpus;
+    if (!fs::exists(corpus / "manifest.tsv")) GTEST_SKIP() << "MESHFOLIO_BAD_MESHES names no folder with a manifest.tsv";
     int checked = 0;
     for (const Row& row : rows()) {
         if (row.file.starts_with("special/")) continue;

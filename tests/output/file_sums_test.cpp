@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "damaged_bytes.h"
 #include "errors.h"
 
 using namespace meshfolio;
@@ -34,4 +35,14 @@ TEST(FileSums, WhatIsNotOfTheFormatIsNamedWithItsLine) {
          {digest + " index.html", digest + "  ", digest, "g" + digest.substr(1) + "  a", std::string("\n"), std::string("not a list")}) {
         EXPECT_EQ(refusal(digest + "  a\n" + line + "\n").rfind("out/SHA256SUMS:2: is no line of sha256sum", 0), 0u) << line;
     }
+}
+
+TEST(FileSums, DamagedAreReadOrRefusedWithTheirLine) {
+    testing_tools::for_each_damage(digest + "  a\n" + digest + "  b/c\n", [](const std::string& damaged) {
+        try {
+            output::parse_sums(damaged, "out/SHA256SUMS");
+        } catch (const InputError& error) {
+            EXPECT_TRUE(testing_tools::is_one_line_about("out/SHA256SUMS:", error.what()));
+        }
+    });
 }

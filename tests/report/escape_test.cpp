@@ -53,6 +53,11 @@ TEST(Escape, MarkdownTextCannotBeginABlock) {
     EXPECT_EQ(markdown_escape("#q1_plane -1 + 0.5 # -"), "#q1_plane -1 + 0.5 # -");
 }
 
+TEST(Escape, MarkdownTextIsNoLink) {
+    EXPECT_EQ(markdown_escape("see https://a.org, www.a.org: a@b.org"), "see https\\://a.org, www\\.a.org: a\\@b.org");
+    EXPECT_EQ(markdown_escape("a:b 1.5 x.www"), "a:b 1.5 x.www");
+}
+
 TEST(Escape, UrlsHoldNothingThatNeedsQuoting) {
     EXPECT_EQ(url_path("meshes/q4_a k5.ply"), "meshes/q4_a%20k5.ply");
     EXPECT_EQ(url_path(hostile).find_first_of("<>\"'`|() \n\\[]"), std::string::npos);

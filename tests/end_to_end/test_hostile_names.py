@@ -1,0 +1,264 @@
+"""Names, titles and settings are data: a report made with hostile ones is parsed in each of its formats, and compared with one whose names
+are plain. Whatever is markup, link or program in the one is so in the other; whatever came in stands there as text."""
+
+import csv
+import html.parser
+import json
+import os
+import re
+import shutil
+import subprocess
+import unittest
+import urllib.parse
+import xml.etree.ElementTree
+
+from file_readers import png_size
+from program import PROGRAM, run, sample, temporary_folder
+
+TITLE = "<script>alert(1)</script>\"'&amp;| `code` ](javascript:alert(2)) {{author}} ]]> --> \u202eturned \u2066 %s \\x $x$ <b onclick=x>"
+AUTHOR = "=cmd()|' /C calc'!A0"
+COURSE = "![x](http://example.org/x.png) <https://example.org> www.example.org # - + * _a_ **b**"
+SAID = "\u001b[31mred\u0007\u009b\n# heading\n\n<img src=x onerror=alert(3)>\t|a|b| \u2028 {{{style}}}"
+MESHES = ["<script>alert(4)<", "\x1b[2J\x9b\n\r\t", "\"'&|`](javascript:alert(5))", "=1+1,\"\n", "\u202eabc", "--help", "{{title}}%n", b"\xff\xfe\xed\xa0\x80", "![x](y)"]
+RAW = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+
+SETTINGS = """
+[report]
+title = %s
+author = %s
+course = %s
+[render]
+size = 16
+[original]
+%s = { file = %s, stand_in = "sphere.obj" }
+[[experiment]]
+row = 7
+from = %s
+name = %s
+kind = "forms"
+said = %s
+lost = %s
+"""
+
+
+class Page(html.parser.HTMLParser):
+    """Elements with their attributes, links and programs of a page."""
+
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.markup, self.values, self.programs, self.words, self.title = set(), [], [], [], ""
+        self.element = None
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attributes):
+        self.element = tag
+        self.markup |= {(tag, name) for name, _ in attributes} | {(tag, None)}
+        self.values += [(tag, name, value or "") for name, value in attributes]
+        if tag == "script":
+            self.programs.append("")
+
+    def handle_endtag(self, tag):
+        self.element = None
+
+    def handle_data(self, data):
+        if self.element == "script":
+            self.programs[-1] += data
+        elif self.element != "style":
+            self.words.append(data)
+        if self.element == "title" and not self.title:  # the first: pictures have titles too
+            self.title = data
+
+    def handle_comment(self, data):
+        raise AssertionError(f"a comment: {data:.80}")
+
+
+def shown(text):
+    """As safe text stands in a page: on one line, with what cannot be shown as visible escapes."""
+    line = re.sub("[\n\r\t]", " ", text)
+    return re.sub("[\0-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]", lambda m: "".join(f"\\x{b:02x}" for b in m[0].encode()), line)
+
+
+class HostileNames(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = cls("test_the_page")
+        cls.folder = temporary_folder(cls.case)
+        plain = ["mesh%d" % i for i in range(len(MESHES))]
+        cls.plain = cls.report("plain", plain, "Title", "Author", "Course", "Said")
+        cls.hostile = cls.report("hostile", MESHES, TITLE, AUTHOR, COURSE, SAID)
+        cls.out = cls.folder / "hostile" / "out"
+        cls.results = json.loads((cls.out / "results.json").read_text(), parse_constant=cls.refuse, object_pairs_hook=cls.unique)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.case.doCleanups()
+
+    @staticmethod
+    def refuse(constant):
+        raise AssertionError(f"{constant} is not JSON")
+
+    @staticmethod
+    def unique(pairs):
+        assert len({key for key, _ in pairs}) == len(pairs), pairs
+        return dict(pairs)
+
+    @classmethod
+    def report(cls, name, meshes, title, author, course, said):
+        """A report of a question and of an experiment, and one of a question that fails for a bad mesh."""
+        folder = cls.folder / name
+        folder.mkdir()
+        good = sample(folder, "sphere").read_bytes()
+        paths = []
+        for i, mesh in enumerate(meshes):
+            path = os.path.join(os.fsencode(folder), os.fsencode(mesh) + b".obj")
+            with open(path, "wb") as file:
+                file.write(good)
+            paths.append(path)
+        words = [json.dumps(w) for w in (title, author, course, said, said, said, said, said, said)]
+        (folder / "my.toml").write_text(SETTINGS % tuple(words))
+        environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache"), "MESHFOLIO_PDF": "auto"}
+        command = [PROGRAM, "report", "--quick", "--config", folder / "my.toml", "--out", folder / "out", "--only", "q1,reproductions", "--", *paths]
+        done = subprocess.run(command, env=environment, capture_output=True, timeout=280)
+        assert done.returncode in (0, 1), done.stderr
+        for path in paths:
+            with open(path, "ab") as file:
+                file.write(b"f 1 2 999999\n")
+        command = [PROGRAM, "report", "--quick", "--pdf", "off", "--out", folder / "bad", "--only", "q1", "--", *paths]
+        bad = subprocess.run(command, env=environment, capture_output=True, timeout=280)
+        assert bad.returncode == 1, bad.stderr
+        done.stderr += bad.stderr
+        return done
+
+    def page(self, name, out="out"):
+        return Page((self.folder / name / out / "index.html").read_text())
+
+    def test_the_page(self):
+        page, plain = self.page("hostile"), self.page("plain")
+        self.assertEqual(page.markup - plain.markup, set(), "elements and attributes that came from data")
+        self.assertEqual(page.programs, plain.programs)
+        self.assertEqual(page.title.strip(), shown(TITLE))
+        text = " ".join(page.words)
+        for word in (TITLE, AUTHOR, COURSE, SAID):
+            self.assertIn(shown(word), text)
+        for tag, name, value in page.values:
+            self.assertFalse(name.startswith("on"), (tag, name))
+            if name in ("href", "src", "action", "formaction", "data", "xlink:href"):
+                self.assertTrue(value.startswith(("#", "data:image/", "images/", "meshes/", "tables/", "src.txt", "results.json", "https://doi.org/", "report.")),
+                                (tag, name, value[:80]))
+        self.assertIsNone(RAW.search((self.out / "index.html").read_text()))
+
+    def test_a_failure_tells_of_the_file(self):
+        page = self.page("hostile", "bad")
+        self.assertEqual(page.markup - self.page("plain", "bad").markup, set())
+        self.assertIn("vertex index 999999", " ".join(page.words))
+        bad = json.loads((self.folder / "hostile" / "bad" / "results.json").read_text(), parse_constant=self.refuse)
+        self.assertEqual(bad["questions"][0]["status"], "failed")
+
+    def test_the_page_is_xml(self):
+        text = (self.out / "index.html").read_text().replace("<!DOCTYPE html>", "", 1)
+        title = xml.etree.ElementTree.fromstring(text).find(".//{*}title")
+        self.assertEqual(title.text.strip(), shown(TITLE))
+        if not shutil.which("xmllint"):
+            return
+        problems = {}
+        for name in ("plain", "hostile"):
+            command = ["xmllint", "--html", "--noout", self.folder / name / "out" / "index.html"]
+            found = subprocess.run(command, capture_output=True, text=True, errors="replace").stderr
+            problems[name] = set(re.findall(r"HTML parser error : (.*)", found))  # it knows no HTML 5
+        self.assertEqual(problems["hostile"] - problems["plain"], set())
+
+    @unittest.skipUnless(shutil.which("pandoc"), "pandoc is not installed")
+    def test_markdown(self):
+        raw, links = {}, {}
+        for name in ("plain", "hostile"):
+            done = subprocess.run(["pandoc", "-f", "gfm", "-t", "json", self.folder / name / "out" / "report.md"], capture_output=True, text=True, check=True)
+            raw[name], links[name] = set(), set()
+            self.walk(json.loads(done.stdout), raw[name], links[name])
+        # Mesh names are part of ids and of file names, made safe: attribute values may differ, elements and attributes not.
+        self.assertEqual(raw["hostile"] - raw["plain"], set())
+        for target in links["hostile"]:
+            self.assertTrue(re.match(r"#|(images|meshes|tables)/|https://doi\.org/|[a-z]+\.[a-zA-Z0-9]+$", target), target)
+        text = (self.out / "report.md").read_text()
+        self.assertIsNone(RAW.search(text))
+
+    def walk(self, node, raw, links):
+        if isinstance(node, list):
+            for item in node:
+                self.walk(item, raw, links)
+        elif isinstance(node, dict):
+            kind, content = node.get("t"), node.get("c")
+            if kind in ("RawInline", "RawBlock"):
+                raw.add(re.sub(r'"[^"]*"', '""', content[1]))
+            if kind in ("Link", "Image"):
+                links.add(urllib.parse.unquote(content[2][0]))
+            for item in node.values():
+                self.walk(item, raw, links)
+
+    def test_tables_are_the_same_in_both_files(self):
+        tables = [t for q in self.results["questions"] + self.results["supporting"] for t in q["tables"]]
+        self.assertGreater(len(tables), 2)
+        for table in tables:
+            with open(self.out / "tables" / f"{table['id']}.csv", newline="", encoding="utf-8") as file:
+                rows = list(csv.reader(file, strict=True))
+            heads = [c["name"] + (f" [{c['unit']}]" if c.get("unit") else "") for c in table["columns"]]
+            self.assertEqual(rows[0], heads)
+            self.assertEqual(len(rows) - 1, len(table["rows"]))
+            for written, row in zip(rows[1:], table["rows"]):
+                for word, value in zip(written, row):
+                    if value is None:
+                        self.assertEqual(word, "")
+                    elif isinstance(value, str):
+                        self.assertEqual(word, value)
+                    else:
+                        self.assertEqual(float(word), value)
+
+    def test_results(self):
+        self.assertEqual([self.results[k] for k in ("title", "author", "course")], [TITLE, AUTHOR, COURSE])
+        status = {q["id"]: q["status"] for q in self.results["questions"]}
+        self.assertEqual((status["q1"], status["q2"]), ("ok", "skipped"))
+
+    def test_pictures(self):
+        for path in self.out.glob("images/*.svg"):
+            for element in xml.etree.ElementTree.parse(path).iter():
+                self.assertNotIn(element.tag.split("}")[-1], ("script", "foreignObject", "image", "a", "animate", "set"), path)
+                for name, value in element.attrib.items():
+                    self.assertFalse(name.startswith("on") or name.endswith("href") and not value.startswith("#"), (path, name, value))
+        for path in self.out.glob("images/*.png"):
+            png_size(path)
+
+    def test_names_of_files_are_plain(self):
+        for path in self.out.rglob("*"):
+            self.assertRegex(path.name, r"^\.?[A-Za-z0-9_+.-]+$")
+        listed = [line.split("  ", 1)[1] for line in (self.out / "SHA256SUMS").read_text().splitlines()]
+        self.assertEqual(listed, sorted(listed, key=str.encode))
+        for name in listed:
+            self.assertFalse(name.startswith("/") or ".." in name.split("/"), name)
+
+    def test_nothing_undefined_is_written_as_a_number(self):
+        for path in [*self.out.glob("tables/*.csv"), *self.out.glob("images/*.svg"), self.out / "results.json", self.out / "report.md"]:
+            self.assertIsNone(re.search(r"(?<![a-z])-?(nan|inf|infinity)(?![a-z])", path.read_text(), re.I), path)
+
+    def test_the_terminal(self):
+        text = self.hostile.stderr.decode("utf-8") + self.hostile.stdout.decode("utf-8")
+        self.assertIsNone(RAW.search(text.replace("\n", " ")))
+        self.assertLessEqual(len(text.splitlines()), 40)
+        for line in self.hostile.stderr.decode().splitlines():
+            self.assertTrue(line.startswith("meshfolio: "), line)
+
+    @unittest.skipUnless(shutil.which("qpdf") and shutil.which("pdftotext"), "qpdf or pdftotext is not installed")
+    def test_paper(self):
+        path = self.out / "report.pdf"
+        if not path.exists():
+            self.skipTest("no engine prints here")
+        subprocess.run(["qpdf", "--check", path], check=True, capture_output=True)
+        plain = subprocess.run(["qpdf", "--qdf", "--object-streams=disable", path, "-"], check=True, capture_output=True).stdout
+        for program in (rb"/JavaScript", rb"/JS\b", rb"/Launch", rb"/OpenAction", rb"/SubmitForm", rb"/URI \((?!https://doi\.org/)[^)]*"):
+            self.assertIsNone(re.search(program, plain), program)
+        text = subprocess.run(["pdftotext", path, "-"], check=True, capture_output=True).stdout.decode()
+        self.assertIn("alert(1)", text)
+        self.assertIn("{{author}}", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

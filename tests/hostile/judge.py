@@ -1,0 +1,78 @@
+"""Runs the built program on hostile inputs and judges how it ends. Its path comes from the environment variable MESHFOLIO."""
+
+import os
+import re
+import resource
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["MESHFOLIO"]
+MEGABYTES = 2000
+SECONDS = 10  # of processor; other work on the machine must not count
+TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+RAW = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")  # what could steer a terminal
+
+
+class Outcome:
+    def __init__(self, process):
+        self.code = process.returncode
+        self.out = process.stdout
+        self.err = process.stderr.decode("utf-8")  # strictly: what is said is UTF-8 whatever came in
+        self.lines = self.err.splitlines()
+        self.errors = [line for line in self.lines if not line.startswith("meshfolio: warning: ")]
+
+
+def limits(as_nobody):
+    def apply():
+        resource.setrlimit(resource.RLIMIT_AS, (MEGABYTES << 20, MEGABYTES << 20))
+        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        if as_nobody:
+            os.setgroups([])
+            os.setgid(65534)
+            os.setuid(65534)
+
+    return apply
+
+
+class Hostile(unittest.TestCase):
+    """A test in an empty folder of its own, in which nothing may appear that was not asked for."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="meshfolio-hostile-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, name, content=TETRAHEDRON):
+        path = os.path.join(os.fsencode(self.folder), os.fsencode(name))
+        with open(path, "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def start(self, *words, as_nobody=False):
+        variables = {"PATH": os.environ["PATH"], "MESHFOLIO_PDF": "off", "XDG_CACHE_HOME": str(self.folder / "cache")}
+        command = [PROGRAM, *(w if isinstance(w, (str, bytes)) else str(w) for w in words)]
+        return subprocess.run(command, cwd=self.folder, env=variables, capture_output=True, stdin=subprocess.DEVNULL, timeout=120,
+                              preexec_fn=limits(as_nobody))
+
+    def judge(self, codes, *words, says=None, as_nobody=False):
+        """The run ends with one of the exit codes and tells of it in a few harmless lines, one if it is an error of a single file."""
+        codes = codes if isinstance(codes, tuple) else (codes,)
+        outcome = Outcome(self.start(*words, as_nobody=as_nobody))
+        told = f"{words!r:.300} ended with {outcome.code}: {outcome.err[:600]}"
+        self.assertIn(outcome.code, codes, told)
+        self.assertLessEqual(len(outcome.lines), 40, told)
+        for line in outcome.lines:
+            self.assertTrue(line.startswith("meshfolio: "), told)
+            self.assertIsNone(RAW.search(line), told)
+            self.assertLess(len(line), 9000, told)  # a path may have 4096 bytes, four characters each
+        for words_of_internals in ("internal error", "terminate", "what():", "Sanitizer", "std::"):
+            self.assertNotIn(words_of_internals, outcome.err)
+        if outcome.code == 3:
+            self.assertEqual(len(outcome.errors), 1, told)
+        if says is not None:
+            self.assertRegex(outcome.err, says, told)
+        self.assertFalse([name for name in os.listdir(self.folder) if name.startswith("PWNED")], "the input was obeyed")
+        return outcome
