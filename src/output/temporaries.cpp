@@ -5,7 +5,9 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "file_bytes.h"
 #include "output/publish.h"
 
 namespace meshfolio::output {
@@ -15,8 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Registry {
-    std::mutex publishing;   // the permission
-    std::mutex listing;      // guards `paths`
+    std::recursive_mutex creating;   // the permission
+    bool has_published = false;      // guarded by it
+    std::mutex listing;              // guards `paths`
     std::set<fs::path> paths;
 };
 
@@ -62,12 +65,22 @@ Temporary::~Temporary() {
     registry().paths.erase(path_);
 }
 
-std::unique_lock<std::mutex> permission_to_publish() { return std::unique_lock(registry().publishing); }
+std::unique_lock<std::recursive_mutex> permission_to_create() { return std::unique_lock(registry().creating); }
 
-void remove_all_temporaries() noexcept {
-    registry().publishing.lock();   // and never unlocked
+void remember_publication() { registry().has_published = true; }
+
+void write_part(const Temporary& part, std::string_view bytes, bool synced) {
+    auto permission = permission_to_create();
+    NewFile file(part.path());
+    permission.unlock();   // a file that has lost its name may still be written
+    file.finish(bytes, synced);
+}
+
+bool remove_all_temporaries() noexcept {
+    registry().creating.lock();   // and never unlocked
     registry().listing.lock();
     for (const auto& path : registry().paths) remove_stubbornly(path);
+    return registry().has_published;
 }
 
 std::string process_number() { return std::to_string(::getpid()); }
