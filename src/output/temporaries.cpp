@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <set>
 #include <string>
 #include <system_error>
@@ -21,6 +22,7 @@ struct Registry {
     bool has_published = false;      // guarded by it
     std::mutex listing;              // guards `paths`
     std::set<fs::path> paths;
+    std::atomic<char*> reserve = new char[std::size_t{1} << 20];   // given back when there is no memory left to remove anything
 };
 
 /// Never destroyed: a signal may come while the program ends.
@@ -44,10 +46,11 @@ void remove_stubbornly(const fs::path& path) noexcept {
         try {
             remove_contents(path, error);
             fs::remove_all(path, error);
-        } catch (const std::exception&) {   // no memory to name an entry; tried again
-            continue;
+        } catch (const std::exception&) {
+            error = std::make_error_code(std::errc::not_enough_memory);
         }
         if (!error) return;
+        if (error == std::errc::not_enough_memory) delete[] registry().reserve.exchange(nullptr);
         ::usleep(1000);
     }
 }
