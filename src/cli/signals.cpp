@@ -1,6 +1,7 @@
 #include "cli/signals.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
@@ -37,7 +38,10 @@ sigset_t ending_signals() {
     return set;
 }
 
+/// Not where that would have to wait: a pipe that nobody empties must not keep the process.
 void tell(std::string_view message) {
+    pollfd ready{STDERR_FILENO, POLLOUT, 0};
+    if (::poll(&ready, 1, 0) != 1) return;
     if (::write(STDERR_FILENO, message.data(), message.size()) < 0) {
         // There is nobody left to tell.
     }

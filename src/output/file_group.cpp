@@ -46,8 +46,8 @@ void FileGroup::place(Member& member) {
         error = rename_with(part, member.target, RENAME_EXCHANGE);
         member.state = Member::State::exchanged;
         std::error_code ignored;
-        if (error == 0 && !fs::is_regular_file(fs::symlink_status(part, ignored)))   // a folder that came meanwhile
-            throw OutputError(member.asked.string(), "is not a file (any more)");
+        if (error == 0 && fs::is_directory(fs::symlink_status(part, ignored)))   // one that came meanwhile
+            throw OutputError(member.asked.string(), "is a folder");
     }
     if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP || error == ENOENT) {   // or it was taken away meanwhile
         error = rename_with(part, member.target, 0);

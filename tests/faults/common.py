@@ -7,6 +7,7 @@ import os
 import random
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -30,6 +31,8 @@ def can_mount():
 
 needs_strace = unittest.skipUnless(can_trace(), "strace is not installed, or may not trace here")
 needs_mount = unittest.skipUnless(can_mount(), "no private mount namespace may be made here")
+
+signal.signal(signal.SIGHUP, lambda *_: None)   # under nohup, programs that are started would ignore it as well
 
 Call = collections.namedtuple("Call", "name number paths line")   # the number-th call of this name by its thread
 End = collections.namedtuple("End", "code out err seconds")

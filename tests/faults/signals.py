@@ -3,9 +3,9 @@
 import fcntl
 import os
 import pty
-import resource
 import shutil
 import signal
+import struct
 import subprocess
 import termios
 import time
@@ -142,6 +142,22 @@ class Signals(Faults):
             process.send_signal(signal.SIGHUP)
         self.assertEqual(self.end(process).code, 0)
         self.assertEqual(tree(self.out), new)
+
+    def test_a_reader_that_does_not_read(self):
+        """The writer waits for ever; a signal ends it nevertheless, although its last words would have to wait as well."""
+        mesh = self.mesh("torus", "--subdivide", 1)
+        reading, writing = os.pipe()
+        process = self.start("curvature", mesh, "--csv", "-", stdout=writing, stderr=writing)
+        limit = time.monotonic() + 60
+        waiting = 0   # until the pipe is full, all but the last bytes
+        while waiting < 60000 and time.monotonic() < limit:
+            time.sleep(0.1)
+            waiting = struct.unpack("i", fcntl.ioctl(reading, termios.FIONREAD, b"    "))[0]
+        self.assertGreaterEqual(waiting, 60000)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(SOON), 143)
+        os.close(reading)
+        os.close(writing)
 
     def test_a_reader_that_has_gone(self):
         reading, writing = os.pipe()

@@ -98,3 +98,21 @@ TEST(ReplaceFile, NamesTheFileThatCannotBeWritten) {
     replace_file("/dev/null", "x");
     EXPECT_FALSE(fs::is_regular_file("/dev/null"));
 }
+
+// Its target may come later, or never; what was asked for is a file of this name.
+TEST(ReplaceFile, TakesThePlaceOfALinkThatLeadsNowhere) {
+    const TemporaryFolder folder;
+    fs::create_symlink("nowhere", folder.path() / "x");
+    replace_file(folder.path() / "x", "new");
+    EXPECT_EQ(read_file(folder.path() / "x"), "new");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder.path() / "x")) || fs::exists(folder.path() / "nowhere"));
+}
+
+TEST(ReplaceFile, WritesWhatALinkNames) {
+    const TemporaryFolder folder;
+    replace_file(folder.path() / "file", "old");
+    fs::create_symlink("file", folder.path() / "x");
+    replace_file(folder.path() / "x", "new");
+    EXPECT_EQ(read_file(folder.path() / "file"), "new");
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "x"));
+}
