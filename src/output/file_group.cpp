@@ -17,11 +17,12 @@ namespace fs = std::filesystem;
 
 void FileGroup::add(const fs::path& path, std::string_view bytes) {
     std::error_code error;
-    const fs::path target = fs::weakly_canonical(path, error);
+    fs::path target = fs::absolute(path, error);
+    if (!error) target = fs::weakly_canonical(target, error);
     if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
     const fs::file_status status = fs::status(target, error);
     if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, bytes);
-    const fs::path folder = fs::absolute(target).parent_path();
+    const fs::path folder = target.parent_path();
     if (!fs::is_directory(folder, error)) throw OutputError(path.string(), "its folder does not exist", "create it first");
     const auto member = [&]() -> Member* {
         static int number = 0;

@@ -28,7 +28,8 @@ namespace {
 /// Absolute, links followed, no trailing slash: what the rename will name.
 fs::path resolved(const fs::path& target) {
     std::error_code error;
-    fs::path path = fs::weakly_canonical(fs::absolute(target), error);
+    fs::path path = fs::absolute(target, error);
+    if (!error) path = fs::weakly_canonical(path, error);
     if (error || target.empty()) throw OutputError(target.string(), "cannot be a folder (" + error.message() + ")");
     if (path.filename().empty()) path = path.parent_path();
     if (path.filename().empty()) throw OutputError(target.string(), "is the root of the file system", "choose another folder with --out");
@@ -45,11 +46,12 @@ void require_ours(const fs::path& target) {
     bool foreign = false;
     fs::directory_iterator it(target, error);
     if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
-    for (; it != fs::directory_iterator(); ++it) {
+    for (; it != fs::directory_iterator(); it.increment(error)) {
         const fs::path name = it->path().filename();
         if (name == marker_file) return;
         if (name != ".gitignore" && process_in_name(name.string(), ".meshfolio.tmp-") == 0) foreign = true;
     }
+    if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
     if (foreign) {
         throw OutputError(target.string(), "holds files that no report of ours put there, and would be replaced",
                           "choose a new or empty folder with --out");

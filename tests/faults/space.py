@@ -1,6 +1,7 @@
 """Disks that are full, read-only or broken, files that may not grow: exit 4, one line that names the path and the system's reason, the old
 output as it was."""
 
+import os
 import resource
 import subprocess
 import unittest
@@ -124,6 +125,18 @@ class Space(Faults):
             self.assertEqual(end.code, 4, end.err)
             self.assertEqual(len(end.err.splitlines()), 1)
             self.assertIn(reason, end.err)
+
+
+    def test_a_working_directory_that_was_removed(self):
+        def leave():
+            os.mkdir("gone")
+            os.chdir("gone")
+            os.rmdir("../gone")
+        for words in (["sample", "cube", "-o", "x.ply"], ["sample", "cube", "-o", "there/x.ply"], self.report_words("out"), ["templates", "mine"],
+                      ["render", self.mesh("cube8"), "--size", 64]):
+            end = self.run_program(*words, preexec_fn=leave)
+            self.assertEqual((end.code, len(end.err.splitlines())), (4, 1), f"{words}: {end.err}")
+            self.assertIn("No such file or directory", end.err)
 
 
 @needs_mount
