@@ -1,12 +1,14 @@
 #include "file_bytes.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "errors.h"
 #include "large_pages.h"
@@ -17,7 +19,7 @@ namespace {
 
 std::string reason() { return std::strerror(errno); }
 
-/// Closes on every way out; `close_checked` reports what close(2) says (delayed write errors arrive there).
+/// Closes on every way out.
 class Descriptor {
 public:
     explicit Descriptor(int fd) : fd_(fd) {}
@@ -27,11 +29,6 @@ public:
         if (fd_ >= 0) ::close(fd_);
     }
     int get() const { return fd_; }
-    bool close_checked() {
-        const int fd = fd_;
-        fd_ = -1;
-        return ::close(fd) == 0;
-    }
 
 private:
     int fd_;
@@ -82,29 +79,38 @@ void write_all(int descriptor, std::string_view bytes, const std::string& name) 
     while (!bytes.empty()) {
         const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
         if (put < 0 && errno == EINTR) continue;
+        if (put < 0 && errno == EAGAIN) {   // a terminal or a pipe that another program set to non-blocking
+            pollfd ready{descriptor, POLLOUT, 0};
+            ::poll(&ready, 1, -1);
+            continue;
+        }
         if (put < 0) throw OutputError(name, "cannot write (" + reason() + ")");
+        if (put == 0) throw OutputError(name, "cannot write (nothing was taken)");
         bytes.remove_prefix(static_cast<std::size_t>(put));
     }
 }
 
-namespace {
-
-void write_new(const std::filesystem::path& path, std::string_view bytes, bool synced) {
+NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)) {
     struct stat there {};
-    if (::lstat(path.c_str(), &there) == 0 && S_ISREG(there.st_mode) && there.st_nlink > 1) ::unlink(path.c_str());
-    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (file.get() < 0) throw OutputError(path.string(), "cannot create the file (" + reason() + ")");
-    write_all(file.get(), bytes, path.string());
-    // /dev/null and /dev/stdout know no fsync; that is not a failed write.
-    if (synced && ::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS) {
-        throw OutputError(path.string(), "cannot flush to disk (" + reason() + ")");
-    }
-    if (!file.close_checked()) throw OutputError(path.string(), "cannot close the file (" + reason() + ")");
+    const bool has_other_links = ::lstat(path_.c_str(), &there) == 0 && S_ISREG(there.st_mode) && there.st_nlink > 1;
+    if (has_other_links && ::unlink(path_.c_str()) != 0) throw OutputError(path_.string(), "cannot be replaced (" + reason() + ")");
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) throw OutputError(path_.string(), "cannot create the file (" + reason() + ")");
 }
 
-}   // namespace
+NewFile::~NewFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) { write_new(path, bytes, true); }
-void write_unsynced(const std::filesystem::path& path, std::string_view bytes) { write_new(path, bytes, false); }
+void NewFile::finish(std::string_view bytes, bool synced) {
+    write_all(descriptor_, bytes, path_.string());
+    // /dev/null and /dev/stdout know no fsync; that is not a failed write.
+    if (synced && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
+        throw OutputError(path_.string(), "cannot flush to disk (" + reason() + ")");
+    if (::close(std::exchange(descriptor_, -1)) != 0)   // delayed write errors arrive here
+        throw OutputError(path_.string(), "cannot close the file (" + reason() + ")");
+}
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) { NewFile(path).finish(bytes, true); }
 
 }   // namespace meshfolio

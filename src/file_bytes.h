@@ -17,8 +17,22 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = 
 /// replaced by a new one, so that what they name stays as it was.
 /// @throws OutputError naming the path and the system's reason
 void write_file(const std::filesystem::path& path, std::string_view bytes);
-/// The same for what may be lost with the power.
-void write_unsynced(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same in two steps, for whoever must know when the name appears.
+class NewFile {
+public:
+    /// Creates or empties the file. @throws OutputError
+    explicit NewFile(std::filesystem::path path);
+    ~NewFile();
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    /// Once. @param synced  not for what may be lost with the power @throws OutputError
+    void finish(std::string_view bytes, bool synced);
+
+private:
+    std::filesystem::path path_;
+    int descriptor_;
+};
 
 /// Writes to an open descriptor (1: standard output) until all is taken.
 /// @throws OutputError as above; `name` is what the message calls the target

@@ -2,10 +2,13 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+
 #include "errors.h"
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
-#include "output/publish.h"
+#include "output/file_group.h"
 
 namespace meshfolio::cli {
 
@@ -27,6 +30,13 @@ void complain(const std::string& message) {
     } catch (const OutputError&) {
         // There is nobody left to tell.
     }
+}
+
+int close_standard_output(int exit_code) {
+    if (::close(STDOUT_FILENO) == 0 || errno == EBADF) return exit_code;
+    const std::string reason = std::strerror(errno);
+    complain("standard output: cannot close (" + reason + ")");
+    return exit_code == 0 ? static_cast<int>(ExitCode::output) : exit_code;
 }
 
 void warn(const std::string& message) { complain("warning: " + message); }

@@ -12,6 +12,10 @@ namespace meshfolio::cli {
 /// To stdout, checked. @throws OutputError when it is closed or full
 void print(std::string_view text);
 
+/// To be called last: closes standard output, where some file systems first say that a write has failed.
+/// @return `exit_code`, or that of an output that cannot be written
+int close_standard_output(int exit_code);
+
 /// To a file, which is replaced as a whole, or to stdout for "-". @throws OutputError
 void print_to(const std::string& file, std::string_view text);
 

@@ -7,6 +7,7 @@
 #include "cli/console.h"
 #include "errors.h"
 #include "file_bytes.h"
+#include "output/leftovers.h"
 #include "output/temporaries.h"
 #include "report/pdf_finish.h"
 #include "report/print_page.h"
@@ -22,7 +23,10 @@ namespace {
 output::Temporary scratch_folder() {
     std::error_code error;
     const fs::path place = fs::temp_directory_path(error);
-    std::string name = ((error ? fs::path("/tmp") : place) / ("meshfolio-print-" + output::process_number() + "-XXXXXX")).string();
+    const std::string stem = "meshfolio-print-";
+    output::sweep_scratch_leftovers(error ? "/tmp" : place, stem);
+    std::string name = ((error ? fs::path("/tmp") : place) / (stem + output::process_number() + "-XXXXXX")).string();
+    const auto permission = output::permission_to_create();
     if (::mkdtemp(name.data()) == nullptr)
         throw OutputError(name, std::string("cannot be made (") + std::strerror(errno) + ")", "set TMPDIR");
     return output::Temporary(name);

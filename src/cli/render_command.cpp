@@ -15,9 +15,9 @@
 #include "contact_sheet.h"
 #include "draw_mesh.h"
 #include "number_text.h"
+#include "output/file_group.h"
 #include "output/folder_system.h"
 #include "output/label_view.h"
-#include "output/publish.h"
 #include "output/surface_of.h"
 #include "output/write_glb.h"
 #include "png.h"
@@ -137,18 +137,18 @@ render::ContactSheet sheet_of(const Options& options, const PreparedMesh& prepar
 }
 
 /// The sheet takes longer than all the views: whoever is free takes it first.
-void write_pictures(const std::filesystem::path& folder, const render::ContactSheet& sheet, bool bare) {
+void add_pictures(output::FileGroup& files, const std::filesystem::path& folder, const render::ContactSheet& sheet, bool bare) {
     const std::vector<render::Image>& pictures = sheet.rows[0].pictures;
     tbb::task_group tasks;
     tasks.run([&] {
         const render::Image image = bare ? bare_sheet(pictures) : render::compose(sheet);
-        output::replace_file(folder / "sheet.png", render::encode_png(image));
+        files.add(folder / "sheet.png", render::encode_png(image));
     });
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         tasks.run([&, i] {
             render::Image picture = pictures[i];
             if (!bare) output::label_view(picture, sheet.view_names[i]);
-            output::replace_file(folder / (sheet.view_names[i] + ".png"), render::encode_png(picture));
+            files.add(folder / (sheet.view_names[i] + ".png"), render::encode_png(picture));
         });
     }
     tasks.wait();
@@ -183,11 +183,13 @@ ExitCode run_render(const Options& options) {
     if (!show_something(pictures, draw.background))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
+    output::FileGroup files;
     if (!options.glb.empty())
-        output::replace_file(options.glb, output::write_glb(prepared.mesh, field.values, range, output::ball_around(prepared.mesh)));
+        files.add(options.glb, output::write_glb(prepared.mesh, field.values, range, output::ball_around(prepared.mesh)));
     output::make_folder(options.out);
-    write_pictures(options.out, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)),
-                   options.plain || draw.face_colors_from_id);
+    add_pictures(files, options.out, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)),
+                 options.plain || draw.face_colors_from_id);
+    files.publish();
     return ExitCode::ok;
 }
 

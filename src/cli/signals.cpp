@@ -1,6 +1,7 @@
 #include "cli/signals.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
@@ -24,7 +25,7 @@ void fill_closed_descriptors() {
     for (int descriptor = 0; descriptor <= 2; ++descriptor) {
         if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
         // The lowest free number is taken, which is this one. For reading only: what is written there must be found out.
-        if (::open("/dev/null", O_RDONLY) < 0) return;
+        if (::open("/dev/null", O_RDONLY) < 0 && ::open("/", O_RDONLY | O_DIRECTORY) < 0) return;
     }
 }
 
@@ -32,10 +33,15 @@ sigset_t ending_signals() {
     sigset_t set;
     sigemptyset(&set);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
+    struct sigaction hangup {};
+    if (::sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler == SIG_IGN) sigdelset(&set, SIGHUP);   // under nohup
     return set;
 }
 
+/// Not where that would have to wait: a pipe that nobody empties must not keep the process.
 void tell(std::string_view message) {
+    pollfd ready{STDERR_FILENO, POLLOUT, 0};
+    if (::poll(&ready, 1, 0) != 1) return;
     if (::write(STDERR_FILENO, message.data(), message.size()) < 0) {
         // There is nobody left to tell.
     }
@@ -47,11 +53,10 @@ void tell(std::string_view message) {
     while (sigwait(&signals, &signal) != 0) {
     }
     report::end_children();
-    output::abandon_publications();
-    constexpr std::string_view message = "\nmeshfolio: interrupted; the earlier output is as it was\n";
-    // On a terminal the line of progress is left first.
-    const std::string_view told = ::isatty(STDERR_FILENO) ? message : message.substr(1);
-    tell(told);
+    const bool has_published = output::abandon_publications();
+    if (::isatty(STDERR_FILENO)) tell("\n");   // leaves the line of progress
+    tell(has_published ? "meshfolio: interrupted; what was finished before is in its place\n"
+                       : "meshfolio: interrupted; the earlier output is as it was\n");
     ::_exit(128 + signal);
 }
 

@@ -8,7 +8,7 @@ namespace meshfolio::cli {
 /// - SIGPIPE and SIGXFSZ no longer kill: the write fails and is reported;
 /// - an exception that cannot be caught (no memory left while another is handled, say) ends the process in the same clean way, exit code 1;
 /// - SIGINT, SIGTERM and SIGHUP kill the programs we run, remove everything unpublished and end the process with 128 + signal (130, 143,
-/// 129).
+/// 129); a SIGHUP that was ignored from the beginning, by nohup, stays so.
 void prepare_process();
 
 }   // namespace meshfolio::cli

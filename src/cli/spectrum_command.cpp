@@ -9,7 +9,9 @@
 #include "geometry/laplace_operator.h"
 #include "geometry/spectral_reconstruction.h"
 #include "geometry/spectrum_certificate.h"
+#include "mesh/mesh_files.h"
 #include "number_text.h"
+#include "output/file_group.h"
 #include "output/folder_system.h"
 
 namespace meshfolio::cli {
@@ -66,11 +68,13 @@ void write_reconstructions(const Options& options, const std::vector<int>& count
                            const Vector& M) {
     const std::string stem = std::filesystem::path(options.mesh).stem().string();
     output::make_folder(options.out);
+    output::FileGroup files;
     for (const int k : counts) {
         if (k > spectrum.eigenvalues.size()) continue;
         const auto file = std::filesystem::path(options.out) / (stem + "_k" + std::to_string(k) + ".ply");
-        write_mesh_to(file.string(), moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)));
+        files.add(file, encode_mesh(moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)), file.string()));
     }
+    files.publish();
 }
 
 ExitCode run_spectrum(const Options& options) {

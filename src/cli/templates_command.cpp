@@ -3,7 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "file_bytes.h"
+#include "output/file_group.h"
 #include "output/folder_system.h"
 #include "report/template_tags.h"
 #include "report/writers.h"
@@ -28,10 +28,10 @@ void export_templates(const fs::path& folder, bool force) {
             throw OutputError((folder / name).string(), "is there already", "choose another folder, or --force to replace it");
     }
     output::make_folder(folder);
-    for (const std::string& name : templates.names()) {
-        write_file(folder / name, templates[name]);
-        print((folder / name).string() + "\n");
-    }
+    output::FileGroup files;
+    for (const std::string& name : templates.names()) files.add(folder / name, templates[name]);
+    files.publish();
+    for (const std::string& name : templates.names()) print((folder / name).string() + "\n");
 }
 
 ExitCode run_templates(const TemplatesFlags& flags) {

@@ -4,6 +4,8 @@
 
 #include <cholmod.h>
 
+#include <new>
+
 #include "errors.h"
 #include "geometry/factor_implementation.h"
 
@@ -29,9 +31,9 @@ public:
     const cholmod_common* operator->() const { return &common_; }
     cholmod_common* get() { return &common_; }
 
-    /// @throws SolverError if CHOLMOD ran out of memory, met sizes beyond its integers or was used wrongly
+    /// @throws std::bad_alloc; SolverError if CHOLMOD met sizes beyond its integers or was used wrongly
     void check(const char* what) const {
-        if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw SolverError(std::string(what) + ": not enough memory for the factor");
+        if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
         if (common_.status < CHOLMOD_OK) throw SolverError(std::string(what) + ": CHOLMOD status " + std::to_string(common_.status));
     }
 

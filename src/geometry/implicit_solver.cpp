@@ -1,5 +1,6 @@
 #include "geometry/implicit_solver.h"
 
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -60,7 +61,8 @@ struct ImplicitSolver::State {
         ++analyses;
         try {
             analysis.emplace(system);
-        } catch (const SolverError&) {   // beyond the library's integers, or out of memory
+        } catch (const SolverError&) {   // beyond the library's integers
+        } catch (const std::bad_alloc&) {
         }
     }
 

@@ -70,7 +70,7 @@ LdltPanels factor_below_zero(const LdltAnalysis& analysis, double& sigma) {
             if (factor.negative_pivots() == 0) return factor;
             const int negative = factor.negative_pivots();
             reason = std::to_string(negative) + (negative == 1 ? " eigenvalue is negative" : " eigenvalues are negative");
-        } catch (const SolverError& error) {   // a pivot lost in rounding, or no memory
+        } catch (const SolverError& error) {   // a pivot lost in rounding
             reason = error.what();
         }
     }

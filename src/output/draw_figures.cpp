@@ -20,6 +20,7 @@
 #include "file_bytes.h"
 #include "output/comparison_picture.h"
 #include "output/draw_models.h"
+#include "output/folder_system.h"
 #include "output/label_view.h"
 #include "output/preview.h"
 #include "output/robust_range.h"
@@ -219,9 +220,7 @@ struct Piece {
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
                                   const DrawSettings& settings, const std::function<void(double)>& progress) {
     require_good_names(requests);
-    std::error_code error;
-    std::filesystem::create_directories(folder / "images", error);
-    if (error) throw OutputError((folder / "images").string(), "cannot create the folder (" + error.message() + ")");
+    make_folder(folder / "images");
 
     std::vector<Work> figures(requests.size());
     std::vector<Piece> pieces;

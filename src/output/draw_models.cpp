@@ -4,8 +4,8 @@
 #include <numeric>
 #include <vector>
 
-#include "errors.h"
 #include "file_bytes.h"
+#include "output/folder_system.h"
 #include "output/write_glb.h"
 
 namespace meshfolio::output {
@@ -65,9 +65,7 @@ void add_models(std::span<const FigureRequest> requests, const fs::path& folder,
                                                   [](std::size_t sum, const report::DrawnModel& model) { return sum + model.glb.size(); });
         if (models.empty() || total + bytes > most_model_bytes) continue;
         total += bytes;
-        std::error_code error;
-        fs::create_directories(folder / "models", error);
-        if (error) throw OutputError((folder / "models").string(), "cannot create the folder (" + error.message() + ")");
+        make_folder(folder / "models");
         for (const report::DrawnModel& model : models) write_file(folder / model.file, model.glb);
         figures.at(request.id).models = std::move(models);
     }

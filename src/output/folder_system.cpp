@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <linux/stat.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <cstring>
 
 #include "errors.h"
+#include "output/temporaries.h"
 
 namespace meshfolio::output {
 
@@ -32,6 +34,11 @@ void OpenFolder::sync() const {
     }
 }
 
+void OpenFolder::lock() const {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        throw OutputError(path_.string(), "is busy: another run is writing there", "wait for its end");
+}
+
 bool is_mount_point(const fs::path& folder) {
     struct statx status {};
     if (::statx(AT_FDCWD, folder.c_str(), AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &status) != 0) return false;
@@ -43,6 +50,7 @@ bool is_mount_point(const fs::path& folder) {
 }
 
 void make_folder(const fs::path& path) {
+    const auto permission = permission_to_create();
     std::error_code error;
     fs::create_directories(path, error);
     if (error) throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")");

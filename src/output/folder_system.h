@@ -19,6 +19,8 @@ public:
     OpenFolder& operator=(const OpenFolder&) = delete;
     /// @throws OutputError
     void sync() const;
+    /// Until this goes, however the process ends. File systems without locks let everyone in. @throws OutputError if another has it
+    void lock() const;
 
 private:
     std::filesystem::path path_;

@@ -1,6 +1,7 @@
 #include "output/leftovers.h"
 
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -85,6 +86,18 @@ void sweep_file_leftovers(const fs::path& folder) noexcept try {
         // Not those with our own number: another thread may be writing one.
         const long pid = process_in_name(entry.path().filename().string(), ".meshfolio.part-");
         if (pid > 0 && is_dead(pid) && entry.is_regular_file() && !entry.is_symlink()) fs::remove(entry.path(), ignored);
+    }
+} catch (const std::exception&) {
+    // As above.
+}
+
+void sweep_scratch_leftovers(const fs::path& place, const std::string& stem) noexcept try {
+    for (const fs::directory_entry& entry : entries_of(place)) {
+        const long pid = process_in_name(entry.path().filename().string(), stem);
+        struct stat status {};
+        if (pid == 0 || !is_dead(pid) || ::lstat(entry.path().c_str(), &status) != 0) continue;
+        std::error_code ignored;
+        if (S_ISDIR(status.st_mode) && status.st_uid == ::geteuid()) fs::remove_all(entry.path(), ignored);
     }
 } catch (const std::exception&) {
     // As above.

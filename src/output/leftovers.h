@@ -16,7 +16,10 @@ long process_in_name(const std::string& name, const std::string& stem);
 /// and nothing that cannot be removed is an error.
 void sweep_leftovers(const std::filesystem::path& target) noexcept;
 
-/// The same for the temporary files of replace_file() in `folder`.
+/// The same for the temporary files of a FileGroup in `folder`.
 void sweep_file_leftovers(const std::filesystem::path& folder) noexcept;
+
+/// And for folders `<stem><pid>-…` of this user in `place`, which others may use as well.
+void sweep_scratch_leftovers(const std::filesystem::path& place, const std::string& stem) noexcept;
 
 }   // namespace meshfolio::output

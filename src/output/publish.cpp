@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -29,7 +28,8 @@ namespace {
 /// Absolute, links followed, no trailing slash: what the rename will name.
 fs::path resolved(const fs::path& target) {
     std::error_code error;
-    fs::path path = fs::weakly_canonical(fs::absolute(target), error);
+    fs::path path = fs::absolute(target, error);
+    if (!error) path = fs::weakly_canonical(path, error);
     if (error || target.empty()) throw OutputError(target.string(), "cannot be a folder (" + error.message() + ")");
     if (path.filename().empty()) path = path.parent_path();
     if (path.filename().empty()) throw OutputError(target.string(), "is the root of the file system", "choose another folder with --out");
@@ -46,11 +46,12 @@ void require_ours(const fs::path& target) {
     bool foreign = false;
     fs::directory_iterator it(target, error);
     if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
-    for (; it != fs::directory_iterator(); ++it) {
+    for (; it != fs::directory_iterator(); it.increment(error)) {
         const fs::path name = it->path().filename();
         if (name == marker_file) return;
         if (name != ".gitignore" && process_in_name(name.string(), ".meshfolio.tmp-") == 0) foreign = true;
     }
+    if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
     if (foreign) {
         throw OutputError(target.string(), "holds files that no report of ours put there, and would be replaced",
                           "choose a new or empty folder with --out");
@@ -120,7 +121,7 @@ Placed place(const fs::path& folder, const fs::path& target) {
 
 void place_by_one_rename(const fs::path& folder, const fs::path& target, std::string& note) {
     const OpenFolder parent(target.parent_path());
-    const auto permission = permission_to_publish();
+    const auto permission = permission_to_create();
     const Placed placed = place(folder, target);
     if (placed == Placed::unsupported) {
         replace_in_two_steps(folder, target);
@@ -133,11 +134,12 @@ void place_by_one_rename(const fs::path& folder, const fs::path& target, std::st
         if (placed == Placed::fresh) rename_with(target, folder, 0);
         throw;
     }
+    remember_publication();
 }
 
 /// For a mount point, which cannot be renamed: file by file, the sums last, so that a mix is at least found out by them.
 void place_file_by_file(const fs::path& folder, const fs::path& target) {
-    const auto permission = permission_to_publish();
+    const auto permission = permission_to_create();
     std::vector<std::string> files = files_below(folder);
     const std::vector<std::string> old = files_below(target);
     std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return file != sums_file; });
@@ -152,6 +154,14 @@ void place_file_by_file(const fs::path& folder, const fs::path& target) {
         if (!temporary && !std::binary_search(files.begin(), files.end(), file)) fs::remove(target / file);
     }
     sync_folders(target);
+    remember_publication();
+}
+
+void create_folder(const fs::path& path) {
+    const auto permission = permission_to_create();
+    std::error_code error;
+    if (!fs::create_directory(path, error))
+        throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")");
 }
 
 }   // namespace
@@ -165,13 +175,14 @@ Publication::Publication(const fs::path& target) : target_(resolved(target)) {
     make_folder(target_.parent_path());
     sweep_leftovers(target_);
     in_place_ = is_mount_point(target_);
+    if (in_place_) {
+        lock_ = std::make_unique<OpenFolder>(target_);
+        lock_->lock();
+    }
     const fs::path path =
         in_place_ ? target_ / (".meshfolio.tmp-" + process_number()) : fs::path(target_.string() + ".tmp-" + process_number());
     folder_ = std::make_unique<Folder>(path);
-    std::error_code error;
-    if (!fs::create_directory(path, error)) {
-        throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")");
-    }
+    create_folder(path);
     write_file(path / marker_file, "This folder was made by meshfolio, which replaces it as a whole.\n");
 }
 
@@ -198,28 +209,6 @@ std::string Publication::publish(const Digests& known) try {
     throw OutputError(target_.string(), error.what());
 }
 
-void replace_file(const fs::path& path, std::string_view bytes) {
-    std::error_code error;
-    const fs::path target = fs::weakly_canonical(path, error);
-    if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
-    const fs::file_status status = fs::status(target, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, bytes);
-    const fs::path folder = fs::absolute(target).parent_path();
-    if (!fs::is_directory(folder, error)) throw OutputError(path.string(), "its folder does not exist", "create it first");
-    sweep_file_leftovers(folder);
-    static std::atomic<int> number = 0;
-    const Temporary part(folder / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
-    try {
-        write_file(part.path(), bytes);
-    } catch (const OutputError& failure) {   // name the file that was asked for
-        throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
-    }
-    const OpenFolder parent(folder);
-    const auto permission = permission_to_publish();
-    if (const int code = rename_with(part.path(), target, 0); code != 0) fail(path, "cannot be put in place", code);
-    parent.sync();
-}
-
-void abandon_publications() noexcept { remove_all_temporaries(); }
+bool abandon_publications() noexcept { return remove_all_temporaries(); }
 
 }   // namespace meshfolio::output

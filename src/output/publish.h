@@ -16,12 +16,14 @@ inline constexpr const char* marker_file = ".meshfolio";
 /// Digests of every other file, in the format of sha256sum.
 inline constexpr const char* sums_file = "SHA256SUMS";
 
+class OpenFolder;
+
 class Publication {
 public:
     /// Prepares `<target>.tmp-<pid>` beside `target` and sweeps leftovers of dead runs. A target that is a symbolic link
     /// stands for what it points to; one that is a mount point is prepared inside.
-    /// @throws OutputError if the parent cannot be written, or `target` holds something that is not ours (neither the marker nor
-    /// nothing but a .gitignore)
+    /// @throws OutputError if the parent cannot be written, a mount point is being written by another run, or `target` holds something that
+    /// is not ours (neither the marker nor nothing but a .gitignore)
     explicit Publication(const std::filesystem::path& target);
     ~Publication();   // removes the temporary folder unless published
     Publication(const Publication&) = delete;
@@ -41,16 +43,13 @@ private:
     struct Folder;
     std::filesystem::path target_;
     std::unique_ptr<Folder> folder_;
-    bool in_place_ = false;   // the target is a mount point
+    bool in_place_ = false;              // the target is a mount point
+    std::unique_ptr<OpenFolder> lock_;   // of such a target, where two runs would mix their files
 };
-
-/// Creates or replaces one file all at once: written beside it, synced, renamed. What is not a regular file (a device, a FIFO) is
-/// written directly.
-/// @throws OutputError
-void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// For whoever ends the process early, on a signal say: removes every temporary file and folder of this process and lets nothing more be
 /// published. Never returns control to a publication that is under way.
-void abandon_publications() noexcept;
+/// @return whether something was published before
+bool abandon_publications() noexcept;
 
 }   // namespace meshfolio::output

@@ -8,11 +8,13 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include "errors.h"
 #include "file_bytes.h"
 #include "output/folder_system.h"
+#include "output/leftovers.h"
 #include "output/temporaries.h"
 #include "sha256.h"
 
@@ -86,6 +88,7 @@ ResultCache::ResultCache(fs::path folder, std::uintmax_t limit) : folder_(std::m
     make_folder(folder_ / objects);
     if (::access((folder_ / entries).c_str(), W_OK | X_OK) != 0 || ::access((folder_ / objects).c_str(), W_OK | X_OK) != 0)
         throw OutputError(folder_.string(), "cannot be written");
+    sweep_file_leftovers(folder_);
 }
 
 fs::path ResultCache::object(const std::string& digest) const { return folder_ / objects / spread(digest); }
@@ -96,8 +99,9 @@ void ResultCache::write_new(const fs::path& path, std::string_view bytes) {
     static std::atomic<int> number = 0;
     make_folder(path.parent_path());
     const Temporary part(folder_ / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
-    write_unsynced(part.path(), bytes);
-    if (const int error = rename_with(part.path(), path, 0); error != 0) throw OutputError(path.string(), "cannot be put in place");
+    write_part(part, bytes, false);
+    if (const int error = rename_with(part.path(), path, 0); error != 0)
+        throw OutputError(path.string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
 }
 
 std::optional<std::string> ResultCache::get(const std::string& key) {

@@ -2,10 +2,13 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "file_bytes.h"
 #include "output/publish.h"
 
 namespace meshfolio::output {
@@ -15,9 +18,11 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Registry {
-    std::mutex publishing;   // the permission
-    std::mutex listing;      // guards `paths`
+    std::recursive_mutex creating;   // the permission
+    bool has_published = false;      // guarded by it
+    std::mutex listing;              // guards `paths`
     std::set<fs::path> paths;
+    std::atomic<char*> reserve = new char[std::size_t{1} << 20];   // given back when there is no memory left to remove anything
 };
 
 /// Never destroyed: a signal may come while the program ends.
@@ -41,10 +46,11 @@ void remove_stubbornly(const fs::path& path) noexcept {
         try {
             remove_contents(path, error);
             fs::remove_all(path, error);
-        } catch (const std::exception&) {   // no memory to name an entry; tried again
-            continue;
+        } catch (const std::exception&) {
+            error = std::make_error_code(std::errc::not_enough_memory);
         }
         if (!error) return;
+        if (error == std::errc::not_enough_memory) delete[] registry().reserve.exchange(nullptr);
         ::usleep(1000);
     }
 }
@@ -62,12 +68,22 @@ Temporary::~Temporary() {
     registry().paths.erase(path_);
 }
 
-std::unique_lock<std::mutex> permission_to_publish() { return std::unique_lock(registry().publishing); }
+std::unique_lock<std::recursive_mutex> permission_to_create() { return std::unique_lock(registry().creating); }
 
-void remove_all_temporaries() noexcept {
-    registry().publishing.lock();   // and never unlocked
+void remember_publication() { registry().has_published = true; }
+
+void write_part(const Temporary& part, std::string_view bytes, bool synced) {
+    auto permission = permission_to_create();
+    NewFile file(part.path());
+    permission.unlock();   // a file that has lost its name may still be written
+    file.finish(bytes, synced);
+}
+
+bool remove_all_temporaries() noexcept {
+    registry().creating.lock();   // and never unlocked
     registry().listing.lock();
     for (const auto& path : registry().paths) remove_stubbornly(path);
+    return registry().has_published;
 }
 
 std::string process_number() { return std::to_string(::getpid()); }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace meshfolio::output {
 
@@ -21,11 +22,18 @@ private:
     std::filesystem::path path_;
 };
 
-/// Held around each rename that publishes something: after remove_all_temporaries() it is never given again.
-std::unique_lock<std::mutex> permission_to_publish();
+/// Held around whatever makes a name appear or puts one in the place of another: after remove_all_temporaries() it is never given again.
+/// A thread that has it may take it again.
+std::unique_lock<std::recursive_mutex> permission_to_create();
+/// To be called with the permission once something is published.
+void remember_publication();
+
+/// Writes the file that `part` stands for. @param synced  it has reached the disk when this returns @throws OutputError
+void write_part(const Temporary& part, std::string_view bytes, bool synced);
 
 /// Takes the permission for good and removes what is registered, also while other threads still write there.
-void remove_all_temporaries() noexcept;
+/// @return whether something was published before
+bool remove_all_temporaries() noexcept;
 
 /// Ends the names of what is temporary: the number of this process.
 std::string process_number();

@@ -26,7 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_output = 1 << 16;
+constexpr std::size_t most_output = 1 << 16, drain_step = 4096;
 
 /// The groups that run, so that a signal can end them.
 struct Registry {
@@ -118,7 +118,7 @@ int start(const ChildTask& task, int output, pid_t& process) {
 
 /// Takes what there is to read. @return false at its end
 bool drain(int descriptor, std::string& output) {
-    char buffer[4096];
+    char buffer[drain_step];
     for (;;) {
         const ssize_t got = ::read(descriptor, buffer, sizeof buffer);
         if (got == 0) return false;
@@ -150,6 +150,7 @@ ChildEnd run_child(const ChildTask& task) {
         end.code = errno;
         return end;
     }
+    end.output.reserve(2 * most_output + drain_step);   // nothing is thrown while the program runs
     const Descriptor reading(pipe[0]);
     Descriptor writing(pipe[1]);
     ::fcntl(writing.number(), F_SETFL, 0);   // the child's end waits for its reader

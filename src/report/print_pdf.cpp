@@ -121,7 +121,10 @@ std::string printed(const PdfEngine& engine, const std::string& html, const fs::
 
 void write_files(const PrintJob& job, const fs::path& scratch, bool draft) {
     for (const auto& [name, bytes] : job.files) {
-        fs::create_directories((scratch / name).parent_path());
+        const fs::path folder = (scratch / name).parent_path();
+        std::error_code error;
+        fs::create_directory(folder, error);   // not its parents: a scratch folder that a signal had removed must not come again
+        if (error) throw OutputError(folder.string(), "cannot create the folder (" + error.message() + ")");
         write_file(scratch / name, draft ? draft_of_jpeg(bytes) : bytes);
     }
 }

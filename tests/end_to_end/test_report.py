@@ -163,6 +163,8 @@ class Failures(unittest.TestCase):
         status = {q["id"]: q["status"] for q in json.loads((out / "results.json").read_text())["questions"]}
         self.assertEqual(status, {q: "failed" if q == "q4" else "ok" for q in QUESTIONS})
         self.assertIn("q4", process.stderr)
+        for name in ("index.html", "report.md", "results.json"):
+            self.assertIn("made to fail by MESHFOLIO", (out / name).read_text().replace("\\", ""), name)
 
     def test_a_failing_supporting_section_leaves_those_that_cite_it(self):
         out = temporary_folder(self) / "out"

@@ -19,6 +19,8 @@
 
 using namespace meshfolio;
 using namespace meshfolio::output;
+using testing_tools::dead_process;
+using testing_tools::entries_in;
 using testing_tools::TemporaryFolder;
 namespace fs = std::filesystem;
 
@@ -40,16 +42,6 @@ void publish(const fs::path& target, const std::map<std::string, std::string>& f
         write_file(publication.folder() / name, bytes);
     }
     EXPECT_EQ(publication.publish(), "");
-}
-
-int entries_in(const fs::path& folder) { return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())); }
-
-/// The number of a process that has ended.
-long dead_process() {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(0);
-    ::waitpid(child, nullptr, 0);
-    return child;
 }
 
 }   // namespace
@@ -234,49 +226,6 @@ TEST(Leftovers, WhatWasMovedAsideComesBackWhenItsSuccessorNeverCame) {
     sweep_leftovers(target);
     EXPECT_EQ(read_file(target / "index.html"), "old");
     EXPECT_EQ(entries_in(folder.path()), 1);
-}
-
-TEST(ReplaceFile, CreatesAndReplacesAndLeavesNothingElse) {
-    const TemporaryFolder folder;
-    const fs::path file = folder.path() / "mesh.ply";
-    replace_file(file, "one");
-    replace_file(file, "two");
-    EXPECT_EQ(read_file(file), "two");
-    EXPECT_EQ(entries_in(folder.path()), 1);
-}
-
-TEST(ReplaceFile, SeveralThreadsInOneFolder) {
-    const TemporaryFolder folder;
-    {
-        std::vector<std::jthread> threads;
-        for (int t = 0; t < 4; ++t) {
-            threads.emplace_back([&folder, t] {
-                for (int i = 0; i < 20; ++i) replace_file(folder.path() / std::to_string(t), std::to_string(i));
-            });
-        }
-    }
-    for (int t = 0; t < 4; ++t) EXPECT_EQ(read_file(folder.path() / std::to_string(t)), "19");
-    EXPECT_EQ(entries_in(folder.path()), 4);
-}
-
-TEST(ReplaceFile, SweepsPartsOfDeadRuns) {
-    const TemporaryFolder folder;
-    write_file(folder.path() / (".meshfolio.part-" + std::to_string(dead_process()) + "-0"), "half");
-    replace_file(folder.path() / "x", "x");
-    EXPECT_EQ(entries_in(folder.path()), 1);
-}
-
-TEST(ReplaceFile, NamesTheFileThatCannotBeWritten) {
-    const TemporaryFolder folder;
-    try {
-        replace_file(folder.path() / "missing" / "mesh.ply", "x");
-        FAIL();
-    } catch (const OutputError& error) {
-        EXPECT_NE(std::string(error.what()).find("mesh.ply"), std::string::npos) << error.what();
-    }
-    EXPECT_THROW(replace_file("/dev/full", "x"), OutputError);
-    replace_file("/dev/null", "x");
-    EXPECT_FALSE(fs::is_regular_file("/dev/null"));
 }
 
 TEST(AbandonPublications, RemovesWhatIsUnfinishedAndLetsNothingMoreBePublished) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 namespace meshfolio::testing_tools {
@@ -23,5 +25,17 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+inline int entries_in(const std::filesystem::path& folder) {
+    return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
+}
+
+/// The number of a process that has ended.
+inline long dead_process() {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    return child;
+}
 
 }   // namespace meshfolio::testing_tools

@@ -1,0 +1,177 @@
+"""What the parts of the harness share: the program, folders of their own, reports old and new, system calls seen and made to fail.
+The program's path comes from the environment variable MESHFOLIO; with FAULTS_WHOLE every moment is tried instead of some."""
+
+import collections
+import hashlib
+import os
+import random
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+PROGRAM = os.path.abspath(os.environ.get("MESHFOLIO", SOURCE / "build" / "release" / "meshfolio"))
+WHOLE = bool(os.environ.get("FAULTS_WHOLE"))
+STRACE = shutil.which("strace")
+ONE_CPU = ["taskset", "-c", str(min(os.sched_getaffinity(0)))]   # one thread works, so that calls come in the same order again
+
+
+def can_trace():
+    return bool(STRACE) and subprocess.run([STRACE, "-qq", "-o", "/dev/null", "true"], capture_output=True).returncode == 0
+
+
+def can_mount():
+    return subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode == 0 if shutil.which("unshare") else False
+
+
+needs_strace = unittest.skipUnless(can_trace(), "strace is not installed, or may not trace here")
+needs_mount = unittest.skipUnless(can_mount(), "no private mount namespace may be made here")
+
+signal.signal(signal.SIGHUP, lambda *_: None)   # under nohup, programs that are started would ignore it as well
+
+Call = collections.namedtuple("Call", "name number paths line")   # the number-th call of this name by its thread
+End = collections.namedtuple("End", "code out err seconds")
+
+
+def some(items, number):
+    """All of them with FAULTS_WHOLE, else so many, evenly spread, the first and the last among them."""
+    if WHOLE or len(items) <= number:
+        return list(items)
+    return [items[round(i * (len(items) - 1) / (number - 1))] for i in range(number)]
+
+
+def digest(path):
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+
+
+def tree(folder):
+    """Relative path → SHA-256 of all files below; None where there is no folder."""
+    folder = Path(folder)
+    return {str(p.relative_to(folder)): digest(p) for p in folder.rglob("*") if p.is_file()} if folder.is_dir() else None
+
+
+def sums_hold(folder):
+    """What `sha256sum -c SHA256SUMS` would say, and that no file is missing there."""
+    listed = dict(reversed(line.split("  ", 1)) for line in (folder / "SHA256SUMS").read_text().splitlines())
+    found = {name: value for name, value in tree(folder).items() if name not in ("SHA256SUMS", ".gitignore")}
+    listed.pop(".gitignore", None)
+    return listed == found
+
+
+class Faults(unittest.TestCase):
+    """A test in an empty folder, with a cache and a folder for temporary files of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="meshfolio-faults-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name).resolve()
+        self.random = random.Random(self.id())   # the same moments at every run, as far as clocks allow
+        for name in ("place", "tmp", "cache"):
+            (self.folder / name).mkdir()
+        self.place = self.folder / "place"   # where outputs are, and nothing else
+        self.out = self.place / "out"
+        self.environment = {**os.environ, "MESHFOLIO_PDF": "off", "TMPDIR": str(self.folder / "tmp"),
+                            "XDG_CACHE_HOME": str(self.folder / "cache"), "LC_ALL": "C"}
+
+    def start(self, *arguments, wrap=(), program=PROGRAM, **options):
+        options = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "cwd": self.folder,
+                   "env": self.environment, "start_new_session": True, **options}
+        process = subprocess.Popen([*map(str, [*wrap, program, *arguments])], **options)
+        self.addCleanup(lambda: (process.poll() is None and process.kill(), process.communicate()))
+        return process
+
+    def end(self, process, limit=120):
+        began = time.monotonic()
+        out, err = process.communicate(timeout=limit)
+        words = [(b or b"").decode(errors="replace") for b in (out, err)]
+        return End(process.returncode, *words, time.monotonic() - began)
+
+    def run_program(self, *arguments, **options):
+        return self.end(self.start(*arguments, **options))
+
+    def mesh(self, name="torus", *options):
+        path = self.folder / f"{name}.ply"
+        self.assertEqual(self.run_program("sample", name, "-o", path, *options).code, 0)
+        return path
+
+    # ---- a report whose pictures have `size` pixels: so the old one is told from the new one
+
+    def report_words(self, out=None, size=64, threads=1, cached=False):
+        words = ["report", "--quick", "--only", "q2", "--pdf", "off", "--no-timings", "--size", size, "--threads", threads]
+        return [*words, *([] if cached else ["--no-cache"]), "--out", out or self.out]
+
+    def report_tree(self, size, **options):
+        """The files of such a report."""
+        out = self.folder / f"made-{size}" / "out"
+        if not out.exists():
+            end = self.run_program(*self.report_words(out, size), **options)
+            self.assertEqual(end.code, 0, end.err)
+            self.assertTrue(sums_hold(out))
+        return tree(out)
+
+    def with_old_and_new(self):
+        """The trees of the old report, which is put in place, and of the new one, which report_words() makes."""
+        old, new = self.report_tree(72), self.report_tree(64)
+        self.assertNotEqual(old, new)
+        self.restore_old()
+        return old, new
+
+    def restore_old(self):
+        self.sweep()
+        shutil.rmtree(self.out, ignore_errors=True)
+        shutil.copytree(self.folder / "made-72" / "out", self.out)
+
+    def beside(self):
+        """Names beside the output, in the folder for temporary files and in the root of the cache."""
+        cache = self.folder / "cache" / "meshfolio"
+        return ([p.name for p in self.place.iterdir() if p != self.out] + [p.name for p in (self.folder / "tmp").iterdir()] +
+                [p.name for p in (cache.iterdir() if cache.is_dir() else []) if p.name not in ("entries", "objects")])
+
+    def sweep(self):
+        for name in [p for p in self.place.iterdir() if p != self.out] + list((self.folder / "tmp").iterdir()):
+            shutil.rmtree(name) if name.is_dir() and not name.is_symlink() else name.unlink()
+
+    # ---- system calls
+
+    def calls(self, names, *arguments, within=None, **options):
+        """The calls of these names that touch the folder `within` (default: where outputs are), in a run that must end well."""
+        log = self.folder / "trace"
+        wrap = [*ONE_CPU, STRACE, "-f", "-y", "-qq", "-e", "signal=none", "-o", log, "-e", "trace=" + ",".join(names)]
+        end = self.run_program(*arguments, wrap=wrap, **options)
+        self.assertEqual(end.code, 0, end.err)
+        found = [call for call in parsed_calls(log.read_text(errors="replace"))
+                 if any(path.startswith(str(within or self.place)) for path in call.paths)]
+        self.assertTrue(found, "no call was seen")
+        return found
+
+    def run_with(self, call, what, *arguments, limit=120):
+        """A run in which that call is tampered with ("error=ENOSPC", "signal=KILL"). @return its end, and whether the call came"""
+        log = self.folder / "trace"
+        wrap = [*ONE_CPU, STRACE, "-f", "-qq", "-e", "signal=none", "-o", log, "-e", f"trace={call.name}", "-e", f"inject={call.name}:{what}:when={call.number}"]
+        end = self.end(self.start(*arguments, wrap=wrap), limit)
+        return end, "(INJECTED)" in log.read_text(errors="replace")
+
+
+def parsed_calls(log):
+    """Every call once per number: those of different threads that have the same number are met together."""
+    counts, seen, calls = collections.Counter(), set(), []
+    for line in log.splitlines():
+        match = re.match(r"(\d+) +([a-z0-9_]+)\((.*)", line)
+        if not match:
+            continue
+        thread, name, words = match.groups()
+        counts[thread, name] += 1
+        number = counts[thread, name]
+        described = re.match(r"\d+<(/[^>]*)>", words)
+        paths = [described[1]] if described else []
+        if name not in ("write", "pwrite64", "writev", "read"):
+            paths += re.findall(r'"((?:[^"\\]|\\.)*)"', words)
+        if paths and (name, number, paths[0]) not in seen:
+            seen.add((name, number, paths[0]))
+            calls.append(Call(name, number, tuple(paths), line))
+    return calls

@@ -1,0 +1,130 @@
+"""Killed at any moment (SIGKILL): the old report or the new one, whole; the next run works and removes what was left."""
+
+import os
+import shutil
+import signal
+import time
+import unittest
+
+from common import WHOLE, Faults, needs_strace, some, sums_hold, tree
+
+CHANGES = ["openat", "write", "rename", "renameat", "renameat2", "link", "unlink", "unlinkat", "mkdir", "mkdirat", "rmdir", "ftruncate",
+           "fsync", "close", "sendfile", "copy_file_range"]
+
+
+class Kill(Faults):
+    def require_old_or_new(self, old, new, when):
+        now = tree(self.out)
+        self.assertIn(now, (old, new), f"{when}: neither the old report nor the new one")
+        self.assertTrue(sums_hold(self.out), when)
+
+    def require_next_run(self, new, *words):
+        """From what the kill left, without restoring."""
+        end = self.run_program(*words)
+        self.assertEqual(end.code, 0, end.err)
+        self.assertEqual(tree(self.out), new)
+        self.assertEqual(self.beside(), [])
+
+    @needs_strace
+    def test_before_system_calls_of_a_report(self):
+        old, new = self.with_old_and_new()
+        words = self.report_words()
+        points = self.calls(CHANGES, *words)
+        renames = [c for c in points if c.name.startswith("rename")]
+        for call in {*some(points, 14), *renames}:
+            self.restore_old()
+            end, _ = self.run_with(call, "signal=KILL", *words)
+            self.assertNotEqual(end.code, 0, call.line)
+            self.require_old_or_new(old, new, call.line)
+        self.require_next_run(new, *words)
+
+    @needs_strace
+    def test_before_system_calls_of_a_first_report(self):
+        new = self.report_tree(64)
+        words = self.report_words()
+        points = self.calls(CHANGES, *words)
+        for call in some(points, 6):
+            shutil.rmtree(self.out, ignore_errors=True)
+            self.run_with(call, "signal=KILL", *words)
+            self.assertIn(tree(self.out), (None, new), call.line)
+        self.require_next_run(new, *words)
+
+    @needs_strace
+    def test_leftovers_in_the_cache_are_swept_by_the_next_report(self):
+        words = self.report_words(cached=True)
+        points = [c for c in self.calls(CHANGES, *words, within=self.folder / "cache") if ".meshfolio.part-" in c.line]
+        new = tree(self.out)
+        left = 0
+        for call in some(points, 4):
+            shutil.rmtree(self.folder / "cache")
+            (self.folder / "cache").mkdir()
+            self.run_with(call, "signal=KILL", *words)
+            left += any(name.startswith(".meshfolio.part-") for name in self.beside())
+            self.assertIn(tree(self.out), (None, new), call.line)
+            self.require_next_run(new, *words)
+        self.assertGreater(left, 0, "no kill left anything: the test tests nothing")
+
+    def test_at_random_moments(self):
+        old, new = self.with_old_and_new()
+        words = self.report_words(threads=2)
+        began = time.monotonic()
+        self.assertEqual(self.run_program(*words).code, 0)
+        usual = time.monotonic() - began
+        for _ in range(100 if WHOLE else 12):
+            self.restore_old()
+            process = self.start(*words)
+            time.sleep(self.random.uniform(0, usual))
+            os.killpg(process.pid, signal.SIGKILL)
+            self.end(process)
+            self.require_old_or_new(old, new, "at random")
+        self.require_next_run(new, *words)
+
+    @needs_strace
+    def test_single_files_are_old_or_new(self):
+        mesh, result = self.mesh(), self.place / "x.ply"
+        words = ["smooth", mesh, "-o", result, "--lambda", "1e-4"]
+        points = self.calls(CHANGES, *words)
+        new = result.read_bytes()
+        for call in some(points, 6):
+            self.sweep()
+            result.write_bytes(b"old")
+            self.run_with(call, "signal=KILL", *words)
+            self.assertIn(result.read_bytes(), (b"old", new), call.line)
+        self.assertEqual(self.run_program(*words).code, 0)
+        self.assertEqual(self.beside(), ["x.ply"])
+
+    def test_folders_of_a_dead_printer_are_swept(self):
+        """A browser's folder, left by a run that was killed while printing; that of a living one stays."""
+        gone = self.start("--version")
+        self.end(gone)
+        dead = self.folder / "tmp" / f"meshfolio-print-{gone.pid}-abcdef"
+        alive = self.folder / "tmp" / f"meshfolio-print-{os.getpid()}-abcdef"
+        for folder in (dead, alive):
+            (folder / "profile").mkdir(parents=True)
+        browser = self.folder / "browser"
+        browser.write_text('#!/bin/sh\n[ "$1" = --version ] && echo "Chromium 200.0.0.0"\n')
+        browser.chmod(0o755)
+        words = [w if w != "off" else "auto" for w in self.report_words()]
+        end = self.run_program(*words, "--pdf-browser", browser)
+        self.assertEqual(end.code, 0, end.err)
+        self.assertEqual([p.name for p in (self.folder / "tmp").iterdir()], [alive.name])
+
+    @unittest.skipUnless(WHOLE, "only with --whole")
+    @needs_strace
+    def test_before_system_calls_of_a_submission(self):
+        full = self.run_program("report", "--quick", "--size", 64, "--pdf", "off", "--no-timings", "--out", self.out)
+        self.assertEqual(full.code, 0, full.err)
+        shutil.copytree(self.out, self.folder / "made-72" / "out")
+        old = tree(self.out)
+        words = ["submit", "--without-pdf", "--author", "A. Nobody", "--out", self.out]
+        points = self.calls(CHANGES, *words)
+        new = tree(self.out)
+        for call in points[:: max(1, len(points) // 150)]:
+            self.restore_old()
+            self.run_with(call, "signal=KILL", *words)
+            self.require_old_or_new(old, new, call.line)
+        self.require_next_run(new, *words)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,76 @@
+"""Little address space (RLIMIT_AS, from 64 MB up): a result, or one line that says so; never a crash, never for ever.
+Below some 120 MB the libraries themselves cannot be loaded: that line is the loader's, and its exit code 127."""
+
+import json
+import resource
+import shutil
+import unittest
+
+from common import WHOLE, Faults, tree
+
+MEGABYTE = 1 << 20
+SIZES = [*range(64, 260, 3), *range(260, 600, 20), 768, 1024, 2048] if WHOLE else [64, 112, 122, 134, 143, 149, 200]
+LOADER = "error while loading shared libraries"
+
+
+class Memory(Faults):
+    def limited(self, megabytes, *words):
+        limit = (megabytes * MEGABYTE, megabytes * MEGABYTE)
+        end = self.run_program(*words, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limit))
+        self.assertIn(end.code, (0, 1, 127), f"{words[0]} with {megabytes} MB: {end.err}")
+        if end.code == 127:
+            self.assertIn(LOADER, end.err)
+        return end
+
+    def require_result_or_one_line(self, result, *words):
+        """Where there is enough the same result as without a limit."""
+        self.sweep()
+        self.assertEqual(self.run_program(*words).code, 0)
+        expected, ended_well = tree(self.place), 0
+        for megabytes in SIZES:
+            self.sweep()
+            end = self.limited(megabytes, *words)
+            ended_well += end.code == 0
+            if end.code == 0:
+                self.assertEqual(tree(self.place), expected, megabytes)
+            else:
+                lines = [line for line in end.err.splitlines() if "warning: " not in line and "certificate: " not in line]
+                self.assertEqual(len(lines), 1, f"{words[0]} with {megabytes} MB: {end.err}")
+                self.assertTrue("out of memory" in lines[0] or LOADER in lines[0], f"{words[0]} with {megabytes} MB: {lines[0]}")
+                self.assertEqual(tree(self.place), {}, megabytes)
+        self.assertGreater(ended_well, 0)
+
+    def test_commands_on_one_mesh(self):
+        mesh, place = self.mesh("torus", "--subdivide", 1), self.place
+        for words in (["inspect", mesh], ["render", mesh, "--size", 256, "--out", place / "views"],
+                      ["spectrum", mesh, "-k", 20, "--vectors", place / "vectors.npy"],
+                      ["smooth", mesh, "--scheme", "implicit", "--lambda", "1e-3", "-o", place / "x.ply"]):
+            with self.subTest(words[0]):
+                self.require_result_or_one_line(place, *words)
+
+    def test_reports(self):
+        """A question that found no memory may fail and be shown, or the report is not made."""
+        mesh = self.mesh("torus")
+        words = ["report", "--quick", "--only", "q2,q4", "--pdf", "off", "--no-cache", "--size", 64, "--out", self.out, mesh]
+        outcomes = set()
+        for megabytes in SIZES:
+            self.sweep()
+            end = self.limited(megabytes, *words)
+            last = end.err.splitlines()[-1]
+            if self.out.exists():
+                questions = json.loads((self.out / "results.json").read_text())["questions"]
+                failed = [q["id"] for q in questions if q["status"] == "failed"]
+                self.assertEqual(end.code, 1 if failed else 0, end.err)
+                self.assertTrue(not failed or "out of memory" in end.err, end.err)
+            else:
+                self.assertNotEqual(end.code, 0)
+                self.assertTrue("out of memory" in last or LOADER in last, f"{megabytes} MB: {last}")
+            outcomes.add(end.code)
+            self.assertEqual(self.beside(), [])
+            shutil.rmtree(self.out, ignore_errors=True)
+        self.assertIn(0, outcomes)
+        self.assertIn(1, outcomes)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

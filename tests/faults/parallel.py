@@ -1,0 +1,50 @@
+"""Several runs into one place: one of them wins whole."""
+
+import shutil
+import unittest
+
+from common import WHOLE, Faults, sums_hold, tree
+
+SIZES = [56, 64, 72, 80]
+
+
+class Parallel(Faults):
+    def test_reports_into_one_folder(self):
+        expected = [self.report_tree(size) for size in SIZES]
+        for number in range(50 if WHOLE else 5):
+            if number % 2 == 0:   # a first run has nothing to exchange
+                shutil.rmtree(self.out, ignore_errors=True)
+            sizes = SIZES[: 2 + number % 3]
+            processes = [self.start(*self.report_words(size=size)) for size in sizes]
+            for end in map(self.end, processes):
+                self.assertTrue(end.code == 0 or (end.code == 4 and "busy" in end.err), end.err)
+            self.assertIn(tree(self.out), expected[: len(sizes)])
+            self.assertTrue(sums_hold(self.out))
+            self.assertEqual(self.beside(), [])
+
+    def test_reports_that_share_a_cache(self):
+        new = self.report_tree(64)
+        for _ in range(12 if WHOLE else 2):
+            processes = [self.start(*self.report_words(self.place / str(i) / "out", cached=True)) for i in range(4)]
+            for i, end in enumerate(map(self.end, processes)):
+                self.assertEqual(end.code, 0, end.err)
+                self.assertNotIn("warning", end.err)
+                self.assertEqual(tree(self.place / str(i) / "out"), new)
+
+    def test_single_files(self):
+        mesh, result = self.mesh(), self.place / "x.ply"
+        expected = set()
+        for step in ("1e-4", "2e-4", "3e-4"):
+            self.assertEqual(self.run_program("smooth", mesh, "-o", result, "--lambda", step).code, 0)
+            expected.add(result.read_bytes())
+        self.assertEqual(len(expected), 3)
+        for _ in range(30 if WHOLE else 4):
+            processes = [self.start("smooth", mesh, "-o", result, "--lambda", step) for step in ("1e-4", "2e-4", "3e-4")]
+            for end in map(self.end, processes):
+                self.assertEqual(end.code, 0, end.err)
+            self.assertIn(result.read_bytes(), expected)
+            self.assertEqual([p.name for p in self.place.iterdir()], ["x.ply"])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

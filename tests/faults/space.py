@@ -1,0 +1,186 @@
+"""Disks that are full, read-only or broken, files that may not grow: exit 4, one line that names the path and the system's reason, the old
+output as it was."""
+
+import os
+import resource
+import subprocess
+import unittest
+
+from common import ONE_CPU, PROGRAM, STRACE, WHOLE, Faults, needs_mount, needs_strace, some, tree
+
+WRITES = ["openat", "write", "fsync", "fdatasync", "ftruncate", "rename", "renameat2", "mkdir", "mkdirat", "close"]
+REASONS = {"ENOSPC": "No space left on device", "EIO": "Input/output error", "EDQUOT": "Disk quota exceeded"}
+
+
+def writing(calls):
+    """Those whose error is one of the output: not of what is opened, read and closed again."""
+    created = {}
+    for call in calls:
+        if call.name == "openat":
+            created[call.paths[-1]] = "O_CREAT" in call.line
+        if call.name not in ("openat", "close") or created.get(call.paths[-1]):
+            yield call
+
+
+class Space(Faults):
+    def require_refusal(self, end, reason, when):
+        self.assertEqual(end.code, 4, f"{when}: {end.err}")
+        errors = [line for line in end.err.splitlines() if "cannot" in line]
+        self.assertEqual(len(errors), 1, f"{when}: {end.err}")
+        self.assertTrue(errors[0].startswith("meshfolio: ") and reason in errors[0], f"{when}: {errors[0]}")
+        self.assertIn(str(self.place), errors[0], when)
+
+    @needs_strace
+    def test_each_failing_call_of_a_report(self):
+        old, new = self.with_old_and_new()
+        words = self.report_words()
+        points = list(writing(self.calls(WRITES, *words)))
+        last = [c for c in points if c.name.startswith("rename")] + [c for c in points if c.name == "fsync"][-2:]
+        for number, call in enumerate([*some(points, 16), *last]):
+            error = list(REASONS)[number % len(REASONS)]
+            self.restore_old()
+            end, came = self.run_with(call, f"error={error}", *words)
+            self.assertTrue(came, call.line)
+            self.require_refusal(end, REASONS[error], call.line)
+            self.assertEqual(tree(self.out), old, call.line)
+            self.assertEqual(self.beside(), [], call.line)
+
+    @needs_strace
+    def test_each_failing_call_of_a_folder_of_pictures(self):
+        mesh = self.mesh("cube8")
+        words = ["render", mesh, "--size", 64, "--views", "+x,-y", "--out", self.out]
+        self.assertEqual(self.run_program(*words, "--edges").code, 0)
+        old = tree(self.out)
+        points = list(writing(self.calls(WRITES, *words)))
+        for number, call in enumerate(some(points, 8)):
+            error = list(REASONS)[number % len(REASONS)]
+            self.assertEqual(self.run_program(*words, "--edges").code, 0)
+            end, came = self.run_with(call, f"error={error}", *words)
+            self.assertTrue(came, call.line)
+            self.require_refusal(end, REASONS[error], call.line)
+            self.assertEqual(tree(self.out), old, call.line)
+
+    @needs_strace
+    def test_each_failing_call_of_one_file(self):
+        mesh, result = self.mesh(), self.place / "x.ply"
+        words = ["smooth", mesh, "-o", result, "--lambda", "1e-4"]
+        for call in list(writing(self.calls(WRITES, *words))):
+            for error in REASONS if WHOLE else ["EIO"]:
+                result.write_bytes(b"old")
+                end, came = self.run_with(call, f"error={error}", *words)
+                self.assertTrue(came, call.line)
+                self.require_refusal(end, REASONS[error], call.line)
+                self.assertEqual([p.name for p in self.place.iterdir()], ["x.ply"], call.line)
+                self.assertEqual(result.read_bytes(), b"old", call.line)
+
+    @needs_strace
+    def test_a_broken_cache_is_no_reason_to_fail(self):
+        new = self.report_tree(64)
+        words = self.report_words(cached=True)
+        points = list(writing(self.calls(WRITES, *words, within=self.folder / "cache")))
+        for call in some(points, 4):
+            subprocess.run(["rm", "-rf", self.folder / "cache" / "meshfolio", self.out], check=True)
+            end, came = self.run_with(call, "error=ENOSPC", *words)
+            self.assertTrue(came, call.line)
+            self.assertEqual(end.code, 0, call.line + end.err)
+            self.assertEqual(tree(self.out), new, call.line)
+            self.assertIn("meshfolio: warning:", end.err, call.line)
+
+    @needs_strace
+    def test_standard_output_that_fails_when_it_is_closed(self):
+        mesh, listing = self.mesh(), self.place / "listing"
+        with open(listing, "wb") as file:
+            calls = self.calls(["close"], "inspect", mesh, stdout=file)
+        with open(listing, "wb") as file:
+            log = self.folder / "trace"
+            wrap = [*ONE_CPU, STRACE, "-f", "-qq", "-e", "signal=none", "-o", log, "-e", "trace=close", "-e", f"inject=close:error=EIO:when={calls[-1].number}"]
+            end = self.run_program("inspect", mesh, wrap=wrap, stdout=file)
+        self.assertEqual(end.code, 4, end.err)
+        self.assertIn("standard output: cannot close (Input/output error)", end.err)
+
+    def test_files_that_may_not_grow(self):
+        old, new = self.with_old_and_new()
+        largest = max((self.out / name).stat().st_size for name in old)
+        for size in some([largest * i // 20 for i in range(1, 20)], 4):
+            end = self.run_program(*self.report_words(), preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+            self.require_refusal(end, "File too large", size)
+            self.assertEqual((tree(self.out), self.beside()), (old, []), size)
+
+    def test_devices_as_outputs(self):
+        mesh = self.mesh()
+        for words in (["smooth", mesh, "-o", "/dev/full", "--lambda", "1e-4"], ["curvature", mesh, "--csv", "/dev/full"],
+                      ["sample", "cube", "-o", "/dev/full"], ["spectrum", mesh, "-k", 3, "--vectors", "/dev/full"]):
+            end = self.run_program(*words)
+            self.assertIn(end.code, (2, 4), words)
+            if end.code == 4:
+                self.assertIn("/dev/full", end.err)
+                self.assertIn("No space left on device", end.err)
+
+    def test_missing_folders_and_folders_in_the_way(self):
+        mesh = self.mesh()
+        (self.place / "folder.ply").mkdir()
+        for target, reason in ((self.place / "no" / "x.ply", "does not exist"), (self.place / "folder.ply", "Is a directory"),
+                               (mesh / "x.ply", "does not exist"), (self.place / ("n" * 300 + ".ply"), "File name too long")):
+            end = self.run_program("noise", mesh, "-o", target, "--sigma", 0.1)
+            self.assertEqual(end.code, 4, end.err)
+            self.assertEqual(len(end.err.splitlines()), 1)
+            self.assertIn(reason, end.err)
+
+
+    def test_a_working_directory_that_was_removed(self):
+        def leave():
+            os.mkdir("gone")
+            os.chdir("gone")
+            os.rmdir("../gone")
+        for words in (["sample", "cube", "-o", "x.ply"], ["sample", "cube", "-o", "there/x.ply"], self.report_words("out"), ["templates", "mine"],
+                      ["render", self.mesh("cube8"), "--size", 64]):
+            end = self.run_program(*words, preexec_fn=leave)
+            self.assertEqual((end.code, len(end.err.splitlines())), (4, 1), f"{words}: {end.err}")
+            self.assertIn("No such file or directory", end.err)
+
+
+@needs_mount
+class Mounted(Faults):
+    """Each in a mount namespace of its own, which takes its mounts with it."""
+
+    def in_mount(self, options, script, **environment):
+        """Runs the shell script with a new tmpfs at $M; it ends with what it found."""
+        mount = self.folder / "mount"
+        mount.mkdir(exist_ok=True)
+        words = f"mount -t tmpfs -o {options} tmpfs \"$M\" && {{ {script}\n}}"
+        process = subprocess.run(["unshare", "-m", "--propagation", "private", "sh", "-c", words], capture_output=True, text=True, timeout=200,
+                                 env={**self.environment, "M": str(mount), "P": PROGRAM, "W": str(self.folder), **environment})
+        return process
+
+    REPORT = '"$P" report --quick --only q2 --pdf off --no-cache --no-timings --size 64 --out "$M/out"'
+    SUMS = '( cd "$M/out" && find . -type f | sort | xargs sha256sum | sha256sum )'
+
+    def test_a_small_disk(self):
+        old, _ = self.with_old_and_new()
+        kilobytes = sum((self.out / name).stat().st_size for name in old) // 1024
+        for step in some(list(range(0, 20)), 4):
+            size = kilobytes + 200 + kilobytes * step // 20
+            script = f'cp -r "$W/place/out" "$M/out"; A=$( {self.SUMS} ); {self.REPORT}; C=$?; [ "$A" = "$( {self.SUMS} )" ] && [ "$(ls -A "$M")" = out ] && exit $C; exit 99'
+            process = self.in_mount(f"size={size}k,mode=755", script)
+            self.assertEqual(process.returncode, 4, process.stderr)
+            self.assertIn("No space left on device", process.stderr)
+
+    def test_a_disk_that_may_not_be_written(self):
+        self.with_old_and_new()
+        script = f'cp -r "$W/place/out" "$M/out"; mount -o remount,ro "$M"; A=$( {self.SUMS} ); {self.REPORT}; C=$?; [ "$A" = "$( {self.SUMS} )" ] && exit $C; exit 99'
+        process = self.in_mount("size=40m,mode=755", script)
+        self.assertEqual(process.returncode, 4, process.stderr)
+        self.assertIn("Read-only file system", process.stderr)
+
+    def test_an_output_folder_that_is_a_mount_point_serves_one_run_at_a_time(self):
+        report = self.REPORT.replace("$M/out", "$M")
+        script = f"{report} 2>$W/a & A=$!; {report} 2>$W/b; B=$?; wait $A; A=$?; cd $M && sha256sum -c --quiet SHA256SUMS >/dev/null 2>&1 || exit 99; [ $A = 4 ] || [ $B = 4 ] || exit 98; [ $A = 0 ] || [ $B = 0 ]"
+        process = self.in_mount("size=40m,mode=755", script)
+        told = (self.folder / "a").read_text() + (self.folder / "b").read_text()
+        if process.returncode != 98:   # one had ended before the other began
+            self.assertEqual(process.returncode, 0, told + process.stderr)
+            self.assertIn("is busy: another run is writing there", told)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
