@@ -115,6 +115,7 @@ std::vector<Word> header_of(const Code& code, bool last) {
 
     std::array<uint32_t, symbols + 4> lengths{};
     std::transform(code.begin(), code.end(), lengths.begin(), [](const Word& word) { return word.length; });
+    // cppcheck-suppress containerOutOfBounds ; it takes the size for `symbols`, without the 4
     lengths[symbols + 2] = lengths[symbols + 3] = 1;
     for (size_t i = 0, end = 0; i < lengths.size();) {
         const uint32_t length = lengths[i];

@@ -47,12 +47,13 @@ struct CornerFetcher {
     IntVector across, up, depth, left, top;
 
     CornerFetcher(const ProjectedScene& projected, const SampleTile& tile)
-        : vertices(projected.vertices->at.data()), triangles(&projected.scene.surface.triangles[0].x) {
-        const Ints d;
-        across = hn::Set(d, projected.component[0]), up = hn::Set(d, projected.component[1]), depth = hn::Set(d, projected.component[2]);
-        left = hn::Set(d, projected.scene.width * (subpixels / 2) - tile.x() * subpixels);
-        top = hn::Set(d, projected.scene.height * (subpixels / 2) - tile.y() * subpixels);
-    }
+        : vertices(projected.vertices->at.data()),
+          triangles(&projected.scene.surface.triangles[0].x),
+          across(hn::Set(Ints(), projected.component[0])),
+          up(hn::Set(Ints(), projected.component[1])),
+          depth(hn::Set(Ints(), projected.component[2])),
+          left(hn::Set(Ints(), projected.scene.width * (subpixels / 2) - tile.x() * subpixels)),
+          top(hn::Set(Ints(), projected.scene.height * (subpixels / 2) - tile.y() * subpixels)) {}
     Corner corner(IntVector id, int k) const {
         const Ints d;
         const IntVector in_triangles = hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k));

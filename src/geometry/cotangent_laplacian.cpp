@@ -179,17 +179,13 @@ SparseMatrix edge_normalised_laplacian(const TriangleMesh& mesh, bool clamp_nega
     const Vector A = vertex_areas(mesh, AreaForm::barycentric);
     for (Eigen::Index j = 0; j < L.outerSize(); ++j) {
         double sum = 0;
-        double* diagonal = nullptr;
         for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) {
-            if (entry.row() == j) {
-                diagonal = &entry.valueRef();
-                continue;
-            }
+            if (entry.row() == j) continue;
             const double areas = A[entry.row()] + A[j];
             entry.valueRef() = areas > 0 ? 2 * entry.value() / areas : 0;
             sum += entry.value();
         }
-        *diagonal = 0 - sum;
+        L.coeffRef(j, j) = 0 - sum;   // every column has its diagonal
     }
     return L;
 }

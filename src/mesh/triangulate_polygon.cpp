@@ -69,8 +69,8 @@ Faces fan(int corners) {
 /// The chosen points in the cells of a grid over them, about one a cell, to find those in a box.
 class PointGrid {
 public:
-    PointGrid(const std::vector<Point>& points, const std::vector<int>& chosen) {
-        low_ = high_ = chosen.empty() ? points.front() : points[at(chosen.front())];
+    PointGrid(const std::vector<Point>& points, const std::vector<int>& chosen)
+        : low_(chosen.empty() ? points.front() : points[at(chosen.front())]), high_(low_) {
         for (const int i : chosen) {
             low_ = low_.cwiseMin(points[at(i)]);
             high_ = high_.cwiseMax(points[at(i)]);

@@ -25,7 +25,7 @@ std::string small_pdf(int pages, const std::vector<std::string>& titles, const s
     QPDFObjectHandle outlines = pdf.makeIndirectObject(QPDFObjectHandle::parse("<< /Type /Outlines >>"));
     QPDFObjectHandle last[2] = {QPDFObjectHandle::newNull(), QPDFObjectHandle::newNull()};
     for (std::size_t i = 0; i < titles.size(); ++i) {
-        const bool deeper = titles[i].starts_with("> ");
+        const bool deeper = titles[i].compare(0, 2, "> ") == 0;
         QPDFObjectHandle item = pdf.makeIndirectObject(QPDFObjectHandle::newDictionary());
         QPDFObjectHandle parent = deeper ? last[0] : outlines;
         item.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(deeper ? titles[i].substr(2) : titles[i]));
