@@ -86,8 +86,9 @@ Byte distance(Byte u, Byte v) { return static_cast<Byte>(greater(u, v) - lesser(
 /// a + b − c. Its distances to a, b, c are |b − c|, |a − c| and, where c lies between a and b, the difference of these two; elsewhere
 /// their sum, which is never the least. All in bytes, so that sixteen are done at a time.
 void subtract_paeth(const Byte* row, const Byte* above, std::size_t size, std::size_t channels, Byte* __restrict rest) {
+    const Byte *const left = row - channels, *const upper_left = above - channels;
     for (std::size_t i = 0; i < size; ++i) {
-        const Byte a = row[i - channels], b = above[i], c = above[i - channels];
+        const Byte a = left[i], b = above[i], c = upper_left[i];
         const Byte to_a = distance(b, c), to_b = distance(a, c), least = lesser(to_a, to_b);
         const Byte nearer = to_a == least ? a : b;
         const Byte inside = greater(lesser(a, b), lesser(c, greater(a, b)));   // c if it lies between
