@@ -37,16 +37,16 @@ struct alignas(64) SmallTriangles {
 };
 
 /// The corners of some triangles in grid steps from the corner of the tile, and their depths.
-struct Corner {
+struct TileCorner {
     IntVector x, y, depth;
 };
 
-struct CornerFetcher {
+struct TileCornerFetcher {
     const std::int32_t* vertices;
     const std::int32_t* triangles;
     IntVector across, up, depth, left, top;
 
-    CornerFetcher(const ProjectedScene& projected, const SampleTile& tile)
+    TileCornerFetcher(const ProjectedScene& projected, const SampleTile& tile)
         : vertices(projected.vertices->at.data()),
           triangles(&projected.scene.surface.triangles[0].x),
           across(hn::Set(Ints(), projected.component[0])),
@@ -54,7 +54,7 @@ struct CornerFetcher {
           depth(hn::Set(Ints(), projected.component[2])),
           left(hn::Set(Ints(), projected.scene.width * (subpixels / 2) - tile.x() * subpixels)),
           top(hn::Set(Ints(), projected.scene.height * (subpixels / 2) - tile.y() * subpixels)) {}
-    Corner corner(IntVector id, int k) const {
+    TileCorner corner(IntVector id, int k) const {
         const Ints d;
         const IntVector in_triangles = hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k));
         const IntVector v = hn::ShiftLeft<2>(hn::GatherIndex(d, triangles, in_triangles));
@@ -63,31 +63,31 @@ struct CornerFetcher {
     }
 };
 
-HWY_INLINE void select(hn::Mask<Ints> take, const Corner& from, Corner& to) {
+HWY_INLINE void select(hn::Mask<Ints> take, const TileCorner& from, TileCorner& to) {
     to = {hn::IfThenElse(take, from.x, to.x), hn::IfThenElse(take, from.y, to.y), hn::IfThenElse(take, from.depth, to.depth)};
 }
 
 /// Exchanges b and c where the area is negative, then turns the topmost corner (of these the leftmost) to the front, so that doubled
 /// triangles get equal depths to the last bit whatever the order of their corners. Gives twice the area.
-HWY_INLINE IntVector orient(Corner& a, Corner& b, Corner& c, IntVector left, IntVector top) {
+HWY_INLINE IntVector orient(TileCorner& a, TileCorner& b, TileCorner& c, IntVector left, IntVector top) {
     const IntVector area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(b.y, a.y), hn::Sub(c.x, a.x)));
     const auto is_negative = hn::Lt(area, hn::Zero(Ints()));
-    const Corner old_a = a, old_b = b;
+    const TileCorner old_a = a, old_b = b;
     select(is_negative, c, b);
     select(is_negative, old_b, c);
-    const auto place = [&](const Corner& p) HWY_ATTR { return hn::Add(hn::ShiftLeft<14>(hn::Sub(p.y, top)), hn::Sub(p.x, left)); };
+    const auto place = [&](const TileCorner& p) HWY_ATTR { return hn::Add(hn::ShiftLeft<14>(hn::Sub(p.y, top)), hn::Sub(p.x, left)); };
     const IntVector of_a = place(a), of_b = place(b), of_c = place(c);
     const auto b_first = hn::And(hn::Lt(of_b, of_a), hn::Lt(of_b, of_c));
     const auto c_first = hn::And(hn::Lt(of_c, of_a), hn::Lt(of_c, of_b));
-    const Corner oriented_b = b;
+    const TileCorner oriented_b = b;
     select(b_first, b, a), select(b_first, c, b), select(b_first, old_a, c);
-    const Corner after_a = a;
+    const TileCorner after_a = a;
     select(c_first, c, a), select(c_first, oriented_b, c), select(c_first, after_a, b);
     return hn::Abs(area);
 }
 
 /// @param x, y  of the first block
-HWY_INLINE void set_edge(const Corner& from, const Corner& to, IntVector x, IntVector y, int shift, std::size_t k, std::size_t lane,
+HWY_INLINE void set_edge(const TileCorner& from, const TileCorner& to, IntVector x, IntVector y, int shift, std::size_t k, std::size_t lane,
                          SmallTriangles& result) {
     const Ints d;
     const Floats f;
@@ -121,12 +121,12 @@ struct BlockSpan {
 };
 
 /// Sets up the triangles in as many lanes as a vector has, from `lane` on.
-HWY_INLINE void set_up(const CornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
+HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
                        SmallTriangles& result) {
     const Ints d;
     const Floats f;
     const IntVector id = hn::LoadU(d, ids);
-    Corner a = fetch.corner(id, 0), b = fetch.corner(id, 1), c = fetch.corner(id, 2);
+    TileCorner a = fetch.corner(id, 0), b = fetch.corner(id, 1), c = fetch.corner(id, 2);
     const auto is_far = hn::Lt(hn::Min(a.depth, hn::Min(b.depth, c.depth)), hn::Set(d, GridVertex::far_off + 1));
     const IntVector left = hn::Min(a.x, hn::Min(b.x, c.x)), right = hn::Max(a.x, hn::Max(b.x, c.x));
     const IntVector top = hn::Min(a.y, hn::Min(b.y, c.y)), bottom = hn::Max(a.y, hn::Max(b.y, c.y));
@@ -142,7 +142,7 @@ HWY_INLINE void set_up(const CornerFetcher& fetch, const std::int32_t* ids, cons
     set_edge(c, a, x, y, shift, 1, lane, result);
     set_edge(a, b, x, y, shift, 2, lane, result);
     const FloatVector inverse_area = hn::Div(hn::Set(f, 1.0F), hn::ConvertTo(f, area));
-    const auto slope = [&](const Corner& p) HWY_ATTR { return hn::Mul(hn::ConvertTo(f, hn::Sub(p.depth, a.depth)), inverse_area); };
+    const auto slope = [&](const TileCorner& p) HWY_ATTR { return hn::Mul(hn::ConvertTo(f, hn::Sub(p.depth, a.depth)), inverse_area); };
     hn::StoreU(hn::ConvertTo(f, a.depth), f, result.depth.data() + lane);
     hn::StoreU(slope(b), f, result.depth1.data() + lane);
     hn::StoreU(slope(c), f, result.depth2.data() + lane);
@@ -218,7 +218,7 @@ HWY_INLINE void prefetch(const ProjectedScene& scene, std::span<const std::int32
 }
 
 void RasterizeAll(const ProjectedScene& scene, std::span<const std::int32_t> triangles, SampleTile& tile) {
-    const CornerFetcher fetch(scene, tile);
+    const TileCornerFetcher fetch(scene, tile);
     SmallTriangles ready;
     Lanes ids;
     for (std::size_t begin = 0; begin < triangles.size(); begin += block_samples) {

@@ -19,7 +19,7 @@ run_cppcheck() {
 }
 
 run_clang_tidy() {
-    install_packages $build_packages clang-14 clang-tidy-14 clang-tools-14
+    install_packages $build_packages clang-14 clang-tidy-14
     cmake -S . -B build/analysis -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++-14 -DMESHFOLIO_TESTS=OFF \
         -DMESHFOLIO_VIEWER=OFF >/dev/null
     # What it prints besides findings (its commands, how many warnings the headers of libraries have) stays in the files.
@@ -30,6 +30,6 @@ run_clang_tidy() {
 }
 
 status=0
-if [ $tool != clang-tidy ]; then run_cppcheck || status=1; fi
-if [ $tool != cppcheck ]; then run_clang_tidy || status=1; fi
+if [ "$tool" != clang-tidy ]; then run_cppcheck || status=1; fi
+if [ "$tool" != cppcheck ]; then run_clang_tidy || status=1; fi
 exit $status
