@@ -4,9 +4,11 @@
 #include <poll.h>
 #include <pthread.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -74,6 +76,23 @@ void tell(std::string_view message) {
     output::abandon_publications();
     ::_exit(static_cast<int>(ExitCode::failed));
 }
+
+[[noreturn]] void end_before_begin() {
+    tell("meshfolio: out of memory; the program could not begin\n");
+    ::_exit(static_cast<int>(ExitCode::failed));
+}
+
+/// Some libraries crash, or throw where nobody catches, when they find no memory while they are loaded.
+__attribute__((no_sanitize("address", "thread", "undefined"))) void require_room_to_begin() {
+    constexpr std::size_t room = std::size_t{8} << 20;   // less than any command needs
+    std::set_terminate(end_before_begin);                // until prepare_process()
+    void* const probe = ::mmap(nullptr, room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (probe == MAP_FAILED) end_before_begin();
+    ::munmap(probe, room);
+}
+
+// The loader calls this before it initialises any library.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const at_the_very_beginning)() = require_room_to_begin;
 
 }   // namespace
 

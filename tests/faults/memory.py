@@ -9,13 +9,13 @@ import unittest
 from common import WHOLE, Faults, tree
 
 MEGABYTE = 1 << 20
-SIZES = [*range(64, 260, 3), *range(260, 600, 20), 768, 1024, 2048] if WHOLE else [64, 112, 122, 134, 143, 149, 200]
+SIZES = [*range(64, 112, 3), *(112 + i / 4 for i in range(80)), *range(132, 260, 3), *range(260, 600, 20), 768, 1024, 2048] if WHOLE else [64, 112, *range(117, 136, 2), 143, 149, 200]
 LOADER = "error while loading shared libraries"
 
 
 class Memory(Faults):
     def limited(self, megabytes, *words):
-        limit = (megabytes * MEGABYTE, megabytes * MEGABYTE)
+        limit = (int(megabytes * MEGABYTE),) * 2
         end = self.run_program(*words, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limit))
         self.assertIn(end.code, (0, 1, 127), f"{words[0]} with {megabytes} MB: {end.err}")
         if end.code == 127:
