@@ -17,8 +17,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "fuzz"
-LONGEST = 4096   # bytes of an input: short ones find the same faults and run more often
-LIMITS = ["-timeout=5", "-rss_limit_mb=1024", f"-max_len={LONGEST}", "-print_final_stats=1"]
+# Bytes of an input: short ones find the same faults and run more often.
+LONGEST = {"cotangent": 400, "page": 256, "rasterizer": 60}
+LONGEST_TEXT = 4096
+LIMITS = ["-timeout=5", "-rss_limit_mb=1024", "-print_final_stats=1"]
+# Large pieces of memory are kept, not given back after each execution.
+KEEP_MEMORY = {"MALLOC_MMAP_THRESHOLD_": "100000000", "MALLOC_TRIM_THRESHOLD_": "100000000"}
 # What the fast build does without is also the bookkeeping of rare features, a third of its time.
 FAST_LIMITS = ["-entropic=0"]
 SANITIZER_OPTIONS = {"ASAN_OPTIONS": "detect_leaks=1:allocator_may_return_null=1", "UBSAN_OPTIONS": "print_stacktrace=1"}
@@ -35,7 +39,7 @@ def seeds_of(target, extra):
     """Files of the target's format: its own seeds, bundled meshes and settings, and those below the folder of the user's."""
     ending = FORMATS.get(target, "." + target)
     folders = [ROOT / "data", ROOT / "templates", *extra]
-    files = [f for folder in folders for f in sorted(folder.rglob("*" + ending)) if f.is_file() and f.stat().st_size <= LONGEST]
+    files = [f for folder in folders for f in sorted(folder.rglob("*" + ending)) if f.is_file() and f.stat().st_size <= LONGEST_TEXT]
     return files + [f for kind in ("seeds", "regressions") for f in sorted((ROOT / "tests/fuzz" / kind / target).glob("*"))]
 
 
@@ -46,9 +50,10 @@ def fuzz(target, options):
     for number, seed in enumerate(seeds_of(target, options.corpus)):
         shutil.copy(seed, corpus / f"seed_{number:04}")
     program = ROOT / "build" / options.preset / "tests/fuzz" / f"fuzz_{target}"
-    command = [str(program), str(corpus), f"-artifact_prefix={found}/", *LIMITS, *(FAST_LIMITS if options.fast else [])]
+    command = [str(program), str(corpus), f"-artifact_prefix={found}/", *LIMITS, f"-max_len={LONGEST.get(target, LONGEST_TEXT)}",
+               *(FAST_LIMITS if options.fast else [])]
     command += [f"-runs={options.runs}"] if options.runs else [f"-max_total_time={options.seconds}"]
-    done = subprocess.run(command, env={**os.environ, **SANITIZER_OPTIONS}, capture_output=True, text=True, errors="replace")
+    done = subprocess.run(command, env={**os.environ, **SANITIZER_OPTIONS, **KEEP_MEMORY}, capture_output=True, text=True, errors="replace")
     executed = re.search(r"stat::number_of_executed_units:\s*(\d+)", done.stderr)
     rate = re.search(r"stat::average_exec_per_sec:\s*(\d+)", done.stderr)
     kept = [shutil.copy(f, regressions(target) / f.name) for f in found.glob("*") if not f.name.startswith("slow-unit")]

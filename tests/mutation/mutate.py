@@ -82,7 +82,7 @@ def copy_tree():
     """Only what changed is written, so that a second run builds little."""
     for folder in ("src", "render", "templates", "data", "tests", ".ci", ".github"):
         subprocess.run(["cp", "-ru", "--no-dereference", str(ROOT / folder), str(TREE)], check=True)
-    for file in ("CMakeLists.txt", ".clang-format", ".clang-tidy", ".gitignore", "CHANGELOG.md", "CMakePresets.json", "LICENSE", "README.md",
+    for file in ("CMakeLists.txt", ".clang-format", ".clang-tidy", ".gitignore", "CHANGELOG.md", "CMakePresets.json", "LICENSE", "README.md", "RELIABILITY.md",
                  "build-report", "run-tests"):
         shutil.copy2(ROOT / file, TREE / file)
     (TREE / "out").mkdir(exist_ok=True)
