@@ -152,7 +152,10 @@ std::string QuestionCache::question_key(const std::string& question) const {
 std::string QuestionCache::answer_key(const std::string& question, const std::vector<MeshLookup>& lookups) const {
     output::KeyMaker key;
     key.add(question_key(question));
-    for (const MeshLookup& lookup : lookups) key.add(json_of({lookup}).dump()).add(meshes_.identity_of(lookup, settings_.base));
+    for (const MeshLookup& lookup : lookups) {   // a path need not be UTF-8
+        key.add(std::to_string(static_cast<int>(lookup.by))).add(lookup.name).add(lookup.path.string()).add(lookup.stand_in);
+        key.add(meshes_.identity_of(lookup, settings_.base));
+    }
     return key.key();
 }
 

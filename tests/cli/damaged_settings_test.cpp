@@ -59,7 +59,7 @@ TEST(DamagedValues, AreReadOrRefusedWithTheirLine) {
     const std::string file = (folder.path() / "v.csv").string();
     int refused = 0, taken = 0;
     for_each_damage("vertex,h\n0,1\n1,-2.5e1\n2,\n3,4\n", [&](const std::string& damaged) {
-        write_unsynced(file, damaged);
+        write_file(file, damaged);
         try {
             const Field field = field_from_csv(mesh, file + ":h");
             EXPECT_EQ(field.values.size(), 4);

@@ -144,7 +144,7 @@ class HostileNames(unittest.TestCase):
         for tag, name, value in page.values:
             self.assertFalse(name.startswith("on"), (tag, name))
             if name in ("href", "src", "action", "formaction", "data", "xlink:href"):
-                self.assertTrue(value.startswith(("#", "data:image/", "images/", "meshes/", "tables/", "src.txt", "results.json", "https://doi.org/", "report.")),
+                self.assertTrue(value.startswith(("#", "data:image/", "images/", "meshes/", "models/", "tables/", "src.txt", "results.json", "https://doi.org/", "report.")),
                                 (tag, name, value[:80]))
         self.assertIsNone(RAW.search((self.out / "index.html").read_text()))
 

@@ -117,8 +117,8 @@ class Archive(Reported):
 
     def test_every_mesh_and_every_picture_opens(self):
         folder = temporary_folder(self)
-        meshes = [n for n in self.files if n.endswith(".ply") and not n.startswith("source/tests/")]   # those are odd on purpose
-        pictures = [n for n in self.files if n.endswith(".png")]
+        meshes = [n for n in self.files if n.endswith(".ply") and not n.startswith("source/tests/")]   # those are odd on purpose, and so are its pictures
+        pictures = [n for n in self.files if n.endswith(".png") and not n.startswith("source/tests/")]
         self.assertGreaterEqual(len(meshes), 3)
         self.assertGreater(len(pictures), 50)
         for number, name in enumerate(meshes + pictures):

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mesh/mesh_files.h"
+#include "output/temporary_folder.h"
 #include "questions/question.h"
 #include "source_dir.h"
 
@@ -132,7 +133,8 @@ inline void expect_well_formed(const Answer& answer) {
 
 /// A library in which `mesh` takes every role.
 inline MeshLibrary library_of(const TriangleMesh& mesh, const std::string& name) {
-    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / (name + ".ply");
+    static const testing_tools::TemporaryFolder folder;   // of this process: tests run side by side
+    const std::filesystem::path file = folder.path() / (name + ".ply");
     write_mesh(file, mesh);
     return MeshLibrary({}, {file});
 }

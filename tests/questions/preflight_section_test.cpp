@@ -2,6 +2,7 @@
 
 #include "file_bytes.h"
 #include "mesh/sample_shapes.h"
+#include "output/temporary_folder.h"
 #include "questions/mesh_defects.h"
 #include "questions/study_laws.h"
 
@@ -71,15 +72,15 @@ TEST(PreflightSection, SoundMeshesHaveNoTableOfDefects) {
 }
 
 TEST(PreflightSection, AMeshThatCannotBeReadIsToldAndTheRestIsThere) {
-    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "preflight_data" / "decompose";
+    const testing_tools::TemporaryFolder data;
+    const std::filesystem::path folder = data.path() / "decompose";
     std::filesystem::create_directories(folder);
     write_file(folder / "armadillo.obj", "v 0 0 0\nf 1 2 3\n");
-    const Answer answer = answer_preflight(MeshLibrary({folder.parent_path()}, {}), quick_settings(), no_progress);
+    const Answer answer = answer_preflight(MeshLibrary({data.path()}, {}), quick_settings(), no_progress);
     EXPECT_EQ(answer.section.inputs.size(), mesh_role_list().size() - 1);
     const auto failed = std::count_if(answer.section.checks.begin(), answer.section.checks.end(), [](const auto& c) { return !c.passed; });
     EXPECT_EQ(failed, 1);
     EXPECT_NE(answer.section.warnings.front().find("armadillo"), std::string::npos);
-    std::filesystem::remove_all(folder.parent_path());
 }
 
 TEST(PreflightSection, EveryRealMesh) { check_real_meshes(answer_preflight); }
