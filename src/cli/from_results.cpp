@@ -1,7 +1,5 @@
 #include "cli/from_results.h"
 
-#include <tbb/parallel_for.h>
-
 #include <map>
 #include <set>
 
@@ -10,6 +8,7 @@
 #include "cli/report_files.h"
 #include "cli/stored_results.h"
 #include "file_bytes.h"
+#include "mesh/parallel_tasks.h"
 #include "output/draw_figures.h"
 #include "output/file_sums.h"
 #include "output/folder_system.h"
@@ -64,7 +63,7 @@ public:
         }
         for (const std::string& file : files) output::make_folder(inside(target, file).parent_path());
         std::vector<char> is_there(files.size());
-        tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
+        for_each_task(files.size(), [&](std::size_t i) {
             const auto bytes = bytes_of(files[i]);
             is_there[i] = bytes.has_value();
             if (bytes) write_file(target / files[i], *bytes);
@@ -126,7 +125,7 @@ void restore_all(const EarlierFiles& files, report::DrawnFigures& figures) {
     std::vector<std::string> ids;
     for (const auto& [id, figure] : figures) ids.push_back(id);
     std::vector<char> is_whole(ids.size());
-    tbb::parallel_for(std::size_t{0}, ids.size(), [&](std::size_t i) { is_whole[i] = restore(files, figures.at(ids[i])); });
+    for_each_task(ids.size(), [&](std::size_t i) { is_whole[i] = restore(files, figures.at(ids[i])); });
     for (std::size_t i = 0; i < ids.size(); ++i) {
         if (!is_whole[i]) figures.erase(ids[i]);
     }

@@ -1,7 +1,5 @@
 #include "cli/paper_copy.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cstdlib>
 #include <vector>
 
@@ -9,6 +7,7 @@
 #include "cli/program_identity.h"
 #include "errors.h"
 #include "file_bytes.h"
+#include "mesh/parallel_tasks.h"
 #include "output/draw_figures.h"
 #include "png.h"
 #include "report/print_page.h"
@@ -56,7 +55,7 @@ void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& 
         const auto sheet = render::decode_png(read_file(folder / figure.sheet));
         return sheet ? render::encode_jpeg(*sheet, quality) : "";
     };
-    tbb::parallel_for(std::size_t{0}, told.size(), [&](std::size_t i) {
+    for_each_task(told.size(), [&](std::size_t i) {
         if (told[i]->print_jpeg.empty()) told[i]->print_jpeg = jpeg_of(*told[i], output::DrawSettings().print_quality);
     });
     constexpr int lesser_quality = 72;

@@ -1,6 +1,3 @@
-#include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -14,6 +11,7 @@
 #include "cli/fields.h"
 #include "contact_sheet.h"
 #include "draw_mesh.h"
+#include "mesh/parallel_tasks.h"
 #include "number_text.h"
 #include "output/file_group.h"
 #include "output/folder_system.h"
@@ -136,22 +134,19 @@ render::ContactSheet sheet_of(const Options& options, const PreparedMesh& prepar
     return sheet;
 }
 
-/// The sheet takes longer than all the views: whoever is free takes it first.
+/// The sheet takes longer than all the views: it is begun first.
 void add_pictures(output::FileGroup& files, const std::filesystem::path& folder, const render::ContactSheet& sheet, bool bare) {
     const std::vector<render::Image>& pictures = sheet.rows[0].pictures;
-    tbb::task_group tasks;
-    tasks.run([&] {
-        const render::Image image = bare ? bare_sheet(pictures) : render::compose(sheet);
-        files.add(folder / "sheet.png", render::encode_png(image));
+    for_each_task(1 + pictures.size(), [&](std::size_t task) {
+        if (task == 0) {
+            const render::Image image = bare ? bare_sheet(pictures) : render::compose(sheet);
+            files.add(folder / "sheet.png", render::encode_png(image));
+            return;
+        }
+        render::Image picture = pictures[task - 1];
+        if (!bare) output::label_view(picture, sheet.view_names[task - 1]);
+        files.add(folder / (sheet.view_names[task - 1] + ".png"), render::encode_png(picture));
     });
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        tasks.run([&, i] {
-            render::Image picture = pictures[i];
-            if (!bare) output::label_view(picture, sheet.view_names[i]);
-            files.add(folder / (sheet.view_names[i] + ".png"), render::encode_png(picture));
-        });
-    }
-    tasks.wait();
 }
 
 bool show_something(const std::vector<render::Image>& pictures, render::Rgba background) {

@@ -1,5 +1,4 @@
 #include <tbb/global_control.h>
-#include <tbb/parallel_invoke.h>
 
 #include <chrono>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "file_bytes.h"
 #include "geometry/curvature.h"
 #include "mesh/mesh_topology.h"
+#include "mesh/parallel_tasks.h"
 #include "number_text.h"
 #include "output/draw_figures.h"
 #include "output/publish.h"
@@ -128,10 +128,9 @@ ExitCode run_report(const ReportFlags& flags) {
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         const report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.design};
         paper.prepare(document, figures, store.get(), folder);
-        tbb::parallel_invoke(
-            [&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
-            [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
-            [&] { write_file(folder / "src.txt", own_source().text()); });
+        run_tasks([&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
+                  [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
+                  [&] { write_file(folder / "src.txt", own_source().text()); });
         note = publication.publish(stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr));
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }

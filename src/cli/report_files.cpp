@@ -1,9 +1,7 @@
 #include "cli/report_files.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-
 #include "file_bytes.h"
+#include "mesh/parallel_tasks.h"
 #include "output/folder_system.h"
 
 namespace meshfolio::cli {
@@ -49,12 +47,11 @@ void write_report_files(const report::Document& document, const report::DrawnFig
                         const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
                         const fs::path& folder) {
     for (const char* name : {"images", "meshes", "tables"}) output::make_folder(folder / name);
-    tbb::parallel_invoke(
-        [&] { write_file(folder / "index.html", report::write_html(document, figures, templates, options)); },
-        [&] { write_file(folder / "report.md", report::write_markdown(document, figures, templates, options)); },
-        [&] { write_file(folder / "results.json", report::write_json(document, figures, options)); },
-        [&] { write_tables_and_plots(document, stored, folder); },
-        [&] { tbb::parallel_for(std::size_t{0}, answers.size(), [&](std::size_t i) { write_meshes(*answers[i], folder); }); });
+    run_tasks([&] { write_file(folder / "index.html", report::write_html(document, figures, templates, options)); },
+              [&] { write_file(folder / "report.md", report::write_markdown(document, figures, templates, options)); },
+              [&] { write_file(folder / "results.json", report::write_json(document, figures, options)); },
+              [&] { write_tables_and_plots(document, stored, folder); },
+              [&] { for_each_task(answers.size(), [&](std::size_t i) { write_meshes(*answers[i], folder); }); });
 }
 
 }   // namespace meshfolio::cli

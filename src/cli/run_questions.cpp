@@ -1,6 +1,5 @@
 #include "cli/run_questions.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "mesh/parallel_tasks.h"
 #include "number_text.h"
 #include "output/safe_name.h"
 #include "questions/section_tools.h"
@@ -154,13 +154,10 @@ std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const Repor
     Runner runner(meshes, settings, cache, display);
     // Handed out one by one and from the last: the later questions take longest.
     std::atomic<std::size_t> left = ids.size();
-    tbb::parallel_for(
-        std::size_t{0}, ids.size(),
-        [&](std::size_t) {
-            const std::size_t i = --left;
-            results[i] = runner.result(*question_of_id(ids[i]));
-        },
-        tbb::simple_partitioner());
+    for_each_task(ids.size(), [&](std::size_t) {
+        const std::size_t i = --left;
+        results[i] = runner.result(*question_of_id(ids[i]));
+    });
     return results;
 }
 

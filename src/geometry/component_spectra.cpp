@@ -1,6 +1,5 @@
 #include "geometry/component_spectra.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <Eigen/Cholesky>
@@ -12,6 +11,7 @@
 #include "errors.h"
 #include "geometry/inertia.h"
 #include "geometry/spectrum_memory.h"
+#include "mesh/parallel_tasks.h"
 
 namespace meshfolio {
 
@@ -162,7 +162,7 @@ private:
 
     void solve_small(const std::vector<Part*>& small) const {
         tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
-        arena.execute([&] { tbb::parallel_for(std::size_t{0}, small.size(), [&](std::size_t i) { solve_densely(*small[i]); }); });
+        arena.execute([&] { for_each_task(small.size(), [&](std::size_t i) { solve_densely(*small[i]); }); });
     }
 
     std::vector<Part>& parts_;
@@ -240,7 +240,7 @@ std::optional<int> inertia_of(const Part& part, double sigma) {
 InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap) {
     const double sigma = 0.5 * (gap.low + gap.high);
     std::vector<std::optional<int>> counts(parts.size());
-    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) { counts[p] = inertia_of(parts[p], sigma); });
+    for_each_task(parts.size(), [&](std::size_t p) { counts[p] = inertia_of(parts[p], sigma); });
     InertiaCount sum{sigma, 0, 0};
     for (std::size_t p = 0; p < parts.size(); ++p) {
         if (!counts[p]) return {};

@@ -1,11 +1,10 @@
 #include "geometry/slice_limits.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "errors.h"
+#include "mesh/parallel_tasks.h"
 
 namespace meshfolio {
 
@@ -62,7 +61,7 @@ std::vector<InertiaProof> bracket_from_above(const SpectrumProblem& problem, int
     const double top = above_all(problem.B);
     const double weyl = std::min(4 * pi * (wanted + 10), 0.9 * top);   // N(μ) ≈ μ / 4π at area 1
     InertiaProof low, high;
-    tbb::parallel_invoke([&] { low = counted(problem, 0.96 * weyl); }, [&] { high = counted(problem, 1.04 * weyl); });
+    run_tasks([&] { low = counted(problem, 0.96 * weyl); }, [&] { high = counted(problem, 1.04 * weyl); });
     std::vector<InertiaProof> counts = {{0, problem.zeros.count(), 0}};
     insert(counts, low);
     insert(counts, high);

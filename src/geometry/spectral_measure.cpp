@@ -8,6 +8,7 @@
 #include "errors.h"
 #include "geometry/vertices_with_mass.h"
 #include "mesh/parallel.h"
+#include "mesh/parallel_tasks.h"
 
 namespace meshfolio {
 
@@ -77,9 +78,9 @@ SpectralMeasure spectral_measure(const LaplaceBeltrami& laplacian, const Positio
     const Positions near = X(whole.vertex, Eigen::all).rowwise() - X.row(whole.vertex.front());
     const Positions centred = near.rowwise() - (near.transpose() * whole.M / measure.mass).transpose();
     std::array<Quadrature, 3> coordinates;
-    tbb::parallel_for(0, 3, [&](int c) {
-        coordinates[static_cast<std::size_t>(c)] =
-            gauss_quadrature(B, root.cwiseProduct(centred.col(c)), std::min(steps, static_cast<int>(root.size())));
+    for_each_task(coordinates.size(), [&](std::size_t c) {
+        coordinates[c] = gauss_quadrature(B, root.cwiseProduct(centred.col(static_cast<Eigen::Index>(c))),
+                                          std::min(steps, static_cast<int>(root.size())));
     });
     measure.exact = true;
     for (const Quadrature& quadrature : coordinates) {

@@ -11,9 +11,9 @@
 #include <set>
 
 #include "errors.h"
-#include "geometry/first_failure.h"
 #include "geometry/slice_limits.h"
 #include "geometry/slice_overlaps.h"
+#include "mesh/first_failure.h"
 
 namespace meshfolio {
 

@@ -35,48 +35,53 @@ std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh, const std::ve
     return boundary;
 }
 
+/// The edges at each vertex, and how many of them were looked at: a row may be as long as the boundary, and is gone through once.
+class Rows {
+public:
+    template <class End>
+    Rows(int vertices, const std::vector<BoundaryEdge>& edges, End end) : start_(at(vertices) + 1, 0), item_(edges.size()) {
+        for (const BoundaryEdge& e : edges) ++start_[at(end(e)) + 1];
+        std::partial_sum(start_.begin(), start_.end(), start_.begin());
+        next_.assign(start_.begin(), start_.end() - 1);
+        std::vector<int> free = next_;
+        for (std::size_t e = 0; e < edges.size(); ++e) item_[at(free[at(end(edges[e]))]++)] = static_cast<int>(e);
+    }
+
+    /// The next edge at v, or −1.
+    int take(int v) { return next_[at(v)] < start_[at(v) + 1] ? item_[at(next_[at(v)]++)] : -1; }
+
+private:
+    std::vector<int> start_, item_, next_;
+};
+
 /// A walk over the boundary that uses each edge once, forwards where it can: where triangles disagree about the orientation, or
 /// non-manifold edges end the boundary, an edge may have to be walked backwards, or the walk to stop.
 class BoundaryWalk {
 public:
-    BoundaryWalk(int vertices, const std::vector<BoundaryEdge>& edges) : edges_(edges), used_(edges.size(), 0) {
-        out_ = rows(vertices, [](const BoundaryEdge& e) { return e.from; });
-        in_ = rows(vertices, [](const BoundaryEdge& e) { return e.to; });
-    }
+    BoundaryWalk(int vertices, const std::vector<BoundaryEdge>& edges)
+        : edges_(edges),
+          used_(edges.size(), 0),
+          out_(vertices, edges, [](const BoundaryEdge& e) { return e.from; }),
+          in_(vertices, edges, [](const BoundaryEdge& e) { return e.to; }) {}
 
     /// Takes the next edge at v and gives its other end, or −1.
     int step(int v) {
-        for (const int* e = out_.begin(v); e != out_.end(v); ++e) {
-            if (take(*e)) return edges_[at(*e)].to;
-        }
-        for (const int* e = in_.begin(v); e != in_.end(v); ++e) {
-            if (take(*e)) return edges_[at(*e)].from;
-        }
+        if (const int e = unused(out_, v); e >= 0) return edges_[at(e)].to;
+        if (const int e = unused(in_, v); e >= 0) return edges_[at(e)].from;
         return -1;
     }
 
 private:
-    template <class End>
-    Incidence rows(int vertices, End end) const {
-        Incidence incidence;
-        incidence.start.assign(at(vertices) + 1, 0);
-        for (const BoundaryEdge& e : edges_) ++incidence.start[at(end(e)) + 1];
-        std::partial_sum(incidence.start.begin(), incidence.start.end(), incidence.start.begin());
-        incidence.item.resize(edges_.size());
-        std::vector<int> next(incidence.start.begin(), incidence.start.end() - 1);
-        for (std::size_t e = 0; e < edges_.size(); ++e) incidence.item[at(next[at(end(edges_[e]))]++)] = static_cast<int>(e);
-        return incidence;
-    }
-
-    bool take(int e) {
-        const bool taken = used_[at(e)] == 0;
-        used_[at(e)] = 1;
-        return taken;
+    int unused(Rows& rows, int v) {
+        int e = rows.take(v);
+        while (e >= 0 && used_[at(e)] != 0) e = rows.take(v);
+        if (e >= 0) used_[at(e)] = 1;
+        return e;
     }
 
     const std::vector<BoundaryEdge>& edges_;
     std::vector<char> used_;
-    Incidence out_, in_;
+    Rows out_, in_;
 };
 
 std::vector<int> from_smallest(std::vector<int> loop) {

@@ -139,17 +139,32 @@ std::vector<std::size_t> list_neighbours(const TriangleMesh& mesh, MeshTopology&
     return counts;
 }
 
+/// The other vertices of every triangle at a, sorted; one that a triangle names twice counts once.
+void collect_ends(const TriangleMesh& mesh, const Incidence& vertex_faces, int a, std::vector<int>& ends) {
+    ends.clear();
+    for (const int* t = vertex_faces.begin(a); t != vertex_faces.end(a); ++t) {
+        const int b = mesh.F(*t, 0), c = mesh.F(*t, 1), d = mesh.F(*t, 2);
+        if (b != a) ends.push_back(b);
+        if (c != a && c != b) ends.push_back(c);
+        if (d != a && d != b && d != c) ends.push_back(d);
+    }
+    std::sort(ends.begin(), ends.end());
+}
+
 /// Fills the edges: in the order of their smaller ends, which is that of the rows.
 void list_edges(const TriangleMesh& mesh, MeshTopology& topology, const std::vector<std::size_t>& edges_of_blocks) {
     std::vector<std::size_t> first(edges_of_blocks.size());
     std::exclusive_scan(edges_of_blocks.begin(), edges_of_blocks.end(), first.begin(), std::size_t{0});
     topology.edges = large_vector<Edge>(edges_of_blocks.empty() ? 0 : first.back() + edges_of_blocks.back());
-    const auto names = [&](int t, int v) { return mesh.F(t, 0) == v || mesh.F(t, 1) == v || mesh.F(t, 2) == v; };
     for_blocks(mesh.vertex_count(), [&](int block, int begin, int end) {
         auto edge = topology.edges.begin() + static_cast<std::ptrdiff_t>(first[at(block)]);
+        std::vector<int> ends;   // of the edges at a that is not inside, once for each of their triangles
         for (int a = begin; a < end; ++a) {
-            const Incidence& around = topology.vertex_faces;
-            const auto faces = [&](int b) { return std::count_if(around.begin(a), around.end(a), [&](int t) { return names(t, b); }); };
+            if (!is_inside(topology, a)) collect_ends(mesh, topology.vertex_faces, a, ends);
+            const auto faces = [&](int b) {
+                const auto [from, to] = std::equal_range(ends.begin(), ends.end(), b);
+                return to - from;
+            };
             const int* const last = topology.neighbours.end(a);
             for (const int* b = std::upper_bound(topology.neighbours.begin(a), last, a); b != last; ++b) {
                 *edge++ = {a, *b, is_inside(topology, a) ? 2 : static_cast<int>(faces(*b))};

@@ -1,6 +1,5 @@
 #include "output/draw_figures.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "draw_mesh.h"
 #include "errors.h"
 #include "file_bytes.h"
+#include "mesh/parallel_tasks.h"
 #include "output/comparison_picture.h"
 #include "output/draw_models.h"
 #include "output/folder_system.h"
@@ -144,7 +144,7 @@ void draw_panel(Work& work, std::size_t index, const std::filesystem::path& fold
     render::SheetRow& row = work.rows[index];
     row.label = work.request->panels.size() > 1 ? panel.label : "";
     row.pictures.resize(views.size());
-    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
+    for_each_task(views.size(), [&](std::size_t i) {
         row.pictures[i] = render::shrink(views[i], cell, cell * views[i].height / views[i].width);
         label_view(views[i], directions[i].name);
         if (work.request->comparison) {
@@ -246,7 +246,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         if (progress) progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
     };
     tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, pieces.size(), draw_piece, tbb::simple_partitioner()); });
+    arena.execute([&] { for_each_task(pieces.size(), draw_piece); });
 
     report::DrawnFigures all;
     for (Work& work : figures) {

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <ranges>
 #include <set>
 
 #include "errors.h"
@@ -66,9 +65,9 @@ void FileGroup::sync_folders() const {
 }
 
 void FileGroup::take_back() noexcept {
-    for (Member& member : members_ | std::views::reverse) {
-        if (member.state == Member::State::exchanged) rename_with(member.part.path(), member.target, RENAME_EXCHANGE);
-        if (member.state == Member::State::fresh) rename_with(member.target, member.part.path(), RENAME_NOREPLACE);
+    for (auto member = members_.rbegin(); member != members_.rend(); ++member) {   // Clang 14 knows no std::views::reverse
+        if (member->state == Member::State::exchanged) rename_with(member->part.path(), member->target, RENAME_EXCHANGE);
+        if (member->state == Member::State::fresh) rename_with(member->target, member->part.path(), RENAME_NOREPLACE);
     }
 }
 

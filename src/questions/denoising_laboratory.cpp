@@ -1,7 +1,5 @@
 #include "questions/denoising_laboratory.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,6 +7,7 @@
 #include "errors.h"
 #include "geometry/component_size.h"
 #include "geometry/stability.h"
+#include "mesh/parallel_tasks.h"
 #include "mesh/surface_patch.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
@@ -182,9 +181,9 @@ DenoisingLaboratory denoising_laboratory(std::vector<DenoisingSubject> subjects,
         for (NoiseTrial& trial : mesh.trials) tasks.push_back({&mesh.subject, &normals[m], &trial});
     }
     // Everything is written to a place of its own: the order in which it is done does not matter.
-    tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) { spoil(*tasks[i].subject, settings.seed, *tasks[i].trial); });
+    for_each_task(tasks.size(), [&](std::size_t i) { spoil(*tasks[i].subject, settings.seed, *tasks[i].trial); });
     const std::size_t methods = denoising_list().size();
-    tbb::parallel_for(std::size_t{0}, tasks.size() * methods, [&](std::size_t i) {
+    for_each_task(tasks.size() * methods, [&](std::size_t i) {
         const Task& task = tasks[i / methods];
         const TriangleMesh noisy = moved_to(task.subject->mesh, task.trial->noisy);
         const SearchInput input{

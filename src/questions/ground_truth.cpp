@@ -1,7 +1,5 @@
 #include "questions/ground_truth.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +11,7 @@
 #include "geometry/curvature.h"
 #include "geometry/jet_fit.h"
 #include "geometry/uniform_laplacian.h"
+#include "mesh/parallel_tasks.h"
 #include "questions/section_tools.h"
 
 namespace meshfolio {
@@ -191,7 +190,7 @@ GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progres
     // All runs of the finest level first: they take longest.
     for (std::size_t level = levels.size(); level-- > 0;) {
         progress("level " + std::to_string(levels[level]) + " of every surface and kind of mesh");
-        tbb::parallel_for(std::size_t{0}, truth.runs.size(), [&](std::size_t r) {
+        for_each_task(truth.runs.size(), [&](std::size_t r) {
             truth.runs[r].levels[level] = panel_level(truth_mesh(surfaces[r % surfaces.size()], truth.runs[r].kind, levels[level], seed));
         });
     }

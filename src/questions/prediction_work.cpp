@@ -1,9 +1,8 @@
 #include "questions/prediction_work.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "mesh/parallel_tasks.h"
 #include "mesh/vertex_noise.h"
 #include "questions/value_lists.h"
 
@@ -96,17 +95,14 @@ std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<
         }
         levels[l].estimates.resize(static_cast<std::size_t>(work.extent.rule_seeds));
     }
-    tbb::parallel_for(
-        0, chains,
-        [&](int chain) {
-            FlowSolvers solvers;
-            for (std::size_t l = 0; l < levels.size(); ++l) {
-                for (int seed = chain; seed < work.extent.seeds; seed += chains) {
-                    run_seed(work, levels[l], work.extent.levels[l], l, seed, solvers);
-                }
+    for_each_task(chains, [&](std::size_t chain) {
+        FlowSolvers solvers;
+        for (std::size_t l = 0; l < levels.size(); ++l) {
+            for (int seed = static_cast<int>(chain); seed < work.extent.seeds; seed += static_cast<int>(chains)) {
+                run_seed(work, levels[l], work.extent.levels[l], l, seed, solvers);
             }
-        },
-        tbb::simple_partitioner());
+        }
+    });
     return levels;
 }
 
@@ -126,7 +122,7 @@ PredictedCurve formula_of_draws(const Work& work, double sigma, std::size_t leve
     const auto draws = static_cast<std::size_t>(work.extent.draws);
     std::vector<Vector> squares(draws);
     std::vector<OperatorFacts> drawn(draws);
-    tbb::parallel_for(std::size_t{0}, draws, [&](std::size_t d) {
+    for_each_task(draws, [&](std::size_t d) {
         const LaplaceBeltrami laplacian = laplace_beltrami(work.noisy(sigma, level, first_draw + static_cast<int>(d)));
         PredictionOptions options{work.flow.lambda, iterations};
         options.modes_up_to = 0;
@@ -151,7 +147,7 @@ FirstOrder first_order(const Work& work, FlowOperator kind, int iterations) {
     const Positions& X = work.flow.clean.X;
     const auto vertices = static_cast<double>(X.rows());
     std::vector<Vector> squares(probes + 1);   // the last: of the run without noise
-    tbb::parallel_for(std::size_t{0}, probes + 1, [&](std::size_t p) {
+    for_each_task(probes + 1, [&](std::size_t p) {
         FlowSolvers solvers;
         const auto run_from = [&](const Positions& Y) {
             return kept_at_its_end(denoising_run(work.flow, kind, Y, iterations, solvers), iterations);

@@ -1,13 +1,11 @@
 #include "questions/smoothing_maps.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/laplace_spectrum.h"
+#include "mesh/parallel_tasks.h"
 #include "mesh/sample_parts.h"
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"
@@ -118,7 +116,7 @@ SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
     // Every other λ with a solver of its own: how many there are must not depend on the processors.
     constexpr std::size_t lanes = 2;
     std::array<ImplicitSolver, lanes> solvers;
-    tbb::parallel_for(std::size_t{0}, lanes, [&](std::size_t lane) {
+    for_each_task(lanes, [&](std::size_t lane) {
         for (std::size_t step = lane; step < maps.lambdas.size(); step += lanes) run_step(maps, ruler, step, map, solvers[lane]);
     });
     for (const ImplicitSolver& solver : solvers) {
@@ -242,8 +240,8 @@ SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const Qu
     if (maps.clean) maps.input_error = vertex_rms(maps.clean->X, maps.subject.mesh().X) / maps.subject.diagonal;
     maps.lambdas = steps_of(settings, maps.subject, relative_steps(grid));
     maps.iterations = spaced_iterations(std::max(last_or(settings.iterations, grid.iterations), 1), grid.counts_per_decade);
-    tbb::parallel_invoke([&] { maps.explicit_map = scheme_map(maps, SmoothingScheme::explicit_euler); },
-                         [&] { maps.implicit_map = scheme_map(maps, SmoothingScheme::implicit_euler); });
+    run_tasks([&] { maps.explicit_map = scheme_map(maps, SmoothingScheme::explicit_euler); },
+              [&] { maps.implicit_map = scheme_map(maps, SmoothingScheme::implicit_euler); });
 
     const LargestEigenvalue& top = maps.subject.top;
     maps.top = growing_modes(maps.subject, Vector::Constant(1, top.value), top.mode);

@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-PROGRAM = os.environ["MESHFOLIO"]
+PROGRAM = os.path.abspath(os.environ["MESHFOLIO"])
 SOURCE = Path(__file__).resolve().parents[2]
 
 

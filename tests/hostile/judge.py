@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = os.environ["MESHFOLIO"]
+PROGRAM = os.path.abspath(os.environ["MESHFOLIO"])
 MEGABYTES = 2000
 SECONDS = 10  # of processor; other work on the machine must not count
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"

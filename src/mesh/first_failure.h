@@ -1,5 +1,5 @@
 /// @file
-/// Pieces of work side by side, of which the first that fails stops the others. Private to the layer.
+/// Pieces of work side by side, of which the first that fails stops the others.
 #pragma once
 
 #include <atomic>
