@@ -46,6 +46,23 @@ class Space(Faults):
             self.assertEqual(self.beside(), [], call.line)
 
     @needs_strace
+    @unittest.skipUnless(WHOLE, "with --whole only: tests/mesh/parallel_tasks_test.cpp asks for the same in little time")
+    def test_a_failing_call_while_other_threads_work(self):
+        """strace counts for each thread: which file has the number differs from run to run, and where none has it all is well."""
+        old, _ = self.with_old_and_new()
+        words, whole = (["q2,q4" if word == "q2" else word for word in self.report_words(out, threads=2)] for out in (self.out, self.folder / "whole"))
+        self.assertEqual(self.run_program(*whole).code, 0)
+        numbers = [c.number for c in writing(self.calls(["openat"], *words))]
+        for number in some(range(min(numbers), max(numbers) + 1), 12):
+            self.restore_old()
+            log = self.folder / "trace"
+            wrap = [STRACE, "-f", "-qq", "-e", "signal=none", "-o", log, "-e", "trace=openat", "-e", f"inject=openat:error=ENOSPC:when={number}"]
+            end = self.run_program(*words, wrap=wrap)
+            self.assertIn(end.code, (0, 4), f"{number}: {end.err}")
+            self.assertEqual(tree(self.out), old if end.code == 4 else tree(self.folder / "whole"), number)
+            self.assertEqual(self.beside(), [], number)
+
+    @needs_strace
     def test_each_failing_call_of_a_folder_of_pictures(self):
         mesh = self.mesh("cube8")
         words = ["render", mesh, "--size", 64, "--views", "+x,-y", "--out", self.out]
