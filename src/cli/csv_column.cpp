@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "in_quotes.h"
+#include "mesh/polygon_list.h"
 #include "mesh/text_scanner.h"
 #include "number_text.h"
 
@@ -13,7 +14,6 @@ namespace meshfolio::cli {
 
 namespace {
 
-constexpr double largest_value = 1e100;   // that of coordinates: differences must not overflow
 constexpr const char* csv_remedy = "write a header and one row a vertex, such as meshfolio curvature --csv gives";
 
 std::size_t cell_count(std::string_view line) { return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')); }
@@ -55,7 +55,7 @@ Vector csv_column(std::string_view bytes, const std::string& file, const std::st
         if (word.empty()) continue;
         const auto value = parse_number(word);
         if (!value) throw InputError(here, in_quotes(word) + " is not a finite number", "leave the cell empty where there is no value");
-        if (std::abs(*value) > largest_value)
+        if (std::abs(*value) > largest_coordinate)   // differences must not overflow
             throw InputError(here, in_quotes(word) + " is out of the supported range (1e100)", "scale the values");
         values[v] = *value;
     }
