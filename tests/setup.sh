@@ -30,6 +30,6 @@ install_packages() {
 
 # build_release ROOT TESTS: the program at ROOT/build/release/meshfolio; TESTS is ON or OFF.
 build_release() {
-    cmake -S "$1" -B "$1/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMESHFOLIO_TESTS="$2" >&2
+    cmake -S "$1" -B "$1/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMESHFOLIO_TESTS="$2" -DMESHFOLIO_JOIN_SOURCES=ON >&2
     cmake --build "$1/build/release" >&2
 }

@@ -71,7 +71,7 @@ nlohmann::ordered_json findings() {
     return json;
 }
 
-std::string told(const nlohmann::ordered_json& json) {
+std::string doctor_text(const nlohmann::ordered_json& json) {
     std::string text;
     const auto line = [&](const std::string& key, const std::string& value) {
         text += key + std::string(key.size() < 26 ? 26 - key.size() : 1, ' ') + value + "\n";
@@ -98,7 +98,7 @@ Command doctor_command(CLI::App& parent) {
     app->footer("Example: meshfolio doctor");
     return {app, [json] {
                 const auto all = findings();
-                print(*json ? all.dump(2) + "\n" : told(all));
+                print(*json ? all.dump(2) + "\n" : doctor_text(all));
                 return ExitCode::ok;
             }};
 }

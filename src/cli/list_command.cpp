@@ -33,7 +33,7 @@ nlohmann::ordered_json everything() {
     return json;
 }
 
-std::string told(const nlohmann::ordered_json& json) {
+std::string list_text(const nlohmann::ordered_json& json) {
     std::string text;
     for (const auto& [kind, entries] : json.items()) {
         text += kind + "\n";
@@ -55,7 +55,7 @@ Command list_command(CLI::App& parent) {
     app->footer("Example: meshfolio list --json");
     return {app, [json] {
                 const auto all = everything();
-                print(*json ? all.dump(2) + "\n" : told(all));
+                print(*json ? all.dump(2) + "\n" : list_text(all));
                 return ExitCode::ok;
             }};
 }

@@ -27,7 +27,7 @@ namespace {
 constexpr int largest_side = 8192;
 constexpr int largest_cell = 2048;   // of a labelled sheet: to be looked at, not measured
 
-struct Options {
+struct RenderFlags {
     std::string mesh, out = ".", size = "1024", views, field = "none", values, colormap, range;
     std::string isolines, glb;
     bool edges = false, plain = false, transparent = false;
@@ -67,7 +67,7 @@ std::vector<render::View> chosen_views(const std::string& names) {
     return views;
 }
 
-output::ColorRange color_range(const Options& options, const PreparedMesh& prepared, const Field& field) {
+output::ColorRange color_range(const RenderFlags& options, const PreparedMesh& prepared, const Field& field) {
     const std::string colormap = !options.colormap.empty() ? options.colormap : field.is_signed ? "diverging" : "viridis";
     const output::Panel panel{"", "", std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &prepared.mesh), field.values};
     output::ColorRange range = output::robust_range({panel}, colormap, field.quantity, field.unit, field.floor);
@@ -90,7 +90,7 @@ double isoline_spacing(const std::string& text) {
     return *spacing;
 }
 
-render::DrawOptions draw_options(const Options& options) {
+render::DrawOptions draw_options(const RenderFlags& options) {
     render::DrawOptions draw;
     std::tie(draw.width, draw.height) = picture_size(options.size);
     draw.edges = options.edges;
@@ -118,7 +118,7 @@ render::Image bare_sheet(const std::vector<render::Image>& pictures) {
     return sheet;
 }
 
-render::ContactSheet sheet_of(const Options& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
+render::ContactSheet sheet_of(const RenderFlags& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
                               const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views,
                               std::vector<render::Image> pictures) {
     render::ContactSheet sheet;
@@ -155,7 +155,7 @@ bool show_something(const std::vector<render::Image>& pictures, render::Rgba bac
     });
 }
 
-ExitCode run_render(const Options& options) {
+ExitCode run_render(const RenderFlags& options) {
     const render::DrawOptions given = draw_options(options);
     const std::vector<render::View> views = chosen_views(options.views);
     if (!options.range.empty()) value_limits(options.range);
@@ -201,7 +201,7 @@ std::string other_curvatures() {
 }   // namespace
 
 Command render_command(CLI::App& parent) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RenderFlags>();
     CLI::App* app = parent.add_subcommand("render", "Pictures of a mesh from six directions, and a contact sheet");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("--out", options->out, "folder for +x.png … -z.png and sheet.png")->capture_default_str();

@@ -12,13 +12,13 @@ namespace meshfolio::cli {
 
 namespace {
 
-struct Options {
+struct SmoothFlags {
     std::string mesh, output, scheme = "explicit", laplacian = "cotan", lambda, unit = "raw", mu, iterations = "1";
     bool rebuild = false, adaptive = false;
 };
 
 /// All but the step, which needs the mesh.
-SmoothingOptions smoothing_options(const Options& options) {
+SmoothingOptions smoothing_options(const SmoothFlags& options) {
     SmoothingOptions smoothing;
     smoothing.scheme = smoothing_scheme_named(options.scheme);
     smoothing.laplacian = operator_named(options.laplacian);
@@ -38,7 +38,7 @@ SmoothingOptions smoothing_options(const Options& options) {
 }
 
 /// The step in model units. The largest stable one is computed only where it is needed.
-double step_of(const Options& options, const SmoothingOptions& smoothing, const PreparedMesh& prepared) {
+double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, const PreparedMesh& prepared) {
     const StepUnit unit = step_unit_named(options.unit);
     const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
     const bool needs_limit = is_explicit || unit == StepUnit::tau || options.lambda.empty();
@@ -69,7 +69,7 @@ void tell_about_limit(const SmoothingOptions& smoothing, const Smoothed& result)
     }
 }
 
-ExitCode run_smooth(const Options& options) {
+ExitCode run_smooth(const SmoothFlags& options) {
     SmoothingOptions smoothing = smoothing_options(options);
     const PreparedMesh prepared = load_mesh(options.mesh);
     smoothing.lambda = step_of(options, smoothing, prepared);
@@ -95,7 +95,7 @@ ExitCode run_smooth(const Options& options) {
 }   // namespace
 
 Command smooth_command(CLI::App& parent) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SmoothFlags>();
     CLI::App* app = parent.add_subcommand("smooth", "One Laplacian smoothing run");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("-o,--output", options->output, "OBJ, OFF or PLY")->required();

@@ -44,7 +44,7 @@ std::string eigenvalue_table(const Spectrum& spectrum) {
     return csv;
 }
 
-struct Options {
+struct SpectrumFlags {
     std::string mesh, area = "barycentric", laplacian = "cotan", k, csv, vectors, reconstruct, out;
 };
 
@@ -64,7 +64,7 @@ std::string told(const SpectrumCertificate& c) {
            "; zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " + std::to_string(c.expected_zeros);
 }
 
-void write_reconstructions(const Options& options, const std::vector<int>& counts, const TriangleMesh& mesh, const Spectrum& spectrum,
+void write_reconstructions(const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh, const Spectrum& spectrum,
                            const Vector& M) {
     const std::string stem = std::filesystem::path(options.mesh).stem().string();
     output::make_folder(options.out);
@@ -77,7 +77,7 @@ void write_reconstructions(const Options& options, const std::vector<int>& count
     files.publish();
 }
 
-ExitCode run_spectrum(const Options& options) {
+ExitCode run_spectrum(const SpectrumFlags& options) {
     const AreaForm form = area_form_named(options.area);
     const OperatorKind kind = operator_named(options.laplacian);
     const int k = static_cast<int>(integer_between("-k", options.k, 1, largest_k));
@@ -103,7 +103,7 @@ ExitCode run_spectrum(const Options& options) {
 }   // namespace
 
 Command spectrum_command(CLI::App& parent) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SpectrumFlags>();
     CLI::App* app = parent.add_subcommand("spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
     app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
     app->add_option("-k", options->k, "how many eigenpairs, 1 to 100000")->required();

@@ -10,7 +10,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-struct Options {
+struct SubmitFlags {
     std::string out = "out";
     submission::SubmissionOptions submission;
     bool without_pdf = false, without_images = false;
@@ -21,7 +21,7 @@ std::string megabytes(std::size_t bytes) {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
 }
 
-ExitCode run_submit(Options options) {
+ExitCode run_submit(SubmitFlags options) {
     options.submission.pdf = !options.without_pdf;
     options.submission.images = !options.without_images;
     for (const Question& question : question_list()) options.submission.questions.emplace_back(question.id);
@@ -38,7 +38,7 @@ ExitCode run_submit(Options options) {
 }   // namespace
 
 Command submit_command(CLI::App& parent) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SubmitFlags>();
     CLI::App* app = parent.add_subcommand("submit", "submission.zip from a built report, checked");
     app->add_option("--out", options->out, "folder of the report; the archive is put into it")->capture_default_str();
     app->add_option("--author", options->submission.author, "whose work it is; default: the author the report names");

@@ -19,13 +19,13 @@ namespace meshfolio::cli {
 
 namespace {
 
-struct Options {
+struct VerifyFlags {
     std::string out;
     std::string seed = "1";
     bool quick = false;
 };
 
-std::uint64_t seed_of(const Options& options) {
+std::uint64_t seed_of(const VerifyFlags& options) {
     return static_cast<std::uint64_t>(integer_between("--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max()));
 }
 
@@ -35,7 +35,7 @@ std::string told(const report::Check& check) {
 }
 
 /// The sections as a report of their own, and everything measured on curvature as tables/truth_all.csv.
-void write_report(const Options& options, const GroundTruth& truth, const std::vector<report::Section>& sections) {
+void write_report(const VerifyFlags& options, const GroundTruth& truth, const std::vector<report::Section>& sections) {
     output::Publication publication(options.out);
     report::Document document;
     document.title = "Verification: curvature against closed forms, certificates, planted faults";
@@ -48,13 +48,13 @@ void write_report(const Options& options, const GroundTruth& truth, const std::v
 }
 
 /// Of bundled meshes, with the planted faults.
-report::Section certificates(const Options& options, const Progress& progress) {
+report::Section certificates(const VerifyFlags& options, const Progress& progress) {
     QuestionSettings settings;
     settings.quick = options.quick;
     return answer_certificates(MeshLibrary({}, {}), settings, progress).section;
 }
 
-ExitCode run_verify(const Options& options) {
+ExitCode run_verify(const VerifyFlags& options) {
     GroundTruth truth;
     std::vector<report::Section> sections;
     {
@@ -80,7 +80,7 @@ ExitCode run_verify(const Options& options) {
 }   // namespace
 
 Command verify_command(CLI::App& parent) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<VerifyFlags>();
     CLI::App* app =
         parent.add_subcommand("verify", "Curvature against closed forms, certificates of bundled meshes, planted faults: named checks");
     app->add_option("--out", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");

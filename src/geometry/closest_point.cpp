@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "errors.h"
+#include "geometry/special_values.h"
 
 namespace meshfolio {
 namespace {
@@ -56,7 +57,6 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) {
 int ClosestPoint::build(std::vector<int>& order, const std::vector<Corners>& triangles, int first, int last) {
     const auto corners = [&](int t) -> const Corners& { return triangles[static_cast<std::size_t>(t)]; };
     const auto centroid = [&](int t) -> Vector3 { return (corners(t)[0] + corners(t)[1] + corners(t)[2]) / 3; };
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     Node node{Vector3::Constant(infinity), Vector3::Constant(-infinity), first, last - first, 0};
     Vector3 centroid_low = node.low, centroid_high = node.high;
     for (int place = first; place < last; ++place) {

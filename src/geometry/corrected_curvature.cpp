@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 
 #include "errors.h"
+#include "geometry/special_values.h"
 
 namespace meshfolio {
 namespace {
@@ -62,7 +62,6 @@ CorrectedCurvature corrected_curvature(const TriangleMesh& mesh, const MeshTopol
         const Measures measures = measures_of(x, u);
         for (int k = 0; k < 3; ++k) around[static_cast<std::size_t>(f[k])] += measures;
     }
-    constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     CorrectedCurvature curvature{Vector::Constant(n, undefined), Vector::Constant(n, undefined)};
     for (int v = 0; v < n; ++v) {
         const Measures& m = around[static_cast<std::size_t>(v)];

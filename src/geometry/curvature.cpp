@@ -1,19 +1,17 @@
 #include "geometry/curvature.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
 #include "errors.h"
 #include "geometry/corner_rings.h"
+#include "geometry/special_values.h"
 #include "geometry/triangle_shape.h"
 #include "geometry/uniform_laplacian.h"
 
 namespace meshfolio {
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 void require_size(const char* function, const char* what, Eigen::Index size, const TriangleMesh& mesh) {
     if (size == mesh.X.rows()) return;

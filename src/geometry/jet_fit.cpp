@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "errors.h"
+#include "geometry/special_values.h"
 #include "geometry/two_rings.h"
 #include "mesh/parallel.h"
 #include "mesh/triangle_measures.h"
@@ -14,7 +14,6 @@
 namespace meshfolio {
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr int coefficients = 10;   // of a cubic in two variables
 
 /// Pivots below this share of the largest say that the points lie near a common cubic.

@@ -1,19 +1,17 @@
 #include "geometry/mesh_operators.h"
 
-#include <limits>
 #include <numbers>
 
 #include "errors.h"
 #include "geometry/closed_fans.h"
 #include "geometry/corner_rings.h"
+#include "geometry/special_values.h"
 #include "geometry/stiffness_rows.h"
 #include "geometry/triangle_shape.h"
 #include "large_pages.h"
 
 namespace meshfolio {
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// n values to be written to.
 Vector large_values(Eigen::Index n) {

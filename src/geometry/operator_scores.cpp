@@ -9,14 +9,13 @@
 #include "errors.h"
 #include "geometry/laplace_spectrum.h"
 #include "geometry/mesh_laws.h"
+#include "geometry/special_values.h"
 #include "geometry/stability.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 bool in_use(const MeshTopology& topology, int v) { return topology.vertex_faces.size(v) > 0; }
 bool on_boundary(const MeshTopology& topology, int v) { return topology.on_boundary[static_cast<std::size_t>(v)] != 0; }

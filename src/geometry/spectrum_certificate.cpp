@@ -6,14 +6,13 @@
 
 #include "errors.h"
 #include "geometry/inertia.h"
+#include "geometry/special_values.h"
 #include "geometry/vertices_with_mass.h"
 #include "mesh/disjoint_sets.h"
 
 namespace meshfolio {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void check_sizes(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
     const Eigen::Index n = mesh.X.rows(), k = spectrum.eigenvalues.size();

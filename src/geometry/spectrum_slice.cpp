@@ -8,12 +8,11 @@
 #include <string>
 
 #include "errors.h"
+#include "geometry/special_values.h"
 
 namespace meshfolio {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 

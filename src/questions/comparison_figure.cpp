@@ -13,7 +13,7 @@ struct Displacement {
     double rms = 0, largest = 0;   // of the finite values
 };
 
-Displacement summary_of(const Vector& percent) {
+Displacement displacement_of(const Vector& percent) {
     Displacement d;
     double squares = 0;
     int count = 0;
@@ -48,7 +48,7 @@ void add_comparison(Answer& answer, ComparisonFigure figure) {
     request.range = output::robust_range({moved}, figure.colormap, "displacement", "% of the box diagonal", 0.01);
     request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
 
-    const Displacement d = summary_of(moved.values);
+    const Displacement d = displacement_of(moved.values);
     const std::string measured =
         "the vertices moved by " + readable(d.rms) + "\u202f% of the box diagonal (rms), " + readable(d.largest) + "\u202f% at most";
     const std::string alt = figure.title + ", seen from the right front and above: " + figure.before.label + ", " + figure.after.label +

@@ -13,6 +13,8 @@ namespace meshfolio {
 
 enum class Quantity { H, K };
 
+inline std::string symbol(Quantity quantity) { return quantity == Quantity::H ? "H" : "K"; }
+
 /// The estimators of H and of K, in the order of all tables.
 struct Estimator {
     std::string key;    // "jet", for looking up

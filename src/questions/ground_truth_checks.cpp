@@ -18,8 +18,6 @@ const std::string& estimator_name(Quantity quantity, const std::string& key) {
     return estimators_of(quantity)[estimator_index(quantity, key)].name;
 }
 
-std::string symbol(Quantity quantity) { return quantity == Quantity::H ? "H" : "K"; }
-
 class Checker {
 public:
     explicit Checker(const GroundTruth& truth) : truth_(truth) {}

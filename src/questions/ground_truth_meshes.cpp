@@ -16,7 +16,6 @@ namespace meshfolio {
 
 namespace {
 
-constexpr double jitter_amount = 0.2;   // of the shortest edge, in each axis: no triangle turns over
 constexpr int jitter_rounds = 4;        // with flips between them; more make the triangles little worse
 constexpr double noise_amount = 0.01;   // of the mean edge
 

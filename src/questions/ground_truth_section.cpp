@@ -17,8 +17,6 @@ using report::ref;
 
 constexpr std::array quantities{Quantity::H, Quantity::K};
 
-std::string symbol(Quantity quantity) { return quantity == Quantity::H ? "H" : "K"; }
-
 std::vector<const PanelRun*> runs_of(const GroundTruth& truth, MeshKind kind) {
     std::vector<const PanelRun*> runs;
     for (const PanelRun& run : truth.runs) {

@@ -14,9 +14,6 @@ namespace meshfolio {
 
 namespace {
 
-/// Random steps along the surface: large enough that no ring is regular any more, small enough that no triangle turns over.
-constexpr double jitter_amount = 0.2;
-
 constexpr double torus_R = 1, torus_r = 0.4;
 
 KnownSurface known_sphere() {

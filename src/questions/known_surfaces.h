@@ -24,6 +24,10 @@ struct KnownSurface {
 /// Sphere (icosphere), ellipsoid (the same, stretched) and torus (a grid whose squares are cut along one diagonal).
 std::vector<KnownSurface> known_surfaces();
 
+/// Random steps along the surface, in each axis, in shortest edges: large enough that no ring is regular any more, small enough that no
+/// triangle turns over.
+inline constexpr double jitter_amount = 0.2;
+
 enum class Triangulation {
     regular,
     jittered   // the same triangles over vertices moved along the surface, by up to a fifth of their shortest edge in each axis

@@ -14,8 +14,6 @@ namespace {
 
 using report::ref;
 
-constexpr double degrees = 180 / M_PI;
-
 template <class Visit>
 void for_each_trial(const DenoisingLaboratory& laboratory, Visit visit) {
     for (const DenoisingTrials& mesh : laboratory.meshes) {

@@ -2,12 +2,16 @@
 /// The blocks of the section "methods". Private to the layer.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "questions/denoising_laboratory.h"
 #include "questions/question.h"
 
 namespace meshfolio {
+
+/// Tables tell angles in degrees.
+inline constexpr double degrees = 180 / std::numbers::pi;
 
 report::Table subject_table(const DenoisingLaboratory& laboratory);
 /// What a method is judged by: the shape, the places of the vertices, the normals of the faces.

@@ -13,8 +13,6 @@ namespace {
 
 using report::Column;
 
-constexpr double degrees = 180 / M_PI;
-
 std::vector<Column> noise_columns() { return {{"noise", ""}, {"σ", "mean edges", 2}, {"σ", "% of box", 2}}; }
 
 std::vector<report::Cell> noise_cells(const DenoisingTrials& mesh, const NoiseTrial& trial) {

@@ -6,7 +6,7 @@
 #include "damaged_bytes.h"
 #include "file_bytes.h"
 #include "mesh/small_meshes.h"
-#include "output/temporary_folder.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::cli;

@@ -8,9 +8,9 @@
 #include "cli/report_settings.h"
 #include "cli/settings_file.h"
 #include "file_bytes.h"
-#include "output/temporary_folder.h"
 #include "questions/reproductions.h"
 #include "source_dir.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::cli;

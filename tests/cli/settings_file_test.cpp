@@ -5,8 +5,8 @@
 #include <regex>
 
 #include "file_bytes.h"
-#include "output/temporary_folder.h"
 #include "source_dir.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::cli;

@@ -5,8 +5,8 @@
 #include "cli/report_settings.h"
 #include "cli/settings_file.h"
 #include "cli/settings_reader.h"
-#include "output/temporary_folder.h"
 #include "questions/question.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::cli;

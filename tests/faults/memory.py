@@ -1,5 +1,6 @@
 """Little address space (RLIMIT_AS, from 64 MB up): a result, or one line that says so; never a crash, never for ever.
-Below some 120 MB the libraries themselves cannot be loaded: that line is the loader's, and its exit code 127."""
+A file that finds no room is refused as one that is too large, with exit code 3. Below some 120 MB the libraries themselves cannot be
+loaded: that line is the loader's, and its exit code 127."""
 
 import json
 import resource
@@ -17,7 +18,7 @@ class Memory(Faults):
     def limited(self, megabytes, *words):
         limit = (int(megabytes * MEGABYTE),) * 2
         end = self.run_program(*words, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limit))
-        self.assertIn(end.code, (0, 1, 127), f"{words[0]} with {megabytes} MB: {end.err}")
+        self.assertIn(end.code, (0, 1, 3, 127), f"{words[0]} with {megabytes} MB: {end.err}")
         if end.code == 127:
             self.assertIn(LOADER, end.err)
         return end

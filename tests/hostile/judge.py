@@ -3,6 +3,7 @@
 import os
 import re
 import resource
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -53,9 +54,17 @@ class Hostile(unittest.TestCase):
 
     def start(self, *words, as_nobody=False):
         variables = {"PATH": os.environ["PATH"], "MESHFOLIO_PDF": "off", "XDG_CACHE_HOME": str(self.folder / "cache")}
-        command = [PROGRAM, *(w if isinstance(w, (str, bytes)) else str(w) for w in words)]
+        program = self.copy_of_the_program() if as_nobody else PROGRAM
+        command = [program, *(w if isinstance(w, (str, bytes)) else str(w) for w in words)]
         return subprocess.run(command, cwd=self.folder, env=variables, capture_output=True, stdin=subprocess.DEVNULL, timeout=120,
                               preexec_fn=limits(as_nobody))
+
+    def copy_of_the_program(self):
+        """One that everybody may run: the folders above the build may be closed."""
+        folder = tempfile.TemporaryDirectory(prefix="meshfolio-hostile-program-")
+        self.addCleanup(folder.cleanup)
+        os.chmod(folder.name, 0o755)
+        return shutil.copy(PROGRAM, folder.name)
 
     def judge(self, codes, *words, says=None, as_nobody=False):
         """The run ends with one of the exit codes and tells of it in a few harmless lines, one if it is an error of a single file."""

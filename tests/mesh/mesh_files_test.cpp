@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -13,6 +11,7 @@
 #include "file_bytes.h"
 #include "mesh/rejections.h"
 #include "mesh/small_meshes.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;
@@ -48,7 +47,8 @@ TEST(MeshFiles, WhatIsWrittenReadsBackBitForBit) {
 }
 
 TEST(MeshFiles, ThroughTheDisk) {
-    const auto path = std::filesystem::temp_directory_path() / ("meshfolio_test_" + std::to_string(::getpid()) + ".ply");
+    const testing_tools::TemporaryFolder folder;
+    const auto path = folder.path() / "through.ply";
     write_mesh(path, awkward_mesh());
     EXPECT_TRUE(same_bits(read_mesh(path).mesh.X, awkward_mesh().X));
     std::filesystem::remove(path);

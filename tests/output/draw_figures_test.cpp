@@ -9,7 +9,7 @@
 #include "file_bytes.h"
 #include "mesh/sample_shapes.h"
 #include "output/preview.h"
-#include "output/temporary_folder.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;

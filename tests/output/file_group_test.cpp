@@ -8,7 +8,7 @@
 
 #include "errors.h"
 #include "file_bytes.h"
-#include "output/temporary_folder.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;

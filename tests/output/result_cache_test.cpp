@@ -8,8 +8,8 @@
 
 #include "errors.h"
 #include "file_bytes.h"
-#include "output/temporary_folder.h"
 #include "sha256.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;

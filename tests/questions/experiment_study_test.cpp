@@ -8,10 +8,10 @@
 #include "geometry/curvature.h"
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "output/temporary_folder.h"
 #include "questions/experiment_fields.h"
 #include "questions/study_laws.h"
 #include "questions/value_lists.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;

@@ -9,9 +9,9 @@
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
 #include "mesh/sample_shapes.h"
-#include "output/temporary_folder.h"
 #include "sha256.h"
 #include "source_dir.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using testing_tools::TemporaryFolder;

@@ -2,9 +2,9 @@
 
 #include "file_bytes.h"
 #include "mesh/sample_shapes.h"
-#include "output/temporary_folder.h"
 #include "questions/mesh_defects.h"
 #include "questions/study_laws.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;

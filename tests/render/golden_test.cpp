@@ -1,6 +1,5 @@
 // Small scenes that together show what the renderer can do. Tolerance and what happens on failure: golden.h.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include "golden.h"
 #include "shapes.h"
 #include "source_dir.h"
+#include "temporary_folder.h"
 
 namespace {
 
@@ -99,13 +99,13 @@ TEST(Golden, PhasesOnATransparentGround) {
 
 class GoldenHarness : public testing::Test {
 protected:
-    const fs::path folder_ = fs::temp_directory_path() / ("meshfolio_golden_test_" + std::to_string(getpid()));
+    const meshfolio::testing_tools::TemporaryFolder temporary_;
+    const fs::path folder_ = temporary_.path();
     const Image picture_ = drawn(render_tests::pebble(), {.background = {0, 0, 0, 0}});
 
     std::string complaint_about(const Image& image, bool update = false) const {
         return render_tests::golden_complaint("pebble", image, folder_ / "golden", folder_ / "review", update);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 };
 
 TEST_F(GoldenHarness, WhatWasUpdatedIsFoundGood) {

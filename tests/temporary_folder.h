@@ -1,3 +1,5 @@
+/// @file
+/// What tests that write files share: a folder of their own, the number of a process that is no more.
 #pragma once
 
 #include <sys/wait.h>
@@ -5,6 +7,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -21,6 +24,10 @@ public:
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path_ / name, std::ios::binary) << bytes;
+        return path_ / name;
+    }
 
 private:
     std::filesystem::path path_;

@@ -1,0 +1,13 @@
+/// @file
+/// Numbers that are none: of what is not defined, and of what has no bound.
+#pragma once
+
+#include <limits>
+
+namespace meshfolio {
+
+/// An empty cell in tables, grey in pictures.
+inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}   // namespace meshfolio
