@@ -12,6 +12,11 @@ TEST(NumberText, BoundsAreRoundedOutwards) {
     EXPECT_EQ(rounded_up(1.2345, 3), 1.24);
     EXPECT_EQ(rounded_down(1.9999, 3), 1.99);
     EXPECT_EQ(rounded_up(9.999e-7, 2), 1e-6);
+    // Just below a power of ten the last digit is a tenth of that just above.
+    EXPECT_EQ(rounded_down(0.9999999999999976, 4), 0.9999);
+    EXPECT_EQ(rounded_down(9.9996, 4), 9.999);
+    EXPECT_EQ(rounded_up(-0.99996, 4), -0.9999);
+    EXPECT_EQ(rounded_down(1e3, 4), 1e3);
     EXPECT_EQ(rounded_down(-1.234, 3), -1.24);
     EXPECT_EQ(rounded_down(0.5, 3), 0.5);
     EXPECT_EQ(rounded_up(0, 3), 0);
