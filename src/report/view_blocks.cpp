@@ -78,6 +78,7 @@ json plot_view(const Plot& plot, const ViewContext& context) {
         if (!line.label.empty()) markers.push_back({{"text", safe_text(line.label)}});
     }
     json view = drawing_view(plot, context);
+    for (std::size_t i = 0; i < markers.size(); ++i) markers[i]["separator"] = i + 1 < markers.size() ? "; " : "";
     view["has_markers"] = !markers.empty();
     view["markers"] = std::move(markers);
     return view;

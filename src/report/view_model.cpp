@@ -21,7 +21,10 @@ constexpr std::size_t findings_shown = 5;
 
 json names_and_values(const std::map<std::string, std::string>& pairs) {
     json list = json::array();
-    for (const auto& [name, value] : pairs) list.push_back({{"name", prose_view(name)}, {"value", prose_view(value)}});
+    for (const auto& [name, value] : pairs) {
+        list.push_back(
+            {{"name", prose_view(name)}, {"value", prose_view(value)}, {"separator", list.size() + 1 < pairs.size() ? "; " : ""}});
+    }
     return list;
 }
 

@@ -78,7 +78,7 @@ double rounded(double x, const Column& column) {
 }
 
 std::string number_text(double x, Notation notation, int digits) {
-    const bool near_one = std::abs(x) >= 0.01 && std::abs(x) < 1000;
+    const bool near_one = std::abs(x) >= 0.01 && std::abs(x) < 1e5;
     if (notation == Notation::scientific && !near_one) return scientific(x, digits);
     return notation == Notation::whole ? readable_integer(x) : readable(x, digits);
 }
@@ -148,7 +148,13 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
 
 /// A row that says how many are not shown.
 json gap_view(std::size_t left_out, std::size_t columns) {
-    return {{"cells", json::array()}, {"is_gap", true}, {"left_out", std::to_string(left_out)}, {"columns", std::to_string(columns)}};
+    std::string fill;
+    for (std::size_t c = 1; c < columns; ++c) fill += " |";
+    return {{"cells", json::array()},
+            {"is_gap", true},
+            {"left_out", std::to_string(left_out) + (left_out == 1 ? " row" : " rows")},
+            {"columns", std::to_string(columns)},
+            {"fill", std::move(fill)}};
 }
 
 }   // namespace

@@ -102,8 +102,8 @@ TEST(PrintPage, LongTablesAreCut) {
     Table table{"q1_forty", "Long", {{.name = "number"}}, {}};
     for (int i = 0; i < 40; ++i) table.rows.push_back({static_cast<double>(i)});
     document.sections[0].blocks.push_back(table);
-    EXPECT_NE(printed(document, {.table_rows = 10}).html.find("30 rows are only in tables/q1_forty.csv"), std::string::npos);
-    EXPECT_EQ(printed(document, whole).html.find("rows are only in tables/q1_forty.csv"), std::string::npos);
+    EXPECT_NE(printed(document, {.table_rows = 10}).html.find("30 rows only in tables/q1_forty.csv"), std::string::npos);
+    EXPECT_EQ(printed(document, whole).html.find("rows only in tables/q1_forty.csv"), std::string::npos);
 }
 
 TEST(PrintPage, WhatIsNotToldIsNamedButNotLinked) {

@@ -53,6 +53,8 @@ TEST(ViewTable, UndefinedIsADashAndNeverZero) {
 
 TEST(ViewTable, OnePowerOfTenBringsTheOthersWithIt) {
     EXPECT_EQ(numbers_of(view_of(column({3.59e-5, 1.795e-4, 0.5}))), (Words{"3.59\u202f×\u202f10⁻⁵", "1.79\u202f×\u202f10⁻⁴", "0.500"}));
+    // What is long to read as a power and short as it is stays as it is, as in the columns beside it.
+    EXPECT_EQ(numbers_of(view_of(column({1.5e7, 1208.4, 0.5}))), (Words{"1.50\u202f×\u202f10⁷", "1208", "0.500"}));
 }
 
 TEST(ViewTable, HeatRisesWithTheLogarithmBetweenItsLimits) {
@@ -95,7 +97,8 @@ TEST(ViewTable, LongTablesShowTheirEnds) {
     ASSERT_EQ(rows.size(), 6u);
     EXPECT_EQ(rows[2]["cells"][0]["number"], "2");
     EXPECT_EQ(rows[3]["is_gap"], true);
-    EXPECT_EQ(rows[3]["left_out"], "95");
+    EXPECT_EQ(rows[3]["left_out"], "95 rows");
+    EXPECT_EQ(view_of(column(cells), 99)["rows"][50]["left_out"], "1 row");
     EXPECT_EQ(rows[4]["cells"][0]["number"], "98");
     EXPECT_EQ(view_of(column(cells), 100)["rows"].size(), 100u);
 }
