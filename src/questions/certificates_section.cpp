@@ -71,7 +71,7 @@ void add_operator_table(report::Section& section, const std::vector<Certified>& 
     table.id = "certificates_operators";
     table.caption =
         "Identities that need no known surface, as deviations. Energy: of the positions over the area, less 1. First variation: CX + "
-        "∇area at the worst vertex. Flux: |Σ A n| over the area, empty for open meshes. Gauss–Bonnet is empty where the mesh is not "
+        "∇area at the worst vertex. Flux: |Σ A n| over the area, – for open meshes. Gauss–Bonnet is – where the mesh is not "
         "manifold.";
     table.columns = {
         {"mesh", "", 3},        {"asymmetry of C", "", 2}, {"row sums", "", 2},    {"energy/area − 1", "", 2}, {"first variation", "", 2},

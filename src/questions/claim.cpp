@@ -21,6 +21,13 @@ std::size_t nearest_to_threshold(const Rule& rule, const std::vector<Case>& case
     return *std::min_element(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
 }
 
+/// "3 %", "2 mean edges", "1 mean edge".
+std::string with_unit_of(const Rule& rule, const std::string& number) {
+    std::string unit(rule.unit);
+    if (number == "1" && unit.ends_with('s')) unit.pop_back();
+    return number + (unit.empty() ? "" : "\u202f" + unit);
+}
+
 /// "random triangles (27.3 %) and …"; beyond a handful "7 cases, from 3 % (…) to 8 % (…)".
 std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>& chosen) {
     const std::vector<Case>& cases = judged.measurement.cases;
@@ -72,15 +79,14 @@ std::string with_unit(double value, const Rule& rule) {
     const bool count = std::trunc(value) == value && std::abs(value) < 1e4;
     int digits = 3;   // more where the value would otherwise be printed as if it were the threshold
     while (digits < 8 && value != rule.threshold && readable(value, digits) == readable(rule.threshold, digits)) ++digits;
-    return (count ? plain_text(value) : readable(value, digits)) + (rule.unit.empty() ? "" : "\u202f" + std::string(rule.unit));
+    return with_unit_of(rule, count ? plain_text(value) : readable(value, digits));
 }
 
 std::string words_of(const Rule& rule) {
     // A threshold is a round number: as many digits as it has.
     const std::string number =
         std::abs(rule.threshold) >= 1e-4 || rule.threshold == 0 ? plain_text(rule.threshold) : readable(rule.threshold, 1);
-    return (rule.relation == Rule::Relation::at_most ? "at most " : "at least ") + number +
-           (rule.unit.empty() ? "" : "\u202f" + std::string(rule.unit));
+    return (rule.relation == Rule::Relation::at_most ? "at most " : "at least ") + with_unit_of(rule, number);
 }
 
 Decision decide(const Rule& rule, const Measurement& measurement) {
@@ -102,7 +108,8 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
 
 report::Text rule_text(const JudgedClaim& judged) {
     const Claim& claim = *judged.claim;
-    return report::text("True if ", std::string(claim.rule.quantity), " is ", words_of(claim.rule),
+    const bool closes_with_comma = claim.rule.quantity.find(", ") != std::string_view::npos;
+    return report::text("True if ", std::string(claim.rule.quantity), closes_with_comma ? ", is " : " is ", words_of(claim.rule),
                         judged.measurement.cases.size() > 1 ? " in every case." : ".");
 }
 

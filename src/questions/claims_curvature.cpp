@@ -148,7 +148,8 @@ Measurement uniform_on_plane(ClaimBench& bench) {
         return m;
     }
     m.cases = {{"inside", c.drift}};
-    if (c.drift < 0.001) m.remark = report::text("Its vertices lie in the middle of their neighbours, where any operator is exact.");
+    if (c.drift < 0.001)
+        m.remark = report::text("Its vertices lie in the middle of their neighbours, where the uniform operator is exact.");
     return m;
 }
 

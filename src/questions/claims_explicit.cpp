@@ -159,7 +159,7 @@ Measurement limits_differ(ClaimBench& bench) {
     m.meshes = bench.called({"bunny", "cow", "cube"});
     m.remark = report::text(
         "λ is an area, so that size alone changes it; in squared mean edges size is taken out, and what is left is the "
-        "one worst vertex that sets each limit.");
+        "triangulation, sometimes a single vertex of it.");
     return m;
 }
 
@@ -213,7 +213,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "From λ = 10⁻³ on, smoothing deforms the cube considerably.",
-         {"how much the mesh shrinks, by the rms distance of its vertices from their mean,", "%", at_least, 10},
+         {"how much the mesh shrinks, by the rms distance of its vertices from their mean", "%", at_least, 10},
          Effort::quick,
          cube_deforms},
         {"claims_s0_limits_differ",

@@ -25,7 +25,7 @@ void add_method(report::Section& section) {
         section,
         "S0 to S3 are four earlier reports on this coursework; to their claims come some of the papers that the methods are taken from. "
         "Each claim is told in words of our own and turned into a rule: one quantity, one threshold, and the cases that the claim does "
-        "not exclude. Seven rules (low noise, noise beyond repair, the operator of ",
+        "not exclude. Some rules (low noise, noise beyond repair, the operator of ",
         report::math("A_i + A_j"),
         ", Taubin's and Rippa's claims, small steps) were put more exactly after a first measurement had shown them to test "
         "something else than is claimed; the others stand as they were first written. The verdict follows from the rule and the "
@@ -89,8 +89,9 @@ void add_discussion(report::Section& section, const std::vector<JudgedClaim>& ju
             section.blocks.push_back(report::Paragraph{std::move(t)});
     }
     if (const JudgedClaim* most = most_refuted(judged)) {
-        add_paragraph(section, "Of the percentages, the farthest from its threshold is that of ", report::ref(std::string(most->claim->id)),
-                      ": ", with_unit(most->measurement.cases[most->decision.deciding].value, most->claim->rule), " where ",
+        add_paragraph(section, "Of the percentages, the farthest from its threshold, by their ratio, is that of ",
+                      report::ref(std::string(most->claim->id)), ": ",
+                      with_unit(most->measurement.cases[most->decision.deciding].value, most->claim->rule), " where ",
                       words_of(most->claim->rule), " would have been needed.");
     }
     add_paragraph(section, "A verdict is about the claim as the rule puts it; whoever reads a claim otherwise finds all numbers in ",
@@ -134,7 +135,7 @@ report::Table measurement_table(const std::vector<JudgedClaim>& judged) {
     table.id = measurements;
     table.caption =
         "Every case of every claim that was measured: the quantity, and whether it is on the side of the threshold that the claim needs.";
-    table.columns = {{"claim"}, {"quantity"}, {"case"}, {"measured", "", 4}, {"unit"}, {"true if"}, {"is it?"}};
+    table.columns = {{"claim"}, {"quantity"}, {"case"}, {"measured", "", 4}, {"unit"}, {"true if"}, {"on that side"}};
     table.columns.front().reference = true;
     table.columns.front().filter = table.columns.back().filter = true;
     table.sortable = true;
@@ -226,9 +227,9 @@ Answer answer_claims(const MeshLibrary& library, const QuestionSettings& setting
     section.extent = report::plain(ledger_summary(ledger));
     report::Text finding = ledger_summary(ledger);
     if (const JudgedClaim* refuted = most_refuted(ledger)) {
-        report::extend(finding, " Farthest off: “", std::string(refuted->claim->words), "” (", std::string(refuted->claim->source),
-                       "): ", with_unit(refuted->measurement.cases[refuted->decision.deciding].value, refuted->claim->rule), ", true if ",
-                       words_of(refuted->claim->rule), ".");
+        report::extend(finding, " For instance “", std::string(refuted->claim->words), "” (", std::string(refuted->claim->source),
+                       ") is refuted: ", with_unit(refuted->measurement.cases[refuted->decision.deciding].value, refuted->claim->rule),
+                       ", true if ", words_of(refuted->claim->rule), ".");
     }
     section.findings.push_back({std::move(finding), 82});
     return answer;

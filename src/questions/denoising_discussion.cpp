@@ -93,7 +93,7 @@ FeatureRatio feature_ratio(const DenoisingStudy& study) {
 }
 
 report::Text features_pay(const Studies& studies) {
-    std::vector<std::string> larger, alike, smaller, smooth, coarse;
+    std::vector<std::string> larger, mixed, smaller, smooth, coarse;
     for (const DenoisingStudy& study : studies) {
         const int vertices = study.clean->mesh().vertex_count();
         const std::string share = std::to_string(study.feature_vertices) + " of " + std::to_string(vertices) + " vertices";
@@ -104,18 +104,20 @@ report::Text features_pay(const Studies& studies) {
             coarse.push_back(study.name() + " (" + share + ")");
         } else if (ratio.highest > 0) {
             const std::string range = readable(ratio.lowest, 3) + (ratio.highest > ratio.lowest ? " to " + readable(ratio.highest, 3) : "");
-            (ratio.highest > 1.2  ? larger
-             : ratio.lowest > 0.9 ? alike
-                                  : smaller)
+            (ratio.lowest > 1    ? larger
+             : ratio.highest < 1 ? smaller
+                                 : mixed)
                 .push_back(study.name() + " (" + range + " times; " + share + ")");
         }
     }
     std::vector<std::string> kinds;
-    if (!larger.empty()) kinds.push_back("larger than elsewhere on " + listed(larger));
-    if (!alike.empty()) kinds.push_back("about what it is elsewhere on " + listed(alike));
-    if (!smaller.empty()) kinds.push_back("smaller than elsewhere on " + listed(smaller));
+    if (!larger.empty()) kinds.push_back("larger on " + listed(larger));
+    if (!smaller.empty()) kinds.push_back("smaller on " + listed(smaller));
+    if (!mixed.empty()) kinds.push_back("neither always larger nor always smaller on " + listed(mixed));
     report::Text t;
-    if (!kinds.empty()) report::extend(t, "At the best iterations the error on edges sharper than 40° is ", listed(kinds), ".");
+    if (!kinds.empty())
+        report::extend(t, "Where some smoothing is best, the error on edges sharper than 40°, over that elsewhere, is ", listed(kinds),
+                       ".");
     if (!larger.empty()) report::extend(t, " The filter cannot tell such an edge from noise, and rounds it.");
     if (!smooth.empty())
         report::extend(t, t.empty() ? "" : " ", "There is no edge sharper than 40°, so no feature to lose, on ", listed(smooth), ".");
@@ -177,10 +179,11 @@ report::Text verdict(const Studies& studies) {
         report::extend(t, " It gains less than a fifth, or nothing, on ", listed(fails), ".");
     }
     report::extend(t, limit_in_mean_edges(studies));
-    report::extend(t, " The two curves of ", math("bias"), " and ", math("noise"),
-                   " explain it: smoothing removes noise at a rate set by λ and the operator, and shape at a "
-                   "rate set by the shape; it pays as long as the noise is larger than what the same iterations take from the clean mesh (",
-                   ref("q7_results"),
+    report::extend(t,
+                   " Bias and noise explain it: smoothing removes noise at a rate set by λ and the operator, and shape at a "
+                   "rate set by the shape; it pays as long as the noise is larger than what the same iterations take from the clean mesh, "
+                   "the curve without noise (",
+                   ref(id_of("q7", studies.front().name(), "error_versus_iteration")),
                    "). Where the minimum is expected to be beside where it is measured, and how it is found without the "
                    "clean mesh, is in ",
                    ref("prediction"), ". Seven other methods, and other kinds of noise, are tried in ", ref("methods"), ".");

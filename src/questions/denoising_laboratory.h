@@ -49,7 +49,10 @@ struct NoiseTrial {
     std::string id() const;      // "gaussian0300", thousandths of a mean edge; "box_level20"
 };
 
-/// The method of the largest gain; −1 where none is above 1.
+/// Is a gain as large as the largest, but for rounding? Methods that differ in size alone turn the normals alike.
+inline bool ties(double gain, double largest) { return gain >= largest * (1 - 1e-9); }
+
+/// The method of the largest gain, the first of them where several tie; −1 where none is above 1.
 int winner(const NoiseTrial& trial, Gain gain);
 
 struct DenoisingTrials {

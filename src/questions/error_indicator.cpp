@@ -109,23 +109,23 @@ void add_trials(report::Section& section, const std::vector<IndicatorTrial>& tri
 }
 
 report::Text trial_words(const std::vector<IndicatorTrial>& trials) {
-    double low = INFINITY, high = 0, found = 1;
+    double off = 0, found = 1;
     int large = 0;
     for (const IndicatorTrial& t : trials) {
         if (t.actual < 0.05) continue;
         ++large;
-        low = std::min(low, t.indicated / t.actual);
-        high = std::max(high, t.indicated / t.actual);
+        off = std::max(off, std::abs(t.indicated / t.actual - 1));
         found = std::min(found, t.found);
     }
     const auto smallest = std::min_element(trials.begin(), trials.end(),
                                            [](const IndicatorTrial& a, const IndicatorTrial& b) { return a.actual < b.actual; });
     report::Text t = report::text("Where no closed form says how good H is, a second estimate does. ");
     if (large > 0) {
-        report::extend(t, "On the ", counted(large, "mesh", "meshes"),
-                       " with known truth where the cotangent formula errs by 5 % or more, its ", "distance from the jet is ",
-                       readable(low, 3), " to ", readable(high, 3), " of its true error, and at least ",
-                       readable_percent(std::floor(100 * found) / 100, 2), " of the worst vertices are found. ");
+        report::extend(
+            t, "On the ", counted(large, "mesh", "meshes"),
+            " with known truth where the cotangent formula errs by 5 % or more, its distance from the jet equals its true error to ",
+            readable_percent(rounded_up(off, 2), 2), ", and at least ", readable_percent(rounded_down(found, 2), 2),
+            " of the worst tenth of the vertices are found. ");
     }
     report::extend(t, "Where both are good the indicator says only that: on the ", smallest->mesh, " it shows ",
                    readable_percent(smallest->indicated, 2), " for an error of ", readable_percent(smallest->actual, 2), " (",

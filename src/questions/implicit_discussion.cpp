@@ -72,7 +72,8 @@ Observed remains_of(const ImplicitStudy& study) {
 
 bool has_lost_its_shape(const ImplicitStudy& study) {
     const SmoothingCell& far = study.cell(study.lambdas.size() - 1, study.middle_iteration());
-    return far.collapsed() || far.volume_ratio < 0.5;   // no: an open mesh, whose volume is NaN
+    // An open mesh has no volume; what it has lost shows in its energy.
+    return far.collapsed() || (std::isfinite(far.volume_ratio) ? far.volume_ratio < 0.5 : far.implicit_energy < 0.05);
 }
 
 report::Text beyond_the_limit(const Studies& studies) {

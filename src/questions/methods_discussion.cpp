@@ -25,16 +25,16 @@ double of(const std::vector<double>& gains, int method) { return gains[static_ca
 
 report::Text winner_words(const ClassResult& c) {
     const int best = c.best(), by_angle = c.best_by_angle();
-    report::Text t = report::text("What is ", c.title, " (", listed(c.meshes), "): ");
+    report::Text t = report::text("On ", listed(c.meshes), " (", c.title, ") ");
     if (best < 0) return report::text(std::move(t), "the noise changed no shape.");
-    report::extend(t, method_title(best), " restores the shape best, ", readable(of(c.gain, best)), "-fold over ",
+    report::extend(t, "“", method_title(best), "” restores the shape best, ", readable(of(c.gain, best)), "-fold over ",
                    counted(c.trials, "noisy mesh", "noisy meshes"), " (geometric mean)");
-    if (by_angle == best) {
+    if (by_angle >= 0 && ties(of(c.angle_gain, best), of(c.angle_gain, by_angle))) {
         report::extend(t, ", and the normals too, ", readable(of(c.angle_gain, by_angle)), "-fold.");
     } else if (by_angle >= 0) {
-        report::extend(t, "; for the normals it is ", method_title(by_angle), ", ", readable(of(c.angle_gain, by_angle)), "-fold");
+        report::extend(t, "; for the normals it is “", method_title(by_angle), "”, ", readable(of(c.angle_gain, by_angle)), "-fold");
         if (std::isfinite(of(c.angle_gain, best)))
-            report::extend(t, ", where ", method_title(best), " gains ", readable(of(c.angle_gain, best)));
+            report::extend(t, ", where “", method_title(best), "” gains ", readable(of(c.angle_gain, best)));
         report::extend(t, ".");
     } else {
         report::extend(t, ".");
@@ -56,7 +56,8 @@ report::Text winners_counted(const DenoisingLaboratory& laboratory) {
         by_angle[sharp] += filters(angle);
         if (shape < 0 || angle < 0) return;
         ++compared;
-        differ += shape != angle ? 1 : 0;
+        const auto angle_gain = [&](int method) { return trial.results[static_cast<std::size_t>(method)].angle_gain(); };
+        differ += ties(angle_gain(shape), angle_gain(angle)) ? 0 : 1;
     });
     report::Text t;
     const auto say = [&](int sharp, const char* where) {
@@ -66,8 +67,9 @@ report::Text winners_counted(const DenoisingLaboratory& laboratory) {
     if (trials[1] > 0) say(1, " with sharp edges. ");
     if (trials[0] > 0) say(0, " without them. ");
     if (compared > 0) {
-        report::extend(t, "The method that is best in shape is not the one that is best in normals on ", std::to_string(differ), " of ",
-                       counted(compared, "noisy mesh", "noisy meshes"), " on which both can be told (", ref("methods_winners"), "): ",
+        report::extend(t, "The method that is best in shape is not the best in normals too on ", std::to_string(differ), " of ",
+                       counted(compared, "noisy mesh", "noisy meshes"), " on which both can be told (tables of gains, from ",
+                       ref(id_of("methods", laboratory.meshes.front().name(), "gains")), " on): ",
                        3 * differ > compared ? "which one is best depends on what is asked for."
                        : differ > 0          ? "mostly they agree."
                                              : "here they agree.");
@@ -87,9 +89,8 @@ report::Text places_words(const DenoisingLaboratory& laboratory) {
     });
     if (places == 0 || shape == 0) return {};
     return report::text("Against Gaussian noise of up to half a mean edge the largest gain in places is ", readable(places),
-                        ", the largest in shape ", readable(shape), ": ",
-                        shape > 1.5 * places ? "what vertices lost within the surface does not come back, and is not needed."
-                                             : "so little of the shape comes back that it hardly matters which is asked for.");
+                        ", the largest in shape ", readable(shape),
+                        shape > 1.5 * places ? ": of what vertices lost within the surface less comes back than of the shape." : ".");
 }
 
 int defined_methods(const NoiseTrial& trial) {

@@ -69,13 +69,14 @@ void add_method(report::Section& section, const SearchBudget& budget) {
         "λ from 0.0025 to 2.56 squared mean edges of the noisy mesh (the other flows), σ_r from 0.1 to 1 (normals). After every step the "
         "result is held against the clean mesh; what is told of a method is its best. So the numbers are bounds of what can be had with "
         "it, not what one gets without knowing the truth.");
-    add_paragraph(section, "Three measures, each as a gain, that of the noisy mesh over the least reached: the ", report::strong("shape"),
-                  ", how far vertices are from the clean triangles around their places (rms), which decides; their ",
-                  report::strong("places"), ", how far they are from where they were (rms); and the ", report::strong("normals"),
-                  ", the mean angle between faces and clean faces. Noise moves vertices within the surface too, which does not change its "
-                  "shape, and of which no filter can know: whoever takes off all that is normal to a smooth surface, and leaves what is "
-                  "within it, two thirds of the mean square of Gaussian noise, gains ",
-                  math("√(3/2) = 1.22"), " in places.");
+    add_paragraph(
+        section, "Three measures, each as a gain, that of the noisy mesh over the least reached: the ", report::strong("shape"),
+        ", how far vertices are from the clean triangles around their places (rms), which decides; their ", report::strong("places"),
+        ", how far they are from where they were (rms); and the ", report::strong("normals"),
+        ", the mean angle between faces and clean faces. Noise moves vertices within the surface too, which does not change its "
+        "shape, and which nothing in the shape tells: whoever takes off all that is normal to a smooth surface, and leaves what is "
+        "within it, two thirds of the mean square of Gaussian noise, gains ",
+        math("√(3/2) = 1.22"), " in places. Whoever gains more has brought back some of what is within it.");
 }
 
 /// The library's meshes, and beside the bundled roles an ellipsoid of our own: smooth, closed and small enough to be taken whole.

@@ -62,7 +62,7 @@ report::Table gain_table(const DenoisingTrials& mesh, Measure measure) {
     table.id = id_of("methods", mesh.name(), wording.id);
     table.caption = "Gains on " + mesh.name() + ": " + wording.caption +
                     ", of the noisy mesh over the least that each method reached with any of its parameters in any step. 1: nothing it did "
-                    "was better than nothing. Darker is larger; empty: not defined, or the noise has nothing of it.";
+                    "was better than nothing. Darker is larger. –: not defined, or the noise has nothing of it.";
     table.columns = noise_columns();
     table.columns.push_back({wording.noisy, wording.unit, 3});
     for (const DenoisingEntry& entry : denoising_list()) {
@@ -114,8 +114,9 @@ report::Table result_table(const DenoisingTrials& mesh) {
     report::Table table;
     table.id = id_of("methods", mesh.name(), "results");
     table.caption = "Each method on " + mesh.name() +
-                    " where its error of shape is smallest, in all measures; and the least that it reached of two others. Where it "
-                    "says nothing the noisy mesh is best left as it is. λ_crit and h̄ (mean edge) are those of the noisy mesh. "
+                    " at its least error of shape, in all measures; then the least rms error and the least normal angle that it reached "
+                    "anywhere. –: the noisy mesh is best left as it is, or the measure is not defined. λ_crit and h̄ (mean edge) are those "
+                    "of the noisy mesh. "
                     "Hausdorff: two-sided, vertices to surface. Volume: over that of the clean mesh.";
     table.columns = noise_columns();
     for (Column& column : std::vector<Column>{{"method", ""},
@@ -147,7 +148,7 @@ report::Table winner_table(const std::vector<ClassResult>& classes) {
     report::Table table;
     table.id = "methods_winners";
     table.caption =
-        "The best method for each class of mesh: largest geometric mean of the gains over all noisy meshes of the class, in "
+        "The best method for each class of mesh: largest geometric mean of the gains over all noisy meshes made from those named, in "
         "shape and in normals. Methods that are not defined on all of them do not compete.";
     table.columns = {{"class", ""},    {"meshes", ""},          {"noisy meshes", "", 4},    {"best in shape", ""},
                      {"gain", "×", 3}, {"best in normals", ""}, {"gain in normals", "×", 3}};
@@ -176,12 +177,11 @@ report::Table limit_table(const DenoisingLaboratory& laboratory) {
     std::string levels;
     for (const NoiseTrial* trial : laboratory.meshes.front().of_kind(NoiseKind::gaussian))
         levels += (levels.empty() ? "" : ", ") + readable(trial->edges, 2);
-    table.caption =
-        "When each method works, when it fails, against Gaussian noise: of the levels tried (σ = " + levels + " mean edges on " +
-        laboratory.meshes.front().name() +
-        ") the smallest and the largest at which it helps (gain ≥ 1.2), and the largest at which it works (gain ≥ 2), by shape "
-        "and by the places of the vertices. ≤ and ≥: the first or last level tried, so that the limit may lie beyond. Empty: at "
-        "none of them, or not defined.";
+    table.caption = "When each method works, when it fails, against Gaussian noise: of the levels tried (σ = " + levels +
+                    " mean edges on " + laboratory.meshes.front().name() +
+                    ") the smallest and the largest at which it helps (gain ≥ 1.2), and the largest at which it works (gain ≥ 2), by shape "
+                    "and by the places of the vertices. ≤ and ≥: the first or last level tried, so that the limit may lie beyond. –: at "
+                    "none of them, or not defined.";
     table.columns = {{"mesh", ""}, {"class", ""}, {"method", ""}};
     for (const char* measure : {"shape", "places"}) {
         for (const char* limit : {": helps from", ": helps up to", ": works up to"})

@@ -69,8 +69,10 @@ Answer answer_modes(const MeshLibrary& library, const QuestionSettings& settings
     section.parameters["operator"] = "cotangent, of the input, barycentric areas";
     section.parameters["explicit step of the comparison of costs"] = "0.95 λ_crit";
     section.parameters["steps of Lanczos for each coordinate"] = std::to_string(lanczos_steps(settings));
-    section.extent = "damping of " + std::to_string(first.eigenvalues.size()) + " modes of " + first.name() +
-                     (studies.size() > 1 ? " and of more meshes" : "") + ", the gap between the schemes and the cost of " +
+    std::vector<std::string> damped;
+    for (const ModeStudy& study : studies)
+        damped.push_back(std::to_string(study.eigenvalues.size()) + (damped.empty() ? " modes of " : " of ") + study.name());
+    section.extent = "damping of " + listed(damped) + ", the gap between the schemes and the cost of " +
                      counted(static_cast<int>(first.targets.size()), "target") + " on " + listed(names_of(meshes)) +
                      ", predicted and measured";
     const auto& crossing = first.crossings.front();

@@ -141,7 +141,7 @@ report::Table gap_table(const std::vector<ModeStudy>& studies) {
     table.id = "modes_gap";
     table.caption =
         "Explicit against implicit at equal step and iterations: area-weighted rms distance of the results. Predicted: from the spectral "
-        "measure of the input, before either run. First order: tλ²‖L² exp(tλL) X‖, what is left of it for small steps. Empty: the "
+        "measure of the input, before either run. First order: tλ²‖L² exp(tλL) X‖, what is left of it for small steps. –: the "
         "explicit run blew up.";
     table.columns = {{"mesh", "", 3},
                      {"λ", "length²", 3},
@@ -202,11 +202,12 @@ report::Plot cost_plot(const ModeStudy& study) {
         if (!crossing) continue;
         if (crossing->energy < study.curve.front().energy)
             plot.markers.push_back({100 * crossing->energy, operations_of(crossing->implicit_ways[which]), ""});
-        crossings.push_back(names[which] + " below " + readable_percent(crossing->energy, 2));
+        crossings.push_back("“" + names[which] + "” below " + readable_percent(crossing->energy, 2));
     }
     plot.caption = "Operations for a given smoothness of " + study.name() + ". Rings: from there on the implicit way is the cheaper one.";
-    plot.alt = "Explicit operations rise as less energy is left; " +
-               (crossings.empty() ? std::string("no implicit way becomes cheaper.") : "cheaper are " + listed(crossings) + ".");
+    plot.alt =
+        "Explicit operations rise as less energy is left; " +
+        (crossings.empty() ? std::string("no implicit way becomes cheaper.") : "it becomes cheaper to take " + listed(crossings) + ".");
     return plot;
 }
 
@@ -231,8 +232,8 @@ report::Table crossing_table(const std::vector<ModeStudy>& studies) {
     table.caption =
         "From which smoothness on implicit is cheaper: the energy below which each way takes fewer operations than explicit smoothing, "
         "down "
-        "to the least energy looked at, to which the spectral measure reaches (empty: nowhere), and the errors there. An implicit step is "
-        "this many explicit ones, a factorisation that many.";
+        "to the least energy looked at, to which the spectral measure reaches (–: nowhere), and the errors there. Step, factorisation: "
+        "what an implicit step and a factorisation cost, in explicit steps.";
     table.columns = {{"mesh", "", 3},
                      {"step", "explicit steps", 3},
                      {"factorisation", "explicit steps", 3},

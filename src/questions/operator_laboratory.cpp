@@ -44,8 +44,6 @@ OperatorTrial trial_of(const LaboratoryOperator& laboratory_operator, const Lapl
     OperatorTrial trial;
     trial.scores = operator_scores(laplacian, subject.topology());
     trial.H = operator_mean_curvature(subject.mesh(), subject.topology(), laboratory_operator.kind, laplacian);
-    trial.flat = subject.mean_edge * linear_precision(laplacian, subject.mesh(), subject.topology());
-    if (is_dimensionless(laboratory_operator.kind)) trial.flat *= 4 / (subject.mean_edge * subject.mean_edge);
     return trial;
 }
 
@@ -108,7 +106,8 @@ LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const 
 }
 
 std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
-    const TriangleMesh plane = irregular_plane(settings.seed).mesh;
+    const PlaneTest flat = irregular_plane(settings.seed);
+    const TriangleMesh& plane = flat.mesh;
     const MeshTopology plane_topology = topology_of(plane);
     const double edge = mean_edge_length(plane);
     const int level = settings.quick ? 3 : 4;
@@ -122,8 +121,10 @@ std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
     std::vector<KnownTrial> trials;
     for (const LaboratoryOperator& laboratory_operator : laboratory_operators()) {
         KnownTrial trial;
-        trial.plane = edge * linear_precision(laboratory_operator.of(plane), plane, plane_topology);
-        if (is_dimensionless(laboratory_operator.kind)) trial.plane *= 4 / (edge * edge);
+        // Without a unit it is made a curvature by every ring's own edges, as in question 3.
+        trial.plane = is_dimensionless(laboratory_operator.kind)
+                          ? flat.uniform
+                          : edge * linear_precision(laboratory_operator.of(plane), plane, plane_topology);
         for (std::size_t s = 0; s < surfaces.size(); ++s) {
             const SampledSurface& surface = surfaces[s];
             const LaplaceBeltrami laplacian = laboratory_operator.of(surface.mesh);

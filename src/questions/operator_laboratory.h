@@ -32,7 +32,6 @@ struct OperatorTrial {
     double critical_ratio = 0;   // λ_crit over that of the default; NaN for dimensionless operators
     double spectrum_shift = 0;   // largest relative change of the first ten eigenvalues above 0; a dimensionless spectrum is scaled to fit
     double H_change = 0;         // relative L2 difference of H inside
-    double flat = 0;             // largest |H| × mean edge at vertices whose triangles lie in one plane
     Vector H;                    // [1/length]
 };
 struct LaboratoryMesh {

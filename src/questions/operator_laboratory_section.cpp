@@ -28,8 +28,7 @@ void add_mesh_table(report::Section& section, const LaboratoryMesh& lab) {
         " to intrinsic Delaunay). Asymmetry: max |C − Cᵀ| over max |C|. Negative weights are counted among the pairs of vertices that "
         "share an entry of C; changes "
         "are relative to the cotangent operator with barycentric areas, those of the spectrum the largest among the first ten "
-        "eigenvalues above 0. λ_crit of the uniform operator has no unit, and its spectrum is scaled to fit. An empty cell is not "
-        "defined.";
+        "eigenvalues above 0. λ_crit of the uniform operator has no unit, and its spectrum is scaled to fit. –: not defined.";
     table.columns = {{"operator", ""},
                      {"asymmetry of C", "", 2},
                      {"eigenvalues of −C below 0", "", 6},

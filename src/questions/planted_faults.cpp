@@ -188,7 +188,7 @@ std::vector<FaultTrial> trials_of(const Specimen& specimen) {
 report::Check check_of(const FaultTrial& trial) {
     return check_near(
         "planted fault '" + trial.fault + "' is caught by '" + trial.sound.name + "'", 1, trial.caught() ? 1 : 0, 0,
-        "measured " + plain_text(trial.sound.measured, 3) + " without the fault, " + plain_text(trial.faulty.measured, 3) + " with it");
+        "measured " + plain_text(trial.sound.measured, 5) + " without the fault, " + plain_text(trial.faulty.measured, 5) + " with it");
 }
 
 }   // namespace meshfolio

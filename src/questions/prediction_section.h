@@ -13,6 +13,11 @@ report::Table clean_prediction_table(const std::vector<PredictionStudy>& studies
 report::Table operator_prediction_table(const std::vector<PredictionStudy>& studies);
 report::Table why_table(const std::vector<PredictionStudy>& studies);
 report::Table rule_table(const std::vector<PredictionStudy>& studies);
+/// Largest deviation of the expected from the measured error weighted by area, clean operator, over all iterations.
+double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
+/// Beyond this a deviation is told as "more than" it: a derivative near a collapse has no bound.
+inline constexpr double deviation_shown = 10;
+
 /// The clean mesh's operator at all levels.
 report::Plot clean_prediction_plot(const PredictionStudy& study);
 /// The noisy mesh's own operator, or the rebuilt one, and every prediction, at the highest level.

@@ -50,8 +50,22 @@ report::Cell deviation_of(const OperatorStudy& study, std::string_view name) {
     const PredictedCurve* prediction = study.prediction(name);
     if (prediction == nullptr) return {};
     const double off = deviation(*prediction, study.measured);
-    return off > 10 ? report::Cell{std::string("> 1000")} : report::Cell{100 * off};   // a derivative near a collapse has no bound
+    return off > deviation_shown ? report::Cell{"> " + plain_text(100 * deviation_shown)}
+                                 : report::Cell{100 * off};   // a derivative near a collapse has no bound
 }
+
+/// "on cube from all 602 modes, on lily from 18 probes"
+std::string how_predicted(const std::vector<PredictionStudy>& studies) {
+    std::string told;
+    for (const PredictionStudy& study : studies) {
+        const DenoisingPrediction& p = study.prediction;
+        told += (told.empty() ? "on " : ", on ") + study.name() + " from ";
+        told += p.modes > 0 ? "all " + std::to_string(p.modes) + " modes" : std::to_string(p.probes) + " probes";
+    }
+    return told;
+}
+
+}   // namespace
 
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level) {
     const MeasuredCurve& measured = level.of(FlowOperator::clean).measured;
@@ -64,19 +78,6 @@ double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStud
     return largest;
 }
 
-/// "cube: all 602 modes; lily: 18 probes"
-std::string how_predicted(const std::vector<PredictionStudy>& studies) {
-    std::string told;
-    for (const PredictionStudy& study : studies) {
-        const DenoisingPrediction& p = study.prediction;
-        told += (told.empty() ? "" : "; ") + study.name() + ": ";
-        told += p.modes > 0 ? "all " + std::to_string(p.modes) + " modes" : std::to_string(p.probes) + " probes";
-    }
-    return told;
-}
-
-}   // namespace
-
 report::Table clean_prediction_table(const std::vector<PredictionStudy>& studies) {
     report::Table table;
     table.id = "prediction_clean";
@@ -86,7 +87,7 @@ report::Table clean_prediction_table(const std::vector<PredictionStudy>& studies
         ". Errors: root of the mean squared error over vertices and seeds, at the measured best iteration. Farthest: largest deviation of "
         "the expected from the measured curve over all iterations, for the plain rms and weighted by area; and in standard errors of the "
         "mean of the squared error, that of the probes included, the larger of both norms. Regret: by how much the measured error at the "
-        "expected best iteration exceeds the smallest. Expected from " +
+        "expected best iteration exceeds the smallest. Expected: " +
         how_predicted(studies) + ".";
     table.columns = begun({{"best iteration, expected"},
                            {"best iteration, measured"},
@@ -222,7 +223,7 @@ report::Table rule_table(const std::vector<PredictionStudy>& studies) {
         studies.front().name() +
         "); worst: the largest of them. Held fixed: the divergence of the smoothing matrix, as if it did not depend on the noise. "
         "Discrepancy: stop "
-        "when the mesh has moved as far as the noise. An empty cell: no σ̂ on this mesh, a rule that is not for this operator, or an error "
+        "when the mesh has moved as far as the noise. –: no σ̂ on this mesh, a rule that is not for this operator, or an error "
         "that was still falling at the last iteration, so that nothing can be said of regret.";
     table.columns = begun({{"operator"},
                            {"σ̂/σ", "", 3},

@@ -84,8 +84,8 @@ void add_geometry_table(report::Section& section, const std::vector<Inspected>& 
     report::Table table;
     table.id = "preflight_geometry";
     table.caption =
-        "Size, place and shape. Offset: the box centre from the origin, in box diagonals. Gauss–Bonnet: |Σ deficits / 2π − χ|, empty "
-        "where the mesh is not manifold. An empty volume means an open mesh.";
+        "Size, place and shape. Offset: the box centre from the origin, in box diagonals. Gauss–Bonnet: |Σ deficits / 2π − χ|, – "
+        "where the mesh is not manifold. No volume (–): the mesh is open.";
     table.columns = {{"mesh", "", 3},
                      {"box diagonal", "length", 4},
                      {"offset", "diagonals", 2},

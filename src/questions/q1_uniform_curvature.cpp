@@ -196,7 +196,9 @@ void add_method(report::Section& section) {
     add_paragraph(section, "Gaussian curvature by the angle deficit over the barycentric area, a third of the triangles around:");
     add_formula(section, "angle_deficit", "q1_eq_deficit");
     add_formula(section, "barycentric_area");
+    add_paragraph(section, "Compared with it are the Voronoi area,");
     add_formula(section, "voronoi_area");
+    add_paragraph(section, "and the mixed one, which is the Voronoi area but in obtuse triangles:");
     add_formula(section, "mixed_area");
     add_paragraph(section,
                   "On the boundary neither is a curvature, so it is masked. Over the whole mesh the deficits obey Gauss–Bonnet, and on "

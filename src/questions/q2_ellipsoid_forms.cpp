@@ -120,6 +120,25 @@ void mark_extrema(report::Plot& plot, const report::Series& curve) {
     }
 }
 
+/// Where the two readings of θ are farthest apart, to a degree between 0 and 90.
+struct ReadingGap {
+    double gap = 0;   // [1/length]
+    int degrees = 0;
+};
+
+double difference_of_readings(const Ellipsoid& e, double theta) {
+    return std::abs(tip_curvature_by_angle(e, theta) - tip_curvature_by_parameters(e, theta));
+}
+
+ReadingGap largest_gap(const Ellipsoid& e) {
+    ReadingGap largest;
+    for (int degrees = 0; degrees <= 90; ++degrees) {
+        const double gap = difference_of_readings(e, degrees * M_PI / 180);
+        if (gap > largest.gap) largest = {gap, degrees};
+    }
+    return largest;
+}
+
 void add_tip_plot(report::Section& section, const Tip& tip, const std::string& id) {
     const Ellipsoid& e = tip.ellipsoid;
     report::Plot plot;
@@ -133,9 +152,10 @@ void add_tip_plot(report::Section& section, const Tip& tip, const std::string& i
     for (const report::Marker& marker : plot.markers) extrema += (extrema.empty() ? "" : "; ") + marker.label;
     plot.caption = "Normal curvature at (a, 0, 0) for " + axes_text(e) +
                    ", over the direction in two readings of θ. Extrema of both: " + extrema + ".";
+    const ReadingGap largest = largest_gap(e);
     plot.alt = "Two curves of period π between " + readable(tip.principal.minimum) + " and " + readable(tip.principal.maximum) +
-               " that touch at their extrema and differ in between, by most around 45°, where they read " + readable(tip.at_45_angle) +
-               " and " + readable(tip.at_45_parameters) + ".";
+               " that touch at their extrema and differ most, by " + readable(largest.gap) + ", at " + std::to_string(largest.degrees) +
+               "°; at 45° they read " + readable(tip.at_45_angle) + " and " + readable(tip.at_45_parameters) + ".";
     section.blocks.push_back(std::move(plot));
 }
 
@@ -243,25 +263,15 @@ report::Text tip_words(const Tip& tip) {
 }
 
 report::Text readings_words(const Tip& tip) {
-    const auto difference = [&](double t) {
-        return std::abs(tip_curvature_by_angle(tip.ellipsoid, t) - tip_curvature_by_parameters(tip.ellipsoid, t));
-    };
-    const double at_axes = std::max(difference(0), difference(M_PI / 2));
-    double gap = 0;
-    int at = 0;
-    for (int degrees = 0; degrees <= 90; ++degrees) {
-        const double here = difference(degrees * M_PI / 180);
-        if (here > gap) {
-            gap = here;
-            at = degrees;
-        }
-    }
+    const double at_axes = std::max(difference_of_readings(tip.ellipsoid, 0), difference_of_readings(tip.ellipsoid, M_PI / 2));
+    const auto [gap, at] = largest_gap(tip.ellipsoid);
     return report::text("“Direction θ” has two readings. As the angle of the unit tangent from +y it gives Euler's formula; as ",
                         math("(du, dv) = (cos θ, sin θ)"), " it names the tangent ", math("cos θ p_u + sin θ p_v"),
                         ", which is neither of unit length nor at angle θ because ", math("|p_u| = b"), " = ", readable(tip.ellipsoid.b),
-                        " and ", math("|p_v| = c"), " = ", readable(tip.ellipsoid.c), ". At θ = 0 and π/2 the two agree to ",
-                        readable(at_axes, 2), "; in between they differ, by up to ", readable(gap), " at ", std::to_string(at),
-                        "° and at 45° by ", readable(tip.at_45_angle), " against ", readable(tip.at_45_parameters), ".");
+                        " and ", math("|p_v| = c"), " = ", readable(tip.ellipsoid.c), ". At θ = 0 and π/2 the two agree ",
+                        at_axes == 0 ? "exactly" : "to " + readable(at_axes, 2), "; in between they differ, by up to ", readable(gap),
+                        " at ", std::to_string(at), "° and at 45° by ", readable(tip.at_45_angle), " against ",
+                        readable(tip.at_45_parameters), ".");
 }
 
 report::Text sign_words(const Tip& tip) {
@@ -313,7 +323,8 @@ void add_method(report::Section& section) {
     add_heading(section, "Method");
     add_paragraph(section,
                   "The ellipsoid and its tangents are differentiated by hand; with the unit normal these give the two forms at any point "
-                  "but the poles.");
+                  "but the poles ",
+                  ref("docarmo_1976"), ".");
     add_formula(section, "ellipsoid_parametrisation", "q2_eq_ellipsoid");
     add_formula(section, "first_form", "q2_eq_first");
     add_formula(section, "second_form", "q2_eq_second");

@@ -69,7 +69,7 @@ void add_sweep_table(report::Section& section, const ExplicitStudy& study) {
     table.id = id_of("q5", study.name(), "sweep_table");
     table.caption = "Explicit smoothing of " + study.name() +
                     " with fixed operator. The top mode is predicted to grow by |1 − λμ_max| a step; "
-                    "measured over 20 steps. Energy: Dirichlet energy over that of the input. An empty volume means an open mesh.";
+                    "measured over 20 steps. Energy: Dirichlet energy over that of the input. No volume (–): the mesh is open.";
     table.columns = {{"λ", "length²", 3},
                      {"λ/λ_crit", "", 3},
                      {"λ/h̄²", "", 3},
@@ -129,13 +129,12 @@ void add_limit_table(report::Section& section, const std::vector<ExplicitStudy>&
     report::Table table;
     table.id = "q5_limits";
     table.caption =
-        "The largest stable step of each mesh: λ_crit = 2/μ_max by Lanczos, the always safe step of the Gershgorin bound, and the same for "
-        "the "
-        "uniform operator, whose λ has no unit. The vertex is the one where the top mode is largest.";
+        "The largest stable step of each mesh: λ_crit = 2/μ_max by Lanczos, the always safe step of the Gershgorin bound, rounded down, "
+        "and λ_crit of the uniform operator, whose λ has no unit. The vertex is the one where the top mode is largest.";
     table.columns = {{"mesh", "", 3},
                      {"μ_max", "1/length²", 4},
                      {"λ_crit", "length²", 4},
-                     {"safe λ (Gershgorin)", "length²", 4},
+                     {.name = "safe λ (Gershgorin)", .unit = "length²", .digits = 4, .rounding = report::Column::Rounding::down},
                      {"λ_crit/h̄²", "", 3},
                      {"vertex", "", 8},
                      {"vertices sharing the mode", "", 2},

@@ -199,8 +199,11 @@ void add_finding(report::Section& section, const std::vector<DenoisingStudy>& st
     report::Text t = report::text("Q7: smoothing lowers the error of ", best_on->name(), " with ", readable_percent(best->relative, 2),
                                   " noise ", readable(best->gain(), 2), "-fold");
     if (best != worst) {
-        report::extend(t, worst->gain() < 1.05 ? ", but does nothing for " : ", and of ", worst_on->name(), " with ",
-                       readable_percent(worst->relative, 2), " noise");
+        report::extend(t,
+                       worst->best_rms == 0   ? ", but only harms "
+                       : worst->gain() < 1.05 ? ", but hardly that of "
+                                              : ", and of ",
+                       worst_on->name(), " with ", readable_percent(worst->relative, 2), " noise");
         if (worst->gain() >= 1.05) report::extend(t, " only ", readable(worst->gain(), 2), "-fold");
     }
     report::extend(t, ".");

@@ -20,7 +20,8 @@ constexpr std::array required_rows{
     RequiredRow{7, "Uniform Laplacian and H = ½‖Δx‖", "q1", ""},
     RequiredRow{8, "Sign of H against the normal", "q1", "S0's words contradict its own formula where normals point outwards"},
     RequiredRow{9, "K from the angle deficit, the area named", "q1", ""},
-    RequiredRow{10, "Pictures of H and K on the meshes of the reports", "q1", "the dragon is not to be had: its stand-in is drawn"},
+    RequiredRow{10, "Pictures of H and K on the meshes of the reports", "q1",
+                "the dragon is not to be had: a stand-in takes its place in the experiments"},
     RequiredRow{11, "Are they good approximations; what happens at the boundary", "q1", ""},
     RequiredRow{12, "Fundamental forms; normal curvature at (a, 0, 0) over the angle", "q2", ""},
     RequiredRow{13, "Cotangent H beside uniform H and K", "q3", ""},
@@ -52,15 +53,14 @@ bool reproduces(const Experiment& experiment, int row) {
     return std::find(experiment.rows.begin(), experiment.rows.end(), row) != experiment.rows.end();
 }
 
-/// "S0, S1 (2)": the reports with experiments on a row, and how many where there are several.
+/// "S0 (1), S1 (2)": the reports with experiments on a row, and how many.
 std::string reports_on(const std::vector<Experiment>& experiments, int row) {
     std::map<std::string, int> counts;
     for (const Experiment& experiment : experiments) {
         if (reproduces(experiment, row)) ++counts[experiment.from];
     }
     std::string words;
-    for (const auto& [from, count] : counts)
-        words += (words.empty() ? "" : ", ") + from + (count > 1 ? " (" + std::to_string(count) + ")" : "");
+    for (const auto& [from, count] : counts) words += (words.empty() ? "" : ", ") + from + " (" + std::to_string(count) + ")";
     return words;
 }
 
@@ -80,7 +80,8 @@ report::Table coverage_table(const std::vector<Experiment>& bundled, const std::
     table.id = "reproductions_coverage";
     table.caption =
         "What the assignment and the four earlier reports show, row by row, and where it is done again: experiments in the bundled "
-        "settings (as many as in brackets), those that ran here, and the section that answers it besides.";
+        "settings, those of them or of the settings given that ran here (as many as in brackets), and the section that answers it besides. "
+        "A row with – under both here and section is not answered in this report.";
     table.columns = {{"row", "", 3}, {"what"}, {"experiments of"}, {"here"}, {"section"}, {"remark"}};
     for (const RequiredRow& required : required_rows) {
         table.rows.push_back({double(required.row), std::string(required.asked), cell(reports_on(bundled, required.row)),

@@ -66,8 +66,8 @@ void add_field_table(const Reproduction& r, const CurvatureExperiment& done) {
     report::Table table;
     table.id = r.id_of("fields");
     table.caption =
-        "The estimates, in mean edges of the mesh. Boundary vertices are left out, but for the last column: the largest value that the "
-        "same formula gives there, empty on closed meshes.";
+        "The estimates, made free of the unit by the mean edge: ½‖Δx‖ over it, H times it, K times its square. Boundary vertices are left "
+        "out, but for the last column: the largest value that the same formula gives there, – on closed meshes.";
     table.columns = {{"mesh"},          {"estimate"},       {"vertices", "", 6}, {"smallest", "", 3},
                      {"median", "", 3}, {"largest", "", 3}, {"> 0", "%", 3},     {"boundary", "", 3}};
     for (const ExperimentField& field : done.fields) {

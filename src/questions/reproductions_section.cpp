@@ -17,11 +17,12 @@ void add_method(report::Section& section, const QuestionSettings& settings) {
     add_heading(section, "Method");
     add_paragraph(section,
                   "Four earlier reports on this coursework, S0 to S3, show what their programs made of their meshes. Each of their "
-                  "experiments is a few lines of a settings file, with the parameters of the report, and is done again here. ",
+                  "experiments is a few lines of a settings file, with the parameters of the report, and can be done again. ",
                   settings.own_experiments
-                      ? report::text("These are the ones of the settings given.")
-                      : report::text("These are a few small ones; all of a report run with ",
-                                     code("report --config s0 --only reproductions"), ", and likewise s1, s2 and s3."));
+                      ? report::text("Done here are the ones of the settings given.")
+                      : report::text("Done here are a few small ones; all of a report run with ",
+                                     code("report --config s0 --only reproductions"), ", and likewise s1, s2 and s3. "),
+                  settings.own_experiments ? report::text() : report::text(report::ref("reproductions_coverage"), " says which is which."));
     add_paragraph(
         section,
         "Where a mesh of a report is not in the data folders, a bundled one stands in. Raw λ and σ are areas and lengths of "
@@ -86,7 +87,7 @@ Answer answer_reproductions(const MeshLibrary& library, const QuestionSettings& 
     add_heading(section, "Coverage");
     section.blocks.emplace_back(coverage_table(settings.bundled_experiments, settings.experiments));
     if (!settings.bundled_experiments.empty()) {
-        section.checks.push_back(report::check_at_most("rows 7 to 34 that neither an experiment nor a section answers", 0,
+        section.checks.push_back(report::check_at_most("rows 7 to 34 that neither a bundled experiment nor a section answers", 0,
                                                        double(uncovered_rows(settings.bundled_experiments).size())));
     }
     std::set<int> rows;
@@ -104,12 +105,17 @@ Answer answer_reproductions(const MeshLibrary& library, const QuestionSettings& 
                          ? "no experiments were named"
                          : counted(static_cast<int>(settings.experiments.size()), "experiment") + " of " +
                                listed({reports.begin(), reports.end()}) + " done again, for " +
-                               counted(static_cast<int>(rows.size()), "row") + " of the requirements; where every other row is answered";
-    const int covered = limits::last_row - limits::first_row + 1 - static_cast<int>(uncovered_rows(settings.bundled_experiments).size());
+                               counted(static_cast<int>(rows.size()), "row") +
+                               " of the requirements; which section or bundled experiment answers each of the others";
+    constexpr int all = limits::last_row - limits::first_row + 1;
+    const auto covered = [](const std::vector<Experiment>& by) {
+        return std::to_string(all - static_cast<int>(uncovered_rows(by).size()));
+    };
     section.findings.push_back(
-        {report::text("Earlier reports: ", std::to_string(covered), " of the ", std::to_string(limits::last_row - limits::first_row + 1),
-                      " things that they and the assignment show are done again by a section or by one of ",
-                      counted(static_cast<int>(settings.bundled_experiments.size()), "bundled experiment"), "."),
+        {report::text("Earlier reports: of the ", std::to_string(all), " things that they and the assignment show ",
+                      covered(settings.experiments), " are done again by a section of the whole report or by an experiment here; with ",
+                      counted(static_cast<int>(settings.bundled_experiments.size()), "bundled experiment"), " it would be ",
+                      covered(settings.bundled_experiments), "."),
          20});
     return answer;
 }

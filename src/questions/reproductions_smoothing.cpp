@@ -86,8 +86,8 @@ void add_table(const Reproduction& r, const SmoothingExperiment& done) {
     report::Table table;
     table.id = r.id_of("runs");
     table.caption =
-        "Every run. Energy: Dirichlet energy of the run's own operator over that of the input; moved: rms over the vertices; volume is "
-        "empty where the mesh is open, all of it where the run had ended.";
+        "Every run. Energy: Dirichlet energy of the run's own operator over that of the input; moved: rms over the vertices; –: no "
+        "volume where the mesh is open, nothing where the run had ended.";
     table.columns = {{"mesh"},
                      {"steps"},
                      {"λ, report"},
@@ -160,7 +160,7 @@ void tell_runs(report::Text& text, const Runs& runs, const std::string& what) {
     report::extend(text, sentence_case(what), " (", range_text(values_of(runs, share_of)), " ", math("λ_crit"), "): ");
     if (!whole.empty()) {
         report::extend(text, blown.empty() ? "" : counted(static_cast<int>(whole.size()), "run") + " ended whole, ",
-                       range_text(values_of(whole, last_energy)), " times the energy of the input at the end");
+                       "after the last iteration ", range_text(values_of(whole, last_energy)), " times the energy of the input");
     }
     if (!blown.empty()) {
         const auto [first, last] = std::minmax_element(blown.begin(), blown.end(), [](auto a, auto b) { return end_of(*a) < end_of(*b); });

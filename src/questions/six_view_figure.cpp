@@ -11,14 +11,15 @@ namespace meshfolio {
 namespace {
 
 std::string described(const output::Panel& panel) {
-    std::string words = panel.label.empty() ? panel.name : panel.label;
+    std::string words = panel.label;   // empty where the title says all; names are for files alone
     double low = INFINITY, high = -INFINITY;
     for (const double v : panel.values) {
         if (!std::isfinite(v)) continue;
         low = std::min(low, v);
         high = std::max(high, v);
     }
-    if (low <= high) words += ", values from " + readable(low) + " to " + readable(high);
+    const std::string range = low <= high ? "values from " + readable(low) + " to " + readable(high) : words.empty() ? "no values" : "";
+    if (!range.empty()) words += (words.empty() ? "" : ", ") + range;
     return words;
 }
 

@@ -36,7 +36,7 @@ report::Table blow_up_table(const std::vector<SmoothingMaps>& studies) {
     table.id = "maps_blow_up";
     table.caption =
         "Steps beyond the limit, and the iteration at which a vertex is a thousand box diagonals away: as it follows from the top mode "
-        "alone, from the first of all modes of a small mesh, and measured. An empty cell: not within the " +
+        "alone, from the first of all modes of a small mesh, and measured. –: not within the " +
         std::to_string(studies.front().iterations.back()) + " iterations of the plane, or not all modes known.";
     table.columns = {{"mesh", "", 3},
                      {"λ/λ_crit", "", 4},

@@ -92,6 +92,7 @@ void add_band_figure(Answer& answer, const SpectralStudy& study, const BandStudy
     std::string caption = "Filters of " + study.name() + " in its own frequencies, coloured by how far each vertex moved.";
     for (const Band& band : bands.bands)
         caption += " The " + band.name + " band is modes " + std::to_string(band.first) + " to " + std::to_string(band.last) + ".";
+    caption += " Gains pass from band to band over half an octave of wavelength; only the low-pass is sharp.";
     caption += " All but the low-pass carry the detail beyond mode " + std::to_string(study.modes()) + " along. One camera and scale.";
     add_multiples(answer, std::move(request), caption);
 }

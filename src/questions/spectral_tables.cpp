@@ -149,8 +149,9 @@ void add_band_table(report::Section& section, const SpectralStudy& study, const 
     section.blocks.push_back(std::move(table));
     report::Table filters;
     filters.id = id_of("q4", study.name(), "filters");
-    filters.caption =
-        "How far each filter moves " + study.name() + ", area-weighted rms: predicted from gains and coefficients, and measured.";
+    filters.caption = "How far each filter moves " + study.name() +
+                      ", area-weighted rms: predicted from gains and coefficients, and measured. Gains "
+                      "pass from band to band over half an octave of wavelength; only the low-pass is sharp.";
     filters.columns = {{"filter", "", 3}, {"predicted", "% of box", 5}, {"measured", "% of box", 5}, {"largest", "% of box", 3}};
     for (const EqualisedMesh& state : bands.meshes) {
         filters.rows.push_back({state.label, percent_of(study) * state.predicted_rms, percent_of(study) * state.measured_rms,

@@ -87,8 +87,8 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
         report::extend(t, " At k = ", std::to_string(last.k), ", with the first of these modes in use, the ratio is ", readable(later, 2),
                        later > 1.1 ? ": one way round a limb is not yet its shape." : ".");
     }
-    report::extend(t, " The tenth of the area that is farthest from the centroid holds ", readable(100 * row.far_share, 2),
-                   "\u202f% of the squared error.");
+    report::extend(t, " At k = ", std::to_string(row.k), " the tenth of the area that is farthest from the centroid holds ",
+                   readable_percent(row.far_share), " of the squared error.");
     return t;
 }
 
@@ -128,16 +128,17 @@ report::Text low_pass_without_modes(const SpectralStudy& study, const SpectralUs
     const auto worst = std::max_element(low_pass.errors.begin(), low_pass.errors.end(),
                                         [](const LowPassError& a, const LowPassError& b) { return a.ideal < b.ideal; });
     if (worst != low_pass.errors.begin()) {
-        report::extend(t, " Up to degree ", std::to_string(worst->degree),
-                       " the passage of the step is wider than its pass band, and the error does not fall yet.");
+        report::extend(t, " At degree ", std::to_string(worst->degree),
+                       " the error of the step is still the largest: its transition is wider than its pass band.");
     }
     report::extend(t, " What limits both is the spectrum's length: its bound is ", readable(low_pass.bound / low_pass.cutoff),
                    " times the cutoff, and a degree d tells apart what is about 1/d² of the bound.");
     if (!study.spectrum.dense) {
         const ModeCost cost = mode_cost(low_pass.k, study.vertices(), uses.factor_entries);
-        const double ratio =
-            (good != low_pass.errors.end() ? *good : last).operations / (cost.solve_operations + cost.orthogonalise_operations);
-        report::extend(t, " That is ", readable(ratio, 2), " times the operations that the first ", std::to_string(low_pass.k),
+        const LowPassError& told = good != low_pass.errors.end() ? *good : last;
+        const double ratio = told.operations / (cost.solve_operations + cost.orthogonalise_operations);
+        report::extend(t, " Degree ", std::to_string(told.degree), " takes ", readable(ratio, 2), " times the operations that the first ",
+                       std::to_string(low_pass.k),
                        " modes take at least, not counting the factorisation, which the polynomial does not need.");
     }
     return t;

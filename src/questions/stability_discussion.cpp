@@ -158,13 +158,12 @@ report::Text frozen_words(const RebuiltFlow& flow) {
     const WatchedRun& frozen = flow.frozen;
     report::Text t = report::text("With the operator of the input kept, at ", readable(flow.beyond, 1),
                                   " times the limit, the top mode is multiplied by ", readable(frozen.run.steps.front().top - 1, 2),
-                                  " in every step, and nothing stops it.");
+                                  " in every step, and nothing stops it (", ref(id_of("stability", flow.name(), "flow_table")), ").");
     report::extend(t, diagnosis(frozen));
     if (!frozen.run.blew_up) {
         report::extend(t, " Yet ", counted(frozen.run.iterations, "step"),
                        " leave it within the box: the mesh has nothing, or almost nothing, of that mode.");
     }
-    report::extend(t, " (", ref(id_of("stability", flow.name(), "flow_table")), ")");
     return t;
 }
 

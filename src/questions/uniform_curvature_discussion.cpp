@@ -99,16 +99,18 @@ report::Text tangential_words(const std::vector<UniformRefinement>& refinements)
     report::Text t =
         report::text("The norm ", math("‖Δx‖"), " also counts the part of ", math("Δx"),
                      " along the surface, which has nothing to do with curvature. With the normal part alone the error would be ");
-    std::vector<std::string> parts;
-    double with = 0, without = 0;
+    std::vector<std::string> parts, drifting, others;
     for (const UniformRefinement& r : refinements) {
-        parts.push_back(readable_percent(r.finest().normal_part.l2, 2) + " on the " + name_of(r.triangulation) + " " + r.surface.name);
-        with = std::max(with, r.finest().H.l2);
-        without = std::max(without, r.finest().normal_part.l2);
+        const std::string place = "the " + std::string(name_of(r.triangulation)) + " " + r.surface.name;
+        const double with = r.finest().H.l2, without = r.finest().normal_part.l2;
+        parts.push_back(readable_percent(without, 2) + (parts.empty() ? " instead of " : " for ") + readable_percent(with, 2) + " on " +
+                        place);
+        (without < 0.5 * with ? drifting : others).push_back(place);
     }
-    report::extend(
-        t, listed(parts), " (", ref("q1_errors"), "): at worst ", readable_percent(without, 2), " instead of ", readable_percent(with, 2),
-        without < 0.5 * with ? ", so most of the error is tangential drift." : ", so the drift is not what spoils the estimate.");
+    report::extend(t, listed(parts), " (", ref("q1_errors"), "). ");
+    if (!drifting.empty()) report::extend(t, "It is less than half, so most of the error is tangential drift, on ", listed(drifting));
+    if (!drifting.empty() && !others.empty()) report::extend(t, "; it is not on ", listed(others));
+    report::extend(t, drifting.empty() ? "Nowhere is it less than half, so the drift is not what spoils the estimate." : ".");
     return t;
 }
 
@@ -158,13 +160,17 @@ report::Text gauss_bonnet_words(const std::vector<AngleSum>& sums, const std::ve
         ++applicable;
         gap = std::max(gap, std::abs(s.measured - s.euler));
     }
-    const double pointwise = worst(refinements, Triangulation::jittered, true);
+    const double rms = worst(refinements, Triangulation::jittered, true);
+    double pointwise = 0;
+    for (const UniformRefinement& r : refinements) {
+        if (r.triangulation == Triangulation::jittered) pointwise = std::max(pointwise, r.finest().K.front().linf);
+    }
     report::Text t = report::text("Summed up, the angle deficit gives the Euler characteristic of ",
                                   applicable == static_cast<int>(sums.size()) ? "all " : "", counted(applicable, "mesh", "meshes"), " to ",
                                   readable(gap, 2), " (", ref("q1_gauss_bonnet"), ")");
-    if (pointwise > 0.01) {
-        report::extend(t, ", also where K at single vertices is off by ", readable_percent(pointwise),
-                       ": the total is exact, its distribution is not");
+    if (rms > 0.01) {
+        report::extend(t, ", also where K is off by up to ", readable_percent(rms), " (L2), at single vertices by up to ",
+                       readable_percent(pointwise), " (", ref("q1_errors"), "): the total is exact, its distribution is not");
     }
     report::extend(t, ".");
     return t;

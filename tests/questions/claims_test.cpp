@@ -98,6 +98,17 @@ TEST(ClaimRule, TheDecidingCaseIsTheOneNearestToTheThreshold) {
     EXPECT_EQ(decide({"x", "", at_least, 0}, measured({-3, -1, -2})).deciding, 1u);
 }
 
+TEST(ClaimRule, IsASentence) {
+    JudgedClaim judged;
+    Claim claim;
+    judged.claim = &claim;
+    claim.rule = {"the error left", "mean edges", at_least, 1};
+    EXPECT_EQ(report::plain(rule_text(judged)), "True if the error left is at least 1\u202fmean edge.");
+    EXPECT_EQ(with_unit(2, claim.rule), "2\u202fmean edges");
+    claim.rule = {"the error left, over that before", "%", at_most, 2};
+    EXPECT_EQ(report::plain(rule_text(judged)), "True if the error left, over that before, is at most 2\u202f%.");
+}
+
 TEST(ClaimRule, AChangedResultChangesTheVerdict) {
     const MeshLibrary library({}, {});
     const QuestionSettings settings = quick_settings();

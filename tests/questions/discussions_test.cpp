@@ -115,6 +115,10 @@ TEST(ImplicitDiscussion, CallsAShapeLostOnlyWhereItIs) {
         << told(study);
     far.volume_ratio = 0.9;
     EXPECT_FALSE(has(told(study), "Stable is not the same")) << told(study);
+    far.volume_ratio = NAN;   // open
+    EXPECT_FALSE(has(told(study), "Stable is not the same")) << told(study);
+    far.implicit_energy = 0.002;
+    EXPECT_TRUE(has(told(study), "Stable is not the same as useful: ball_told keeps 0.20\u202f%")) << told(study);
 }
 
 TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
@@ -140,11 +144,13 @@ TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheirErrorIsLarger) {
         trial.smooth_rms = 1;
         trial.feature_rms = 2;
     }
-    EXPECT_TRUE(has(told(study), "larger than elsewhere on ball_told (2.00 times; 10 of 162 vertices)")) << told(study);
+    EXPECT_TRUE(has(told(study), "over that elsewhere, is larger on ball_told (2.00 times; 10 of 162 vertices)")) << told(study);
     EXPECT_TRUE(has(told(study), "cannot tell such an edge from noise")) << told(study);
     for (DenoisingTrial& trial : study.trials) trial.feature_rms = 1;
-    EXPECT_TRUE(has(told(study), "about what it is elsewhere")) << told(study);
+    EXPECT_TRUE(has(told(study), "neither always larger nor always smaller on ball_told")) << told(study);
     EXPECT_FALSE(has(told(study), "cannot tell such an edge")) << told(study);
+    for (DenoisingTrial& trial : study.trials) trial.feature_rms = 0.5;
+    EXPECT_TRUE(has(told(study), "smaller on ball_told")) << told(study);
 }
 
 TEST(DenoisingDiscussion, NotStoppingIsDearestWhereNothingHelpedToo) {

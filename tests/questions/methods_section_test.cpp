@@ -5,6 +5,7 @@
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/denoising_laboratory.h"
+#include "questions/methods_section.h"
 #include "questions/study_laws.h"
 
 using namespace meshfolio;
@@ -172,6 +173,32 @@ TEST(Methods, TheUsualReportPassesItsChecks) {
     EXPECT_EQ(gains.rows.size(), 7u) << "four levels of Gaussian noise, two other kinds, and 20 % of the box";
     EXPECT_EQ(answer.figures.front().panels.size(), 2 + denoising_list().size());
     EXPECT_NE(prose_of(answer.section).find("20 % of the box"), std::string::npos);
+}
+
+// A method that only rescales what another leaves turns the normals as that does.
+TEST(Methods, ATieInNormalsIsNoOtherWinner) {
+    DenoisingLaboratory laboratory = laboratory_of(cube_mesh(4), with_noise_of({0.01}));
+    const auto told_with_angle = [&](double angle_of_the_second) {
+        for (NoiseTrial& trial : laboratory.meshes.front().trials) {
+            for (SearchResult& r : trial.results) {
+                r.noisy.shape = r.noisy.angle = 1;
+                r.by_shape.shape = r.by_angle.angle = 1;
+            }
+            trial.results[0].by_shape.shape = 0.6;
+            trial.results[1].by_shape.shape = 0.5;
+            trial.results[0].by_angle.angle = 0.4;
+            trial.results[1].by_angle.angle = angle_of_the_second;
+        }
+        report::Section section;
+        add_methods_discussion(section, laboratory);
+        return prose_of(section);
+    };
+    const std::string tied = told_with_angle(0.4), beaten = told_with_angle(0.41);
+    const std::string count = std::to_string(laboratory.meshes.front().trials.size());
+    EXPECT_NE(tied.find("is not the best in normals too on 0 of " + count), std::string::npos) << tied;
+    EXPECT_NE(tied.find("and the normals too"), std::string::npos) << tied;
+    EXPECT_NE(beaten.find("is not the best in normals too on " + count + " of " + count), std::string::npos) << beaten;
+    EXPECT_NE(beaten.find("; for the normals it is"), std::string::npos) << beaten;
 }
 
 TEST(Methods, TheTableIsTheStudy) {

@@ -104,8 +104,8 @@ TEST(Coverage, SaysWhoAnswersEachRow) {
     ASSERT_EQ(table.rows.size(), 28u) << "rows 7 to 34";
     EXPECT_EQ(covered(table, 20, "experiments of"), "S0 (2)");
     EXPECT_EQ(covered(table, 20, "here"), "");
-    EXPECT_EQ(covered(table, 22, "experiments of"), "S0");
-    EXPECT_EQ(covered(table, 22, "here"), "S0");
+    EXPECT_EQ(covered(table, 22, "experiments of"), "S0 (1)");
+    EXPECT_EQ(covered(table, 22, "here"), "S0 (1)");
     EXPECT_EQ(covered(table, 12, "section"), "Q2");
     EXPECT_EQ(covered(table, 10, "remark").find("the dragon"), 0u);
 }
