@@ -38,7 +38,8 @@ report::Table certificate_table(const std::vector<StabilityStudy>& studies) {
     table.caption =
         "The limit of explicit smoothing between two proved bounds, the vertex that sets it, and how many vertices share its mode. Width: "
         "how far the bounds are apart. Tries: 1 when the Cholesky factorisation just above the value of Lanczos ran to its end at once. "
-        "Safe λ: twice the inverse of the Gershgorin bound, which stands beside μ_max in the last column. λ of the uniform operator has no "
+        "Safe λ: twice the inverse of the Gershgorin bound, rounded down, which stands beside μ_max in the last column. λ of the uniform "
+        "operator has no "
         "unit.";
     table.columns = {{"mesh", "", 3},
                      {"operator", "", 3},

@@ -7,6 +7,7 @@
 
 #include "mesh/sample_shapes.h"
 #include "mesh/vertex_noise.h"
+#include "questions/cotangent_study.h"
 #include "questions/study_laws.h"
 
 using namespace meshfolio;
@@ -73,6 +74,10 @@ TEST(OperatorLaboratory, KnownSurfaces) {
         if (kind == OperatorKind::tufted) continue;   // its flips round the boundary may bend linear functions near it
         EXPECT_EQ(trials[i].plane < 1e-10, precise) << laboratory_operators()[i].title();
         EXPECT_GT(trials[i].H_error[0], 0);
+        // The same square, the same H, as question 3 tells it.
+        if (kind == OperatorKind::uniform) {
+            EXPECT_EQ(trials[i].plane, irregular_plane(quick_settings().seed).uniform);
+        }
         EXPECT_TRUE(kind != OperatorKind::cotan_no_half || std::abs(trials[i].eigenvalue_error - 1) < 0.1);
     }
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "number_text.h"
 #include "questions/answer_laws.h"
 
 using namespace meshfolio;
@@ -47,6 +48,9 @@ TEST(Q2, TheTwoReadingsOfADirectionAreDifferentCurvesBetweenTheSameExtrema) {
     ASSERT_EQ(plot.series.size(), 2u);
     const auto &angle = plot.series[0], &parameters = plot.series[1];
     EXPECT_NEAR(angle.x.back(), 2, 1e-15);
+    double largest = 0;
+    for (std::size_t i = 0; i < angle.x.size(); ++i) largest = std::max(largest, angle.y[i] - parameters.y[i]);
+    EXPECT_NE(plot.alt.find("differ most, by " + readable(largest)), std::string::npos) << plot.alt;
     for (std::size_t i = 0; i < angle.x.size(); ++i) {
         const bool at_extremum = std::abs(std::sin(2 * M_PI * angle.x[i])) < 1e-9;
         const double gap = angle.y[i] - parameters.y[i];

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mesh/mesh_topology.h"
 #include "mesh/sample_shapes.h"
 #include "questions/answer_laws.h"
@@ -41,6 +43,14 @@ TEST(Q3, EachMeshIsShownByBothOperatorsAndTheirDifferenceInOneRange) {
         ASSERT_TRUE(figure.range.has_value());
         EXPECT_EQ(figure.range->low, -figure.range->high);
     }
+}
+
+TEST(Q3, ItsExtentIsThatOfTheLargestMesh) {
+    int most = 0;
+    for (const KnownSurface& surface : known_surfaces())
+        most = std::max(most, sampled(surface, refinement_levels(true).back(), Triangulation::regular, 1).mesh.vertex_count());
+    const Answer answer = answer_for(icosphere(1), "small3");
+    EXPECT_NE(answer.section.extent.find("up to " + std::to_string(most) + " vertices"), std::string::npos) << answer.section.extent;
 }
 
 TEST(Q3, TheTextFollowsTheData) {
