@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "fuzz"
 # Bytes of an input: short ones find the same faults and run more often.
-LONGEST = {"cotangent": 400, "page": 256, "rasterizer": 60}
+LONGEST = {"cotangent": 400, "page": 64, "rasterizer": 60}
 LONGEST_TEXT = 4096
 LIMITS = ["-timeout=5", "-rss_limit_mb=1024", "-print_final_stats=1"]
 # Large pieces of memory are kept, not given back after each execution.

@@ -15,8 +15,6 @@ using namespace meshfolio::testing;
 
 namespace {
 
-double critical_step(const TriangleMesh& mesh) { return largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh))); }
-
 SparseMatrix system_of(const TriangleMesh& mesh, double lambda) {
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     SparseMatrix mass(laplacian.M.size(), laplacian.M.size());

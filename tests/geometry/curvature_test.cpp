@@ -46,7 +46,7 @@ Errors errors_of(const TriangleMesh& mesh, const Vector& measured, const ClosedF
 const ClosedForm unit_sphere = [](const Vector3&) { return sphere_curvature(1); };
 const ClosedForm ring = [](const Vector3& p) { return torus_curvature(1, 0.4, p); };
 const Vector3 half_axes(1.7, 1.1, 0.6);
-const ClosedForm egg = [](const Vector3& p) { return ellipsoid_curvature(half_axes, p); };
+const ClosedForm ellipsoid_truth = [](const Vector3& p) { return ellipsoid_curvature(half_axes, p); };
 
 /// log₂ of the ratio of the errors of two meshes, the second twice as fine.
 double order(double coarse, double fine) { return std::log2(coarse / fine); }
@@ -85,7 +85,9 @@ TEST(Curvature, ConvergesQuadraticallyOnTheTorus) {
 
 TEST(Curvature, ConvergesOnTheEllipsoidWithVoronoiAreas) {
     const TriangleMesh coarse = ellipsoid_mesh(4, half_axes), fine = ellipsoid_mesh(5, half_axes);
-    const auto H_error = [&](const TriangleMesh& m) { return errors_of(m, cotangent_H(m, AreaForm::voronoi), egg, &CurvaturePair::H).l2; };
+    const auto H_error = [&](const TriangleMesh& m) {
+        return errors_of(m, cotangent_H(m, AreaForm::voronoi), ellipsoid_truth, &CurvaturePair::H).l2;
+    };
     EXPECT_GT(order(H_error(coarse), H_error(fine)), 0.9);
     EXPECT_LT(H_error(fine), 1e-2);
 }

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double nothing_fits = 1;   // byte
 
-double critical_step(const TriangleMesh& mesh) { return largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh))); }
-
 SmoothingOptions implicit_options(double lambda, int iterations, double memory_limit = 0) {
     SmoothingOptions options;
     options.scheme = SmoothingScheme::implicit_euler;

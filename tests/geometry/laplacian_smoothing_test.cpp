@@ -21,8 +21,6 @@ namespace {
 
 constexpr SmoothingScheme all_schemes[] = {SmoothingScheme::explicit_euler, SmoothingScheme::implicit_euler, SmoothingScheme::taubin};
 
-double critical_step(const TriangleMesh& mesh) { return largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh))); }
-
 SmoothingOptions options_of(SmoothingScheme scheme, double lambda, int iterations) {
     SmoothingOptions options;
     options.scheme = scheme;

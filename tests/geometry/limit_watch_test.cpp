@@ -15,8 +15,6 @@ using namespace meshfolio::testing;
 
 namespace {
 
-double critical_step(const TriangleMesh& mesh) { return largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh))); }
-
 /// A sphere with a neck: curvature flow pinches it, so the limit of the rebuilt operator falls.
 TriangleMesh dumbbell() {
     TriangleMesh mesh = irregular_sphere(3);

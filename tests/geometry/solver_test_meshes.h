@@ -9,10 +9,14 @@
 
 #include "geometry/cotangent_laplacian.h"
 #include "geometry/operator_test_meshes.h"
+#include "geometry/stability.h"
 #include "mesh/mesh_files.h"
 #include "source_dir.h"
 
 namespace meshfolio::testing {
+
+/// The longest step for which explicit smoothing does not blow up.
+inline double critical_step(const TriangleMesh& mesh) { return largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh))); }
 
 /// Both meshes as one, without a common vertex.
 inline TriangleMesh side_by_side(const TriangleMesh& a, const TriangleMesh& b) {

@@ -16,7 +16,7 @@ using namespace meshfolio::testing_tools;
 
 namespace {
 
-DenoisingStudy study_on(const TriangleMesh& mesh, const std::string& name, QuestionSettings settings = quick_settings()) {
+DenoisingStudy denoising_study_on(const TriangleMesh& mesh, const std::string& name, QuestionSettings settings = quick_settings()) {
     return denoising_study(library_mesh(mesh, name), settings);
 }
 
@@ -36,7 +36,7 @@ DenoisingTrial trial_reaching(double best, double sigma = 1) {
 }   // namespace
 
 TEST(DenoisingStudy, TheErrorBeginsWithTheNoise) {
-    const DenoisingStudy study = study_on(cube_mesh(8), "cube_noise");
+    const DenoisingStudy study = denoising_study_on(cube_mesh(8), "cube_noise");
     const TriangleMesh& clean = study.clean->mesh();
     for (const DenoisingTrial& trial : study.trials) {
         EXPECT_NEAR(trial.sigma, trial.relative * bounding_box(clean).diagonal(), 1e-15);
@@ -48,7 +48,7 @@ TEST(DenoisingStudy, TheErrorBeginsWithTheNoise) {
 
 TEST(DenoisingStudy, TheBestIterationHasTheSmallestError) {
     for (const TriangleMesh& mesh : {cube_mesh(8), icosphere(3)}) {
-        const DenoisingStudy study = study_on(mesh, "best7");
+        const DenoisingStudy study = denoising_study_on(mesh, "best7");
         for (const DenoisingTrial& trial : study.trials) {
             EXPECT_EQ(trial.best_rms, smallest_at(trial.rms));
             EXPECT_EQ(trial.best_angle, smallest_at(trial.angle));
@@ -61,7 +61,7 @@ TEST(DenoisingStudy, TheBestIterationHasTheSmallestError) {
 }
 
 TEST(DenoisingStudy, ATrialGoesOnToTwiceItsBestIteration) {
-    const DenoisingStudy study = study_on(icosphere(3), "length7");
+    const DenoisingStudy study = denoising_study_on(icosphere(3), "length7");
     EXPECT_EQ(study.without_noise.size(), static_cast<std::size_t>(study.iterations) + 1);
     for (const DenoisingTrial& trial : study.trials) {
         EXPECT_EQ(trial.angle.size(), trial.rms.size());
@@ -70,16 +70,16 @@ TEST(DenoisingStudy, ATrialGoesOnToTwiceItsBestIteration) {
     }
     QuestionSettings settings = quick_settings();
     settings.noise = {0.05};   // so much that the best iteration comes late
-    const DenoisingStudy late = study_on(icosphere(3), "late7", settings);
+    const DenoisingStudy late = denoising_study_on(icosphere(3), "late7", settings);
     ASSERT_GT(2 * late.trials.front().best_rms, late.iterations);
     EXPECT_EQ(late.trials.front().iterations(), std::min(late.most_iterations, 2 * late.trials.front().best_rms));
     settings = quick_settings();
     settings.iterations = {3, 5};
-    for (const DenoisingTrial& trial : study_on(icosphere(2), "five7", settings).trials) EXPECT_EQ(trial.iterations(), 5);
+    for (const DenoisingTrial& trial : denoising_study_on(icosphere(2), "five7", settings).trials) EXPECT_EQ(trial.iterations(), 5);
 }
 
 TEST(DenoisingStudy, ErrorsOnAndOffFeaturesMakeUpTheWhole) {
-    const DenoisingStudy study = study_on(cube_mesh(8), "cube_parts");
+    const DenoisingStudy study = denoising_study_on(cube_mesh(8), "cube_parts");
     const int n = study.clean->mesh().vertex_count(), on = study.feature_vertices;
     for (const DenoisingTrial& trial : study.trials) {
         const double whole = trial.rms[static_cast<std::size_t>(trial.best_rms)];
@@ -90,19 +90,19 @@ TEST(DenoisingStudy, ErrorsOnAndOffFeaturesMakeUpTheWhole) {
 }
 
 TEST(DenoisingStudy, FeaturesOfACubeAreItsEdges) {
-    const DenoisingStudy cube = study_on(cube_mesh(8), "cube_edges");
+    const DenoisingStudy cube = denoising_study_on(cube_mesh(8), "cube_edges");
     EXPECT_EQ(cube.feature_vertices, 12 * 7 + 8);
     const Positions& X = cube.clean->mesh().X;
     for (int v = 0; v < X.rows(); ++v) {
         EXPECT_EQ(int(cube.on_feature[static_cast<std::size_t>(v)]), (X.row(v).array().abs() > 0.5 - 1e-6).count() >= 2 ? 1 : 0) << v;
     }
-    EXPECT_EQ(study_on(icosphere(3), "ball_edges").feature_vertices, 0);
-    EXPECT_TRUE(std::isnan(study_on(icosphere(2), "ball_none").trials[0].feature_rms));
-    EXPECT_EQ(study_on(grid_mesh(5, 5, 1, 1), "flat_edges").feature_vertices, 0);   // a boundary is no crease
+    EXPECT_EQ(denoising_study_on(icosphere(3), "ball_edges").feature_vertices, 0);
+    EXPECT_TRUE(std::isnan(denoising_study_on(icosphere(2), "ball_none").trials[0].feature_rms));
+    EXPECT_EQ(denoising_study_on(grid_mesh(5, 5, 1, 1), "flat_edges").feature_vertices, 0);   // a boundary is no crease
 }
 
 TEST(DenoisingStudy, WithoutNoiseTheErrorIsThatOfSmoothingAlone) {
-    const DenoisingStudy study = study_on(cube_mesh(6), "cube_bias");
+    const DenoisingStudy study = denoising_study_on(cube_mesh(6), "cube_bias");
     EXPECT_NEAR(study.lambda, 0.1 * study.mean_edge * study.mean_edge, 1e-15);
     EXPECT_EQ(study.without_noise.front(), 0);
     for (std::size_t t = 1; t < study.without_noise.size(); ++t) EXPECT_GT(study.without_noise[t], study.without_noise[t - 1]);
@@ -114,7 +114,7 @@ TEST(DenoisingStudy, WithoutNoiseTheErrorIsThatOfSmoothingAlone) {
 }
 
 TEST(DenoisingStudy, AllNoiseLevelsShareOneAnalysis) {
-    const DenoisingStudy study = study_on(icosphere(2), "ball_analyses");
+    const DenoisingStudy study = denoising_study_on(icosphere(2), "ball_analyses");
     EXPECT_GE(study.trials.size(), 2u);
     EXPECT_EQ(study.analyses, 1);
 }
@@ -122,7 +122,7 @@ TEST(DenoisingStudy, AllNoiseLevelsShareOneAnalysis) {
 TEST(DenoisingStudy, ALevelNamedTwiceIsOneTrial) {
     QuestionSettings settings = quick_settings();
     settings.noise = {0.01, 0.002, 0.01};
-    const DenoisingStudy study = study_on(cube_mesh(4), "cube_levels", settings);
+    const DenoisingStudy study = denoising_study_on(cube_mesh(4), "cube_levels", settings);
     ASSERT_EQ(study.trials.size(), 2u);
     EXPECT_EQ(study.trials[0].relative, 0.002);
     EXPECT_EQ(study.trials[1].relative, 0.01);

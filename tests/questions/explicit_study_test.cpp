@@ -13,7 +13,7 @@ using namespace meshfolio::testing_tools;
 
 namespace {
 
-ExplicitStudy study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> lambda = {}) {
+ExplicitStudy explicit_study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> lambda = {}) {
     QuestionSettings settings = quick_settings();
     settings.lambda = std::move(lambda);
     return explicit_study(library_mesh(mesh, name), settings);
@@ -29,14 +29,14 @@ TriangleMesh tetrahedron() {
 }   // namespace
 
 TEST(ExplicitStudy, DefaultStepsStandOnBothSidesOfTheLimit) {
-    const ExplicitStudy study = study_on(cube_mesh(4), "cube_steps");
+    const ExplicitStudy study = explicit_study_on(cube_mesh(4), "cube_steps");
     std::vector<double> multiples;
     for (const SmoothingRun& run : study.runs) multiples.push_back(run.lambda / study.subject.critical);
     expect_near(multiples, {0.05, 0.5, 0.95, 1.05, 2.0});
 }
 
 TEST(ExplicitStudy, AStepNamedTwiceIsOneRun) {
-    const ExplicitStudy study = study_on(icosphere(1), "ball_twice", {0.02, 0.01, 0.02});
+    const ExplicitStudy study = explicit_study_on(icosphere(1), "ball_twice", {0.02, 0.01, 0.02});
     ASSERT_EQ(study.runs.size(), 2u);
     EXPECT_EQ(study.runs[0].lambda, 0.01);
     EXPECT_EQ(study.runs[1].lambda, 0.02);
@@ -54,12 +54,12 @@ TEST(ExplicitStudy, TheLimitIsWhereTheTopModeBeginsToGrow) {
 }
 
 TEST(ExplicitStudy, StableIsWhatDoesNotGrow) {
-    const ExplicitStudy study = study_on(icosphere(2), "ball_stable");
+    const ExplicitStudy study = explicit_study_on(icosphere(2), "ball_stable");
     for (std::size_t i = 0; i < study.runs.size(); ++i) EXPECT_EQ(study.stable(i), study.amplification[i].measured < 1) << i;
 }
 
 TEST(ExplicitStudy, RecommendedIsTheStrongestThatKeepsSigns) {
-    const ExplicitStudy study = study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_best");
+    const ExplicitStudy study = explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_best");
     ASSERT_EQ(study.best, 1);   // half the limit, exactly
     const SmoothingRun& best = study.runs[1];
     EXPECT_TRUE(keeps_signs(study.subject, best.lambda));
@@ -69,13 +69,13 @@ TEST(ExplicitStudy, RecommendedIsTheStrongestThatKeepsSigns) {
         }
     }
     const double critical = study.subject.critical;
-    EXPECT_EQ(study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_b", {0.6 * critical, 0.8 * critical, 1.2 * critical}).best, 1);
-    EXPECT_EQ(study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_c", {1.2 * critical}).best, -1);
+    EXPECT_EQ(explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_b", {0.6 * critical, 0.8 * critical, 1.2 * critical}).best, 1);
+    EXPECT_EQ(explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_c", {1.2 * critical}).best, -1);
     EXPECT_FALSE(keeps_signs(study.subject, 0.51 * critical));
 }
 
 TEST(ExplicitStudy, CompleteGraphHasAKnownUniformLimit) {
-    const ExplicitStudy study = study_on(tetrahedron(), "tetrahedron");   // −Δ_uniform of K₄: 0 and 1 + ⅓, three times
+    const ExplicitStudy study = explicit_study_on(tetrahedron(), "tetrahedron");   // −Δ_uniform of K₄: 0 and 1 + ⅓, three times
     EXPECT_NEAR(study.uniform.top, 4.0 / 3, 1e-9);
     EXPECT_NEAR(study.uniform.critical, 1.5, 1e-9);
 }

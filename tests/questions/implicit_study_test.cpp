@@ -14,7 +14,8 @@ using namespace meshfolio::testing_tools;
 
 namespace {
 
-ImplicitStudy study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> lambda = {}, std::vector<int> t = {}) {
+ImplicitStudy implicit_study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> lambda = {},
+                                std::vector<int> t = {}) {
     QuestionSettings settings = quick_settings();
     settings.lambda = std::move(lambda);
     settings.iterations = std::move(t);
@@ -36,7 +37,7 @@ double energy_of(const ImplicitStudy& study, const Positions& X) {
 }   // namespace
 
 TEST(ImplicitStudy, TheGridIsEveryStepTimesEveryIterationCount) {
-    const ImplicitStudy study = study_on(cube_mesh(3), "cube_grid", {0.02, 0.01, 0.02}, {7, 2, 7, 1});
+    const ImplicitStudy study = implicit_study_on(cube_mesh(3), "cube_grid", {0.02, 0.01, 0.02}, {7, 2, 7, 1});
     EXPECT_EQ(study.lambdas, (std::vector{0.01, 0.02}));
     EXPECT_EQ(study.iterations, (std::vector{1, 2, 7}));
     ASSERT_EQ(study.grid.size(), 6u);
@@ -50,7 +51,7 @@ TEST(ImplicitStudy, TheGridIsEveryStepTimesEveryIterationCount) {
 }
 
 TEST(ImplicitStudy, ASweepIsAnalysedOnceAndFactoredOnceAStep) {
-    const ImplicitStudy study = study_on(icosphere(2), "ball_sweep", {0.001, 0.01, 0.1}, {1, 2});
+    const ImplicitStudy study = implicit_study_on(icosphere(2), "ball_sweep", {0.001, 0.01, 0.1}, {1, 2});
     int analyses = 0;
     for (const SmoothingRun& run : study.implicit_runs) {
         analyses += run.result.analyses;
@@ -61,7 +62,7 @@ TEST(ImplicitStudy, ASweepIsAnalysedOnceAndFactoredOnceAStep) {
 }
 
 TEST(ImplicitStudy, ACellIsTheRunOfItsStepAndIterations) {
-    const ImplicitStudy study = study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_cells", {0.002, 0.02}, {1, 3, 5});
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_cells", {0.002, 0.02}, {1, 3, 5});
     for (const SmoothingCell& cell : study.grid) {
         EXPECT_EQ(cell.implicit_X, smoothed(study, SmoothingScheme::implicit_euler, cell.lambda, cell.iterations));
         EXPECT_EQ(cell.explicit_X, smoothed(study, SmoothingScheme::explicit_euler, cell.lambda, cell.iterations));
@@ -77,14 +78,14 @@ TEST(ImplicitStudy, ACellIsTheRunOfItsStepAndIterations) {
 }
 
 TEST(ImplicitStudy, DefaultStepsBeginWithinTheLimitAndGoFarBeyond) {
-    const ImplicitStudy study = study_on(cube_mesh(4), "cube_default");
+    const ImplicitStudy study = implicit_study_on(cube_mesh(4), "cube_default");
     std::vector<double> multiples;
     for (const double lambda : study.lambdas) multiples.push_back(lambda / study.subject.critical);
     expect_near(multiples, {0.5, 5, 50, 1000});
 }
 
 TEST(ImplicitStudy, ABlownUpRunHasNoPositionsFromThenOn) {
-    const ImplicitStudy study = study_on(cube_mesh(4), "cube_blow", {1}, {1, 50});
+    const ImplicitStudy study = implicit_study_on(cube_mesh(4), "cube_blow", {1}, {1, 50});
     ASSERT_GT(study.lambdas[0], 20 * study.subject.critical);
     const SmoothingCell &early = study.cell(0, 0), &late = study.cell(0, 1);
     EXPECT_GT(early.explicit_X.size(), 0);
@@ -98,7 +99,7 @@ TEST(ImplicitStudy, ABlownUpRunHasNoPositionsFromThenOn) {
 TEST(ImplicitStudy, FacesThatTurnOverAreCounted) {
     TriangleMesh folded = grid_mesh(8, 8, 1, 1);
     folded.X = with_gaussian_noise(folded.X, Vector3(0.08, 0.08, 0.02), 1);   // half an edge within the plane: some faces lie face down
-    const ImplicitStudy study = study_on(folded, "folded", {1e-12, 1e-3, 1e-2, 1e-1}, {5});
+    const ImplicitStudy study = implicit_study_on(folded, "folded", {1e-12, 1e-3, 1e-2, 1e-1}, {5});
     EXPECT_EQ(study.cell(0, 0).inverted_faces, 0);
     int inverted = 0;
     for (const SmoothingCell& cell : study.grid) {
@@ -111,20 +112,20 @@ TEST(ImplicitStudy, FacesThatTurnOverAreCounted) {
 }
 
 TEST(ImplicitStudy, ACollapsedMeshHasNoVolume) {
-    const ImplicitStudy study = study_on(icosphere(1), "ball_gone", {1e9}, {3});
+    const ImplicitStudy study = implicit_study_on(icosphere(1), "ball_gone", {1e9}, {3});
     EXPECT_TRUE(study.grid.front().collapsed());
     EXPECT_EQ(study.grid.front().volume_ratio, 0);
 }
 
 TEST(ImplicitStudy, DampingIsMeasuredAndAsPredicted) {
-    const ImplicitStudy study = study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_damping");
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_damping");
     EXPECT_GE(study.damped_modes, 3);   // the coordinates are among the lowest modes
     EXPECT_LT(study.worst_damping, 1e-6);
     EXPECT_LT(study.huge_step_energy, 1e-6);
 }
 
 TEST(ImplicitStudy, BothWaysOfTheCostReachTheSameEnergy) {
-    const ImplicitStudy study = study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_cost");
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_cost");
     const SmoothingCost& cost = study.cost;
     EXPECT_NEAR(cost.implicit_lambda, 50 * study.subject.critical, 1e-9);   // the largest below 100 λ_crit
     EXPECT_EQ(cost.implicit_steps, 10);

@@ -26,7 +26,7 @@ TriangleMesh lopsided_ball(int level) {
     return mesh;
 }
 
-PredictionStudy study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> noise) {
+PredictionStudy prediction_study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> noise) {
     QuestionSettings settings = quick_settings();
     settings.noise = std::move(noise);
     return prediction_study(library_mesh(mesh, name), settings);
@@ -108,7 +108,7 @@ TEST(MeasuredCurve, MeanErrorAndPercentiles) {
 
 TEST(PredictionStudy, TheFormulaIsTheMeasuredMeanAndAWrongSigmaIsNot) {
     for (const TriangleMesh& mesh : {lopsided_ball(2), lopsided_ball(3)}) {   // 162 vertices: modes; 642: probes in the quick report
-        const PredictionStudy study = study_on(mesh, "expected", {0.005, 0.02});
+        const PredictionStudy study = prediction_study_on(mesh, "expected", {0.005, 0.02});
         EXPECT_EQ(study.prediction.modes > 0, mesh.vertex_count() < 300);
         ASSERT_EQ(study.levels.size(), 2u);
         for (const NoiseLevelStudy& level : study.levels) {
@@ -124,7 +124,7 @@ TEST(PredictionStudy, TheFormulaIsTheMeasuredMeanAndAWrongSigmaIsNot) {
 
 // Its own operator follows the noise: where that is small the derivative of the run foresees the error, and the formula does not.
 TEST(PredictionStudy, TheDerivativeHoldsForSmallNoise) {
-    const PredictionStudy study = study_on(grid_mesh(14, 14, 1, 1), "flat", {0.001});
+    const PredictionStudy study = prediction_study_on(grid_mesh(14, 14, 1, 1), "flat", {0.001});
     const OperatorStudy& own = study.levels.front().of(FlowOperator::noisy);
     const MeasuredCurve& measured = own.measured;
     double formula = 0, first_order = 0;   // squared error of the noise that is left, beyond the bias
@@ -137,7 +137,7 @@ TEST(PredictionStudy, TheDerivativeHoldsForSmallNoise) {
 }
 
 TEST(PredictionStudy, SteinForeseesTheOwnOperator) {
-    const PredictionStudy study = study_on(lopsided_ball(3), "stein", {0.02});
+    const PredictionStudy study = prediction_study_on(lopsided_ball(3), "stein", {0.02});
     const OperatorStudy& own = study.levels.front().of(FlowOperator::noisy);
     EXPECT_LT(deviation(*own.prediction(by_stein), own.measured), 0.05);
     EXPECT_GT(deviation(own.formula(), own.measured), 0.1);
@@ -165,7 +165,7 @@ TEST(PredictionStudy, TheDiscrepancyPrincipleStopsLate) {
 }
 
 TEST(PredictionStudy, TheAccountAddsUp) {
-    const PredictionStudy study = study_on(lopsided_ball(2), "account", {0.01, 0.03});
+    const PredictionStudy study = prediction_study_on(lopsided_ball(2), "account", {0.01, 0.03});
     for (const NoiseLevelStudy& level : study.levels) {
         const ErrorAccount account = error_account(level);
         EXPECT_NEAR(account.formula + account.numbers + account.knowledge, account.measured, 1e-12);
@@ -177,7 +177,8 @@ TEST(PredictionStudy, TheAccountAddsUp) {
 
 TEST(PredictionStudy, DoesNotDependOnTheUnitOfTheModel) {
     const TriangleMesh mesh = lopsided_ball(2);
-    const PredictionStudy a = study_on(mesh, "unit", {0.01}), b = study_on({1024 * mesh.X, mesh.F}, "unit_large", {0.01});
+    const PredictionStudy a = prediction_study_on(mesh, "unit", {0.01}),
+                          b = prediction_study_on({1024 * mesh.X, mesh.F}, "unit_large", {0.01});
     const Vector &x = a.levels[0].of(FlowOperator::noisy).measured.square, &y = b.levels[0].of(FlowOperator::noisy).measured.square;
     EXPECT_LT((x - y).norm(), 1e-9 * x.norm());
     EXPECT_NEAR(b.diagonal / a.diagonal, 1024, 1e-6);
@@ -186,9 +187,9 @@ TEST(PredictionStudy, DoesNotDependOnTheUnitOfTheModel) {
 
 TEST(PredictionStudy, ThreadsDoNotChangeABit) {
     const TriangleMesh mesh = lopsided_ball(2);
-    const PredictionStudy many = study_on(mesh, "threads", {0.01});
+    const PredictionStudy many = prediction_study_on(mesh, "threads", {0.01});
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const PredictionStudy alone = study_on(mesh, "threads", {0.01});
+    const PredictionStudy alone = prediction_study_on(mesh, "threads", {0.01});
     for (const FlowOperator kind : {FlowOperator::clean, FlowOperator::noisy, FlowOperator::rebuilt}) {
         const OperatorStudy &a = many.levels[0].of(kind), &b = alone.levels[0].of(kind);
         EXPECT_EQ(a.measured.square, b.measured.square);

@@ -10,18 +10,10 @@
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
 
-namespace {
-
-SpectralStudy study_on(const TriangleMesh& mesh, const std::string& name, std::vector<int> k) {
-    QuestionSettings settings = quick_settings();
-    settings.k = std::move(k);
-    return spectral_study(library_mesh(mesh, name), settings);
-}
-
-}   // namespace
+namespace {}   // namespace
 
 TEST(SpectralStudy, EveryKOnceAndAscending) {
-    const SpectralStudy study = study_on(cube_mesh(4), "cube_k", {12, 5, 12, 100000, 5});
+    const SpectralStudy study = spectral_study_on(cube_mesh(4), "cube_k", {12, 5, 12, 100000, 5});
     ASSERT_EQ(study.reconstructions.size(), 3u);
     EXPECT_EQ(study.reconstructions[0].k, 5);
     EXPECT_EQ(study.reconstructions[1].k, 12);
@@ -31,7 +23,7 @@ TEST(SpectralStudy, EveryKOnceAndAscending) {
 }
 
 TEST(SpectralStudy, DistancesAreThoseOfTheMeshes) {
-    const SpectralStudy study = study_on(ellipsoid_mesh(2, {1.7, 1.1, 0.6}), "egg_distance", {4, 30});
+    const SpectralStudy study = spectral_study_on(ellipsoid_mesh(2, {1.7, 1.1, 0.6}), "egg_distance", {4, 30});
     for (const Reconstruction& r : study.reconstructions) {
         EXPECT_NEAR(r.distance.maxCoeff(), r.difference.max, 1e-12);
         EXPECT_NEAR(std::sqrt(r.distance.squaredNorm() / study.mesh().vertex_count()), r.difference.rms, 1e-12);
@@ -52,7 +44,7 @@ TEST(SpectralStudy, TheGapIsTheLargest) {
 }
 
 TEST(SpectralStudy, SmallestKIsTheFirstBelow) {
-    const SpectralStudy study = study_on(torus_mesh(16, 8, 1, 0.4), "torus_smallest", {60});
+    const SpectralStudy study = spectral_study_on(torus_mesh(16, 8, 1, 0.4), "torus_smallest", {60});
     for (const double share : {0.3, 0.1, 0.05}) {
         const int k = smallest_k_below(study, share);
         ASSERT_GT(k, 0);
@@ -74,12 +66,12 @@ TEST(SpectralStudy, PowersOfAKnownFall) {
 }
 
 TEST(SpectralStudy, RemotenessIsAboveOneWhereTheErrorIsFarOut) {
-    const SpectralStudy study = study_on(ellipsoid_mesh(2, {4, 1, 1}), "cigar", {5});
+    const SpectralStudy study = spectral_study_on(ellipsoid_mesh(2, {4, 1, 1}), "cigar", {5});
     Reconstruction r = study.reconstructions.front();
     r.distance = study.mesh().X.rowwise().norm();
     EXPECT_GT(remoteness_of_worst(study, r), 1.5);
     r.distance = (-study.mesh().X.rowwise().norm().array()).matrix();
     EXPECT_LT(remoteness_of_worst(study, r), 0.7);
-    const SpectralStudy ball = study_on(icosphere(2), "ball_remote", {5});
+    const SpectralStudy ball = spectral_study_on(icosphere(2), "ball_remote", {5});
     EXPECT_NEAR(remoteness_of_worst(ball, ball.reconstructions.front()), 1, 1e-9);
 }

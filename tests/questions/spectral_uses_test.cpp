@@ -14,18 +14,12 @@ using namespace meshfolio::testing_tools;
 
 namespace {
 
-SpectralStudy study_on(const TriangleMesh& mesh, const std::string& name, std::vector<int> k) {
-    QuestionSettings settings = quick_settings();
-    settings.k = std::move(k);
-    return spectral_study(library_mesh(mesh, name), settings);
-}
-
 TriangleMesh egg() { return ellipsoid_mesh(3, {1.7, 1.1, 0.6}); }
 
 }   // namespace
 
 TEST(BandStudy, BandsPartAllModesButTheZeroOnes) {
-    const SpectralStudy study = study_on(egg(), "egg_bands", {60});
+    const SpectralStudy study = spectral_study_on(egg(), "egg_bands", {60});
     const BandStudy bands = band_study(study);
     ASSERT_EQ(bands.bands.size(), 3u);
     EXPECT_EQ(bands.bands[0].first, 2);
@@ -39,7 +33,7 @@ TEST(BandStudy, BandsPartAllModesButTheZeroOnes) {
 }
 
 TEST(BandStudy, MeshesMoveAsPredicted) {
-    const SpectralStudy study = study_on(egg(), "egg_filters", {60});
+    const SpectralStudy study = spectral_study_on(egg(), "egg_filters", {60});
     const BandStudy bands = band_study(study);
     ASSERT_EQ(bands.meshes.size(), 5u);
     for (const EqualisedMesh& state : bands.meshes) {
@@ -54,10 +48,10 @@ TEST(BandStudy, MeshesMoveAsPredicted) {
     EXPECT_NEAR(bands.meshes[4].measured_rms, study.rms[kept], 1e-12);
 }
 
-TEST(BandStudy, TooFewModesHaveNoBands) { EXPECT_TRUE(band_study(study_on(egg(), "egg_few", {9})).bands.empty()); }
+TEST(BandStudy, TooFewModesHaveNoBands) { EXPECT_TRUE(band_study(spectral_study_on(egg(), "egg_few", {9})).bands.empty()); }
 
 TEST(LowPassStudy, ErrorsAreThoseOfTheKnownModesWhenAllAreKnown) {
-    const SpectralStudy study = study_on(torus_mesh(24, 12, 1, 0.4), "torus_low_pass", {288});
+    const SpectralStudy study = spectral_study_on(torus_mesh(24, 12, 1, 0.4), "torus_low_pass", {288});
     const LowPassStudy low_pass = low_pass_study(study, true);
     ASSERT_GE(low_pass.k, 10);
     ASSERT_LE(low_pass.k, 20);
@@ -72,10 +66,10 @@ TEST(LowPassStudy, ErrorsAreThoseOfTheKnownModesWhenAllAreKnown) {
                 double(low_pass.errors.back().degree) / low_pass.errors.front().degree, 1e-12);
 }
 
-TEST(LowPassStudy, NeedsACutoff) { EXPECT_EQ(low_pass_study(study_on(egg(), "egg_no_cutoff", {9}), true).k, 0); }
+TEST(LowPassStudy, NeedsACutoff) { EXPECT_EQ(low_pass_study(spectral_study_on(egg(), "egg_no_cutoff", {9}), true).k, 0); }
 
 TEST(MistakeStudy, TheRightWayIsThatOfTheReconstructions) {
-    const SpectralStudy study = study_on(egg(), "egg_mistakes", {5, 15, 30});
+    const SpectralStudy study = spectral_study_on(egg(), "egg_mistakes", {5, 15, 30});
     const MistakeStudy mistakes = mistake_study(study, true);
     for (const Reconstruction& r : study.reconstructions) {
         const auto at =
@@ -93,7 +87,7 @@ TEST(MistakeStudy, TheRightWayIsThatOfTheReconstructions) {
 // A dumbbell's thin parts lose their girth first.
 TEST(LimbStudy, ThinTubesNeedTheModesThatGoRoundThem) {
     TriangleMesh mesh = torus_mesh(96, 24, 1, 0.1);
-    const SpectralStudy study = study_on(mesh, "ring_limbs", {5, 40});
+    const SpectralStudy study = spectral_study_on(mesh, "ring_limbs", {5, 40});
     const LimbStudy limbs = limb_study(study);
     ASSERT_TRUE(limbs.measured());
     EXPECT_NEAR(limbs.thin_diameter, 0.2, 0.01);
@@ -106,7 +100,7 @@ TEST(LimbStudy, ThinTubesNeedTheModesThatGoRoundThem) {
 }
 
 TEST(LimbStudy, SharesAndCorrelationsOfPlantedErrors) {
-    SpectralStudy study = study_on(ellipsoid_mesh(3, {3, 1, 1}), "cigar_limbs", {5});
+    SpectralStudy study = spectral_study_on(ellipsoid_mesh(3, {3, 1, 1}), "cigar_limbs", {5});
     Reconstruction& r = study.reconstructions.front();
     const Vector along = study.mesh().X.col(0).cwiseAbs();
     r.distance = (along.array() > 2.5).select(Vector::Ones(along.size()), 0);   // only the tips
@@ -124,7 +118,7 @@ TEST(LimbStudy, SharesAndCorrelationsOfPlantedErrors) {
     EXPECT_LT(limbs.errors.front().far_share, 0.02);
 }
 
-TEST(LimbStudy, AnOpenSurfaceHasNone) { EXPECT_FALSE(limb_study(study_on(grid_mesh(12, 12, 1, 1), "sheet", {5})).measured()); }
+TEST(LimbStudy, AnOpenSurfaceHasNone) { EXPECT_FALSE(limb_study(spectral_study_on(grid_mesh(12, 12, 1, 1), "sheet", {5})).measured()); }
 
 TEST(ModeCost, GrowsAsCounted) {
     const ModeCost one = mode_cost(10, 1000, 5e4), two = mode_cost(20, 1000, 5e4);
@@ -132,12 +126,12 @@ TEST(ModeCost, GrowsAsCounted) {
     EXPECT_EQ(two.orthogonalise_operations, 4 * one.orthogonalise_operations);
     EXPECT_EQ(two.rebuild_operations, 2 * one.rebuild_operations);
     EXPECT_EQ(mode_cost(100, 1000, 5e4).solve_operations, mode_cost(100, 1000, 5e4).orthogonalise_operations) << "k = 2 entries/n";
-    const SpectralStudy study = study_on(egg(), "egg_cost", {5});
+    const SpectralStudy study = spectral_study_on(egg(), "egg_cost", {5});
     EXPECT_GE(factor_entries(study), (study.laplacian.C.nonZeros() + study.vertices()) / 2.0) << "half of C at least";
 }
 
 TEST(SpectralUseDiscussion, TheTextFollowsTheData) {
-    const SpectralStudy study = study_on(egg(), "egg_text", {5, 30});
+    const SpectralStudy study = spectral_study_on(egg(), "egg_text", {5, 30});
     LimbStudy limbs = limb_study(study);
     limbs.errors[1] = {30, 0.3, 0.1, 0.5, -1};
     limbs.modes_needed = 0;

@@ -9,15 +9,23 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "questions/answer_laws.h"
+#include "questions/spectral_study.h"
 
 namespace meshfolio::testing_tools {
 
 inline std::shared_ptr<const LibraryMesh> library_mesh(const TriangleMesh& mesh, const std::string& name) {
     return library_of(mesh, name).own_meshes().front();
+}
+
+inline SpectralStudy spectral_study_on(const TriangleMesh& mesh, const std::string& name, std::vector<int> k) {
+    QuestionSettings settings = quick_settings();
+    settings.k = std::move(k);
+    return spectral_study(library_mesh(mesh, name), settings);
 }
 
 inline const report::Table& table_named(const report::Section& section, const std::string& id) {
