@@ -18,8 +18,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "fuzz"
 # Bytes of an input: short ones find the same faults and run more often.
-LONGEST = {"cotangent": 400, "page": 64, "rasterizer": 60}
-LONGEST_TEXT = 4096
+LONGEST = {"cotangent": 400, "page": 64, "rasterizer": 60, "png": 4096, "results": 4096}
+LONGEST_TEXT = 512
+LONGEST_SEED = 4096
 LIMITS = ["-timeout=5", "-rss_limit_mb=1024", "-print_final_stats=1"]
 # Large pieces of memory are kept, not given back after each execution.
 KEEP_MEMORY = {"MALLOC_MMAP_THRESHOLD_": "100000000", "MALLOC_TRIM_THRESHOLD_": "100000000"}
@@ -39,7 +40,7 @@ def seeds_of(target, extra):
     """Files of the target's format: its own seeds, bundled meshes and settings, and those below the folder of the user's."""
     ending = FORMATS.get(target, "." + target)
     folders = [ROOT / "data", ROOT / "templates", *extra]
-    files = [f for folder in folders for f in sorted(folder.rglob("*" + ending)) if f.is_file() and f.stat().st_size <= LONGEST_TEXT]
+    files = [f for folder in folders for f in sorted(folder.rglob("*" + ending)) if f.is_file() and f.stat().st_size <= LONGEST_SEED]
     return files + [f for kind in ("seeds", "regressions") for f in sorted((ROOT / "tests/fuzz" / kind / target).glob("*"))]
 
 
