@@ -96,17 +96,18 @@ class QuickReport(unittest.TestCase):
     def test_every_link_leads_somewhere(self):
         page = Page((self.out / "index.html").read_text())
         markdown = (self.out / "report.md").read_text()
-        anchors = set(page.ids) | set(re.findall(r'id="([^"]+)"', markdown))
-        targets = page.targets + re.findall(r"\]\(([^)\s]+)\)", markdown) + re.findall(r'(?:src|href)="([^"]+)"', markdown)
+        anchors = {"index.html": set(page.ids), "report.md": set(re.findall(r'id="([^"]+)"', markdown))}
+        links = re.findall(r"\]\(([^)\s]+)\)", markdown) + re.findall(r'(?:src|href)="([^"]+)"', markdown)
+        targets = [("index.html", target) for target in page.targets] + [("report.md", target) for target in links]
         self.assertGreater(len(targets), 100)
-        for target in targets:
+        for source, target in targets:
             target = urllib.parse.unquote(target.replace("\\", ""))
             if target.startswith(("http:", "https:", "data:")):
                 continue
-            if target.startswith("#"):
-                self.assertIn(target[1:], anchors)
-            else:
-                self.assertTrue((self.out / target).is_file(), target)
+            file, _, anchor = target.partition("#")
+            self.assertTrue((self.out / (file or source)).is_file(), f"{source}: {target}")
+            if anchor:
+                self.assertIn(anchor, anchors[file or source], f"{source}: {target}")
 
     def test_nothing_undefined_is_written_as_a_number(self):
         for path in [*self.out.glob("tables/*.csv"), self.out / "results.json"]:
