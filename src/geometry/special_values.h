@@ -6,7 +6,7 @@
 
 namespace meshfolio {
 
-/// An empty cell in tables, grey in pictures.
+/// NaN: a dash in tables, grey in pictures.
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 

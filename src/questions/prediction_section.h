@@ -13,9 +13,10 @@ report::Table clean_prediction_table(const std::vector<PredictionStudy>& studies
 report::Table operator_prediction_table(const std::vector<PredictionStudy>& studies);
 report::Table why_table(const std::vector<PredictionStudy>& studies);
 report::Table rule_table(const std::vector<PredictionStudy>& studies);
-/// Largest deviation of the expected from the measured error weighted by area, clean operator, over all iterations.
+/// Largest deviation of the expected from the measured error weighted by area, relative to the measured one [1]; clean operator, over all
+/// iterations.
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
-/// Beyond this a deviation is told as "more than" it: a derivative near a collapse has no bound.
+/// Relative [1]. Beyond this a deviation is told as "more than" it: a derivative near a collapse has no bound.
 inline constexpr double deviation_shown = 10;
 
 /// The clean mesh's operator at all levels.

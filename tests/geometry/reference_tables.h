@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "file_bytes.h"
+#include "shared_meshes.h"
 #include "source_dir.h"
 
 namespace meshfolio::testing {
@@ -70,8 +71,7 @@ inline std::vector<std::string> reference_meshes() {
 /// Bundled meshes are named data/…, the shared ones by their path below the folder of meshes.
 inline bool is_bundled(const std::string& mesh) { return mesh.rfind("data/", 0) == 0; }
 inline std::filesystem::path path_of_reference_mesh(const std::string& mesh) {
-    const std::filesystem::path project = MESHFOLIO_SOURCE_DIR;
-    return is_bundled(mesh) ? project / mesh : project.parent_path() / "shared" / "meshes" / mesh;
+    return is_bundled(mesh) ? std::filesystem::path(MESHFOLIO_SOURCE_DIR) / mesh : testing_tools::shared_mesh_folder() / mesh;
 }
 
 }   // namespace meshfolio::testing

@@ -10,25 +10,16 @@
 #include "geometry/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
 #include "mesh/mesh_checks.h"
-#include "source_dir.h"
+#include "shared_meshes.h"
 
 namespace meshfolio {
 namespace {
 
 using namespace testing;
 
-const std::filesystem::path mesh_folder = std::filesystem::path(MESHFOLIO_SOURCE_DIR) / ".." / "shared" / "meshes";
+using testing_tools::shared_meshes;
 
-std::vector<std::filesystem::path> shared_meshes() {
-    std::vector<std::filesystem::path> paths;
-    if (!std::filesystem::exists(mesh_folder)) return paths;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(mesh_folder)) {
-        const std::string ending = entry.path().extension().string();
-        if (ending == ".obj" || ending == ".off") paths.push_back(entry.path());
-    }
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
+const std::filesystem::path mesh_folder = testing_tools::shared_mesh_folder();
 
 TEST(SharedMeshes, GaussBonnetAreasAndDirichletEnergy) {
     const auto paths = shared_meshes();

@@ -11,11 +11,11 @@
 #include "geometry/operator_test_meshes.h"
 #include "geometry/stability.h"
 #include "mesh/mesh_files.h"
-#include "source_dir.h"
+#include "shared_meshes.h"
 
 namespace meshfolio::testing {
 
-/// The longest step for which explicit smoothing does not blow up.
+/// λ_crit [length²]: the longest step for which explicit smoothing does not blow up.
 inline double critical_step(const TriangleMesh& mesh) { return largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh))); }
 
 /// Both meshes as one, without a common vertex.
@@ -51,9 +51,7 @@ inline LaplaceBeltrami flat_torus_operator(int nx, int ny, double diagonal) {
     return {cotangent_stiffness(torus.F, torus.vertex_count, corner_cotangents(torus.lengths)), Vector::Constant(nx * ny, height)};
 }
 
-inline std::filesystem::path shared_mesh(const std::string& name) {
-    return std::filesystem::path(MESHFOLIO_SOURCE_DIR) / ".." / "shared" / "meshes" / name;
-}
+inline std::filesystem::path shared_mesh(const std::string& name) { return testing_tools::shared_mesh_folder() / name; }
 
 }   // namespace meshfolio::testing
 

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "mesh/mesh_files.h"
-#include "source_dir.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::testing_tools {
@@ -124,18 +123,6 @@ MeshLibrary library_of(const TriangleMesh& mesh, const std::string& name) {
     const std::filesystem::path file = folder.path() / (name + ".ply");
     write_mesh(file, mesh);
     return MeshLibrary({}, {file});
-}
-
-std::vector<std::filesystem::path> shared_meshes() {
-    std::vector<std::filesystem::path> files;
-    const std::filesystem::path folder = std::filesystem::path(MESHFOLIO_SOURCE_DIR).parent_path() / "shared" / "meshes";
-    if (!std::filesystem::exists(folder)) return files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        const std::string ending = entry.path().extension().string();
-        if (ending == ".obj" || ending == ".off") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
 }
 
 }   // namespace meshfolio::testing_tools

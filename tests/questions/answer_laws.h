@@ -2,12 +2,11 @@
 /// What every answer must satisfy, whatever the meshes.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "questions/question.h"
+#include "shared_meshes.h"
 
 namespace meshfolio::testing_tools {
 
@@ -29,8 +28,5 @@ void expect_well_formed(const Answer& answer);
 
 /// A library in which `mesh` takes every role.
 MeshLibrary library_of(const TriangleMesh& mesh, const std::string& name);
-
-/// The real meshes beside the project; empty when they are not there.
-std::vector<std::filesystem::path> shared_meshes();
 
 }   // namespace meshfolio::testing_tools

@@ -12,7 +12,7 @@
 #include "questions/claim_list.h"
 #include "questions/claims_section.h"
 #include "questions/study_laws.h"
-#include "source_dir.h"
+#include "shared_meshes.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
@@ -199,7 +199,7 @@ TEST(ClaimsSection, MeshesOfOnesOwn) {
 
 namespace {
 
-const std::filesystem::path mesh_folder = std::filesystem::path(MESHFOLIO_SOURCE_DIR).parent_path() / "shared" / "meshes";
+const std::filesystem::path mesh_folder = testing_tools::shared_mesh_folder();
 
 JudgedClaim judged_on_originals(std::string_view id) {
     const MeshLibrary library({mesh_folder / "coursework", mesh_folder / "classic"}, {});
