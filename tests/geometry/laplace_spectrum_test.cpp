@@ -46,6 +46,18 @@ LaplaceBeltrami with_edges_of_no_weight(LaplaceBeltrami laplacian) {
     return laplacian;
 }
 
+/// Vertex 0 joined to each of the others by a spring of the given weight, all masses equal, 1 in all.
+LaplaceBeltrami star_operator(const Vector& weights) {
+    const Eigen::Index n = weights.size() + 1;
+    LaplaceBeltrami star{SparseMatrix(n, n), Vector::Constant(n, 1.0 / static_cast<double>(n))};
+    for (Eigen::Index j = 1; j < n; ++j) {
+        star.C.coeffRef(0, j) = star.C.coeffRef(j, 0) = weights[j - 1];
+        star.C.coeffRef(0, 0) -= weights[j - 1];
+        star.C.coeffRef(j, j) = -weights[j - 1];
+    }
+    return star;
+}
+
 void expect_eigenpairs(const LaplaceBeltrami& laplacian, const Spectrum& s, const std::string& what) {
     const double area = laplacian.M.sum();
     for (Eigen::Index j = 0; j < s.eigenvalues.size(); ++j) {
@@ -85,6 +97,19 @@ TEST(LaplaceSpectrum, OfTheFlatTorusIsExactWithAllMultiplicities) {
         EXPECT_LT((spectrum.eigenvalues - exact.head(k)).cwiseAbs().maxCoeff(), 1e-11) << "dense " << spectrum.dense;
         expect_eigenpairs(laplacian, spectrum, "flat torus");
     }
+}
+
+// A Krylov space holds one direction of an eigenspace for each vector it began with: the next block is rounding only, and what is
+// still asked for must come from elsewhere.
+TEST(LaplaceSpectrum, EigenspacesLargerThanABlockAreFoundWhole) {
+    Vector weights(260);
+    weights << Vector::Constant(60, 1), Vector::Constant(100, 10), Vector::Constant(100, 20);
+    const LaplaceBeltrami star = star_operator(weights / 261);
+    constexpr int k = 60;   // 0, then 1 as often as two leaves of that weight differ
+    const Spectrum spectrum = smallest_eigenpairs(star, k, by_lanczos);
+    EXPECT_FALSE(spectrum.dense);
+    EXPECT_LT((spectrum.eigenvalues.tail(k - 1).array() - 1).abs().maxCoeff(), 1e-11) << "ε times the row of the hub";
+    expect_eigenpairs(star, spectrum, "star");
 }
 
 // 4π²(m² + n²)/area, and the error falls by four when the squares are halved.
