@@ -21,7 +21,7 @@ run_cppcheck() {
 run_clang_tidy() {
     install_packages $build_packages clang-14 clang-tidy-14
     cmake -S . -B build/analysis -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++-14 -DMESHFOLIO_TESTS=OFF \
-        -DMESHFOLIO_VIEWER=OFF >/dev/null
+        -DMESHFOLIO_VIEWER=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
     # What it prints besides findings (its commands, how many warnings the headers of libraries have) stays in the files.
     run-clang-tidy-14 -quiet -p build/analysis -j "$(nproc)" "^$root/(src|render)/.*($files)" \
         >build/analysis/findings.txt 2>build/analysis/counts.txt && return 0
