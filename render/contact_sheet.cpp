@@ -69,10 +69,12 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Te
     std::vector<std::string> lines = broken(text, width, style, most_lines, false);
     const bool anywhere = widest_of(lines, style) > width;
     if (anywhere) lines = broken(text, width, style, most_lines, true);
-    for (double narrower = width - style.size / 2; narrower > style.size; narrower -= style.size / 2) {
+    double narrower = width - style.size / 2;
+    while (narrower > style.size) {
         std::vector<std::string> tried = broken(text, narrower, style, most_lines, anywhere);
         if (tried.size() > lines.size() || widest_of(tried, style) > narrower) break;
         lines = std::move(tried);
+        narrower -= style.size / 2;
     }
     for (std::string& line : lines) line = fit_text(line, width, style);
     return lines;

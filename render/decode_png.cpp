@@ -9,6 +9,10 @@
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
 #define STBI_NO_FAILURE_STRINGS
+#ifdef __clang_analyzer__   // the library's own functions are not judged
+#undef STB_IMAGE_STATIC
+#undef STB_IMAGE_IMPLEMENTATION
+#endif
 #include <stb_image.h>
 
 namespace render {

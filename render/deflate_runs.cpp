@@ -71,7 +71,7 @@ void choose_lengths(const Counts& counts, Code& code) {
     const size_t n = leaves.size(), wanted = 2 * n - 2;
     leaves.push_back({infinite, 0});
     std::vector<uint64_t> below(wanted + 2, infinite), level(wanted + 2, infinite);
-    std::array<std::array<bool, 2 * symbols>, longest_word> is_leaf;
+    std::array<std::array<bool, std::size_t{2} * symbols>, longest_word> is_leaf;
     size_t size = 0;
     for (auto& flags : is_leaf) {
         size = std::min(wanted, n + size / 2);

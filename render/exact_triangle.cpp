@@ -54,8 +54,9 @@ void ExactTriangle::interpolate(const ShadingStyle& style, Fragments& fragments,
 }
 
 glm::dvec2 ExactTriangle::at(std::size_t k) const {
-    return {static_cast<double>(screen_.corner[k].x - scene_.width * (subpixels / 2)),
-            static_cast<double>(scene_.height * (subpixels / 2) - screen_.corner[k].y)};
+    constexpr long half = subpixels / 2;
+    return {static_cast<double>(screen_.corner[k].x - half * scene_.width),
+            static_cast<double>(half * scene_.height - screen_.corner[k].y)};
 }
 
 double ExactTriangle::area() const { return cross(at(1) - at(0), at(2) - at(0)); }

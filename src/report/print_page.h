@@ -19,7 +19,7 @@ struct PrintPage {
 };
 
 /// Pictures of a PDF that is to weigh 15 MB at most.
-inline constexpr std::size_t most_picture_bytes = 12 * 1000 * 1000;
+inline constexpr std::size_t most_picture_bytes = 12'000'000;
 
 /// While the pictures for paper weigh more than `most` together, the heaviest gives way: to what `lesser` makes of it, if that is lighter.
 void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser);
