@@ -78,7 +78,7 @@ Command compare_command(CLI::App& parent) {
     app->add_flag("--json", options->json, "for programs");
     app->footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] {
-                const MeshDifference difference = difference_of(options->a, options->b);
+                const MeshDifference difference = about_mesh(options->b, [&] { return difference_of(options->a, options->b); });
                 print(options->json ? as_json(difference) : told(difference));
                 return ExitCode::ok;
             }};

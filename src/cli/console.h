@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "errors.h"
 #include "mesh/mesh_checks.h"
 
 namespace meshfolio::cli {
@@ -30,5 +31,15 @@ void warn(const std::string& message);
 /// Reads and prepares a mesh and prints its warnings, at most 20 lines of them.
 /// @throws InputError
 PreparedMesh load_mesh(const std::string& file, Checks checks = Checks::all);
+
+/// What goes wrong while a mesh is worked on names its file. @throws InputError, SolverError
+template <class Work>
+auto about_mesh(const std::string& file, const Work& work) try {
+    return work();
+} catch (const MeshError& error) {
+    throw InputError({file, 0}, error.what());
+} catch (const SolverError& error) {
+    throw SolverError(file + ": " + error.what());
+}
 
 }   // namespace meshfolio::cli

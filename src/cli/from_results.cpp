@@ -157,9 +157,11 @@ void tell_missing(const std::vector<std::string>& missing) {
 
 ExitCode report_from_results(const ReportFlags& flags) {
     refuse_computing_options(flags);
+    const ReportSettings settings = report_settings(flags);
+    const auto threads = limited_threads(settings);
     const fs::path source = flags.from, folder = source.has_parent_path() ? source.parent_path() : fs::path(".");
     report::ReadReport earlier = report::read_json(read_file(source, largest_results), source.string());
-    report::Templates templates(flags.templates);
+    report::Templates templates(settings.templates);
     std::string design = "report";
     report::Extent printed = report::Extent::brief;
     if (!flags.config.empty()) {
@@ -168,10 +170,10 @@ ExitCode report_from_results(const ReportFlags& flags) {
         design = file.design.value_or(design);
         printed = file.printed.value_or(printed);
     }
-    PaperCopy paper(flags, templates, printed);
+    PaperCopy paper(settings, templates, printed);
     const auto store = flags.no_cache ? nullptr : cache_for_report();
     const EarlierFiles files(folder);
-    output::Publication publication(flags.out.empty() ? fs::path("out") : fs::path(flags.out));
+    output::Publication publication(settings.out);
     output::Publication::Digests digests;
     const std::vector<std::string> missing = files.copy_to(publication.folder(), digests);
     restore_all(files, earlier.figures);
@@ -188,7 +190,7 @@ ExitCode report_from_results(const ReportFlags& flags) {
         if (!words.empty()) warn(words);
     }
     tell_missing(missing);
-    print((fs::path(flags.out.empty() ? "out" : flags.out) / "index.html").string() + "\n");
+    print((settings.out / "index.html").string() + "\n");
     return ExitCode::ok;
 }
 

@@ -5,6 +5,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "mesh/polygon_list.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 
@@ -25,6 +26,7 @@ Command noise_command(CLI::App& parent) {
     app->footer("Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {
                 const double sigma = number_not_negative("--sigma", options->sigma);
+                if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100");
                 const auto seed =
                     static_cast<std::uint64_t>(integer_between("--seed", options->seed, 0, std::numeric_limits<std::int64_t>::max()));
                 if (options->unit != "raw" && options->unit != "bbox")

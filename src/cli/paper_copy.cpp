@@ -17,8 +17,8 @@ namespace meshfolio::cli {
 
 namespace fs = std::filesystem;
 
-PaperCopy::PaperCopy(const ReportFlags& flags, const report::Templates& templates, report::Extent extent)
-    : templates_(templates), extent_(extent), required_(flags.pdf == "require"), engine_(wanted_engine(flags)) {}
+PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates, report::Extent extent)
+    : templates_(templates), extent_(extent), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
 std::set<std::string> PaperCopy::figures(const report::Document& document) const {
     return is_wanted() ? report::figures_told(document, extent_) : std::set<std::string>();

@@ -17,7 +17,7 @@ namespace meshfolio::cli {
 class PaperCopy {
 public:
     /// @throws EngineError when the flags require an engine and none is there
-    PaperCopy(const ReportFlags& flags, const report::Templates& templates, report::Extent extent);
+    PaperCopy(const ReportSettings& settings, const report::Templates& templates, report::Extent extent);
 
     bool is_wanted() const { return engine_.has_value(); }
     /// Ids of the figures that are drawn for paper.

@@ -34,14 +34,14 @@ output::Temporary scratch_folder() {
 
 }   // namespace
 
-std::optional<report::PdfEngine> wanted_engine(const ReportFlags& flags) {
-    if (flags.pdf == "off") return {};
-    report::EngineFinding finding = report::find_pdf_engine(report::engine_search(flags.pdf_browser));
+std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings) {
+    if (settings.pdf == "off") return {};
+    report::EngineFinding finding = report::find_pdf_engine(report::engine_search(settings.pdf_browser));
     std::string refused;
     for (const std::string& one : finding.refused) refused += (refused.empty() ? " (" : "; ") + one;
     if (!refused.empty()) refused += ")";
     const std::string remedy = "install chromium-headless-shell, or name a browser with --pdf-browser";
-    if (!finding.engine && flags.pdf == "require") throw EngineError("there is no PDF engine" + refused, remedy);
+    if (!finding.engine && settings.pdf == "require") throw EngineError("there is no PDF engine" + refused, remedy);
     if (!finding.engine) warn("there is no PDF engine" + refused + ", and so no report.pdf; " + remedy);
     return finding.engine;
 }

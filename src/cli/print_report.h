@@ -14,7 +14,7 @@ namespace meshfolio::cli {
 
 /// The engine that --pdf asks for; with `auto`, when there is none, says so in a warning.
 /// @throws EngineError when one is required and none is there
-std::optional<report::PdfEngine> wanted_engine(const ReportFlags& flags);
+std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings);
 
 /// The bytes of report.pdf. Nothing in them depends on the time or the place.
 /// @throws EngineError if the engine does not deliver

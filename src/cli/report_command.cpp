@@ -1,5 +1,3 @@
-#include <tbb/global_control.h>
-
 #include <chrono>
 #include <memory>
 #include <set>
@@ -31,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_lines = 8;   // of the summary, a kind
+constexpr int most_lines = 4;   // of the summary, a kind: with a line a question and its notes they stay below 40
 
 class Stopwatch {
 public:
@@ -100,10 +98,9 @@ ExitCode run_report(const ReportFlags& flags) {
     const ReportSettings settings = report_settings(flags);
     report::Templates templates(settings.templates);
     if (settings.page_template) templates.replace("report.html", *settings.page_template);
-    PaperCopy paper(flags, templates, settings.printed);
+    PaperCopy paper(settings, templates, settings.printed);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
-    std::optional<tbb::global_control> threads;
-    if (settings.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
+    const auto threads = limited_threads(settings);
     output::Publication publication(settings.out);
     const auto store = flags.no_cache ? nullptr : cache_for_report();
     std::optional<QuestionCache> cache;
@@ -158,10 +155,7 @@ Command report_command(CLI::App& parent) {
     app->add_option("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
     app->add_option("--threads", flags->threads, "at most so many threads; default: all");
     app->add_option("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
-    app->add_option("--pdf", flags->pdf, "report.pdf: auto, where an engine is there; require; or off")
-        ->capture_default_str()
-        ->envname("MESHFOLIO_PDF")
-        ->check(CLI::IsMember({"auto", "require", "off"}));
+    app->add_option("--pdf", flags->pdf, "report.pdf: auto, where an engine is there (the default); require; or off");
     app->add_option("--pdf-browser", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
     app->add_option("--templates", flags->templates, "folder of templates that replace those of the same name");
     app->add_flag("--quick", flags->quick, "small settings for a first look");

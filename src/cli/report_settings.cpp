@@ -10,6 +10,7 @@
 #include "in_quotes.h"
 #include "nearest_word.h"
 #include "number_text.h"
+#include "output/publish.h"
 #include "questions/question.h"
 
 namespace meshfolio::cli {
@@ -52,6 +53,13 @@ void take_threads(ReportSettings& settings, const std::string& name, const std::
     if (!text.empty()) settings.threads = static_cast<int>(integer_between(name, text, 0, limits::largest_threads));
 }
 
+void take_pdf(ReportSettings& settings, const std::string& name, const std::string& text) {
+    if (text.empty()) return;
+    if (text != "auto" && text != "require" && text != "off")
+        throw UsageError(name + " " + in_quotes(text) + " is none of auto, require and off");
+    settings.pdf = text;
+}
+
 void take_data(ReportSettings& settings, const std::vector<std::string>& folders) {
     if (!folders.empty()) settings.data.assign(folders.begin(), folders.end());
 }
@@ -64,10 +72,22 @@ std::string environment(const char* name) {
 void take_environment(ReportSettings& settings, Problems& problems) {
     problems.collect([&] { take_size(settings, "MESHFOLIO_SIZE", environment("MESHFOLIO_SIZE")); });
     problems.collect([&] { take_threads(settings, "MESHFOLIO_THREADS", environment("MESHFOLIO_THREADS")); });
+    problems.collect([&] { take_pdf(settings, "MESHFOLIO_PDF", environment("MESHFOLIO_PDF")); });
     std::vector<std::string> folders = split(environment("MESHFOLIO_DATA"), ':');
     std::erase(folders, "");   // as in other lists of folders
     take_data(settings, folders);
     if (const std::string out = environment("MESHFOLIO_OUT"); !out.empty()) settings.out = out;
+}
+
+/// What is read must not lie in an earlier report: that is removed once the new one is in its place.
+void require_outside(const ReportSettings& settings, const std::filesystem::path& input, Problems& problems) {
+    std::error_code error;
+    if (input.empty() || !std::filesystem::exists(settings.out / output::marker_file, error)) return;
+    const std::filesystem::path out = std::filesystem::weakly_canonical(settings.out, error);
+    const std::filesystem::path inside = std::filesystem::weakly_canonical(input, error).lexically_relative(out);
+    if (inside.empty() || *inside.begin() == "..") return;
+    problems.add(0, in_quotes(input.string()) + " lies in " + in_quotes(settings.out.string()) + ", which the report replaces as a whole",
+                 "move it, or choose another folder with --out");
 }
 
 std::vector<std::string> chosen_questions(const std::string& text) {
@@ -140,6 +160,8 @@ ReportSettings report_settings(const ReportFlags& flags) {
     });
     problems.collect([&] { take_size(settings, "--size", flags.size); });
     problems.collect([&] { take_threads(settings, "--threads", flags.threads); });
+    problems.collect([&] { take_pdf(settings, "--pdf", flags.pdf); });
+    settings.pdf_browser = flags.pdf_browser;
     take_data(settings, flags.data);
     if (!flags.out.empty()) settings.out = flags.out;
     settings.templates = flags.templates;
@@ -147,11 +169,19 @@ ReportSettings report_settings(const ReportFlags& flags) {
     problems.collect([&] {
         if (!flags.only.empty()) settings.only = chosen_questions(flags.only);
     });
+    for (const std::vector<std::filesystem::path>& inputs : {settings.meshes, settings.data, {flags.config, settings.templates}}) {
+        for (const std::filesystem::path& input : inputs) require_outside(settings, input, problems);
+    }
     problems.raise();
     settings.quick = flags.quick;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;
     return settings;
+}
+
+std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings) {
+    if (settings.threads == 0) return nullptr;
+    return std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
 }
 
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id) {

@@ -2,8 +2,11 @@
 /// What `meshfolio report` was asked for: flags over settings file over environment over defaults.
 #pragma once
 
+#include <tbb/global_control.h>
+
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +19,7 @@ namespace meshfolio::cli {
 /// As given on the command line; what is empty was not.
 struct ReportFlags {
     std::vector<std::string> meshes, data;
-    std::string only, out, config, threads, size, templates, pdf = "auto", pdf_browser, from;
+    std::string only, out, config, threads, size, templates, pdf, pdf_browser, from;
     bool quick = false, fail_fast = false, no_timings = false, no_cache = false;
 };
 
@@ -24,7 +27,8 @@ struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
     std::filesystem::path out = "out", templates;
     std::optional<std::filesystem::path> page_template;
-    std::string design = "report";   // of the page, bundled
+    std::string design = "report";           // of the page, bundled
+    std::string pdf = "auto", pdf_browser;   // auto, require or off; the browser by name or path, empty: the first that is found
     report::Extent printed = report::Extent::brief;
     std::string title, author, course, colormap;
     int width = 0, height = 0;   // of one view [pixels]
@@ -40,6 +44,9 @@ struct ReportSettings {
 
 /// @throws SettingsErrors, UsageError
 ReportSettings report_settings(const ReportFlags& flags);
+
+/// For as long as it lives, no more threads work than are asked for; null where all may.
+std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings);
 
 /// The settings file of that name, else the bundled one of data/reports.
 /// @throws SettingsErrors

@@ -103,6 +103,7 @@ private:
             question, [&] { return question.answer(meshes, question_settings(settings_, std::string(question.id)), progress); });
         require_own_names(answer);
         place_meshes(answer);
+        tell_unusable(answer, meshes);
         return answer;
     } catch (const Stopped&) {
         return skipped(question.id, "stopped, because another question had failed");
@@ -123,6 +124,13 @@ private:
         Answer answer;
         tbb::this_task_arena::isolate([&] { answer = work(); });
         return answer;
+    }
+
+    /// A bad mesh among good ones is a failed check of every section that the good ones have answered.
+    static void tell_unusable(Answer& answer, const MeshLibrary& meshes) {
+        if (answer.section.inputs.empty()) return;
+        for (const std::string& reason : meshes.unusable_own_meshes())
+            answer.section.checks.push_back(report::check_at_most("meshes that cannot be used", 0, 1, 0, printable(reason)));
     }
 
     /// meshes/<name>, unless the settings name another folder for this question.

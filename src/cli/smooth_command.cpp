@@ -72,8 +72,10 @@ void tell_about_limit(const SmoothingOptions& smoothing, const Smoothed& result)
 ExitCode run_smooth(const SmoothFlags& options) {
     SmoothingOptions smoothing = smoothing_options(options);
     const PreparedMesh prepared = load_mesh(options.mesh);
-    smoothing.lambda = step_of(options, smoothing, prepared);
-    const Smoothed result = smooth(prepared.mesh, smoothing);
+    const Smoothed result = about_mesh(options.mesh, [&] {
+        smoothing.lambda = step_of(options, smoothing, prepared);
+        return smooth(prepared.mesh, smoothing);
+    });
     if (result.solver == LinearSolver::conjugate_gradients) {
         warn("a factor would not fit into memory; " + std::to_string(result.solver_iterations) +
              " iterations of conjugate gradients made " + "the " + std::to_string(result.iterations) + " steps instead");

@@ -9,6 +9,7 @@
 #include "geometry/laplace_operator.h"
 #include "geometry/spectral_reconstruction.h"
 #include "geometry/spectrum_certificate.h"
+#include "in_quotes.h"
 #include "mesh/mesh_files.h"
 #include "number_text.h"
 #include "output/file_group.h"
@@ -64,17 +65,24 @@ std::string told(const SpectrumCertificate& c) {
            "; zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " + std::to_string(c.expected_zeros);
 }
 
-void write_reconstructions(const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh, const Spectrum& spectrum,
-                           const Vector& M) {
+void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,
+                         const Spectrum& spectrum, const Vector& M) {
     const std::string stem = std::filesystem::path(options.mesh).stem().string();
     output::make_folder(options.out);
-    output::FileGroup files;
     for (const int k : counts) {
         if (k > spectrum.eigenvalues.size()) continue;
         const auto file = std::filesystem::path(options.out) / (stem + "_k" + std::to_string(k) + ".ply");
         files.add(file, encode_mesh(moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)), file.string()));
     }
-    files.publish();
+}
+
+/// To be published with the others, or printed for "-".
+void add_or_print(output::FileGroup& files, const std::string& file, std::string_view bytes) {
+    if (file == "-") {
+        print(bytes);
+    } else {
+        files.add(file, bytes);
+    }
 }
 
 ExitCode run_spectrum(const SpectrumFlags& options) {
@@ -83,20 +91,24 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     const int k = static_cast<int>(integer_between("-k", options.k, 1, largest_k));
     const std::vector<int> counts = integers_between("--reconstruct", options.reconstruct, 1, k);
     if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
+    if (!options.csv.empty() && options.csv == options.vectors)
+        throw UsageError("--csv and --vectors are both " + in_quotes(options.csv), "give each output a name of its own");
     const PreparedMesh prepared = load_mesh(options.mesh);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
-    const Spectrum spectrum = smallest_eigenpairs(laplacian, k);
+    const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k); });
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
     if (found < k) {
         warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) + " asked for");
     }
     const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum);
     complain(told(certificate));
-    if (!counts.empty()) write_reconstructions(options, counts, prepared.mesh, spectrum, laplacian.M);
-    if (!options.vectors.empty()) print_to(options.vectors, npy_of(spectrum.eigenvectors));
+    output::FileGroup files;
+    if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
+    if (!options.vectors.empty()) add_or_print(files, options.vectors, npy_of(spectrum.eigenvectors));
     if (!options.csv.empty() || (options.vectors.empty() && options.out.empty())) {
-        print_to(options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
+        add_or_print(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     }
+    files.publish();
     return certificate.holds() ? ExitCode::ok : ExitCode::failed;
 }
 

@@ -18,16 +18,16 @@ namespace {
 
 void require_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
     if (a.X.rows() != b.X.rows()) {
-        throw MeshError("compare_meshes: " + std::to_string(a.X.rows()) + " vertices against " + std::to_string(b.X.rows()),
+        throw MeshError("the meshes differ: " + std::to_string(a.X.rows()) + " vertices against " + std::to_string(b.X.rows()),
                         "compare meshes with the same triangles");
     }
     if (a.F.rows() != b.F.rows()) {
-        throw MeshError("compare_meshes: " + std::to_string(a.F.rows()) + " triangles against " + std::to_string(b.F.rows()),
+        throw MeshError("the meshes differ: " + std::to_string(a.F.rows()) + " triangles against " + std::to_string(b.F.rows()),
                         "compare meshes with the same triangles");
     }
     for (Eigen::Index t = 0; t < a.F.rows(); ++t) {
         if (a.F.row(t) == b.F.row(t)) continue;
-        throw MeshError("compare_meshes: triangle " + std::to_string(t) + " is not the same in both meshes",
+        throw MeshError("the meshes differ: triangle " + std::to_string(t) + " is not the same in both meshes",
                         "compare meshes with the same triangles");
     }
 }

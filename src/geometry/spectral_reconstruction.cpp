@@ -18,7 +18,8 @@ struct Centred {
 
 Centred centred(const Vector& M, const Positions& X) {
     const auto with_mass = std::find_if(M.begin(), M.end(), [](double area) { return area > 0; });
-    if (with_mass == M.end()) throw MeshError("no vertex has an area: the mesh has no extent");
+    if (with_mass == M.end())
+        throw MeshError("no triangle has an area that can be told from 0", "scale the mesh up, or repair its triangles");
     const Eigen::RowVector3d near = X.row(with_mass - M.begin());
     const DenseMatrix offset = X.rowwise() - near;
     const Eigen::RowVector3d mean = M.transpose() * offset / M.sum();

@@ -33,12 +33,14 @@ int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& o
     const SpectrumMemory needed = memory_of(problem, k, options);
     const double slices = (limit - needed.vectors) / needed.per_slice;
     if (slices >= 1) return static_cast<int>(std::min<double>(processors, slices));
-    const SpectrumMemory least = memory_of(problem, 1, options), pair_more = memory_of(problem, 2, options);
-    const double a_pair = pair_more.vectors + pair_more.per_slice - least.vectors - least.per_slice;
-    const int fitting = static_cast<int>(std::min(double(k - 1), (limit - least.per_slice - least.vectors) / a_pair));
+    int fitting = 0, too_many = k;   // memory grows with the pairs
+    while (too_many - fitting > 1) {
+        const int middle = (fitting + too_many) / 2;
+        (memory_of(problem, middle, options).of_one_slice() <= limit ? fitting : too_many) = middle;
+    }
     throw SolverError(std::to_string(k) + " eigenpairs of " + std::to_string(problem.size()) + " vertices need " +
-                          gigabytes(needed.per_slice + needed.vectors) + " of memory, " + gigabytes(limit) + " are there",
-                      fitting >= 1 ? "about " + std::to_string(fitting) + " eigenpairs would fit"
+                          gigabytes(needed.of_one_slice()) + " of memory, " + gigabytes(limit) + " are there",
+                      fitting >= 1 ? std::to_string(fitting) + (fitting == 1 ? " eigenpair" : " eigenpairs") + " would fit"
                                    : "not even one eigenpair would fit: simplify the mesh");
 }
 

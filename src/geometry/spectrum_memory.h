@@ -9,6 +9,7 @@ namespace meshfolio {
 struct SpectrumMemory {
     double per_slice = 0;   // a factor while it is made, and a basis, for each slice worked on at a time [bytes]
     double vectors = 0;     // of all pairs, twice while they are sorted [bytes]
+    double of_one_slice() const { return per_slice + vectors; }
 };
 
 SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SliceOptions& options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -28,15 +29,16 @@ constexpr double nudges[] = {0, 1e-7, -2e-7, 1e-6, -2e-6, 1e-5, -2e-5};
 template <class Try>   // (σ)
 auto with_nudges(double& sigma, const Try& attempt) {
     const double wanted = sigma;
+    std::exception_ptr failure;
     for (const double nudge : nudges) {
         sigma = wanted * (1 + nudge);
         try {
             return attempt(sigma);
         } catch (const SolverError&) {
-            if (nudge == nudges[std::size(nudges) - 1]) throw;
+            failure = std::current_exception();
         }
     }
-    throw SolverError("no shift");   // not reached
+    std::rethrow_exception(failure);
 }
 
 /// LDLᵀ is not pivoted: where σ makes some leading part nearly singular, pivots and rounding grow. Then σ is moved within its slice.

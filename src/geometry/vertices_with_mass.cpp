@@ -18,7 +18,8 @@ void check_masses(const LaplaceBeltrami& laplacian) {
         if (std::isfinite(M[i]) && M[i] >= 0) continue;
         throw MeshError("vertex " + std::to_string(i) + " has area " + plain_text(M[i], 3), "use barycentric or mixed areas");
     }
-    if (!(M.maxCoeff() > 0)) throw MeshError("no vertex has an area: the mesh has no extent");
+    if (!(M.maxCoeff() > 0))
+        throw MeshError("no triangle has an area that can be told from 0", "scale the mesh up, or repair its triangles");
 }
 
 }   // namespace

@@ -6,17 +6,19 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
+#include "mesh/polygon_list.h"
 #include "number_text.h"
 
 namespace meshfolio {
 
 namespace {
 
-void check_finite(const TriangleMesh& mesh, const std::string& file) {
+void check_coordinates(const TriangleMesh& mesh, const std::string& file) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (!mesh.X.row(v).allFinite()) {
+        if (!mesh.X.row(v).allFinite())
             throw MeshError("vertex " + std::to_string(v) + " is not finite", "such a mesh is not written", {file, 0});
-        }
+        if (mesh.X.row(v).cwiseAbs().maxCoeff() > largest_coordinate)
+            throw MeshError("vertex " + std::to_string(v) + " has a coordinate beyond 1e100", "no reader of ours would take it", {file, 0});
     }
 }
 
@@ -75,7 +77,7 @@ std::string ply_bytes(const TriangleMesh& mesh) {
 }   // namespace
 
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file) {
-    check_finite(mesh, file);
+    check_coordinates(mesh, file);
     const std::string ending = lower_case_ending(file);
     if (ending == ".obj") return obj_text(mesh);
     if (ending == ".off") return off_text(mesh);

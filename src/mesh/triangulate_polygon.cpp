@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "errors.h"
@@ -122,6 +123,8 @@ public:
         for (int i = 0; i < count_; ++i) convex_.push_back(turn(p_[at(previous_[at(i)])], p_[at(i)], p_[at(next_[at(i)])]) > 0);
         gone_.assign(p_.size(), 0);
         waiting_.resize(p_.size());
+        waits_for_.assign(p_.size(), nobody);
+        is_queued_.resize(p_.size());
     }
 
     PolygonTriangles clip() {
@@ -148,19 +151,25 @@ private:
 
     /// All corners left, every second one first: corners cut off one after the other would make a fan of slivers.
     void line_up() {
-        candidates_.clear();
         for (std::vector<int>& corners : waiting_) corners.clear();
         for (const int parity : {0, 1}) {
-            for (int i = parity; i < count_; i += 2) {
-                if (gone_[at(i)] == 0) candidates_.push_back(i);
-            }
+            for (int i = parity; i < count_; i += 2) queue(i);
         }
+    }
+
+    /// To be looked at once, however many reasons there are.
+    void queue(int corner) {
+        waits_for_[at(corner)] = nobody;
+        if (gone_[at(corner)] != 0 || is_queued_[at(corner)] != 0) return;
+        is_queued_[at(corner)] = 1;
+        candidates_.push_back(corner);
     }
 
     bool clip_candidates() {
         while (!candidates_.empty() && done_ < count_ - 2) {
             const int corner = candidates_.front();
             candidates_.pop_front();
+            is_queued_[at(corner)] = 0;
             if (gone_[at(corner)] == 0 && is_ear(corner)) cut_off(corner);
         }
         return done_ == count_ - 2;
@@ -173,6 +182,7 @@ private:
         const int obstacle = corner_within(corner);
         if (obstacle < 0) return true;
         waiting_[at(obstacle)].push_back(corner);
+        waits_for_[at(corner)] = obstacle;
         return false;
     }
 
@@ -202,21 +212,24 @@ private:
         for (const int neighbour : {before, after}) {
             convex_[at(neighbour)] = turn(p_[at(previous_[at(neighbour)])], p_[at(neighbour)], p_[at(next_[at(neighbour)])]) > 0;
             if (convex_[at(neighbour)] != 0) wake(neighbour);
-            candidates_.push_back(neighbour);
+            queue(neighbour);
         }
     }
 
     void wake(int obstacle) {
-        candidates_.insert(candidates_.end(), waiting_[at(obstacle)].begin(), waiting_[at(obstacle)].end());
-        waiting_[at(obstacle)].clear();
+        for (const int corner : std::exchange(waiting_[at(obstacle)], {})) {
+            if (waits_for_[at(corner)] == obstacle) queue(corner);   // its neighbours may be others since, and its obstacle another one
+        }
     }
 
     std::vector<Point> p_;
     int count_;
     PointGrid grid_;
+    static constexpr int nobody = -1;
     std::vector<int> next_, previous_;
-    std::vector<char> convex_, gone_;
+    std::vector<char> convex_, gone_, is_queued_;
     std::vector<std::vector<int>> waiting_;   // for each corner, those it keeps from being ears
+    std::vector<int> waits_for_;              // the one it waits for, or nobody
     std::deque<int> candidates_;
     Care care_ = Care::no_touching;
     PolygonTriangles result_;

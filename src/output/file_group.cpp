@@ -27,12 +27,16 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
         static int number = 0;
         static std::mutex numbering;   // of all groups
         const std::scoped_lock lock(adding_, numbering);
+        for (const Member& other : members_) {
+            if (other.target == target) throw UsageError(path.string() + " is named for two outputs", "give each a name of its own");
+        }
         sweep_file_leftovers(folder);
         return &members_.emplace_back(path, target, folder / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
     }();
     try {
         write_part(member->part, bytes, true);
-    } catch (const OutputError& failure) {   // name the file that was asked for
+        if (fs::exists(status)) fs::permissions(member->part.path(), status.permissions(), error);   // as private as what it replaces
+    } catch (const OutputError& failure) {                                                           // name the file that was asked for
         throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
     }
 }

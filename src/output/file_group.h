@@ -15,7 +15,7 @@ namespace meshfolio::output {
 class FileGroup {
 public:
     /// Writes `bytes` beside `path`; thread-safe. What is not a regular file (a device, a FIFO) is written at once.
-    /// @throws OutputError
+    /// @throws OutputError; UsageError for a file that is in the group already
     void add(const std::filesystem::path& path, std::string_view bytes);
 
     /// Puts every file in its place. Where that fails for one, those before it are taken back. To be called once.

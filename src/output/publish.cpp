@@ -36,6 +36,15 @@ fs::path resolved(const fs::path& target) {
     return path;
 }
 
+/// A folder closed to others is not opened to them by what replaces it.
+void keep_private(const fs::path& folder, const fs::path& target) {
+    std::error_code error;
+    const fs::file_status replaced = fs::status(target, error);
+    if (!fs::is_directory(replaced)) return;
+    const fs::perms others = fs::perms::group_all | fs::perms::others_all;
+    fs::permissions(folder, others & ~replaced.permissions(), fs::perm_options::remove, error);
+}
+
 /// @throws OutputError if replacing `target` would delete what we did not make
 void require_ours(const fs::path& target) {
     std::error_code error;
@@ -183,6 +192,7 @@ Publication::Publication(const fs::path& target) : target_(resolved(target)) {
         in_place_ ? target_ / (".meshfolio.tmp-" + process_number()) : fs::path(target_.string() + ".tmp-" + process_number());
     folder_ = std::make_unique<Folder>(path);
     create_folder(path);
+    keep_private(path, target_);
     write_file(path / marker_file, "This folder was made by meshfolio, which replaces it as a whole.\n");
 }
 

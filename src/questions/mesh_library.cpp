@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <optional>
 #include <set>
 
@@ -283,8 +284,28 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) co
 
 std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
     std::vector<std::shared_ptr<const LibraryMesh>> meshes;
-    for (const fs::path& path : own_) meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
+    std::exception_ptr unusable;
+    for (const fs::path& path : own_) {
+        try {
+            meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
+        } catch (const Error&) {
+            unusable = std::current_exception();
+        }
+    }
+    if (meshes.empty() && unusable) std::rethrow_exception(unusable);
     return meshes;
+}
+
+std::vector<std::string> MeshLibrary::unusable_own_meshes() const {
+    std::vector<std::string> reasons;
+    for (const fs::path& path : own_) {
+        try {
+            loaded({.by = MeshLookup::By::own, .path = path}, {});
+        } catch (const Error& error) {
+            reasons.emplace_back(error.what());
+        }
+    }
+    return reasons;
 }
 
 // ---- what a question looked up --------------------------------------------------------------------------------------------

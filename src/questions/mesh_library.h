@@ -75,8 +75,11 @@ public:
     std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
 
     bool has_own_meshes() const { return !own_.empty(); }
-    /// The user's own meshes (`report MY.obj …`), which replace every list of roles.
+    /// The user's own meshes (`report MY.obj …`), which replace every list of roles; those that cannot be used are left out.
+    /// @throws InputError, MeshError if none can be used
     std::vector<std::shared_ptr<const LibraryMesh>> own_meshes() const;
+    /// What is wrong with each of those left out.
+    std::vector<std::string> unusable_own_meshes() const;
 
     /// The same library with the same meshes, which enters into `record` what it is asked for from now on. `record` must outlive it.
     MeshLibrary recorded_in(LookupRecord& record) const;

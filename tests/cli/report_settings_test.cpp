@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "cli/settings_errors.h"
 #include "file_bytes.h"
 #include "source_dir.h"
 #include "temporary_folder.h"
@@ -86,8 +87,48 @@ TEST(ReportSettings, WrongFlagsAndEnvironmentAreUsageErrors) {
     flags = {};
     flags.only = "q1,q8";
     EXPECT_THROW(report_settings(flags), UsageError);
+    flags = {};
+    flags.pdf = "always";
+    EXPECT_THROW(report_settings(flags), UsageError);
     const Environment threads("MESHFOLIO_THREADS", "many");
     EXPECT_THROW(report_settings({}), UsageError);
+}
+
+TEST(ReportSettings, EverythingWrongIsToldAtOnce) {
+    const TemporaryFolder folder;
+    const Environment pdf("MESHFOLIO_PDF", "bogus"), threads("MESHFOLIO_THREADS", "x");
+    ReportFlags flags;
+    flags.config = settings_in(folder, "[report]\nwidht = 5\n");
+    flags.size = "1";
+    flags.only = "q99";
+    std::string told;
+    try {
+        report_settings(flags);
+    } catch (const SettingsErrors& errors) {
+        for (const UsageError& error : errors.problems()) told += std::string(error.what()) + "\n";
+    }
+    for (const char* name : {"MESHFOLIO_PDF 'bogus'", "MESHFOLIO_THREADS 'x'", "my.toml:2", "--size '1'", "q99"})
+        EXPECT_NE(told.find(name), std::string::npos) << name << " in\n" << told;
+}
+
+// The report takes the place of the earlier one as a whole: what is read from there would be lost.
+TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "out";
+    std::filesystem::create_directories(out / "data");
+    std::filesystem::create_directory_symlink(out, folder.path() / "link");
+    ReportFlags flags;
+    flags.out = out.string();
+    flags.meshes = {(out / "my.obj").string()};
+    EXPECT_NO_THROW(report_settings(flags)) << "no report of ours: Publication refuses what is not";
+    write_file(out / ".meshfolio", "");
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags.meshes = {(folder.path() / "link" / "my.obj").string()};
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags.meshes = {(folder.path() / "out.obj").string()};
+    EXPECT_NO_THROW(report_settings(flags));
+    flags.data = {(out / "data").string()};
+    EXPECT_THROW(report_settings(flags), UsageError);
 }
 
 TEST(ReportSettings, OnlyListsQuestions) {

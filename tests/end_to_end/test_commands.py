@@ -245,6 +245,15 @@ class Spectrum(InFolder):
         self.assertIn('warning', err)
         self.assertRegex(err, r'(?m)^meshfolio: certificate: residual .* 8 counted by inertia, 8 found; zero eigenvalues 1, components 1$')
 
+    def test_no_output_is_lost_in_another_one(self):
+        mesh = self.sample('cube')
+        for name in ('a.csv', '-'):
+            self.refuse(2, 'spectrum', mesh, '-k', '2', '--csv', name, '--vectors', name)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, 'a.csv')))
+        os.mkdir(os.path.join(self.folder, 'views'))
+        self.refuse(2, 'render', mesh, '--size', '16', '--out', 'views', '--glb', 'views/sheet.png')
+        self.assertEqual(os.listdir(os.path.join(self.folder, 'views')), [])
+
     def test_reconstructions_need_their_modes_and_a_folder(self):
         mesh = self.sample('cube8')
         self.refuse(2, 'spectrum', mesh, '-k', '4', '--reconstruct', '5', '--out', 'x')

@@ -87,6 +87,13 @@ class From(unittest.TestCase):
         _, process = self.again(source=copy / "results.json", expected=3)
         self.assertRegex(process.stderr, r"results\.json:\d+: questions\[0\]\.title is the integer 5, not a text")
 
+    def test_the_environment_counts_and_is_checked(self):
+        folder = temporary_folder(self)
+        process = run("report", "--from", self.out / "results.json", MESHFOLIO_OUT=folder / "elsewhere")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertEqual(tree(folder / "elsewhere"), tree(self.out))
+        self.again("--threads", "abc", expected=2)
+
     def test_nothing_can_be_computed(self):
         _, process = self.again("--only", "q2", expected=2)
         self.assertIn("--only cannot be given with --from", process.stderr)

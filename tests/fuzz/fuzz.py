@@ -3,9 +3,9 @@
 
 Needs clang and its compiler-rt (Debian: clang-14 libclang-rt-14-dev). Without --fast under AddressSanitizer and
 UndefinedBehaviorSanitizer; with it without them, for tens of millions of executions: the properties of the targets and the assertions of
-the standard library still hold or stop it. Seeds are tests/fuzz/seeds, the bundled meshes and, with --corpus DIR, every file below DIR.
-What is found stays in build/fuzz/corpus, for both; an input that fails is copied to tests/fuzz/regressions, where the ordinary tests
-replay it. Exit code 1 if any target failed."""
+the standard library still hold or stop it. Seeds are tests/fuzz/seeds, tests/fuzz/regressions and, where they have the target's ending
+and at most 4096 bytes, the files of data, of templates and, with --corpus DIR, below DIR. What is found stays in build/fuzz/corpus, for
+both; an input that fails is copied to tests/fuzz/regressions, where the ordinary tests replay it. Exit code 1 if any target failed."""
 import argparse
 import os
 import re

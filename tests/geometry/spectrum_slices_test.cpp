@@ -226,6 +226,30 @@ TEST(SpectrumSlices, MemoryIsRefusedBeforeStartingWithWhatWouldFit) {
     EXPECT_GT(available_memory(), 1e7);
 }
 
+TEST(SpectrumSlices, WhatIsSaidToFitIsTheMostThatDoes) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(icosphere(4));
+    const SpectrumProblem problem(-laplacian.C, laplacian.M);
+    const SliceOptions options;
+    for (const int k : {2, 60, 61, 75, 500}) {   // up to 60 in one slice
+        for (const double share : {0.6, 0.8, 0.9, 0.999}) {
+            const double limit = share * memory_of(problem, k, options).of_one_slice();
+            int fitting = 0;
+            try {
+                slices_that_fit(problem, k, options, limit);
+                FAIL() << k << " pairs do not fit into less than they need";
+            } catch (const SolverError& error) {
+                const std::string message = error.what();
+                if (message.find("not even one") == std::string::npos) fitting = std::stoi(message.substr(message.find("; ") + 2));
+            }
+            EXPECT_LT(fitting, k);
+            if (fitting > 0) {
+                EXPECT_EQ(slices_that_fit(problem, fitting, options, limit), 1) << k << " at " << share;
+            }
+            EXPECT_THROW(slices_that_fit(problem, fitting + 1, options, limit), SolverError) << k << " at " << share;
+        }
+    }
+}
+
 TEST(SpectrumSlices, BracketHoldsTheCountsOfInertia) {
     const LaplaceBeltrami laplacian = flat_torus_operator(30, 30, std::sqrt(2.0));
     const SpectrumProblem problem(-laplacian.C, laplacian.M / laplacian.M.sum());

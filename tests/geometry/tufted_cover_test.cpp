@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "geometry/laplace_operator.h"
 #include "geometry/solver_test_meshes.h"
@@ -65,6 +67,24 @@ TEST(TuftedCover, GluesTheSidesThatFaceEachOther) {
     EXPECT_EQ(glued(0, 2), 1) << "front of 0 to front of 1";
     EXPECT_EQ(glued(3 + 1, 1), 3 + 2) << "back of 1 to back of 2";
     EXPECT_EQ(glued(2, 2), 3 + 0) << "front of 2 to back of 0";
+}
+
+TEST(TuftedCover, GluesManyPagesInTheOrderOfTheirAngles) {
+    const std::vector<double> degrees = {215, 20, 300, 150, 80};
+    const std::vector<int> next = {2, 4, 1, 0, 3};   // the page with the next larger angle, all the way round
+    const auto pages = static_cast<int>(degrees.size());
+    TriangleMesh mesh{Positions(2 + pages, 3), Faces(pages, 3)};
+    mesh.X.topRows(2) << 0, 0, 0, 1, 0, 0;
+    for (int i = 0; i < pages; ++i) {
+        const double angle = degrees[static_cast<std::size_t>(i)] * pi / 180;
+        mesh.X.row(2 + i) << 0.5, std::cos(angle), std::sin(angle);
+        mesh.F.row(i) << 0, 1, 2 + i;
+    }
+    const IntrinsicTriangles cover = two_sided_cover(mesh);
+    for (int i = 0; i < pages; ++i) {
+        EXPECT_EQ(cover.glued_to[static_cast<std::size_t>(3 * i + 2)] / 3, pages + next[static_cast<std::size_t>(i)])
+            << "front of " << i << " to the back of the next";
+    }
 }
 
 TEST(TuftedCover, EqualsTheCotangentOperatorOnClosedDelaunayMeshes) {

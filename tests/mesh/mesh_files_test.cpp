@@ -62,6 +62,9 @@ TEST(MeshFiles, WritesOnlyWhatItCanReadBack) {
     TriangleMesh mesh = tetrahedron();
     mesh.X(2, 1) = std::nan("");
     EXPECT_THROW(encode_mesh(mesh, "a.obj"), MeshError);
+    mesh = tetrahedron();
+    mesh.X(1, 2) = -1.01e100;
+    EXPECT_THROW(encode_mesh(mesh, "a.obj"), MeshError) << "it could not be read again";
 }
 
 TEST(MeshFiles, RefusesOtherKindsOfFiles) {

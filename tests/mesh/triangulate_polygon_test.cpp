@@ -123,6 +123,18 @@ TEST(TriangulatePolygon, ManyCornersTakeNoMoreThanMoments) {
     expect_tiling(spiral(20000), 1e-9);
 }
 
+// A corner may wait for another one for many reasons; looked at for each of them, this one took minutes.
+TEST(TriangulatePolygon, ManyCornersInARowTakeNoMoreThanMoments) {
+    constexpr int count = 16000;
+    std::vector<std::array<double, 2>> wedge, strip;
+    for (int i = 0; i < count - 1; ++i) wedge.push_back({double(i), 0});
+    wedge.push_back({0, 1});
+    for (int i = 0; i < count / 2; ++i) strip.push_back({double(i), 0});
+    for (int i = count / 2; i-- > 0;) strip.push_back({double(i), 1});
+    expect_tiling(polygon(wedge), 1e-9);
+    expect_tiling(polygon(strip), 1e-9);
+}
+
 TEST(TriangulatePolygon, PolygonsThatAreNotSimpleStillGiveTriangles) {
     const PolygonTriangles bow_tie = triangulated_polygon(polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
     EXPECT_FALSE(bow_tie.simple);

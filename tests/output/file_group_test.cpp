@@ -30,6 +30,31 @@ TEST(FileGroup, NothingShowsBeforeAllAreWritten) {
     EXPECT_EQ(read_file(folder.path() / "b"), "new");
 }
 
+TEST(FileGroup, NoFileIsWrittenTwice) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "b");
+    replace_file(folder.path() / "a", "old");
+    fs::create_symlink("a", folder.path() / "link");
+    {
+        FileGroup files;
+        files.add(folder.path() / "a", "one");
+        EXPECT_THROW(files.add(folder.path() / "b" / ".." / "a", "two"), UsageError);
+        EXPECT_THROW(files.add(folder.path() / "link", "two"), UsageError);
+        files.publish();
+    }
+    EXPECT_EQ(read_file(folder.path() / "a"), "one");
+}
+
+TEST(ReplaceFile, IsAsPrivateAsWhatItReplaces) {
+    const TemporaryFolder folder;
+    const fs::path secret = folder.path() / "secret";
+    replace_file(secret, "old");
+    fs::permissions(secret, fs::perms::owner_read | fs::perms::owner_write);
+    replace_file(secret, "new");
+    EXPECT_EQ(fs::status(secret).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(read_file(secret), "new");
+}
+
 TEST(FileGroup, WithoutPublishingNothingIsLeft) {
     const TemporaryFolder folder;
     {

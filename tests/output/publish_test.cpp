@@ -57,6 +57,16 @@ TEST(Publication, FirstRunMakesTheFolderAndItsParents) {
     EXPECT_EQ(entries_in(target.parent_path()), 1) << "the temporary folder is gone";
 }
 
+TEST(Publication, AFolderClosedToOthersStaysClosed) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.path() / "out";
+    publish(target, {{"index.html", "old"}});
+    EXPECT_NE(fs::status(target).permissions() & fs::perms::others_read, fs::perms::none);
+    fs::permissions(target, fs::perms::owner_all);
+    publish(target, {{"index.html", "new"}});
+    EXPECT_EQ(fs::status(target).permissions(), fs::perms::owner_all);
+}
+
 TEST(Publication, ReplacesTheEarlierReportAsAWhole) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";

@@ -76,6 +76,22 @@ TEST(MeshLibrary, OwnMeshesTakeEveryRoleAndGetNamesOfTheirOwn) {
     EXPECT_EQ(library.role("plane"), meshes[0]);
 }
 
+TEST(MeshLibrary, OwnMeshesThatCannotBeUsedAreLeftOutAndTold) {
+    const TemporaryFolder folder;
+    const auto good = put(folder.path() / "good.obj", cube_mesh(1));
+    const fs::path none = folder.path() / "none.obj", broken = folder.path() / "broken.obj";
+    write_file(broken, "v 0 0 0\nf 1 2 3\n");
+    const MeshLibrary library({}, {none, good, broken});
+    ASSERT_EQ(library.own_meshes().size(), 1u);
+    EXPECT_EQ(library.own_meshes().front(), library.role("plane"));
+    const std::vector<std::string> reasons = library.unusable_own_meshes();
+    ASSERT_EQ(reasons.size(), 2u);
+    EXPECT_TRUE(reasons[0].starts_with("none.obj:")) << reasons[0];
+    EXPECT_TRUE(reasons[1].starts_with("broken.obj:2:")) << reasons[1];
+    EXPECT_THROW(MeshLibrary({}, {none}).own_meshes(), InputError) << "none is left";
+    EXPECT_TRUE(MeshLibrary({}, {good}).unusable_own_meshes().empty());
+}
+
 TEST(MeshLibrary, FilesAreFoundBesideTheSettingsThenInDataThenBundled) {
     const TemporaryFolder folder;
     put(folder.path() / "here" / "one.obj", cube_mesh(1));

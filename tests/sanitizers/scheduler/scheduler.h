@@ -9,6 +9,7 @@
 // Only what src/, render/ and tests/ use is here. oneTBB itself and its stealing are not tested by this.
 #include <algorithm>
 #include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -127,7 +128,7 @@ void parallel_for(const blocked_range<Value>& range, const Body& body, const Par
     scheduler::run_pieces(range.pieces(), [&](std::size_t i) { body(range.piece(i)); });
 }
 
-template <class First, class Last, class Body, class... Partitioner>
+template <std::integral First, std::integral Last, class Body, class... Partitioner>
 void parallel_for(First first, Last last, const Body& body, const Partitioner&...) {
     if (!(first < last)) return;
     // Neighbours go to different threads; of very long loops, neighbouring runs do.
