@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "errors.h"
+#include "nearest_word.h"
 
 namespace meshfolio::report {
 
@@ -98,6 +99,7 @@ public:
         }
         const std::string_view includer = std::exchange(file_, name);
         auto it = trees_.find(name);
+        if (it == trees_.end() && depth_ > 1) require_known(name, std::string(includer));
         if (it == trees_.end()) {
             std::string error;
             it = trees_.emplace(name, parsed(depth_ > 1 ? as_partial(templates_[name]) : templates_[name], error)).first;
@@ -128,6 +130,13 @@ public:
     }
 
 private:
+    void require_known(const std::string& name, const std::string& includer) const {
+        const std::vector<std::string> known = templates_.names();
+        if (std::find(known.begin(), known.end(), name) != known.end()) return;
+        throw UsageError("{{>" + name + "}} includes what is no template", "did you mean '" + nearest_word(name, known) + "'?",
+                         {includer, 0});
+    }
+
     enum class State { unreached, known, unknown };
     struct Registered {
         std::string file;
