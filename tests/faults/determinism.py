@@ -111,8 +111,9 @@ class Determinism(Faults):
                     (source / file).parent.mkdir(parents=True, exist_ok=True)
                     shutil.copy(SOURCE / file, source / file)
                 launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
-                for words in (["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DMESHFOLIO_TESTS=OFF",
-                               f"-DCMAKE_CXX_FLAGS_RELEASE={optimisation} -DNDEBUG", *launcher], ["cmake", "--build", build, "--target", "meshfolio"]):
+                configure = ["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DMESHFOLIO_TESTS=OFF",
+                             "-DMESHFOLIO_JOIN_SOURCES=ON", f"-DCMAKE_CXX_FLAGS_RELEASE={optimisation} -DNDEBUG", *launcher]
+                for words in (configure, ["cmake", "--build", build, "--target", "meshfolio"]):
                     process = subprocess.run(list(map(str, words)), capture_output=True, text=True, env={**os.environ, "CCACHE_NOHASHDIR": "1"})
                     self.assertEqual(process.returncode, 0, process.stdout[-2000:] + process.stderr[-2000:])
                 for threads in (1, 2):
