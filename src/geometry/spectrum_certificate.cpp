@@ -112,7 +112,8 @@ double parseval_gap(const LaplaceBeltrami& laplacian, const Spectrum& spectrum, 
     const Eigen::RowVector3d near = X.row(0);
     const DenseMatrix offset = X.rowwise() - near;
     const Eigen::RowVector3d mean = M.transpose() * offset / M.sum();
-    const DenseMatrix x = offset.rowwise() - mean;
+    DenseMatrix x = offset.rowwise() - mean;
+    x /= x.cwiseAbs().maxCoeff();   // squares of the largest and smallest models leave the range of numbers
     const DenseMatrix coefficients = spectrum.eigenvectors.transpose() * (M.asDiagonal() * x);
     const DenseMatrix tail = x - spectrum.eigenvectors * coefficients;
     const double whole = M.dot(x.rowwise().squaredNorm());

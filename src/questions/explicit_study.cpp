@@ -48,7 +48,7 @@ bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda
 
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X) {
     const Vector& M = subject.laplacian.M;
-    return ((X - subject.mesh().X).transpose() * M).norm() / M.sum() / subject.diagonal;
+    return (((X - subject.mesh().X) / subject.diagonal).transpose() * (M / M.sum())).norm();
 }
 
 int iterations_keeping_volume(const SmoothingRun& run, double share) {

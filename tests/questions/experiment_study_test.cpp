@@ -18,7 +18,7 @@ using namespace meshfolio::testing_tools;
 
 namespace {
 
-const OriginalMesh sphere{"ball", "no_such_ball.off", "sphere.obj", 2e-3, 0.05, 3.5};
+const OriginalMesh missing_ball{"ball", "no_such_ball.off", "sphere.obj", 2e-3, 0.05, 3.5};
 
 /// On the bundled sphere in place of a ball whose limit is 2e-3, mean edge 0.05.
 Experiment experiment_of(ExperimentKind kind) {
@@ -27,13 +27,13 @@ Experiment experiment_of(ExperimentKind kind) {
     e.from = "S0";
     e.name = "x";
     e.kind = kind;
-    e.meshes = {sphere};
+    e.meshes = {missing_ball};
     e.lambda = {1e-3};
     e.iterations = {5};
     return e;
 }
 
-const MeshLibrary bundled({}, {});
+const MeshLibrary bundled_meshes({}, {});
 
 }   // namespace
 
@@ -47,12 +47,12 @@ TEST(ExperimentNames, RoundTripAndRefuse) {
 
 TEST(ExperimentMeshes, StandInsAreSaidToBeAndSharedOnesAreOne) {
     Experiment e = experiment_of(ExperimentKind::curvature);
-    OriginalMesh other = sphere;
+    OriginalMesh other = missing_ball;
     other.name = "globe";
     other.file = "globe.off";
     OriginalMesh block{"block", "", "cube.obj", 0, 0, 0};
-    e.meshes = {sphere, other, block};
-    const auto meshes = experiment_meshes(bundled, e, {});
+    e.meshes = {missing_ball, other, block};
+    const auto meshes = experiment_meshes(bundled_meshes, e, {});
     ASSERT_EQ(meshes.size(), 2u);
     EXPECT_TRUE(meshes[0].stand_in && meshes[1].stand_in);
     EXPECT_EQ(meshes[0].originals.size(), 2u);
@@ -106,7 +106,7 @@ TEST(ExperimentMeshes, OnesOwnMeshTakesEveryPlace) {
 
 TEST(ExperimentParameters, CarryOverByTheirRules) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
-    const ExperimentMesh mesh = experiment_meshes(bundled, e, {}).at(0);
+    const ExperimentMesh mesh = experiment_meshes(bundled_meshes, e, {}).at(0);
     const double critical = largest_stable_step(largest_eigenvalue(laplace_beltrami(mesh.mesh())));
     EXPECT_NEAR(lambda_on(e, mesh, OperatorKind::cotan, 1e-3, critical) / critical, 0.5, 1e-9) << "half the limit there and here";
     EXPECT_NEAR(lambda_on(e, mesh, OperatorKind::cotan_no_half, 1e-3, critical / 2) / critical, 0.5, 1e-9) << "the same λ";
@@ -130,7 +130,7 @@ TEST(ExperimentParameters, CarryOverByTheirRules) {
 TEST(ExperimentParameters, AreAsGivenWhereTheOriginalIsNotMeasured) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
     e.meshes[0].lambda_crit = e.meshes[0].mean_edge = 0;
-    const ExperimentMesh mesh = experiment_meshes(bundled, e, {}).at(0);
+    const ExperimentMesh mesh = experiment_meshes(bundled_meshes, e, {}).at(0);
     EXPECT_EQ(lambda_rule(e, mesh, OperatorKind::cotan), Carried::as_given);
     EXPECT_EQ(lambda_on(e, mesh, OperatorKind::cotan, 1e-3, 8), 1e-3);
     e.kind = ExperimentKind::denoising;
@@ -145,7 +145,7 @@ TEST(SmoothingExperiments, TheMissingHalfHalvesTheLimit) {
     e.operators = {OperatorKind::cotan, OperatorKind::cotan_no_half};
     e.lambda = {1e-7};
     e.iterations = {50, 100};
-    const SmoothingExperiment done = smoothing_experiment(bundled, e, {});
+    const SmoothingExperiment done = smoothing_experiment(bundled_meshes, e, {});
     ASSERT_EQ(done.runs.size(), 2u);
     EXPECT_EQ(done.runs[0].run.lambda, done.runs[1].run.lambda);
     EXPECT_NEAR(done.runs[0].share(), 1 / 1.93, 1e-9);
@@ -179,7 +179,7 @@ TEST(SmoothingExperiments, ImplicitStaysAndRebuiltIsAnotherRun) {
     e.methods = {{SmoothingScheme::implicit_euler, false}, {SmoothingScheme::implicit_euler, true}};
     e.lambda = {20};
     e.lambda_unit = StepUnit::tau;
-    const SmoothingExperiment done = smoothing_experiment(bundled, e, {});
+    const SmoothingExperiment done = smoothing_experiment(bundled_meshes, e, {});
     ASSERT_EQ(done.runs.size(), 2u);
     EXPECT_FALSE(done.runs[0].run.result.blew_up);
     EXPECT_LE(largest_rise(done.runs[0].run.energy), 1e-12);
@@ -195,7 +195,7 @@ TEST(NoisyExperiments, NoiseIsAsAskedAndItsMinimumFound) {
     e.noise_unit = NoiseUnit::edge;
     e.iterations = {3, 30};
     e.minimum = {0, 4};
-    const NoisyExperiment done = noisy_experiment(bundled, e, {});
+    const NoisyExperiment done = noisy_experiment(bundled_meshes, e, {});
     ASSERT_EQ(done.runs.size(), 2u);
     for (const NoisyRun& run : done.runs) {
         ASSERT_EQ(run.rms.size(), 31u);
@@ -214,7 +214,7 @@ TEST(NoisyExperiments, WithoutNoiseNothingIsGained) {
     Experiment e = experiment_of(ExperimentKind::denoising);
     e.methods = {{SmoothingScheme::implicit_euler, false}};
     e.noise = {0};
-    const NoisyExperiment done = noisy_experiment(bundled, e, {});
+    const NoisyExperiment done = noisy_experiment(bundled_meshes, e, {});
     EXPECT_EQ(done.runs.at(0).best, 0);
     EXPECT_EQ(done.runs[0].rms.front(), 0);
 }
@@ -223,7 +223,7 @@ TEST(CurvatureExperiments, ASphereIsBentOutwardsEverywhere) {
     Experiment e = experiment_of(ExperimentKind::curvature);
     e.colours = {ExperimentColour::h_uniform, ExperimentColour::gauss, ExperimentColour::h_cotan};
     e.operators = {OperatorKind::cotan, OperatorKind::cotan_no_half};
-    const CurvatureExperiment done = curvature_experiment(bundled, e, {});
+    const CurvatureExperiment done = curvature_experiment(bundled_meshes, e, {});
     ASSERT_EQ(done.fields.size(), 4u) << "H by two operators, K and uniform H once";
     const double h = done.meshes[0].mean_edge;
     for (const ExperimentField& field : done.fields) {
@@ -239,7 +239,7 @@ TEST(CurvatureExperiments, OnAPlaneEverythingSeenIsTheBoundary) {
     Experiment e = experiment_of(ExperimentKind::curvature);
     e.meshes = {{"plane", "", "plane.obj", 0, 0, 0}};
     e.colours = {ExperimentColour::h_cotan, ExperimentColour::gauss};
-    const CurvatureExperiment done = curvature_experiment(bundled, e, {});
+    const CurvatureExperiment done = curvature_experiment(bundled_meshes, e, {});
     for (const ExperimentField& field : done.fields) {
         EXPECT_LT(field.largest_inside, 1e-12);
         EXPECT_GT(field.largest_boundary, 0.1);
@@ -253,7 +253,7 @@ TEST(CurvatureExperiments, OnAPlaneEverythingSeenIsTheBoundary) {
 
 TEST(ColoursOf, AreThoseOfTheMovedMesh) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
-    const ExperimentMesh mesh = experiment_meshes(bundled, e, {}).at(0);
+    const ExperimentMesh mesh = experiment_meshes(bundled_meshes, e, {}).at(0);
     EXPECT_EQ(colours_of(mesh, ExperimentColour::none, mesh.mesh().X).size(), 0);
     EXPECT_EQ(colours_of(mesh, ExperimentColour::distance, mesh.mesh().X).maxCoeff(), 0);
     const Vector before = colours_of(mesh, ExperimentColour::gauss, mesh.mesh().X);
@@ -265,7 +265,7 @@ TEST(ReconstructionExperiments, ErrorFallsInTheOperatorsOwnMass) {
     Experiment e = experiment_of(ExperimentKind::reconstruction);
     e.operators = {OperatorKind::cotan, OperatorKind::edge_normalised};
     e.k = {4, 9, 30};
-    const ReconstructionExperiment done = reconstruction_experiment(bundled, e, {});
+    const ReconstructionExperiment done = reconstruction_experiment(bundled_meshes, e, {});
     ASSERT_EQ(done.rebuilt.size(), 6u);
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_LT(done.rebuilt[i].residual, 1e-6);
