@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "errors.h"
@@ -45,34 +46,57 @@ std::string room_for(std::uintmax_t size, const Location& where) try {
     throw InputError(where, "out of memory for the " + std::to_string(size) + " bytes of the file", "use a smaller one");
 }
 
+/// Whatever is no regular file is refused. O_NONBLOCK: opening a FIFO that nobody writes to must not hang.
+class RegularFile {
+public:
+    explicit RegularFile(const Location& where) : where_(where), file_(::open(where.file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        if (file_.get() < 0) throw InputError(where, "cannot open the file (" + reason() + ")", "check its name and the right to read it");
+        struct stat status {};
+        if (::fstat(file_.get(), &status) != 0) throw InputError(where, "cannot examine the file (" + reason() + ")");
+        if (S_ISDIR(status.st_mode)) throw InputError(where, "is a folder, not a file", "name a file in it");
+        if (!S_ISREG(status.st_mode))
+            throw InputError(where, "is not a regular file", "pipes and devices are not read; save what they give as a file");
+        size_ = static_cast<std::uintmax_t>(status.st_size);
+    }
+    std::uintmax_t size() const { return size_; }
+
+    /// The next bytes, as many as there is room for; fewer only at the end. @return how many
+    std::size_t read(std::span<char> room) {
+        std::size_t have = 0;
+        while (have < room.size()) {
+            const ssize_t got = ::read(file_.get(), room.data() + have, room.size() - have);
+            if (got < 0 && errno == EINTR) continue;
+            if (got < 0) throw InputError(where_, "cannot read the file (" + reason() + ")");
+            if (got == 0) break;
+            have += static_cast<std::size_t>(got);
+        }
+        return have;
+    }
+
+private:
+    Location where_;
+    Descriptor file_;
+    std::uintmax_t size_ = 0;
+};
+
 }   // namespace
 
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     const Location where{path.string(), 0};
-    // O_NONBLOCK: opening a FIFO that nobody writes to must not hang.
-    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (file.get() < 0) throw InputError(where, "cannot open the file (" + reason() + ")", "check its name and the right to read it");
-    struct stat status {};
-    if (::fstat(file.get(), &status) != 0) throw InputError(where, "cannot examine the file (" + reason() + ")");
-    if (S_ISDIR(status.st_mode)) throw InputError(where, "is a folder, not a file", "name a file in it");
-    if (!S_ISREG(status.st_mode))
-        throw InputError(where, "is not a regular file", "pipes and devices are not read; save what they give as a file");
-    const auto size = static_cast<std::uintmax_t>(status.st_size);
-    if (size > limit) {
-        throw InputError(where, "the file has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit),
+    RegularFile file(where);
+    if (file.size() > limit) {
+        throw InputError(where, "the file has " + std::to_string(file.size()) + " bytes, more than the limit of " + std::to_string(limit),
                          "make it smaller");
     }
-    std::string bytes = room_for(size, where);
-    std::size_t have = 0;
-    while (have < bytes.size()) {
-        const ssize_t got = ::read(file.get(), bytes.data() + have, bytes.size() - have);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw InputError(where, "cannot read the file (" + reason() + ")");
-        if (got == 0) break;
-        have += static_cast<std::size_t>(got);
-    }
-    bytes.resize(have);
+    std::string bytes = room_for(file.size(), where);
+    bytes.resize(file.read(bytes));
     return bytes;
+}
+
+void read_in_pieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& take) {
+    RegularFile file({path.string(), 0});
+    std::string piece(std::size_t{1} << 16, '\0');
+    for (std::size_t have = file.read(piece); have > 0; have = file.read(piece)) take(std::string_view(piece).substr(0, have));
 }
 
 void write_all(int descriptor, std::string_view bytes, const std::string& name) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace meshfolio {
 /// The bytes of a regular file.
 /// @throws InputError if it is missing, unreadable, not a regular file, or larger than `limit` bytes
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{4} << 30);
+
+/// The same bytes piece by piece, for whom not all of them must be in memory at once. @throws InputError as above
+void read_in_pieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& take);
 
 /// Creates or replaces `path` with `bytes`; the data has reached the disk when this returns. A file that has other links as well is
 /// replaced by a new one, so that what they name stays as it was.

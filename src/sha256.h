@@ -2,6 +2,7 @@
 /// SHA-256 (FIPS 180-4), by nettle.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -11,5 +12,7 @@ namespace meshfolio {
 std::string sha256_bytes(std::string_view bytes);
 /// The digest in 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
+/// The same of a file, however large. @throws InputError if it cannot be read
+std::string sha256_of_file(const std::filesystem::path& path);
 
 }   // namespace meshfolio

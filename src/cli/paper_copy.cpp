@@ -34,7 +34,7 @@ std::string PaperCopy::key_of(const report::Document& document, const report::Dr
     key.add(report::write_json(document, figures, {.timings = false}));
     for (const std::string& id : this->figures(document)) {
         const auto drawn = figures.find(id);
-        key.add(id).add(drawn == figures.end() ? "" : sha256(read_file(folder / drawn->second.sheet)));
+        key.add(id).add(drawn == figures.end() ? "" : sha256_of_file(folder / drawn->second.sheet));
     }
     return key.key();
 }

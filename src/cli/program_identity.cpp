@@ -41,7 +41,7 @@ void add_processor(output::KeyMaker& key) {
 
 std::string made() try {
     output::KeyMaker key;
-    key.add(sha256(read_file("/proc/self/exe")));
+    key.add(sha256_of_file("/proc/self/exe"));
     ::dl_iterate_phdr(add_library, &key);
     add_processor(key);
     for (const char* name : {"OPENBLAS_CORETYPE", "GLIBC_TUNABLES", "LD_PRELOAD"}) {

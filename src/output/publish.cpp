@@ -83,7 +83,7 @@ void write_sums(const fs::path& folder, const Publication::Digests& known) {
     std::vector<std::string> digests(files.size());
     tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
         const auto it = known.find(files[i]);
-        digests[i] = it != known.end() ? it->second : sha256(read_file(folder / files[i]));
+        digests[i] = it != known.end() ? it->second : sha256_of_file(folder / files[i]);
     });
     std::string sums;
     for (std::size_t i = 0; i < files.size(); ++i) sums += digests[i] + "  " + files[i] + "\n";

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
-using meshfolio::sha256;
+#include "errors.h"
+#include "file_bytes.h"
+#include "temporary_folder.h"
+
+using namespace meshfolio;
 
 // The examples of FIPS 180-4 and of NIST's test vectors.
 TEST(Sha256, KnownVectors) {
@@ -14,3 +18,15 @@ TEST(Sha256, KnownVectors) {
 }
 
 TEST(Sha256, BytesAfterANulCount) { EXPECT_NE(sha256(std::string_view("a\0b", 3)), sha256(std::string_view("a\0c", 3))); }
+
+TEST(Sha256, OfAFileIsThatOfItsBytesWhereverItsPiecesEnd) {
+    const testing_tools::TemporaryFolder folder;
+    for (const std::size_t size : {0, 1, 65535, 65536, 65537, 200000}) {
+        std::string bytes(size, 'a');
+        for (std::size_t i = 0; i < size; i += 7) bytes[i] = static_cast<char>(i);
+        write_file(folder.path() / "file", bytes);
+        EXPECT_EQ(sha256_of_file(folder.path() / "file"), sha256(bytes)) << size;
+    }
+    EXPECT_THROW(sha256_of_file(folder.path() / "none"), InputError);
+    EXPECT_THROW(sha256_of_file(folder.path()), InputError) << "a folder";
+}
