@@ -22,7 +22,6 @@ namespace {
 
 using Byte = std::uint8_t;
 
-constexpr std::int64_t largest_png = 480'000'000;   // pixels: their bytes, however badly they compress, fit one chunk of 2 GB
 constexpr std::int64_t largest_jpeg = std::int64_t{16384} * 16384;
 
 void check_size(const Image& image, std::int64_t largest, const char* caller) {

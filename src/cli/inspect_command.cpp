@@ -38,7 +38,7 @@ Inspection inspection_of(const std::string& file, OperatorKind kind) {
         if (inspection.prepared.mesh.vertex_count() > proved_up_to) return inspection;
         inspection.proved = stability_certificate(laplacian, *inspection.top);
         inspection.top = inspection.proved->top;
-    } catch (const Error& error) {   // a mesh without area has none either
+    } catch (const SolverError& error) {
         warn(file + ": largest stable step not " + (inspection.top ? "proved: " : "computed: ") + error.what());
     }
     return inspection;
@@ -184,7 +184,8 @@ Command inspect_command(CLI::App& parent) {
     app->add_flag("--json", options->json, "for programs");
     app->footer("Example: meshfolio inspect bunny.off --json");
     return {app, [options] {
-                const Inspection inspection = inspection_of(options->mesh, operator_named(options->laplacian));
+                const OperatorKind kind = operator_named(options->laplacian);
+                const Inspection inspection = about_mesh(options->mesh, [&] { return inspection_of(options->mesh, kind); });
                 print(options->json ? as_json(inspection).dump(2) + "\n" : told(inspection));
                 return ExitCode::ok;
             }};

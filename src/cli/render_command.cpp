@@ -106,14 +106,29 @@ render::DrawOptions draw_options(const RenderFlags& options) {
     return draw;
 }
 
-/// The pictures side by side without anything added, three in a row.
+/// Of a sheet without anything added: three pictures in a row.
+struct BareGrid {
+    explicit BareGrid(std::size_t pictures)
+        : columns(std::min(3, static_cast<int>(pictures))), rows((static_cast<int>(pictures) + columns - 1) / columns) {}
+    int columns, rows;
+};
+
+/// No PNG holds it, which had better be known before anything is drawn.
+void refuse_large_sheet(std::size_t views, const render::DrawOptions& draw) {
+    const BareGrid grid(views);
+    const std::int64_t pixels = std::int64_t{grid.columns} * draw.width * grid.rows * draw.height;
+    if (pixels > render::largest_png)
+        throw UsageError("a plain sheet of " + std::to_string(views) + " views has " + std::to_string(pixels) + " pixels, more than " +
+                             std::to_string(render::largest_png),
+                         "take a smaller --size or fewer --views");
+}
+
 render::Image bare_sheet(const std::vector<render::Image>& pictures) {
-    const int columns = std::min<int>(3, static_cast<int>(pictures.size()));
-    const int rows = (static_cast<int>(pictures.size()) + columns - 1) / columns;
-    render::Image sheet(columns * pictures.front().width, rows * pictures.front().height);
+    const BareGrid grid(pictures.size());
+    render::Image sheet(grid.columns * pictures.front().width, grid.rows * pictures.front().height);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        render::paste(sheet, pictures[i], static_cast<int>(i) % columns * pictures[i].width,
-                      static_cast<int>(i) / columns * pictures[i].height);
+        render::paste(sheet, pictures[i], static_cast<int>(i) % grid.columns * pictures[i].width,
+                      static_cast<int>(i) / grid.columns * pictures[i].height);
     }
     return sheet;
 }
@@ -158,6 +173,8 @@ bool show_something(const std::vector<render::Image>& pictures, render::Rgba bac
 ExitCode run_render(const RenderFlags& options) {
     const render::DrawOptions given = draw_options(options);
     const std::vector<render::View> views = chosen_views(options.views);
+    const bool bare = options.plain || given.face_colors_from_id;
+    if (bare) refuse_large_sheet(views.size(), given);
     if (!options.range.empty()) value_limits(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
@@ -182,8 +199,7 @@ ExitCode run_render(const RenderFlags& options) {
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, range, output::ball_around(prepared.mesh)));
     output::make_folder(options.out);
-    add_pictures(files, options.out, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)),
-                 options.plain || draw.face_colors_from_id);
+    add_pictures(files, options.out, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)), bare);
     files.publish();
     return ExitCode::ok;
 }

@@ -392,6 +392,9 @@ class Render(InFolder):
             self.assertAlmostEqual(len(columns), 0.95 * 120 * wide / 6, delta=1, msg=view)
             self.assertAlmostEqual(len(lines), 0.95 * 120 * high / 6, delta=1, msg=view)
 
+    def test_a_plain_sheet_that_no_png_holds_is_refused_at_once(self):
+        self.assertIn('480000000', self.refuse(2, 'render', self.sample('cube8'), '--plain', '--size', '8192', '--views', ','.join([*VIEWS, 'hero'])))
+
     def test_plain_without_a_field_is_one_grey(self):
         self.succeed('render', self.write('box.obj', BOX), '--plain', '--size', '40', '--out', 'plain')
         colors = {pixel for row in png(self.path('plain', '+x.png'))[2] for pixel in row}
