@@ -70,7 +70,7 @@ TEST(TuftedCover, GluesTheSidesThatFaceEachOther) {
 }
 
 TEST(TuftedCover, GluesManyPagesInTheOrderOfTheirAngles) {
-    const std::vector<double> degrees = {215, 20, 300, 150, 80};
+    const std::vector<double> degrees = {215, 20, 300, 200, 80};
     const std::vector<int> next = {2, 4, 1, 0, 3};   // the page with the next larger angle, all the way round
     const auto pages = static_cast<int>(degrees.size());
     TriangleMesh mesh{Positions(2 + pages, 3), Faces(pages, 3)};
