@@ -19,7 +19,7 @@ if [ "$(cat /proc/sys/vm/mmap_rnd_bits 2>/dev/null || echo 28)" -gt 28 ] && [ -z
 fi
 
 # CHOLMOD's own threads are those of OpenMP, whose barriers are not instrumented: every one would look like a race.
-if [ "$preset" = thread ]; then export OMP_NUM_THREADS=1; fi
+if [ "$preset" = thread ]; then export OMP_THREAD_LIMIT=1; fi
 
 cmake --preset "$preset"
 cmake --build --preset "$preset"
