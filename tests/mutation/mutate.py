@@ -123,7 +123,8 @@ class Programs:
     def __init__(self):
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         subprocess.run(["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DMESHFOLIO_TESTS=ON",
-                        *launcher], check=True, stdout=subprocess.DEVNULL)
+                        "-DCMAKE_CXX_FLAGS=-D_GLIBCXX_ASSERTIONS", *launcher],   # a wrong index is a crash at once
+                       check=True, stdout=subprocess.DEVNULL)
         self.limits = {}
 
     def limit(self, program):
