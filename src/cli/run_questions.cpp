@@ -129,8 +129,7 @@ private:
     /// A bad mesh among good ones is a failed check of every section that the good ones have answered.
     static void tell_unusable(Answer& answer, const MeshLibrary& meshes) {
         if (answer.section.inputs.empty()) return;
-        for (const std::string& reason : meshes.unusable_own_meshes())
-            answer.section.checks.push_back(report::check_at_most("meshes that cannot be used", 0, 1, 0, printable(reason)));
+        for (const std::string& reason : meshes.unusable_own_meshes()) answer.section.checks.push_back(unusable_mesh_check(reason));
     }
 
     /// meshes/<name>, unless the settings name another folder for this question.

@@ -174,7 +174,7 @@ Answer answer_certificates(const MeshLibrary& library, const QuestionSettings& s
     report::Section& section = answer.section;
     section = section_of("certificates");
     const auto sources = meshes_for(library, settings, {"armadillo", "cube", "bumpy_cube", "fandisk", "lilium"}, section);
-    const auto meshes = studies_of(sources, "certificates", settings, progress, certified);
+    const auto meshes = studies_of(sources, "certificates", settings, progress, section, certified);
     progress("planted faults");
     const Specimen specimen = bundled_specimen();
     const std::vector<FaultTrial> trials = trials_of(specimen);

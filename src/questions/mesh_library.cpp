@@ -115,7 +115,9 @@ struct MeshLibrary::Found {
 
 struct MeshLibrary::Shelf {
     std::mutex mutex;
-    std::map<std::pair<MeshLookup, fs::path>, std::shared_ptr<const LibraryMesh>> meshes;   // by lookup and base folder
+    using Key = std::pair<MeshLookup, fs::path>;   // and the base folder
+    std::map<Key, std::shared_ptr<const LibraryMesh>> meshes;
+    std::map<Key, std::exception_ptr> unusable;   // a mesh that cannot be had is looked for once, too
     std::mutex digest_mutex;
     std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
 
@@ -246,8 +248,18 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup,
     note(lookup);
     // Held while reading: a mesh that two questions want is read once.
     const std::lock_guard lock(shelf_->mutex);
-    const auto key = std::pair(lookup, base);
+    const Shelf::Key key(lookup, base);
     if (const auto it = shelf_->meshes.find(key); it != shelf_->meshes.end()) return it->second;
+    if (const auto it = shelf_->unusable.find(key); it != shelf_->unusable.end()) std::rethrow_exception(it->second);
+    try {
+        return shelf_->meshes[key] = read(lookup, base);
+    } catch (const Error&) {
+        shelf_->unusable[key] = std::current_exception();
+        throw;
+    }
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) const {
     const std::optional<Found> where = found(lookup, base);
     if (!where) return nullptr;
     std::string from_file;
@@ -260,7 +272,7 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup,
     mesh->input.vertices = mesh->prepared->mesh.vertex_count();
     mesh->input.triangles = mesh->prepared->mesh.face_count();
     mesh->name = where->name;
-    return shelf_->meshes[key] = mesh;
+    return mesh;
 }
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::role(const std::string& name) const {

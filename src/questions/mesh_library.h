@@ -103,6 +103,7 @@ private:
     std::optional<Found> found_in_data(const std::filesystem::path& file) const;
     Found found_own(const std::filesystem::path& path) const;
     std::shared_ptr<const LibraryMesh> loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    std::shared_ptr<const LibraryMesh> read(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::string name_of(const std::filesystem::path& path) const;
 };
 

@@ -50,7 +50,7 @@ Answer answer_modes(const MeshLibrary& library, const QuestionSettings& settings
     add_method(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "modes", settings, progress, mode_study);
+    const auto studies = studies_of(meshes, "modes", settings, progress, section, mode_study);
     const ModeStudy& first = studies.front();
     section.blocks.emplace_back(damping_plot(first, SmoothingScheme::explicit_euler));
     section.blocks.emplace_back(damping_plot(first, SmoothingScheme::implicit_euler));

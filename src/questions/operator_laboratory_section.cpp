@@ -194,7 +194,7 @@ Answer answer_operators(const MeshLibrary& library, const QuestionSettings& sett
     const std::vector<KnownTrial> known = known_trials(settings);
     add_known_table(section, known);
     add_known_checks(section, known);
-    const auto labs = studies_of(meshes, "operators", settings, progress, laboratory_mesh);
+    const auto labs = studies_of(meshes, "operators", settings, progress, section, laboratory_mesh);
     for (const LaboratoryMesh& lab : labs) {
         add_mesh_table(section, lab);
         add_mesh_checks(section, lab);

@@ -101,7 +101,7 @@ Answer answer_prediction(const MeshLibrary& library, const QuestionSettings& set
     add_rule_words(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "predicted denoising", settings, progress, prediction_study);
+    const auto studies = studies_of(meshes, "predicted denoising", settings, progress, section, prediction_study);
     section.blocks.emplace_back(clean_prediction_table(studies));
     for (const PredictionStudy& study : studies) section.blocks.emplace_back(clean_prediction_plot(study));
     section.blocks.emplace_back(operator_prediction_table(studies));

@@ -218,7 +218,7 @@ Answer answer_q4(const MeshLibrary& library, const QuestionSettings& settings, c
     add_method(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "eigenpairs", settings, progress, spectral_study);
+    const auto studies = studies_of(meshes, "eigenpairs", settings, progress, section, spectral_study);
     std::vector<SpectralUses> uses;
     for (const SpectralStudy& study : studies) {
         progress("uses of the modes of " + study.name());

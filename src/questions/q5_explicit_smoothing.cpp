@@ -195,7 +195,7 @@ Answer answer_q5(const MeshLibrary& library, const QuestionSettings& settings, c
     add_method(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "explicit smoothing", settings, progress, explicit_study);
+    const auto studies = studies_of(meshes, "explicit smoothing", settings, progress, section, explicit_study);
     add_limit_table(section, studies);
     for (const ExplicitStudy& study : studies) {
         add_sweep_figure(answer, study);

@@ -211,7 +211,7 @@ Answer answer_q6(const MeshLibrary& library, const QuestionSettings& settings, c
     add_method(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, implicit_study);
+    const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study);
     for (const ImplicitStudy& study : studies) {
         add_figures(answer, study);
         add_before_after(answer, study, settings.colormap);

@@ -111,7 +111,7 @@ void add_error_plot(report::Section& section, const DenoisingStudy& study) {
 
 /// "at twice the best iteration, but at t = 40 at least and 600 at most"
 std::string length_of_runs(const DenoisingStudy& study) {
-    const std::string least = "t = " + std::to_string(study.iterations);
+    std::string least = "t = " + std::to_string(study.iterations);
     if (study.most_iterations <= study.iterations) return least;
     return "at twice the best iteration, but at " + least + " at least and " + std::to_string(study.most_iterations) + " at most";
 }
@@ -181,12 +181,12 @@ void add_method(report::Section& section) {
 }
 
 void add_finding(report::Section& section, const std::vector<DenoisingStudy>& studies) {
-    const DenoisingTrial *best = nullptr, *worst = nullptr;
-    const DenoisingStudy *best_on = nullptr, *worst_on = nullptr;
+    const DenoisingStudy *best_on = &studies.front(), *worst_on = best_on;
+    const DenoisingTrial *best = &best_on->trials.front(), *worst = best;
     for (const DenoisingStudy& study : studies) {
         for (const DenoisingTrial& trial : study.trials) {
-            if (best == nullptr || trial.gain() > best->gain()) best = &trial, best_on = &study;
-            if (worst == nullptr || trial.gain() < worst->gain()) worst = &trial, worst_on = &study;
+            if (trial.gain() > best->gain()) best = &trial, best_on = &study;
+            if (trial.gain() < worst->gain()) worst = &trial, worst_on = &study;
         }
     }
     if (best->best_rms == 0) {
@@ -220,7 +220,7 @@ Answer answer_q7(const MeshLibrary& library, const QuestionSettings& settings, c
     add_method(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "denoising", settings, progress, denoising_study);
+    const auto studies = studies_of(meshes, "denoising", settings, progress, section, denoising_study);
     add_result_table(section, studies);
     for (const DenoisingStudy& study : studies) {
         add_error_plot(section, study);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "errors.h"
 #include "questions/cited_code.h"
 
 namespace meshfolio {
@@ -40,6 +41,10 @@ std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& li
     }
     for (const auto& mesh : meshes) enter_input(*mesh, section);
     return meshes;
+}
+
+report::Check unusable_mesh_check(const std::string& reason) {
+    return report::check_at_most("meshes that cannot be used", 0, 1, 0, printable(reason));
 }
 
 void add_heading(report::Section& section, std::string title) { section.blocks.push_back(report::Heading{std::move(title)}); }

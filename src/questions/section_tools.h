@@ -22,6 +22,9 @@ report::Section section_of(std::string_view id);
 std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& library, const QuestionSettings& settings,
                                                            std::initializer_list<std::string_view> roles, report::Section& section);
 
+/// The failed check of a section that had to go without one of its meshes, and why.
+report::Check unusable_mesh_check(const std::string& reason);
+
 /// One mesh by its role, entered as above. The user's own mesh takes every role.
 void enter_input(const LibraryMesh& mesh, report::Section& section);
 

@@ -59,7 +59,7 @@ Answer answer_maps(const MeshLibrary& library, const QuestionSettings& settings,
     add_method(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "planes of smoothing", settings, progress, smoothing_maps);
+    const auto studies = studies_of(meshes, "planes of smoothing", settings, progress, section, smoothing_maps);
     for (const SmoothingMaps& maps : studies) {
         for (report::Map& map : maps_of(maps)) section.blocks.emplace_back(std::move(map));
         add_pictures(answer, maps);

@@ -43,7 +43,7 @@ Answer answer_stability(const MeshLibrary& library, const QuestionSettings& sett
     add_method(section);
 
     add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "limit of explicit smoothing", settings, progress, stability_study);
+    const auto studies = studies_of(meshes, "limit of explicit smoothing", settings, progress, section, stability_study);
     progress("rebuilt flow of " + studies.back().name());
     const RebuiltFlow flow = rebuilt_flow(studies.back(), settings);
     section.blocks.emplace_back(certificate_table(studies));

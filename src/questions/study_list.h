@@ -7,22 +7,32 @@
 #include <string>
 #include <vector>
 
+#include "errors.h"
 #include "questions/question.h"
+#include "questions/section_tools.h"
 #include "report/text.h"
 
 namespace meshfolio {
 
 using LibraryMeshes = std::vector<std::shared_ptr<const LibraryMesh>>;
 
-/// One study a mesh, in order; told as each begins: "denoising of cube".
+/// One study a mesh, in order; told as each begins: "denoising of cube". A mesh that defeats its study (whose operator has no factor,
+/// say) costs the others nothing: it is a failed check of `section`.
+/// @throws MeshError, SolverError if none can be studied
 template <class Study>
 std::vector<Study> studies_of(const LibraryMeshes& meshes, const std::string& work, const QuestionSettings& settings,
-                              const Progress& progress, Study (*study_of)(std::shared_ptr<const LibraryMesh>, const QuestionSettings&)) {
+                              const Progress& progress, report::Section& section,
+                              Study (*study_of)(std::shared_ptr<const LibraryMesh>, const QuestionSettings&)) {
     std::vector<Study> studies;
     for (const auto& mesh : meshes) {
         progress(work + " of " + mesh->name);
-        studies.push_back(study_of(mesh, settings));
+        try {
+            studies.push_back(study_of(mesh, settings));
+        } catch (const Error& error) {
+            section.checks.push_back(unusable_mesh_check(mesh->input.file + ": " + error.what()));
+        }
     }
+    if (studies.empty()) throw SolverError(section.checks.back().note);
     return studies;
 }
 

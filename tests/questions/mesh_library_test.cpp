@@ -88,6 +88,8 @@ TEST(MeshLibrary, OwnMeshesThatCannotBeUsedAreLeftOutAndTold) {
     ASSERT_EQ(reasons.size(), 2u);
     EXPECT_TRUE(reasons[0].starts_with("none.obj:")) << reasons[0];
     EXPECT_TRUE(reasons[1].starts_with("broken.obj:2:")) << reasons[1];
+    write_mesh(broken, cube_mesh(1));
+    EXPECT_EQ(library.unusable_own_meshes(), reasons) << "looked at once a report";
     EXPECT_THROW(MeshLibrary({}, {none}).own_meshes(), InputError) << "none is left";
     EXPECT_TRUE(MeshLibrary({}, {good}).unusable_own_meshes().empty());
 }
