@@ -114,11 +114,12 @@ void write_all(int descriptor, std::string_view bytes, const std::string& name) 
     }
 }
 
-NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)) {
+NewFile::NewFile(std::filesystem::path path, std::filesystem::perms permissions) : path_(std::move(path)) {
     struct stat there {};
     const bool has_other_links = ::lstat(path_.c_str(), &there) == 0 && S_ISREG(there.st_mode) && there.st_nlink > 1;
     if (has_other_links && ::unlink(path_.c_str()) != 0) throw OutputError(path_.string(), "cannot be replaced (" + reason() + ")");
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    descriptor_ =
+        ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, static_cast<mode_t>(permissions & std::filesystem::perms::all));
     if (descriptor_ < 0) throw OutputError(path_.string(), "cannot create the file (" + reason() + ")");
 }
 

@@ -25,8 +25,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// The same in two steps, for whoever must know when the name appears.
 class NewFile {
 public:
-    /// Creates or empties the file. @throws OutputError
-    explicit NewFile(std::filesystem::path path);
+    /// Creates or empties the file. @param permissions  of one that is created, before the umask @throws OutputError
+    explicit NewFile(std::filesystem::path path, std::filesystem::perms permissions = std::filesystem::perms{0666});
     ~NewFile();
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;

@@ -17,8 +17,8 @@ ExitCode run_cache(const std::string& action) {
         return ExitCode::ok;
     }
     const output::ResultCache::Size size = store->size();
-    print(store->folder().string() + "\n" + std::to_string(size.files) + " files, " + plain_text(static_cast<double>(size.bytes) / 1e6, 4) +
-          " MB\n");
+    print_path(store->folder());
+    print(std::to_string(size.files) + " files, " + plain_text(static_cast<double>(size.bytes) / 1e6, 4) + " MB\n");
     return ExitCode::ok;
 }
 

@@ -8,17 +8,20 @@
 #include "errors.h"
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
-#include "output/file_group.h"
 
 namespace meshfolio::cli {
 
 void print(std::string_view text) { write_all(STDOUT_FILENO, text, "standard output"); }
 
-void print_to(const std::string& file, std::string_view text) {
+void print_path(const std::filesystem::path& path) {
+    print((::isatty(STDOUT_FILENO) == 1 ? printable(path.string()) : path.string()) + "\n");
+}
+
+void print_to(output::FileGroup& files, const std::string& file, std::string_view text) {
     if (file == "-") {
         print(text);
     } else {
-        output::replace_file(file, text);
+        files.add(file, text);
     }
 }
 

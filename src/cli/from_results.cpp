@@ -190,7 +190,7 @@ ExitCode report_from_results(const ReportFlags& flags) {
         if (!words.empty()) warn(words);
     }
     tell_missing(missing);
-    print((settings.out / "index.html").string() + "\n");
+    print_path(settings.out / "index.html");
     return ExitCode::ok;
 }
 

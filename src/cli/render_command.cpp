@@ -177,6 +177,7 @@ ExitCode run_render(const RenderFlags& options) {
     if (bare) refuse_large_sheet(views.size(), given);
     if (!options.range.empty()) value_limits(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
+    for (const std::string& input : {options.mesh, options.values}) refuse_to_replace(input, options.glb);
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id")) {
         throw UsageError("--isolines needs values", "take --field or --values with it");

@@ -135,7 +135,7 @@ ExitCode run_report(const ReportFlags& flags) {
         if (!words.empty()) warn(words);
     }
     const ExitCode result = summary(document);
-    print((settings.out / "index.html").string() + "\n");
+    print_path(settings.out / "index.html");
     return result;
 }
 

@@ -82,12 +82,27 @@ void take_environment(ReportSettings& settings, Problems& problems) {
 /// What is read must not lie in an earlier report: that is removed once the new one is in its place.
 void require_outside(const ReportSettings& settings, const std::filesystem::path& input, Problems& problems) {
     std::error_code error;
-    if (input.empty() || !std::filesystem::exists(settings.out / output::marker_file, error)) return;
+    if (input.empty() || !std::filesystem::exists(input, error)) return;
     const std::filesystem::path out = std::filesystem::weakly_canonical(settings.out, error);
     const std::filesystem::path inside = std::filesystem::weakly_canonical(input, error).lexically_relative(out);
     if (inside.empty() || *inside.begin() == "..") return;
     problems.add(0, in_quotes(input.string()) + " lies in " + in_quotes(settings.out.string()) + ", which the report replaces as a whole",
                  "move it, or choose another folder with --out");
+}
+
+void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
+    std::error_code error;
+    if (!std::filesystem::exists(settings.out / output::marker_file, error)) return;
+    std::vector<std::filesystem::path> inputs = {config, settings.templates, settings.page_template.value_or("")};
+    inputs.insert(inputs.end(), settings.meshes.begin(), settings.meshes.end());
+    inputs.insert(inputs.end(), settings.data.begin(), settings.data.end());
+    for (const std::filesystem::path& mesh : listed_meshes(settings)) inputs.push_back(settings.base / mesh);
+    for (const Experiment& experiment : settings.experiments) {
+        for (const OriginalMesh& mesh : experiment.meshes) {
+            if (!mesh.file.empty()) inputs.push_back(settings.base / mesh.file);
+        }
+    }
+    for (const std::filesystem::path& input : inputs) require_outside(settings, input, problems);
 }
 
 std::vector<std::string> chosen_questions(const std::string& text) {
@@ -169,9 +184,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     problems.collect([&] {
         if (!flags.only.empty()) settings.only = chosen_questions(flags.only);
     });
-    for (const std::vector<std::filesystem::path>& inputs : {settings.meshes, settings.data, {flags.config, settings.templates}}) {
-        for (const std::filesystem::path& input : inputs) require_outside(settings, input, problems);
-    }
+    require_inputs_outside(settings, flags.config, problems);
     problems.raise();
     settings.quick = flags.quick;
     settings.fail_fast = flags.fail_fast;

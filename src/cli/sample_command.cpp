@@ -7,12 +7,6 @@
 
 namespace meshfolio::cli {
 
-namespace {
-
-constexpr int most_subdivisions = 6;
-
-}   // namespace
-
 Command sample_command(CLI::App& parent) {
     struct Options {
         std::string name, output;

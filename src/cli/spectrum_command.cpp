@@ -12,7 +12,6 @@
 #include "in_quotes.h"
 #include "mesh/mesh_files.h"
 #include "number_text.h"
-#include "output/file_group.h"
 #include "output/folder_system.h"
 
 namespace meshfolio::cli {
@@ -76,15 +75,6 @@ void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options,
     }
 }
 
-/// To be published with the others, or printed for "-".
-void add_or_print(output::FileGroup& files, const std::string& file, std::string_view bytes) {
-    if (file == "-") {
-        print(bytes);
-    } else {
-        files.add(file, bytes);
-    }
-}
-
 ExitCode run_spectrum(const SpectrumFlags& options) {
     const AreaForm form = area_form_named(options.area);
     const OperatorKind kind = operator_named(options.laplacian);
@@ -93,6 +83,7 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
     if (!options.csv.empty() && options.csv == options.vectors)
         throw UsageError("--csv and --vectors are both " + in_quotes(options.csv), "give each output a name of its own");
+    for (const std::string& output : {options.csv, options.vectors}) refuse_to_replace(options.mesh, output);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
     const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k); });
@@ -104,9 +95,9 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     complain(told(certificate));
     output::FileGroup files;
     if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
-    if (!options.vectors.empty()) add_or_print(files, options.vectors, npy_of(spectrum.eigenvectors));
+    if (!options.vectors.empty()) print_to(files, options.vectors, npy_of(spectrum.eigenvectors));
     if (!options.csv.empty() || (options.vectors.empty() && options.out.empty())) {
-        add_or_print(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
+        print_to(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     }
     files.publish();
     return certificate.holds() ? ExitCode::ok : ExitCode::failed;

@@ -31,7 +31,7 @@ ExitCode run_submit(SubmitFlags options) {
     if (!note.empty()) warn(note);
     for (const std::string& warning : submission.warnings) warn(warning);
     complain(std::to_string(submission.files) + " files, " + megabytes(submission.zip.size()) + ", checked and packed");
-    print((report.path / "submission.zip").string() + "\n");
+    print_path(report.path / "submission.zip");
     return ExitCode::ok;
 }
 

@@ -31,7 +31,7 @@ void export_templates(const fs::path& folder, bool force) {
     output::FileGroup files;
     for (const std::string& name : templates.names()) files.add(folder / name, templates[name]);
     files.publish();
-    for (const std::string& name : templates.names()) print((folder / name).string() + "\n");
+    for (const std::string& name : templates.names()) print_path(folder / name);
 }
 
 ExitCode run_templates(const TemplatesFlags& flags) {

@@ -63,7 +63,6 @@ TriangleMesh subdivided_onto(TriangleMesh mesh, int times, const std::function<V
 std::span<const Sample> sample_list() { return samples; }
 
 TriangleMesh make_sample(const std::string& name, int subdivide) {
-    constexpr int most_subdivisions = 6;   // already 4096 times as many triangles
     const auto sample = std::ranges::find(samples, name, &Sample::name);
     if (sample == samples.end()) {
         std::vector<std::string> known;

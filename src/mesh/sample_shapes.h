@@ -19,7 +19,9 @@ struct Sample {
 };
 std::span<const Sample> sample_list();
 
-/// @throws UsageError naming the nearest known sample
+inline constexpr int most_subdivisions = 6;   // already 4096 times as many triangles
+
+/// @throws UsageError naming the nearest known sample, or for more subdivisions than that
 TriangleMesh make_sample(const std::string& name, int subdivide = 0);
 
 // Surfaces with closed forms. `level`/`n` refine them; 2× finer divides the mean edge by two.

@@ -34,9 +34,13 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
         return &members_.emplace_back(path, target, folder / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
     }();
     try {
-        write_part(member->part, bytes, true);
-        if (fs::exists(status)) fs::permissions(member->part.path(), status.permissions(), error);   // as private as what it replaces
-    } catch (const OutputError& failure) {                                                           // name the file that was asked for
+        if (fs::exists(status)) {
+            write_part(member->part, bytes, true, status.permissions());         // never more open than what it replaces
+            fs::permissions(member->part.path(), status.permissions(), error);   // nor closed by the umask; if that fails it stays so
+        } else {
+            write_part(member->part, bytes, true);
+        }
+    } catch (const OutputError& failure) {   // name the file that was asked for
         throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
     }
 }

@@ -72,9 +72,9 @@ std::unique_lock<std::recursive_mutex> permission_to_create() { return std::uniq
 
 void remember_publication() { registry().has_published = true; }
 
-void write_part(const Temporary& part, std::string_view bytes, bool synced) {
+void write_part(const Temporary& part, std::string_view bytes, bool synced, std::filesystem::perms permissions) {
     auto permission = permission_to_create();
-    NewFile file(part.path());
+    NewFile file(part.path(), permissions);
     permission.unlock();   // a file that has lost its name may still be written
     file.finish(bytes, synced);
 }

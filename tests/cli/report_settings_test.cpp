@@ -117,6 +117,8 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     const auto out = folder.path() / "out";
     std::filesystem::create_directories(out / "data");
     std::filesystem::create_directory_symlink(out, folder.path() / "link");
+    write_file(out / "my.obj", "");
+    write_file(folder.path() / "out.obj", "");
     ReportFlags flags;
     flags.out = out.string();
     flags.meshes = {(out / "my.obj").string()};
@@ -128,6 +130,36 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     flags.meshes = {(folder.path() / "out.obj").string()};
     EXPECT_NO_THROW(report_settings(flags));
     flags.data = {(out / "data").string()};
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags.data = {};
+    flags.templates = (out / "data").string();
+    EXPECT_THROW(report_settings(flags), UsageError);
+}
+
+TEST(ReportSettings, SoAreThoseThatTheSettingsName) {
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "out";
+    std::filesystem::create_directories(out);
+    for (const char* name : {".meshfolio", "my.obj", "page.html"}) write_file(out / name, "");
+    ReportFlags flags;
+    flags.out = out.string();
+    const auto refused = [&](const std::string& text) {
+        flags.config = settings_in(folder, text);
+        try {
+            report_settings(flags);
+        } catch (const UsageError& error) {
+            return std::string(error.what()).find("replaces as a whole") != std::string::npos;
+        }
+        return false;
+    };
+    const std::string experiment =
+        "[[experiment]]\nrow = 7\nfrom = \"S0\"\nname = \"x\"\nkind = \"smoothing\"\nmesh = \"mine\"\nlambda = 1\niterations = 1";
+    EXPECT_FALSE(refused("[[question]]\nid = \"q5\"\nmesh = \"my.obj\""));
+    EXPECT_TRUE(refused("[[question]]\nid = \"q5\"\nmesh = \"out/my.obj\""));
+    EXPECT_TRUE(refused("[report]\ntemplate = \"out/page.html\""));
+    EXPECT_TRUE(refused("[original]\nmine = { file = \"out/my.obj\", stand_in = \"torus.obj\" }\n" + experiment));
+    flags.config = (out / "my.toml").string();
+    write_file(flags.config, "");
     EXPECT_THROW(report_settings(flags), UsageError);
 }
 

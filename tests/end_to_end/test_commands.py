@@ -302,6 +302,15 @@ class MeshesOut(InFolder):
         self.assertIn('hausdorff', facts)
         self.refuse(3, 'compare', 'a.obj', self.sample('torus'))
 
+    def test_an_output_never_takes_the_place_of_the_input(self):
+        mesh = self.sample('cube')
+        os.link(self.path(mesh), self.path('twin.csv'))
+        before = open(self.path(mesh), 'rb').read()
+        for words in (['curvature', mesh, '--csv', mesh], ['curvature', mesh, '--csv', './twin.csv'], ['spectrum', mesh, '-k', '3', '--csv', mesh],
+                      ['spectrum', mesh, '-k', '3', '--vectors', mesh], ['render', mesh, '--glb', mesh, '--out', 'views']):
+            self.assertIn('is the input itself', self.refuse(2, *words))
+        self.assertEqual(open(self.path(mesh), 'rb').read(), before)
+
     def test_compare_sees_past_a_surface_that_turned_inside_out(self):
         self.write('a.obj', BOX)
         vertices, triangles = obj(self.path('a.obj'))

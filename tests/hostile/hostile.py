@@ -9,14 +9,16 @@ right exit code, in few and harmless words.
 import hashlib
 import json
 import os
+import pty
 import socket
 import struct
+import subprocess
 import sys
 import threading
 import unittest
 import urllib.parse
 
-from judge import TETRAHEDRON, Hostile
+from judge import PROGRAM, RAW, TETRAHEDRON, Hostile
 
 WHOLE = "--whole" in sys.argv
 
@@ -89,6 +91,20 @@ class Names(Hostile):
                 if text == b"-x" and "--views" in words:
                     continue  # one of them
                 self.judge(2, *words)
+
+
+    def test_paths_on_a_terminal(self):
+        """What is printed for programs is the path itself; a terminal is not steered by it."""
+        cache = os.path.join(os.fsencode(self.folder), b"\x1b]0;title\x07\xff")
+        out = subprocess.run([PROGRAM, "cache"], env={"XDG_CACHE_HOME": cache}, capture_output=True, check=True).stdout
+        self.assertTrue(out.startswith(cache + b"/meshfolio\n"), out)
+        master, slave = pty.openpty()
+        subprocess.run([PROGRAM, "cache"], env={"XDG_CACHE_HOME": cache}, stdout=slave, check=True)
+        os.close(slave)
+        shown = os.read(master, 4096).decode().replace("\r\n", "\n")
+        os.close(master)
+        self.assertIn("\\x1b]0;title\\x07", shown)
+        self.assertIsNone(RAW.search(shown), shown)
 
 
 class Nodes(Hostile):
