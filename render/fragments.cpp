@@ -103,8 +103,10 @@ void CollectHeights(const SampleTile& tile, int block_row, bool from_below, floa
             hn::Store(height, f, nearest.data() + s);
         }
         for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                heights[y * tile_side + column * side + x] = nearest[static_cast<std::size_t>((y * side + x) * pattern.per_pixel)];
+            for (int x = 0; x < side; ++x) {
+                const int sample = (y * side + x) * pattern.per_pixel;
+                heights[y * tile_side + column * side + x] = nearest[static_cast<std::size_t>(sample)];
+            }
     }
 }
 
@@ -140,8 +142,8 @@ Neighbours neighbours_in(const SamplePattern& pattern) {
 void collect_fragments(const SampleTile& tile, int block_row, int width, int height, bool from_below, Fragments& fragments) {
     static const Neighbours of_one = neighbours_in(one_sample), of_four = neighbours_in(four_samples);
     const SamplePattern& pattern = tile.pattern();
-    const auto left = static_cast<float>(tile.x() * subpixels - width * (subpixels / 2));
-    const auto top = static_cast<float>(height * (subpixels / 2) - (tile.y() + block_row * pattern.block_side) * subpixels);
+    const auto left = static_cast<float>(tile.x() * subpixels - width * half_pixel);
+    const auto top = static_cast<float>(height * half_pixel - (tile.y() + block_row * pattern.block_side) * subpixels);
     fragments.count = 0;
     HWY_DYNAMIC_DISPATCH(CollectRow)(pattern.per_pixel == 1 ? of_one : of_four, tile, block_row, left, top, from_below, fragments);
 }

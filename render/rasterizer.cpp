@@ -52,8 +52,8 @@ struct TileCornerFetcher {
           across(hn::Set(Ints(), projected.component[0])),
           up(hn::Set(Ints(), projected.component[1])),
           depth(hn::Set(Ints(), projected.component[2])),
-          left(hn::Set(Ints(), projected.scene.width * (subpixels / 2) - tile.x() * subpixels)),
-          top(hn::Set(Ints(), projected.scene.height * (subpixels / 2) - tile.y() * subpixels)) {}
+          left(hn::Set(Ints(), projected.scene.width * half_pixel - tile.x() * subpixels)),
+          top(hn::Set(Ints(), projected.scene.height * half_pixel - tile.y() * subpixels)) {}
     TileCorner corner(IntVector id, int k) const {
         const Ints d;
         const IntVector in_triangles = hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k));
@@ -209,8 +209,8 @@ HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, Sa
 /// one after that, hides the wait.
 HWY_INLINE void prefetch(const ProjectedScene& scene, std::span<const std::int32_t> ids, std::size_t begin) {
     const std::span<const glm::ivec3> triangles = scene.scene.surface.triangles;
-    if (begin + 3 * block_samples > ids.size()) return;
-    for (std::size_t i = begin + block_samples; i < begin + 2 * block_samples; ++i) {
+    if (begin + 3 * std::size_t{block_samples} > ids.size()) return;
+    for (std::size_t i = begin + block_samples; i < begin + 2 * std::size_t{block_samples}; ++i) {
         hwy::Prefetch(&triangles[static_cast<std::size_t>(ids[i + block_samples])]);
         const glm::ivec3& t = triangles[static_cast<std::size_t>(ids[i])];
         for (int k = 0; k < 3; ++k) hwy::Prefetch(scene.vertices + t[k]);

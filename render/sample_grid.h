@@ -10,6 +10,7 @@ namespace render {
 
 /// Grid steps per pixel.
 inline constexpr int subpixels = 256;
+inline constexpr int half_pixel = subpixels / 2;
 
 /// Samples are kept in blocks of this many, whatever the number per pixel: 2 × 2 pixels of 4 samples or 4 × 4 pixels of 1. A block
 /// is one cache line of depths, one of triangle numbers, and one vector of the widest instruction set.

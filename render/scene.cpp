@@ -168,8 +168,8 @@ ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
 ScreenPoint ProjectedScene::exact_corner(int vertex) const {
     constexpr double farthest = 1e30;   // keeps depths finite in float
     const glm::dvec3 p = in_pixels(scene.surface.positions[index(vertex)], scene.frame);
-    return {scene.width * (subpixels / 2) + snapped_far(glm::dot(p, axes.across)),
-            scene.height * (subpixels / 2) - snapped_far(glm::dot(p, axes.up)),
+    return {long{half_pixel} * scene.width + snapped_far(glm::dot(p, axes.across)),
+            long{half_pixel} * scene.height - snapped_far(glm::dot(p, axes.up)),
             std::clamp(glm::dot(p, axes.depth) * subpixels, -farthest, farthest)};
 }
 

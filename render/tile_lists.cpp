@@ -156,7 +156,7 @@ Box exact_box(const Triangle2& t) {
 Box grid_box(const ProjectedScene& projected, const glm::ivec3& t) {
     const auto across = static_cast<std::size_t>(projected.component[0]), up = static_cast<std::size_t>(projected.component[1]);
     const auto &a = projected.vertices[t.x].at, &b = projected.vertices[t.y].at, &c = projected.vertices[t.z].at;
-    const std::int64_t x = projected.scene.width * (subpixels / 2), y = projected.scene.height * (subpixels / 2);
+    const std::int64_t x = std::int64_t{half_pixel} * projected.scene.width, y = std::int64_t{half_pixel} * projected.scene.height;
     return {x + std::min(a[across], std::min(b[across], c[across])), x + std::max(a[across], std::max(b[across], c[across])),
             y - std::max(a[up], std::max(b[up], c[up])), y - std::min(a[up], std::min(b[up], c[up]))};
 }

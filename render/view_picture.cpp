@@ -47,7 +47,7 @@ void ViewPicture::add(const SampleTile& tile, int block_row, const Fragments& fr
     const int last_row = std::min(rows, image_.height - top), columns = std::min(tile_side, image_.width - tile.x());
     const int left = column(tile.x(), columns);
     for (int y = 0; y < last_row; ++y) {
-        const std::span row_colors = std::span(colors).subspan(static_cast<std::size_t>(y * tile_side), static_cast<std::size_t>(columns));
+        const std::span row_colors = std::span(colors).subspan(static_cast<std::size_t>(y) * tile_side, static_cast<std::size_t>(columns));
         mirror(row_colors);
         if (with_occlusion_)
             pack(row_colors, layers(left, row(top + y), columns));
@@ -63,7 +63,7 @@ void ViewPicture::set_heights(const SampleTile& tile, int block_row) {
     collect_heights(tile, block_row, placement_.from_below, found);
     const int last_row = std::min(rows, image_.height - top), columns = std::min(tile_side, image_.width - tile.x());
     for (int y = 0; y < last_row; ++y) {
-        const std::span row_heights = std::span(found).subspan(static_cast<std::size_t>(y * tile_side), static_cast<std::size_t>(columns));
+        const std::span row_heights = std::span(found).subspan(static_cast<std::size_t>(y) * tile_side, static_cast<std::size_t>(columns));
         mirror(row_heights);
         buffers_->heights.set(column(tile.x(), columns), row(top + y), row_heights);
     }

@@ -87,7 +87,7 @@ struct EdgeFunction {
 
     EdgeFunction(const ScreenPoint& a, const ScreenPoint& b, const SampleTile& tile) : dx(b.x - a.x), dy(b.y - a.y) {
         const bool owns_samples = dy < 0 || (dy == 0 && dx > 0);   // top and left edges
-        at_tile = value(tile.x() * subpixels - a.x, tile.y() * subpixels - a.y) - (owns_samples ? 0 : 1);
+        at_tile = value(std::int64_t{subpixels} * tile.x() - a.x, std::int64_t{subpixels} * tile.y() - a.y) - (owns_samples ? 0 : 1);
     }
     Integer value(std::int64_t x, std::int64_t y) const { return dx * Integer(y) - dy * Integer(x); }
     Integer at(std::int64_t x, std::int64_t y) const { return at_tile + value(x, y); }
@@ -158,7 +158,7 @@ private:
     /// Every sample of the region sees something above the triangle and something below it.
     bool is_hidden(const Blocks& part, const SampleRegion& region) const {
         double low = depth_.highest, high = depth_.lowest;
-        const std::int64_t left = tile_.x() * subpixels, top = tile_.y() * subpixels;
+        const std::int64_t left = std::int64_t{subpixels} * tile_.x(), top = std::int64_t{subpixels} * tile_.y();
         for (const int y : {part.y0, part.y1 + 1})
             for (const int x : {part.x0, part.x1 + 1}) {
                 const double z = depth_.at(left + steps(x), top + steps(y));
@@ -170,8 +170,9 @@ private:
 
     void update(SampleRegion& region, int x, int y) {
         region = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+        const int left = x * side;
         for (int by = y * side; by < (y + 1) * side; ++by)
-            for (const SampleBlock* b = tile_.row(by) + x * side; b != tile_.row(by) + (x + 1) * side; ++b)
+            for (const SampleBlock* b = tile_.row(by) + left; b != tile_.row(by) + left + side; ++b)
                 for (std::size_t s = 0; s < block_samples; ++s) {
                     region.floor = std::min(region.floor, b->highest[s]);
                     region.ceiling = std::max(region.ceiling, b->lowest[s]);
@@ -196,7 +197,8 @@ private:
 
     void draw_samples(int bx, int by) {
         const SamplePattern& pattern = tile_.pattern();
-        const std::int64_t x0 = steps(bx), y0 = steps(by), left = tile_.x() * subpixels + x0, top = tile_.y() * subpixels + y0;
+        const std::int64_t x0 = steps(bx), y0 = steps(by);
+        const std::int64_t left = std::int64_t{subpixels} * tile_.x() + x0, top = std::int64_t{subpixels} * tile_.y() + y0;
         SampleBlock& seen = tile_.row(by)[bx];
         for (std::size_t s = 0; s < block_samples; ++s) {
             const std::int64_t x = pattern.x[s], y = pattern.y[s];

@@ -24,8 +24,10 @@ struct Scientific {
 
 Scientific scientific(double x, int digits) {
     const std::string s = chars_of(x, std::chars_format::scientific, digits - 1);
-    const std::size_t e = s.find('e');
-    return {s.substr(0, e), std::atoi(s.c_str() + e + 1)};
+    const std::size_t e = s.find('e');   // "…e+05": from_chars() takes no plus
+    int exponent = 0;
+    std::from_chars(s.data() + e + (s[e + 1] == '+' ? 2 : 1), s.data() + s.size(), exponent);
+    return {s.substr(0, e), exponent};
 }
 
 bool is_plain(int exponent, int digits) { return exponent >= -4 && exponent < std::max(6, digits); }
@@ -35,13 +37,6 @@ int decimals(int exponent, int digits) { return std::max(0, digits - 1 - exponen
 
 std::string with_typographic_minus(std::string s) {
     if (!s.empty() && s.front() == '-') s.replace(0, 1, "\u2212");
-    return s;
-}
-
-std::string superscript(int exponent) {
-    static constexpr const char* digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string s = exponent < 0 ? "⁻" : "";
-    for (const char c : std::to_string(std::abs(exponent))) s += digit[c - '0'];
     return s;
 }
 
@@ -93,7 +88,20 @@ std::string readable(double x, int digits) {
     const Scientific s = scientific(x, digits);
     if (is_plain(s.exponent, digits))
         return with_typographic_minus(grouped(chars_of(x, std::chars_format::fixed, decimals(s.exponent, digits))));
-    return with_typographic_minus(s.mantissa) + "\u202f×\u202f10" + superscript(s.exponent);
+    return with_typographic_minus(s.mantissa) + "\u202f×\u202f" + power_of_ten(s.exponent);
+}
+
+std::string scientific_text(double x, int digits) {
+    if (!std::isfinite(x) || x == 0) return readable(x, digits);
+    const Scientific s = scientific(x, digits);
+    return with_typographic_minus(s.mantissa) + "\u202f×\u202f" + power_of_ten(s.exponent);
+}
+
+std::string power_of_ten(int exponent) {
+    static constexpr const char* superscript[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string power = exponent < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(exponent))) power += superscript[digit - '0'];
+    return power;
 }
 
 std::string plain_text(double x, int digits) {

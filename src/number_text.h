@@ -15,7 +15,13 @@ std::string exact_text(double x);
 /// Minus is U+2212 and powers are written ×10⁻⁷. NaN gives "–".
 std::string readable(double x, int digits = 3);
 
-/// The same without typography: -1.23e-07. For axis labels that programs read, CSV and plain logs.
+/// 3.59 × 10⁻⁵ whatever the size; for a column in which some numbers need the power.
+std::string scientific_text(double x, int digits);
+
+/// "10⁻⁴".
+std::string power_of_ten(int exponent);
+
+/// As readable() without typography: -1.23e-07. For axis labels that programs read, CSV and plain logs.
 std::string plain_text(double x, int digits = 6);
 
 /// The numbers of `digits` significant digits nearest to x that are not above, or not below it: what a bound may be printed as without

@@ -107,7 +107,7 @@ private:
     Problems& problems_;
 
     std::string text(const TableReader& reader, const std::string& key, std::size_t longest) {
-        const std::string text = reader.text(key).value_or("");
+        std::string text = reader.text(key).value_or("");
         if (text.size() > longest) {
             problems_.add(*reader.node(key), reader.called(key) + " has " + std::to_string(text.size()) + " bytes",
                           "at most " + std::to_string(longest) + " are allowed");
@@ -132,7 +132,7 @@ private:
     }
 
     std::optional<std::string> one_of(const TableReader& reader, const std::string& key, const Words& known) {
-        const auto word = reader.text(key);
+        auto word = reader.text(key);
         if (!word || contains(known, *word)) return word;
         problems_.add(*reader.node(key), "unknown " + key + " " + in_quotes(*word) + " in [[experiment]]",
                       "did you mean '" + nearest_word(*word, known) + "'?");

@@ -192,7 +192,7 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
 
 std::map<std::string, std::string> QuestionCache::keep(const report::Section& section, const report::DrawnFigures& figures,
                                                        const CoverOffer& cover, const std::vector<MeshLookup>& lookups) const try {
-    const auto digests = write(answer_key(section.id, lookups), section, figures, cover);
+    auto digests = write(answer_key(section.id, lookups), section, figures, cover);
     store_.put(question_key(section.id), json_of(lookups).dump());
     return digests;
 } catch (const json::exception&) {   // a name that is no UTF-8: not kept

@@ -193,7 +193,7 @@ private:
 
     /// A plain name that neither leaves the report's folder nor is taken there.
     std::optional<std::string> output_of(const TableReader& question) {
-        const auto name = question.text("output");
+        auto name = question.text("output");
         if (!name) return {};
         const toml::node& node = *question.node("output");
         const auto line = static_cast<long>(node.source().begin.line);

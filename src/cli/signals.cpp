@@ -99,8 +99,7 @@ __attribute__((no_sanitize("address", "thread", "undefined"))) void require_room
 void prepare_process() {
     fill_closed_descriptors();
     std::set_terminate(end_after_uncaught);
-    ::signal(SIGPIPE, SIG_IGN);
-    ::signal(SIGXFSZ, SIG_IGN);
+    for (const int ignored : {SIGPIPE, SIGXFSZ}) static_cast<void>(::signal(ignored, SIG_IGN));   // both can be: such a write fails instead
     const sigset_t signals = ending_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     try {

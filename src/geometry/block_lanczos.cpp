@@ -47,7 +47,7 @@ SpectrumTimes& SpectrumTimes::operator+=(const SpectrumTimes& other) {
     return *this;
 }
 
-BlockLanczos::BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, std::vector<const EightColumns*> locked,
+BlockLanczos::BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, const std::vector<const EightColumns*>& locked,
                            const Setting& setting)
     : factor_(factor), zeros_(zeros), setting_(setting), n_(factor.size), locked_count_(locked.size()) {
     for (const EightColumns* block : locked) all_.push_back(block->data());
@@ -119,7 +119,7 @@ Small BlockLanczos::keep_orthogonal(EightColumns& W, const Small& gram) {
     std::vector<Small> below = below_;
     below.push_back(spectral.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() * spectral.eigenvectors().transpose());
     const bool lost = watch_.expect(diagonal_, below) > allowed && V_.size() > 1;
-    const Small kept = lost ? orthogonalise_with_last(W) : gram;
+    Small kept = lost ? orthogonalise_with_last(W) : gram;
     watch_.advance(lost);
     return kept;
 }

@@ -38,7 +38,7 @@ public:
     /// @param factor  of B − σI
     /// @param zeros   in the order of elimination
     /// @param locked  eigenvectors known already, in that order: the basis is kept orthogonal to them
-    BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, std::vector<const EightColumns*> locked, const Setting& setting);
+    BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, const std::vector<const EightColumns*>& locked, const Setting& setting);
 
     void advance();   // by one block
     int basis_size() const { return EightColumns::width * (static_cast<int>(V_.size()) - 1); }

@@ -118,7 +118,7 @@ void CornerBatch::resize(int corners, int rings) {
     diagonal_place.resize(static_cast<std::size_t>(rings));
     if (corners <= room_) return;
     room_ = corners;
-    const auto with_spare = static_cast<std::size_t>(room_ + spare);
+    const auto with_spare = static_cast<std::size_t>(room_) + spare;
     for (Vertices* vertices : {&here, &triangle, &next, &previous, &place_of_next, &place_of_previous}) vertices->resize(with_spare);
     for (Numbers* numbers : {&place, &dot_here, &dot_next, &dot_previous, &squared_here, &squared_next, &squared_previous, &normal.x,
                              &normal.y, &normal.z, &cross, &cotangent_next, &cotangent_previous, &barycentric, &voronoi, &mixed, &angle}) {

@@ -32,7 +32,7 @@ Measures measures_of(const Eigen::Matrix3d& x, const Eigen::Matrix3d& u) {
 
 /// The triangle's normal as corner k weights it, from the cross product a × b of the edges leaving it.
 Vector3 weighted_normal(const Vector3& a, const Vector3& b, NormalWeights weights) {
-    const Vector3 cross = a.cross(b);
+    Vector3 cross = a.cross(b);
     const double size = cross.norm();
     if (!(size > 0)) return Vector3::Zero();
     switch (weights) {

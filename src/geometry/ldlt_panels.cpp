@@ -26,7 +26,7 @@ int end_of_panel(const Implementation& L, int first, int size) {
 void append_panel(const Implementation& L, int first, int end, LdltPanels& panels) {
     const int w = end - first;
     const FactorColumn last = L.column(end - 1);
-    const auto own = static_cast<std::size_t>(w * w), below = static_cast<std::size_t>(last.count);
+    const auto own = static_cast<std::size_t>(w) * static_cast<std::size_t>(w), below = static_cast<std::size_t>(last.count);
     double* value = panels.values.data() + panels.value_start.back();
     for (int c = 0; c < w; ++c) {
         const FactorColumn column = L.column(first + c);
@@ -67,7 +67,7 @@ void append_part(const Supernode& block, int first, int w, LdltPanels& panels) {
         const double* const column = block.values + std::ptrdiff_t(block.row_count) * (skipped + c) + skipped;
         const double inverse = 1 / column[c];
         for (int r = c + 1; r < w; ++r) value[w * r + c] = column[r] * inverse;
-        for (int r = 0; r < below; ++r) value[w * w + std::ptrdiff_t(w) * r + c] = column[w + r] * inverse;
+        for (int r = 0; r < below; ++r) value[std::ptrdiff_t(w) * (w + r) + c] = column[w + r] * inverse;
     }
     const int* const rows = block.rows + skipped + w;
     panels.rows.insert(panels.rows.end(), rows, rows + below);

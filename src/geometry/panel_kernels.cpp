@@ -83,6 +83,9 @@ void SubtractCombination(Blocks V, const double* G, Eigen::Index first, Eigen::I
     }
 }
 
+// Offsets within a panel: 8 rows of 8 numbers at most.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
+
 void MultiplyRows(const double* T, Eigen::Index first, Eigen::Index last, double* W) {
     const Lanes d;
     const int lanes = static_cast<int>(hn::Lanes(d));
@@ -151,6 +154,8 @@ HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Inde
         }
     }
 }
+
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
 
 template <class Visit>
 HWY_INLINE void WithWidth(int w, const Visit& visit) {

@@ -71,7 +71,8 @@ std::vector<InertiaProof> bracket_from_above(const SpectrumProblem& problem, int
         if (found) counts.erase(above + 1, counts.end());
         if (found && (above->counted <= enough || above->sigma - (above - 1)->sigma <= 4 * clear_gap * above->sigma)) break;
         if (!found) {
-            const double next = sigma_at(counts, wanted + (enough - wanted) / 2) * (counts.back().counted > 0 ? 1.0 : 2.0);
+            const int middle = wanted + (enough - wanted) / 2;
+            const double next = sigma_at(counts, middle) * (counts.back().counted > 0 ? 1.0 : 2.0);
             insert(counts, counted(problem, std::clamp(next, 1.02 * counts.back().sigma, std::max(top, 1.02 * counts.back().sigma))));
             continue;
         }

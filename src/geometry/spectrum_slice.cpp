@@ -65,7 +65,7 @@ LdltPanels factor_within(const LdltAnalysis& analysis, const SliceGoal& goal, do
 LdltPanels factor_below_zero(const LdltAnalysis& analysis, double& sigma) {
     constexpr int most_attempts = 5;
     std::string reason;
-    for (int i = 0; i < most_attempts; ++i, sigma *= 10) {
+    for (int i = 0; i < most_attempts; ++i) {
         try {
             LdltPanels factor = analysis.factor(sigma);
             if (factor.negative_pivots() == 0) return factor;
@@ -74,6 +74,7 @@ LdltPanels factor_below_zero(const LdltAnalysis& analysis, double& sigma) {
         } catch (const SolverError& error) {   // a pivot lost in rounding
             reason = error.what();
         }
+        sigma *= 10;
     }
     throw SolverError("−C is not positive semidefinite: " + reason,
                       "repair triangles of zero area, and sum the opposite cotangents of an edge instead of averaging them");

@@ -248,9 +248,10 @@ SlicedPairs SliceSet::pairs(int k) {
     for (int g = 0; g < groups; ++g) {
         EightColumns& X = packed.emplace_back(problem_.size());
         for (int c = 0; c < width; ++c) {
-            const std::size_t j = static_cast<std::size_t>(width * g + c);
-            const bool used = static_cast<int>(j) < k;
-            if (used) result.mu[static_cast<Eigen::Index>(j)] = all[j].mu;
+            const int place = width * g + c;
+            const auto j = static_cast<std::size_t>(place);
+            const bool used = place < k;
+            if (used) result.mu[place] = all[j].mu;
             for (Eigen::Index i = 0; i < X.rows(); ++i) X.row(i)[c] = used ? all[j].group->row(i)[all[j].lane] : 0;
         }
     }

@@ -92,7 +92,7 @@ LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double 
     // Started from an eigenvector alone, Lanczos would have nowhere to go.
     y = usable ? Vector(y.normalized() + 0.1 * irregular_direction(whole.size())) : Vector();
     const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : lanczos_top(B, tolerance, y);
-    const LargestEigenvalue top = top_mode(whole, pair.mu / total, pair.y.cwiseQuotient(M.cwiseSqrt()));
+    LargestEigenvalue top = top_mode(whole, pair.mu / total, pair.y.cwiseQuotient(M.cwiseSqrt()));
     if (top.value <= top.upper_bound * (1 + 1e-9)) return top;
     throw SolverError("largest eigenvalue: Lanczos gave " + plain_text(top.value) + ", beyond the bound of Gershgorin, " +
                       plain_text(top.upper_bound));

@@ -7,8 +7,8 @@ namespace meshfolio {
 TriangleMesh parameter_mesh(int nx, int ny, bool periodic, const std::function<Vector3(double s, double t)>& at) {
     const int squares = periodic ? nx : nx - 1;
     TriangleMesh mesh;
-    mesh.X.resize(nx * ny, 3);
-    mesh.F.resize(2 * squares * (ny - 1), 3);
+    mesh.X.resize(Eigen::Index{nx} * ny, 3);
+    mesh.F.resize(Eigen::Index{2} * squares * (ny - 1), 3);
     const auto index = [&](int i, int j) { return j * nx + i % nx; };
     int t = 0;
     for (int j = 0; j < ny; ++j) {

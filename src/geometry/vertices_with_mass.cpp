@@ -89,7 +89,7 @@ Components components_of(const SparseMatrix& A) {
 
 SparseMatrix symmetric_form(const SparseMatrix& A, const Vector& M) {
     const Vector scale = M.cwiseSqrt().cwiseInverse();
-    SparseMatrix B = A;
+    SparseMatrix B = A;   // NOLINT(performance-unnecessary-copy-initialization): its iterators write to it
     for (int j = 0; j < B.cols(); ++j) {
         for (SparseMatrix::InnerIterator entry(B, j); entry; ++entry) entry.valueRef() *= scale[entry.row()] * scale[j];
     }
@@ -103,7 +103,7 @@ Eigen::Index first_largest(const Vector& y) {
     return i;
 }
 
-SparseMatrix weighted_by_rows(SparseMatrix A, const Vector& weights) {
+SparseMatrix weighted_by_rows(SparseMatrix A, const Vector& weights) {   // NOLINT(performance-unnecessary-value-param): as above
     for (int j = 0; j < A.cols(); ++j) {
         for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) entry.valueRef() *= weights[entry.row()];
     }

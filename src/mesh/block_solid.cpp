@@ -114,9 +114,9 @@ TriangleMesh triangulated(const BlockSurface& surface, const std::function<bool(
     for (int q = 0; q < static_cast<int>(surface.quads.size()); ++q) {
         const auto [a, b, c, d] = surface.quads[at(q)];
         if (first_diagonal(surface, q)) {
-            mesh.F.middleRows<2>(2 * q) << a, b, c, a, c, d;
+            mesh.F.middleRows<2>(2 * Eigen::Index{q}) << a, b, c, a, c, d;
         } else {
-            mesh.F.middleRows<2>(2 * q) << a, b, d, b, c, d;
+            mesh.F.middleRows<2>(2 * Eigen::Index{q}) << a, b, d, b, c, d;
         }
     }
     return mesh;

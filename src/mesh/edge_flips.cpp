@@ -41,7 +41,7 @@ public:
 private:
     int vertex(const Corner& c, int offset = 0) const { return F_(c.triangle, (c.k + offset) % 3); }
     Vector3 point(int v) const { return X_.row(v); }
-    Corner& across(const Corner& c) { return across_[static_cast<std::size_t>(3 * c.triangle + c.k)]; }
+    Corner& across(const Corner& c) { return across_[3 * static_cast<std::size_t>(c.triangle) + static_cast<std::size_t>(c.k)]; }
 
     void connect() {
         std::map<std::pair<int, int>, Corner> open;

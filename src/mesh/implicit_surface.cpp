@@ -54,7 +54,10 @@ private:
                 for (int i = 0; i < nodes_[0]; ++i) action(Eigen::Vector3i(i, j, k));
     }
 
-    std::size_t slot(const Eigen::Vector3i& n) const { return static_cast<std::size_t>((n[2] * nodes_[1] + n[1]) * nodes_[0] + n[0]); }
+    std::size_t slot(const Eigen::Vector3i& n) const {
+        const int place = (n[2] * nodes_[1] + n[1]) * nodes_[0] + n[0];
+        return static_cast<std::size_t>(place);
+    }
     Vector3 place(const Eigen::Vector3i& n) const { return low_ + cell_ * n.cast<double>(); }
     double value(const Eigen::Vector3i& n) const { return value_[slot(n)]; }
     bool cut(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const { return (value(a) < 0) != (value(b) < 0); }

@@ -50,7 +50,7 @@ TriangleMesh subdivide_midpoint(const TriangleMesh& mesh) {
     for (int t = 0; t < mesh.face_count(); ++t) {
         const int a = mesh.F(t, 0), b = mesh.F(t, 1), c = mesh.F(t, 2);
         const int ab = middle_of(a, b), bc = middle_of(b, c), ca = middle_of(c, a);
-        fine.F.middleRows<4>(4 * t) << a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca;
+        fine.F.middleRows<4>(Eigen::Index{4} * t) << a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca;
     }
     fine.X.resize(n, 3);
     fine.X.topRows(mesh.X.rows()) = mesh.X;
@@ -79,15 +79,15 @@ TriangleMesh ellipsoid_mesh(int level, const Vector3& half_axes) {
 TriangleMesh torus_mesh(int around, int across, double R, double r) {
     require(around >= 3 && across >= 3, "torus_mesh: fewer than three points around or across");
     TriangleMesh mesh;
-    mesh.X.resize(around * across, 3);
-    mesh.F.resize(2 * around * across, 3);
+    mesh.X.resize(Eigen::Index{around} * across, 3);
+    mesh.F.resize(2 * mesh.X.rows(), 3);
     const auto index = [&](int i, int j) { return (i % around) * across + j % across; };
     for (int i = 0; i < around; ++i) {
         for (int j = 0; j < across; ++j) {
             const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
             const double from_axis = R + r * std::cos(v);
             mesh.X.row(index(i, j)) << from_axis * std::cos(u), from_axis * std::sin(u), r * std::sin(v);
-            mesh.F.middleRows<2>(2 * index(i, j)) << index(i, j), index(i + 1, j), index(i + 1, j + 1),   //
+            mesh.F.middleRows<2>(Eigen::Index{2} * index(i, j)) << index(i, j), index(i + 1, j), index(i + 1, j + 1),   //
                 index(i, j), index(i + 1, j + 1), index(i, j + 1);
         }
     }
@@ -97,8 +97,8 @@ TriangleMesh torus_mesh(int around, int across, double R, double r) {
 TriangleMesh grid_mesh(int nx, int ny, double width, double depth, double (*height)(double x, double y)) {
     require(nx >= 2 && ny >= 2, "grid_mesh: fewer than two points along a side");
     TriangleMesh mesh;
-    mesh.X.resize(nx * ny, 3);
-    mesh.F.resize(2 * (nx - 1) * (ny - 1), 3);
+    mesh.X.resize(Eigen::Index{nx} * ny, 3);
+    mesh.F.resize(Eigen::Index{2} * (nx - 1) * (ny - 1), 3);
     const auto index = [&](int i, int j) { return j * nx + i; };
     int t = 0;
     for (int j = 0; j < ny; ++j) {

@@ -19,7 +19,7 @@ const int* corners_of(const TriangleMesh& mesh, int t) { return mesh.F.data() + 
 Sides sides_at(const int* corner, int v) {
     const int k = (corner[1] == v ? 1 : 0) + (corner[2] == v ? 2 : 0);
     constexpr int next[] = {1, 2, 0}, previous[] = {2, 0, 1};
-    return {corner[next[k]], corner[previous[k]]};
+    return {corner[next[k]], corner[previous[k]]};   // NOLINT(clang-analyzer-core.uninitialized.ArraySubscript): corners differ, no k is 3
 }
 
 /// Four integers computed with as one (an extension of GCC and Clang); comparisons give −1 where they hold, 0 where not.

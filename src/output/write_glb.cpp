@@ -140,7 +140,7 @@ private:
         views_.back()["target"] = target;
     }
 
-    std::size_t end(Json accessor) {
+    std::size_t end(const Json& accessor) {
         views_.back()["byteLength"] = bytes_.size() - views_.back()["byteOffset"].get<std::size_t>();
         Json described;
         described["bufferView"] = views_.size() - 1;

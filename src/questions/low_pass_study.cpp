@@ -30,8 +30,10 @@ int cutoff_near_fifteen(const Vector& mu) {
 std::vector<int> degrees_for(const LowPassStudy& study, bool quick) {
     const double unit = std::sqrt(study.bound / study.cutoff);
     std::vector<int> degrees;
-    for (double times = 1; times < (quick ? 17 : 24); times *= std::sqrt(2)) {
+    double times = 1;
+    while (times < (quick ? 17 : 24)) {
         degrees.push_back(std::clamp(static_cast<int>(std::round(times * unit)), 1, highest_degree));
+        times *= std::sqrt(2);
     }
     return each_once(degrees);
 }

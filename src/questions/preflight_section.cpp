@@ -18,7 +18,6 @@ namespace {
 
 using report::check_at_most;
 using report::check_near;
-using report::math;
 using report::ref;
 
 /// One mesh looked over.

@@ -17,7 +17,6 @@ using report::Cell;
 using report::check_at_most;
 using report::check_near;
 using report::math;
-using report::ref;
 
 constexpr std::size_t barycentric = 0;   // in area_forms: the form used for figures and statistics
 

@@ -94,7 +94,8 @@ double CostModel::exact_time(double energy) const {
 }
 
 double CostModel::least_energy(double least) const {
-    for (double relative = 1e9; relative > 1; relative /= 1.5) {
+    double relative = 1.5e9;
+    while ((relative /= 1.5) > 1) {
         const auto filter = implicit_filter(relative * critical_, 1);
         if (share(filter) < least) continue;
         if (measure_.uncertainty([&](double mu) { return mu * filter(mu) * filter(mu); }) <= 1e-7) return share(filter);

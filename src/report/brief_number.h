@@ -12,10 +12,4 @@ std::string readable_integer(double x);
 /// With as few digits as say the same as `most` digits: 2, 0.01, 1e-6 instead of 2.000, 0.01000, 1.000e-6.
 std::string brief(double x, int most);
 
-/// 3.59 × 10⁻⁵ whatever the size; for a column in which some numbers need the power.
-std::string scientific(double x, int digits);
-
-/// "10⁻⁴".
-std::string power_of_ten(int exponent);
-
 }   // namespace meshfolio::report

@@ -30,7 +30,7 @@ bool is_variable(std::string_view word) {
 std::string script_at(const std::string& s, std::size_t& at) {
     if (at < s.size() && s[at] == '{') {
         const std::size_t end = std::min(s.find('}', at), s.size());
-        const std::string inside = s.substr(at + 1, end - at - 1);
+        std::string inside = s.substr(at + 1, end - at - 1);
         at = std::min(end + 1, s.size());
         return inside;
     }
@@ -41,7 +41,7 @@ std::string script_at(const std::string& s, std::size_t& at) {
     const std::size_t word = end;
     while (end < s.size() && (is_letter(s[end]) || is_digit(s[end]))) ++end;
     if (end == word && end < s.size()) end += character_length(s, end);
-    const std::string script = s.substr(at, end - at);
+    std::string script = s.substr(at, end - at);
     at = end;
     return script;
 }

@@ -72,7 +72,7 @@ bool is_in_snap(const fs::path& program) {
     std::error_code error;
     const fs::path real = fs::canonical(program, error);
     if (real.string().starts_with("/snap/") || real.filename() == "snap") return true;
-    if (fs::file_size(program, error) > 64 * 1024 || error) return false;
+    if (fs::file_size(program, error) > 65536 || error) return false;
     std::ifstream file(program, std::ios::binary);
     const std::string script{std::istreambuf_iterator<char>(file), {}};
     return script.starts_with("#!") && script.find("/snap/bin/") != std::string::npos;

@@ -115,7 +115,7 @@ std::vector<QPDFObjectHandle> several(QPDFObjectHandle entry) {
 }
 
 /// The elements of the structure in reading order.
-std::vector<QPDFObjectHandle> elements_of(QPDFObjectHandle structure) {
+std::vector<QPDFObjectHandle> elements_of(const QPDFObjectHandle& structure) {
     std::vector<QPDFObjectHandle> elements, open{structure};
     std::set<QPDFObjGen> seen;
     while (!open.empty()) {
@@ -220,8 +220,7 @@ std::string pdf_date(const std::string& seconds) {
     std::tm parts{};
     ::gmtime_r(&time, &parts);
     char text[32];
-    std::strftime(text, sizeof text, "D:%Y%m%d%H%M%SZ", &parts);
-    return text;
+    return {text, std::strftime(text, sizeof text, "D:%Y%m%d%H%M%SZ", &parts)};
 }
 
 std::string finish_pdf(std::string_view bytes, const PdfDetails& details) try {

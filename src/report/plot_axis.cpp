@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "number_text.h"
-#include "report/brief_number.h"
 
 namespace meshfolio::report {
 
@@ -31,8 +30,11 @@ std::string tick_label(double value, double step) {
 std::vector<Tick> linear_ticks(double low, double high) {
     const double step = round_step((high - low) / wanted_ticks);
     std::vector<Tick> ticks;
-    for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) {
-        ticks.push_back({i * step, tick_label(i * step, step)});
+    const double first = std::ceil(low / step - 1e-9);
+    for (int i = 0; i <= 2 * wanted_ticks; ++i) {   // fewer, unless the range is too narrow for its numbers to differ
+        const double value = (first + i) * step;
+        if (value > high + 1e-9 * step) break;
+        ticks.push_back({value, tick_label(value, step)});
     }
     return ticks;
 }

@@ -106,10 +106,10 @@ private:
         const std::size_t columns = map_.x.size(), rows = map_.y.size();
         for (std::size_t row = 0; row < rows; ++row) {
             for (std::size_t first = 0, end; first < columns; first = end) {
-                const int band = band_of(panel, first, row);
+                const int band = band_of(panel, first, row), path = 1 + band;   // the first: undefined
                 for (end = first + 1; end < columns && band_of(panel, end, row) == band;) ++end;
                 const Box a = cell(frame, first, row), b = cell(frame, end - 1, row);
-                paths[static_cast<std::size_t>(band + 1)] +=
+                paths[static_cast<std::size_t>(path)] +=
                     "M" + px(a.left) + " " + px(a.top) + "H" + px(b.right) + "V" + px(a.bottom) + "H" + px(a.left) + "Z";
             }
         }

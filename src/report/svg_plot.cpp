@@ -249,7 +249,7 @@ private:
         }
         for (const auto& line : plot_.vertical_lines) {
             if (!x_.shows(line.x)) continue;
-            for (double y = frame_.top; y < frame_.bottom; y += 6) points.push_back({at_x(line.x), y});
+            for (int i = 0; frame_.top + 6 * i < frame_.bottom; ++i) points.push_back({at_x(line.x), frame_.top + 6 * i});
         }
         return points;
     }
@@ -271,7 +271,8 @@ private:
             if (!x_.shows(line.x) || line.label.empty()) continue;
             const double w = text_width(line.label), x = at_x(line.x);
             std::vector<Box> boxes;
-            for (double y = frame_.top + 2; y + line_height < frame_.bottom; y += line_height) {
+            for (int row = 0; frame_.top + 2 + (row + 1) * line_height < frame_.bottom; ++row) {
+                const double y = frame_.top + 2 + row * line_height;
                 boxes.push_back({x + 6, y, x + 6 + w, y + line_height});
                 boxes.push_back({x - 6 - w, y, x - 6, y + line_height});
             }

@@ -79,7 +79,7 @@ double rounded(double x, const Column& column) {
 
 std::string number_text(double x, Notation notation, int digits) {
     const bool near_one = std::abs(x) >= 0.01 && std::abs(x) < 1e5;
-    if (notation == Notation::scientific && !near_one) return scientific(x, digits);
+    if (notation == Notation::scientific && !near_one) return scientific_text(x, digits);
     return notation == Notation::whole ? readable_integer(x) : readable(x, digits);
 }
 

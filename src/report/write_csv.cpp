@@ -10,7 +10,7 @@ namespace meshfolio::report {
 namespace {
 
 std::string field(const std::string& raw) {
-    const std::string text = valid_utf8(raw);
+    std::string text = valid_utf8(raw);
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) {

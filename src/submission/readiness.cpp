@@ -83,7 +83,7 @@ std::string author_of(const std::string& named, const std::string& asked) {
         throw UsageError("the report names '" + printable(named) + "' as its author, not '" + printable(asked) + "'",
                          "make it again with the right author in its settings, or leave --author out");
     }
-    const std::string author = asked.empty() ? named : asked;
+    std::string author = asked.empty() ? named : asked;
     if (author.size() > longest_author || printable(author) != author)
         throw UsageError("--author is no name of at most " + std::to_string(longest_author) + " bytes on one line",
                          "write it out, or leave --author away");

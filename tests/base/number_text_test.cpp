@@ -44,6 +44,12 @@ TEST(NumberText, ReadableRoundsToSignificantDigits) {
     EXPECT_EQ(readable_percent(0.1234), "12.3\u202f%");
 }
 
+TEST(NumberText, ScientificRoundsUpIntoTheNextPower) {
+    EXPECT_EQ(scientific_text(9.996e-4, 3), "1.00\u202f×\u202f10⁻³");
+    EXPECT_EQ(scientific_text(-1234.0, 2), "\u22121.2\u202f×\u202f10³");
+    EXPECT_EQ(scientific_text(0, 2), "0");
+}
+
 TEST(NumberText, PlainTextHasNoTypography) {
     EXPECT_EQ(plain_text(-0.5), "-0.5");
     EXPECT_EQ(plain_text(1.25e-9), "1.25e-9");

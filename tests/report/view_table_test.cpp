@@ -144,11 +144,5 @@ TEST(BriefNumber, SaysTheSameWithFewerDigits) {
     EXPECT_EQ(brief(std::nan(""), 4), "–");
 }
 
-TEST(BriefNumber, ScientificRoundsUpIntoTheNextPower) {
-    EXPECT_EQ(scientific(9.996e-4, 3), "1.00\u202f×\u202f10⁻³");
-    EXPECT_EQ(scientific(-1234.0, 2), "\u22121.2\u202f×\u202f10³");
-    EXPECT_EQ(scientific(0, 2), "0");
-}
-
 }   // namespace
 }   // namespace meshfolio::report
