@@ -45,14 +45,16 @@ TEST(FileGroup, NoFileIsWrittenTwice) {
     EXPECT_EQ(read_file(folder.path() / "a"), "one");
 }
 
-TEST(ReplaceFile, IsAsPrivateAsWhatItReplaces) {
+TEST(ReplaceFile, IsAsPrivateOrAsOpenAsWhatItReplaces) {
     const TemporaryFolder folder;
-    const fs::path secret = folder.path() / "secret";
-    replace_file(secret, "old");
-    fs::permissions(secret, fs::perms::owner_read | fs::perms::owner_write);
-    replace_file(secret, "new");
-    EXPECT_EQ(fs::status(secret).permissions(), fs::perms::owner_read | fs::perms::owner_write);
-    EXPECT_EQ(read_file(secret), "new");
+    const fs::path file = folder.path() / "file";
+    for (const fs::perms permissions : {fs::perms{0600}, fs::perms{0666}, fs::perms{0444}}) {   // the umask would take bits of the second
+        replace_file(file, "old");
+        fs::permissions(file, permissions);
+        replace_file(file, "new");
+        EXPECT_EQ(fs::status(file).permissions(), permissions);
+        EXPECT_EQ(read_file(file), "new");
+    }
 }
 
 TEST(FileGroup, WithoutPublishingNothingIsLeft) {

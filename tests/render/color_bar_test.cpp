@@ -155,6 +155,10 @@ TEST(TickLabels, SmallAndLargeNumbersShareAPowerOfTen) {
     EXPECT_EQ(small.text, (std::vector<std::string>{"0.0", "0.5", "1.0", "1.5"}));
     EXPECT_EQ(render::tick_labels({1e30, 2e30}).power, "10³⁰");
     EXPECT_EQ(render::tick_labels({1000, 2000}).power, "");
+    EXPECT_EQ(render::tick_labels({0, 20000, 40000}).text.back(), "40000") << "below 100 000 in plain";
+    EXPECT_EQ(render::tick_labels({0, 100000}).power, "10⁵");
+    EXPECT_EQ(render::tick_labels({0, 0.001}).power, "") << "from a thousandth in plain";
+    EXPECT_EQ(render::tick_labels({0, 0.0005}).power, "10⁻⁴");
 }
 
 TEST(ShareText, IsShort) {
