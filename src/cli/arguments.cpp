@@ -1,7 +1,6 @@
 #include "cli/arguments.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "errors.h"
 #include "in_quotes.h"
@@ -57,12 +56,6 @@ double number_above_zero(const std::string& option, std::string_view text) {
     const auto value = parse_number(text);
     if (!value || *value <= 0) refuse(option, text, "a finite number > 0");
     return *value;
-}
-
-void refuse_to_replace(const std::string& input, const std::string& output) {
-    std::error_code error;
-    if (std::filesystem::equivalent(input, output, error))
-        throw UsageError(in_quotes(output) + " is the input itself", "give the output a name of its own");
 }
 
 }   // namespace meshfolio::cli

@@ -22,7 +22,4 @@ double finite_number(const std::string& option, std::string_view text);
 double number_not_negative(const std::string& option, std::string_view text);
 double number_above_zero(const std::string& option, std::string_view text);
 
-/// A table or model never takes the place of what it is about. @throws UsageError if `output` is the file `input`
-void refuse_to_replace(const std::string& input, const std::string& output);
-
 }   // namespace meshfolio::cli

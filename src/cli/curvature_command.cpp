@@ -4,7 +4,6 @@
 #include <tuple>
 #include <vector>
 
-#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "geometry/curvature.h"
@@ -91,10 +90,10 @@ Command curvature_command(CLI::App& parent) {
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);
                 const OperatorKind kind = operator_named(options->laplacian);
-                refuse_to_replace(options->mesh, options->csv);
                 const PreparedMesh prepared = load_mesh(options->mesh);
                 warn_of_empty_areas(prepared, options->mesh, form);
                 output::FileGroup files;
+                files.keep(options->mesh);
                 print_to(files, options->csv, curvature_table(prepared, curvature_columns(prepared, form, kind, options->jets)));
                 files.publish();
                 return ExitCode::ok;

@@ -177,7 +177,6 @@ ExitCode run_render(const RenderFlags& options) {
     if (bare) refuse_large_sheet(views.size(), given);
     if (!options.range.empty()) value_limits(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
-    for (const std::string& input : {options.mesh, options.values}) refuse_to_replace(input, options.glb);
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id")) {
         throw UsageError("--isolines needs values", "take --field or --values with it");
@@ -197,6 +196,8 @@ ExitCode run_render(const RenderFlags& options) {
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
     output::FileGroup files;
+    files.keep(options.mesh);
+    files.keep(options.values.substr(0, options.values.rfind(':')));
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, range, output::ball_around(prepared.mesh)));
     output::make_folder(options.out);

@@ -80,19 +80,10 @@ void take_environment(ReportSettings& settings, Problems& problems) {
 }
 
 /// What is read must not lie in an earlier report: that is removed once the new one is in its place.
-void require_outside(const ReportSettings& settings, const std::filesystem::path& input, Problems& problems) {
-    std::error_code error;
-    if (input.empty() || !std::filesystem::exists(input, error)) return;
-    const std::filesystem::path out = std::filesystem::weakly_canonical(settings.out, error);
-    const std::filesystem::path inside = std::filesystem::weakly_canonical(input, error).lexically_relative(out);
-    if (inside.empty() || *inside.begin() == "..") return;
-    problems.add(0, in_quotes(input.string()) + " lies in " + in_quotes(settings.out.string()) + ", which the report replaces as a whole",
-                 "move it, or choose another folder with --out");
-}
-
 void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
     std::error_code error;
-    if (!std::filesystem::exists(settings.out / output::marker_file, error)) return;
+    const std::filesystem::path out = std::filesystem::weakly_canonical(std::filesystem::absolute(settings.out, error), error);
+    if (!std::filesystem::exists(out / output::marker_file, error)) return;
     std::vector<std::filesystem::path> inputs = {config, settings.templates, settings.page_template.value_or("")};
     inputs.insert(inputs.end(), settings.meshes.begin(), settings.meshes.end());
     inputs.insert(inputs.end(), settings.data.begin(), settings.data.end());
@@ -102,7 +93,14 @@ void require_inputs_outside(const ReportSettings& settings, const std::string& c
             if (!mesh.file.empty()) inputs.push_back(settings.base / mesh.file);
         }
     }
-    for (const std::filesystem::path& input : inputs) require_outside(settings, input, problems);
+    for (const std::filesystem::path& input : inputs) {
+        if (input.empty() || !std::filesystem::exists(input, error)) continue;
+        const std::filesystem::path inside = std::filesystem::canonical(input, error).lexically_relative(out);
+        if (inside.empty() || *inside.begin() == "..") continue;
+        problems.add(0,
+                     in_quotes(input.string()) + " lies in " + in_quotes(settings.out.string()) + ", which the report replaces as a whole",
+                     "move it, or choose another folder with --out");
+    }
 }
 
 std::vector<std::string> chosen_questions(const std::string& text) {

@@ -83,7 +83,6 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
     if (!options.csv.empty() && options.csv == options.vectors)
         throw UsageError("--csv and --vectors are both " + in_quotes(options.csv), "give each output a name of its own");
-    for (const std::string& output : {options.csv, options.vectors}) refuse_to_replace(options.mesh, output);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
     const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k); });
@@ -94,6 +93,7 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum);
     complain(told(certificate));
     output::FileGroup files;
+    files.keep(options.mesh);
     if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
     if (!options.vectors.empty()) print_to(files, options.vectors, npy_of(spectrum.eigenvectors));
     if (!options.csv.empty() || (options.vectors.empty() && options.out.empty())) {

@@ -6,13 +6,16 @@
 #include "cli/console.h"
 #include "cli/program_identity.h"
 #include "errors.h"
+#include "questions/section_tools.h"
 
 namespace meshfolio::cli {
 
 namespace {
 
-/// Only a whole answer is kept: one that failed may have failed for reasons that pass.
-bool is_worth_keeping(const QuestionResult& result) { return !result.stored && result.section().status == report::Status::ok; }
+/// Only a whole answer is kept: what failed may have failed for reasons that pass.
+bool is_worth_keeping(const QuestionResult& result) {
+    return !result.stored && result.section().status == report::Status::ok && !lacks_a_mesh(result.section());
+}
 
 report::DrawnFigures figures_of(const Answer& answer, const report::DrawnFigures& all) {
     report::DrawnFigures figures;

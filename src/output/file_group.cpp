@@ -14,11 +14,27 @@ namespace meshfolio::output {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Absolute, links followed: what the rename will name.
+fs::path resolved(const fs::path& path, std::error_code& error) {
+    const fs::path absolute = fs::absolute(path, error);
+    return error ? absolute : fs::weakly_canonical(absolute, error);
+}
+
+}   // namespace
+
+void FileGroup::keep(const fs::path& input) {
+    std::error_code error;
+    const fs::path file = resolved(input, error);
+    if (!error) kept_.insert(file);
+}
+
 void FileGroup::add(const fs::path& path, std::string_view bytes) {
     std::error_code error;
-    fs::path target = fs::absolute(path, error);
-    if (!error) target = fs::weakly_canonical(target, error);
+    const fs::path target = resolved(path, error);
     if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
+    if (kept_.contains(target)) throw UsageError(path.string() + " is the input itself", "give the output a name of its own");
     const fs::file_status status = fs::status(target, error);
     if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, bytes);
     const fs::path folder = target.parent_path();
@@ -35,8 +51,9 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
     }();
     try {
         if (fs::exists(status)) {
-            write_part(member->part, bytes, true, status.permissions());         // never more open than what it replaces
-            fs::permissions(member->part.path(), status.permissions(), error);   // nor closed by the umask; if that fails it stays so
+            write_part(member->part, bytes, true, status.permissions());   // never more open than what it replaces
+            // Nor closed by the umask; if that fails it stays so. Whose it is may have changed: nothing runs as somebody else.
+            fs::permissions(member->part.path(), status.permissions() & fs::perms::all, error);
         } else {
             write_part(member->part, bytes, true);
         }

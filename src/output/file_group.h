@@ -5,6 +5,7 @@
 #include <deque>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -14,8 +15,11 @@ namespace meshfolio::output {
 
 class FileGroup {
 public:
+    /// A file that is read: none of the group takes its place. To be called before they are added.
+    void keep(const std::filesystem::path& input);
+
     /// Writes `bytes` beside `path`; thread-safe. What is not a regular file (a device, a FIFO) is written at once.
-    /// @throws OutputError; UsageError for a file that is in the group already
+    /// @throws OutputError; UsageError for a file that is kept or in the group already
     void add(const std::filesystem::path& path, std::string_view bytes);
 
     /// Puts every file in its place. Where that fails for one, those before it are taken back. To be called once.
@@ -30,6 +34,7 @@ private:
         Temporary part;
         enum class State { waiting, fresh, exchanged, replaced } state = State::waiting;
     };
+    std::set<std::filesystem::path> kept_;
     std::mutex adding_;
     std::deque<Member> members_;   // none of them ever moves
 

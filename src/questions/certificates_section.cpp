@@ -184,14 +184,11 @@ Answer answer_certificates(const MeshLibrary& library, const QuestionSettings& s
     add_spectrum_table(section, meshes);
     add_operator_table(section, meshes);
     add_fault_table(section, trials);
-    const auto append = [&](const std::vector<report::Check>& checks) {
-        section.checks.insert(section.checks.end(), checks.begin(), checks.end());
-    };
     for (const Certified& mesh : meshes) {
         const std::string on = " on " + mesh.name();
-        append(spectrum_checks(mesh.certificate, on));
-        append(operator_checks(mesh.mesh(), mesh.laplacian, on, mesh.floored));
-        append(surface_checks(mesh.mesh(), mesh.angle_deficits, mesh.claims(), on));
+        append_checks(section, spectrum_checks(mesh.certificate, on));
+        append_checks(section, operator_checks(mesh.mesh(), mesh.laplacian, on, mesh.floored));
+        append_checks(section, surface_checks(mesh.mesh(), mesh.angle_deficits, mesh.claims(), on));
     }
     for (const FaultTrial& trial : trials) section.checks.push_back(check_of(trial));
     add_discussion(section, meshes, trials, specimen);
@@ -199,7 +196,7 @@ Answer answer_certificates(const MeshLibrary& library, const QuestionSettings& s
     const auto caught = std::count_if(trials.begin(), trials.end(), [](const FaultTrial& t) { return t.caught(); });
     const auto complete = std::count_if(meshes.begin(), meshes.end(), [](const Certified& c) { return c.certificate.holds(); });
     section.parameters["modes"] = std::to_string(meshes.front().modes);
-    section.extent = "spectra of " + listed(names_of(sources)) + " certified, " + std::to_string(trials.size()) + " faults planted";
+    section.extent = "spectra of " + listed(names_of(meshes)) + " certified, " + std::to_string(trials.size()) + " faults planted";
     section.findings.push_back(
         {report::text("Certificates: ", std::to_string(complete), " of ", counted(static_cast<int>(meshes.size()), "spectrum", "spectra"),
                       " proved complete by inertia; ", std::to_string(caught), " of ", std::to_string(trials.size()),

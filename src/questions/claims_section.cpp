@@ -220,7 +220,7 @@ Answer answer_claims(const MeshLibrary& library, const QuestionSettings& setting
     section.blocks.emplace_back(ledger_entries(ledger));
     section.blocks.emplace_back(measurement_table(ledger));
     add_discussion(section, ledger);
-    section.checks = ledger_checks(ledger);
+    append_checks(section, ledger_checks(ledger));
 
     section.parameters["rules"] = "one quantity and one threshold a claim";
     section.parameters["noise"] = "Gaussian, seed " + std::to_string(settings.seed);

@@ -160,37 +160,26 @@ int largest_subject(const QuestionSettings& settings, std::size_t meshes) {
     return meshes <= usual ? whole : std::max(100, static_cast<int>(static_cast<std::size_t>(whole) * usual / meshes));
 }
 
-DenoisingLaboratory denoising_laboratory(std::vector<DenoisingSubject> subjects, const QuestionSettings& settings) {
-    DenoisingLaboratory laboratory;
-    laboratory.budget = settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 6} : SearchBudget{4, 5};
-    struct Task {
-        const DenoisingSubject* subject;
-        const Positions* normals;
-        NoiseTrial* trial;
-    };
-    for (DenoisingSubject& subject : subjects) {
-        std::vector<NoiseTrial> trials = levels_of(subject, settings);
-        laboratory.meshes.push_back({std::move(subject), std::move(trials)});
-    }
-    std::vector<Positions> normals(laboratory.meshes.size());
-    std::vector<Task> tasks;
-    for (std::size_t m = 0; m < laboratory.meshes.size(); ++m) {
-        DenoisingTrials& mesh = laboratory.meshes[m];
-        mesh.pictured = static_cast<int>(mesh.of_kind(NoiseKind::gaussian).size() / 2);
-        normals[m] = face_normals(mesh.subject.mesh);
-        for (NoiseTrial& trial : mesh.trials) tasks.push_back({&mesh.subject, &normals[m], &trial});
-    }
+SearchBudget search_budget(const QuestionSettings& settings) {
+    return settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 6} : SearchBudget{4, 5};
+}
+
+DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings) {
+    std::vector<NoiseTrial> levels = levels_of(subject, settings);
+    DenoisingTrials mesh{std::move(subject), std::move(levels)};
+    mesh.pictured = static_cast<int>(mesh.of_kind(NoiseKind::gaussian).size() / 2);
+    const TriangleMesh& clean = mesh.subject.mesh;
+    const Positions normals = face_normals(clean);
     // Everything is written to a place of its own: the order in which it is done does not matter.
-    for_each_task(tasks.size(), [&](std::size_t i) { spoil(*tasks[i].subject, settings.seed, *tasks[i].trial); });
+    for_each_task(mesh.trials.size(), [&](std::size_t i) { spoil(mesh.subject, settings.seed, mesh.trials[i]); });
     const std::size_t methods = denoising_list().size();
-    for_each_task(tasks.size() * methods, [&](std::size_t i) {
-        const Task& task = tasks[i / methods];
-        const TriangleMesh noisy = moved_to(task.subject->mesh, task.trial->noisy);
-        const SearchInput input{
-            task.subject->mesh, *task.normals, {noisy, task.subject->topology, task.trial->largest_eigenvalue}, task.trial->mean_edge};
-        task.trial->results[i % methods] = search(input, denoising_list()[i % methods].method, laboratory.budget);
+    for_each_task(mesh.trials.size() * methods, [&](std::size_t i) {
+        NoiseTrial& trial = mesh.trials[i / methods];
+        const TriangleMesh noisy = moved_to(clean, trial.noisy);
+        const SearchInput input{clean, normals, {noisy, mesh.subject.topology, trial.largest_eigenvalue}, trial.mean_edge};
+        trial.results[i % methods] = search(input, denoising_list()[i % methods].method, search_budget(settings));
     });
-    return laboratory;
+    return mesh;
 }
 
 NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain) {

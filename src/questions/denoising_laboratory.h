@@ -72,7 +72,10 @@ struct DenoisingLaboratory {
 
 /// Largest mesh that is taken whole. [vertices]
 int largest_subject(const QuestionSettings& settings, std::size_t meshes);
-DenoisingLaboratory denoising_laboratory(std::vector<DenoisingSubject> subjects, const QuestionSettings& settings);
+/// What every method gets on every noisy mesh.
+SearchBudget search_budget(const QuestionSettings& settings);
+/// Noise of every kind and level on the mesh, and what each method makes of it. @throws MeshError, SolverError
+DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings);
 
 /// Where a method stands on a mesh as Gaussian noise rises, at the levels tried. NaN: at none. [mean edges]
 struct NoiseLimits {

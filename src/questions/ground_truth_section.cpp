@@ -275,7 +275,7 @@ report::Section ground_truth_section(const GroundTruth& truth) {
         }
     }
     add_discussion(section, truth);
-    section.checks = ground_truth_checks(truth);
+    append_checks(section, ground_truth_checks(truth));
     add_findings(section, truth);
     return section;
 }

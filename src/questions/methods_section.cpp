@@ -79,18 +79,23 @@ void add_method(report::Section& section, const SearchBudget& budget) {
         math("√(3/2) = 1.22"), " in places. Whoever gains more has brought back some of what is within it.");
 }
 
-/// The library's meshes, and beside the bundled roles an ellipsoid of our own: smooth, closed and small enough to be taken whole.
-std::vector<DenoisingSubject> subjects_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
+/// On the library's meshes, and beside the bundled roles on an ellipsoid of our own: smooth, closed and small enough to be taken whole.
+DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
+                                  report::Section& section) {
     const LibraryMeshes meshes = settings.quick ? meshes_for(library, settings, {"cube"}, section)
                                  : settings.laboratory
                                      ? meshes_for(library, settings, {"cube", "plane", "fandisk_ns", "lilium", "armadillo"}, section)
                                      : meshes_for(library, settings, {"cube", "armadillo"}, section);
     const bool own_choice = settings.meshes.empty() && !library.has_own_meshes();
     const int most = largest_subject(settings, meshes.size() + (own_choice ? 1 : 0));
-    std::vector<DenoisingSubject> subjects;
-    for (const auto& mesh : meshes) subjects.push_back(denoising_subject(mesh->name, mesh->mesh(), most));
-    if (own_choice && !settings.quick) subjects.push_back(denoising_subject("egg", ellipsoid_mesh(3, {1, 0.8, 0.65}), most));
-    return subjects;
+    const auto trials_on = [most](const std::shared_ptr<const LibraryMesh>& mesh, const QuestionSettings& all) {
+        return denoising_trials(denoising_subject(mesh->name, mesh->mesh(), most), all);
+    };
+    DenoisingLaboratory laboratory{search_budget(settings),
+                                   studies_of(meshes, "denoising by every method", settings, progress, section, trials_on)};
+    if (own_choice && !settings.quick)
+        laboratory.meshes.push_back(denoising_trials(denoising_subject("egg", ellipsoid_mesh(3, {1, 0.8, 0.65}), most), settings));
+    return laboratory;
 }
 
 /// Standard deviation of Σ|displacement|²/(3σ²n) about its mean 1: √2 over the root of the effective number of squares.
@@ -188,9 +193,7 @@ Answer answer_methods(const MeshLibrary& library, const QuestionSettings& settin
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("methods");
-    std::vector<DenoisingSubject> subjects = subjects_of(library, settings, section);
-    progress("denoising by every method");
-    const DenoisingLaboratory laboratory = denoising_laboratory(std::move(subjects), settings);
+    const DenoisingLaboratory laboratory = laboratory_of(library, settings, progress, section);
     add_method(section, laboratory.budget);
 
     add_heading(section, "Results");
@@ -209,19 +212,16 @@ Answer answer_methods(const MeshLibrary& library, const QuestionSettings& settin
         if (trial.s1_level && settings.laboratory) add_method_figure(answer, first, trial);
     }
     add_methods_discussion(section, laboratory);
-    section.checks = method_checks(laboratory);
+    append_checks(section, method_checks(laboratory));
 
-    std::vector<std::string> names;
     std::size_t trials = 0;
-    for (const DenoisingTrials& mesh : laboratory.meshes) {
-        names.push_back(mesh.name());
-        trials += mesh.trials.size();
-    }
+    for (const DenoisingTrials& mesh : laboratory.meshes) trials += mesh.trials.size();
     section.parameters["steps a method on a noisy mesh"] = std::to_string(laboratory.budget.total());
     section.parameters["seed"] = std::to_string(settings.seed);
     section.parameters["impulsive noise"] = "on " + readable_percent(impulsive_share, 2) + " of the vertices";
     section.extent = counted(int(denoising_list().size()), "method") + " on " + counted(int(trials), "noisy mesh", "noisy meshes") +
-                     " made from " + listed(names) + ", each at its best within " + std::to_string(laboratory.budget.total()) +
+                     " made from " + listed(names_of(laboratory.meshes)) + ", each at its best within " +
+                     std::to_string(laboratory.budget.total()) +
                      " steps; winners by class of mesh, and the noise at which each begins and ceases to help";
     add_finding(section, laboratory);
     return answer;

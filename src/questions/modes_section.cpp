@@ -64,7 +64,7 @@ Answer answer_modes(const MeshLibrary& library, const QuestionSettings& settings
     }
     section.blocks.emplace_back(crossing_table(studies));
     add_mode_discussion(section, studies);
-    section.checks = mode_checks(studies);
+    append_checks(section, mode_checks(studies));
 
     section.parameters["operator"] = "cotangent, of the input, barycentric areas";
     section.parameters["explicit step of the comparison of costs"] = "0.95 λ_crit";
@@ -73,7 +73,7 @@ Answer answer_modes(const MeshLibrary& library, const QuestionSettings& settings
     for (const ModeStudy& study : studies)
         damped.push_back(std::to_string(study.eigenvalues.size()) + (damped.empty() ? " modes of " : " of ") + study.name());
     section.extent = "damping of " + listed(damped) + ", the gap between the schemes and the cost of " +
-                     counted(static_cast<int>(first.targets.size()), "target") + " on " + listed(names_of(meshes)) +
+                     counted(static_cast<int>(first.targets.size()), "target") + " on " + listed(names_of(studies)) +
                      ", predicted and measured";
     const auto& crossing = first.crossings.front();
     section.findings.push_back(

@@ -203,7 +203,7 @@ Answer answer_operators(const MeshLibrary& library, const QuestionSettings& sett
     add_operator_discussion(section, labs, known);
 
     section.parameters["operators"] = std::to_string(laboratory_operators().size());
-    section.extent = std::to_string(laboratory_operators().size()) + " operators scored on " + listed(names_of(meshes)) +
+    section.extent = std::to_string(laboratory_operators().size()) + " operators scored on " + listed(names_of(labs)) +
                      " and on a plane, a sphere and an ellipsoid, where the truth is known";
     return answer;
 }

@@ -112,9 +112,9 @@ Answer answer_prediction(const MeshLibrary& library, const QuestionSettings& set
     section.blocks.emplace_back(why_table(studies));
     section.blocks.emplace_back(rule_table(studies));
     add_prediction_discussion(section, studies);
-    section.checks = prediction_checks(studies);
+    append_checks(section, prediction_checks(studies));
     add_parameters(section, studies, settings);
-    section.extent = "expected error and best iteration on " + listed(names_of(meshes)) + " beside the mean of " +
+    section.extent = "expected error and best iteration on " + listed(names_of(studies)) + " beside the mean of " +
                      counted(studies.front().seeds, "seed") +
                      ", with three operators; a rule that stops without the clean mesh, and its regret";
     add_finding(section, studies);

@@ -209,7 +209,7 @@ Answer answer_q5(const MeshLibrary& library, const QuestionSettings& settings, c
 
     section.parameters["iterations"] = std::to_string(studies.front().runs.front().iterations);
     section.parameters["operator"] = "cotangent, of the input, barycentric areas";
-    section.extent = "λ swept below and above the predicted limit on " + listed(names_of(meshes)) +
+    section.extent = "λ swept below and above the predicted limit on " + listed(names_of(studies)) +
                      "; growth measured, blow-up caught; a recommended λ for each";
     const ExplicitStudy& last = studies.back();
     section.findings.push_back(

@@ -229,8 +229,8 @@ Answer answer_q6(const MeshLibrary& library, const QuestionSettings& settings, c
     for (const int t : last.iterations) times.push_back(std::to_string(t));
     section.parameters["iterations"] = listed(times);
     section.parameters["operator"] = "cotangent, of the input, barycentric areas";
-    section.extent = counted(int(last.lambdas.size()), "step size") + " × " + listed(times) + " iterations on " + listed(names_of(meshes)) +
-                     ", each beside the explicit method at equal λ and iterations; cost of both";
+    section.extent = counted(int(last.lambdas.size()), "step size") + " × " + listed(times) + " iterations on " +
+                     listed(names_of(studies)) + ", each beside the explicit method at equal λ and iterations; cost of both";
     section.findings.push_back(
         {report::text("Q6: implicit smoothing of ", last.name(), " stays stable at ",
                       plain_text(last.lambdas.back() / last.subject.critical, 3), " times the explicit limit, and damps every mode as ",

@@ -235,7 +235,7 @@ Answer answer_q7(const MeshLibrary& library, const QuestionSettings& settings, c
     section.parameters["noise"] = listed(levels) + " of the box diagonal";
     section.parameters["iterations"] = length_of_runs(studies.front());
     section.parameters["seed"] = std::to_string(settings.seed);
-    section.extent = "Noise of " + listed(levels) + " of the box diagonal on " + listed(names_of(meshes)) +
+    section.extent = "Noise of " + listed(levels) + " of the box diagonal on " + listed(names_of(studies)) +
                      "; error after every iteration with its minimum; when it works and when it fails, measured";
     add_finding(section, studies);
     return answer;

@@ -9,6 +9,12 @@
 
 namespace meshfolio {
 
+namespace {
+
+const std::string unusable = "meshes that cannot be used";
+
+}   // namespace
+
 report::Section section_of(std::string_view id) {
     const Question* question = question_of_id(id);
     if (question == nullptr) throw std::logic_error("no question " + std::string(id));
@@ -43,8 +49,14 @@ std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& li
     return meshes;
 }
 
-report::Check unusable_mesh_check(const std::string& reason) {
-    return report::check_at_most("meshes that cannot be used", 0, 1, 0, printable(reason));
+report::Check unusable_mesh_check(const std::string& reason) { return report::check_at_most(unusable, 0, 1, 0, printable(reason)); }
+
+bool lacks_a_mesh(const report::Section& section) {
+    return std::ranges::find(section.checks, unusable, &report::Check::name) != section.checks.end();
+}
+
+void append_checks(report::Section& section, const std::vector<report::Check>& checks) {
+    section.checks.insert(section.checks.end(), checks.begin(), checks.end());
 }
 
 void add_heading(report::Section& section, std::string title) { section.blocks.push_back(report::Heading{std::move(title)}); }

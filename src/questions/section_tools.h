@@ -24,6 +24,10 @@ std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& li
 
 /// The failed check of a section that had to go without one of its meshes, and why.
 report::Check unusable_mesh_check(const std::string& reason);
+/// Is there one? Another time the mesh may be usable: when it has been mended, or memory is not as short.
+bool lacks_a_mesh(const report::Section& section);
+/// Behind those that the section has.
+void append_checks(report::Section& section, const std::vector<report::Check>& checks);
 
 /// One mesh by its role, entered as above. The user's own mesh takes every role.
 void enter_input(const LibraryMesh& mesh, report::Section& section);

@@ -68,7 +68,7 @@ Answer answer_maps(const MeshLibrary& library, const QuestionSettings& settings,
     section.blocks.emplace_back(region_table(studies));
     section.blocks.emplace_back(blow_up_table(studies));
     add_map_discussion(section, studies);
-    section.checks = map_checks(studies);
+    append_checks(section, map_checks(studies));
 
     const SmoothingMaps& first = studies.front();
     std::vector<std::string> counts;
@@ -81,7 +81,7 @@ Answer answer_maps(const MeshLibrary& library, const QuestionSettings& settings,
     }
     section.parameters["operator"] = "cotangent, of the input, barycentric areas";
     section.extent = "explicit and implicit smoothing over " + counted(static_cast<int>(first.lambdas.size()), "step") + " × " +
-                     counted(static_cast<int>(first.iterations.size()), "iteration count") + " on " + listed(names_of(meshes)) +
+                     counted(static_cast<int>(first.iterations.size()), "iteration count") + " on " + listed(names_of(studies)) +
                      ": error, volume, smallest angle, turned triangles, the limit and the predicted blow-up drawn in";
     int within = 0, lost = 0;
     for (const SmoothingMaps& maps : studies) {

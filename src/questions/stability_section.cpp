@@ -55,14 +55,14 @@ Answer answer_stability(const MeshLibrary& library, const QuestionSettings& sett
     section.blocks.emplace_back(flow_plot(flow));
     section.blocks.emplace_back(flow_time_table(flow));
     add_stability_discussion(section, studies, flow);
-    section.checks = stability_checks(studies, flow);
+    append_checks(section, stability_checks(studies, flow));
 
     for (const StabilityStudy& study : studies) {
         section.parameters["λ_crit of " + study.name()] = plain_text(study.cotangent.critical(), 10);
     }
     section.parameters["steps of the runs at 0.99 and 1.01 λ_crit"] = std::to_string(studies.front().cotangent.beyond.steps());
     section.parameters["operator"] = "cotangent with barycentric areas; uniform";
-    section.extent = "the limits of two operators on " + listed(names_of(meshes)) +
+    section.extent = "the limits of two operators on " + listed(names_of(studies)) +
                      " proved from both sides; runs a hundredth below and beyond; rebuilt flow with fixed and adaptive steps";
     const StabilityStudy& last = studies.back();
     section.findings.push_back(

@@ -2,12 +2,6 @@
 
 namespace meshfolio {
 
-std::vector<std::string> names_of(const LibraryMeshes& meshes) {
-    std::vector<std::string> names;
-    for (const auto& mesh : meshes) names.push_back(mesh->name);
-    return names;
-}
-
 std::string id_of(const std::string& question, const std::string& mesh, const std::string& what) {
     return question + "_" + mesh + "_" + what;
 }

@@ -18,25 +18,33 @@ using LibraryMeshes = std::vector<std::shared_ptr<const LibraryMesh>>;
 
 /// One study a mesh, in order; told as each begins: "denoising of cube". A mesh that defeats its study (whose operator has no factor,
 /// say) costs the others nothing: it is a failed check of `section`.
-/// @throws MeshError, SolverError if none can be studied
-template <class Study>
-std::vector<Study> studies_of(const LibraryMeshes& meshes, const std::string& work, const QuestionSettings& settings,
-                              const Progress& progress, report::Section& section,
-                              Study (*study_of)(std::shared_ptr<const LibraryMesh>, const QuestionSettings&)) {
-    std::vector<Study> studies;
+/// @throws SolverError if none can be studied
+template <class StudyOf>
+auto studies_of(const LibraryMeshes& meshes, const std::string& work, const QuestionSettings& settings, const Progress& progress,
+                report::Section& section, const StudyOf& study_of) {
+    std::vector<decltype(study_of(meshes.front(), settings))> studies;
+    std::string reasons;
     for (const auto& mesh : meshes) {
         progress(work + " of " + mesh->name);
         try {
             studies.push_back(study_of(mesh, settings));
         } catch (const Error& error) {
-            section.checks.push_back(unusable_mesh_check(mesh->input.file + ": " + error.what()));
+            const std::string reason = mesh->input.file + ": " + error.what();
+            section.checks.push_back(unusable_mesh_check(reason));
+            reasons += (reasons.empty() ? "" : "; ") + reason;
         }
     }
-    if (studies.empty()) throw SolverError(section.checks.back().note);
+    if (studies.empty()) throw SolverError(reasons);
     return studies;
 }
 
-std::vector<std::string> names_of(const LibraryMeshes& meshes);
+/// Those that were studied.
+template <class Study>
+std::vector<std::string> names_of(const std::vector<Study>& studies) {
+    std::vector<std::string> names;
+    for (const Study& study : studies) names.push_back(study.name());
+    return names;
+}
 
 /// Of a table, plot, figure or file about one mesh: "q5_cube_sweep".
 std::string id_of(const std::string& question, const std::string& mesh, const std::string& what);

@@ -82,9 +82,9 @@ std::string MapScale::color(int band) const {
     const double t = double(band) / (bands - 1);
     const Rgb rgb = diverging_ ? between(diverging, t) : between(sequential, t);
     std::array<char, 8> text{};
-    const int size = std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(std::lround(rgb[0])),
-                                   static_cast<unsigned>(std::lround(rgb[1])), static_cast<unsigned>(std::lround(rgb[2])));
-    return {text.data(), static_cast<std::size_t>(size)};
+    static_cast<void>(std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(std::lround(rgb[0])),
+                                    static_cast<unsigned>(std::lround(rgb[1])), static_cast<unsigned>(std::lround(rgb[2]))));
+    return text.data();
 }
 
 std::vector<double> cell_edges(const std::vector<double>& centres, bool logarithmic) {

@@ -33,7 +33,7 @@ std::vector<Tick> linear_ticks(double low, double high) {
     const double first = std::ceil(low / step - 1e-9);
     for (int i = 0; i <= 2 * wanted_ticks; ++i) {   // fewer, unless the range is too narrow for its numbers to differ
         const double value = (first + i) * step;
-        if (value > high + 1e-9 * step) break;
+        if (!(value <= high + 1e-9 * step)) break;
         ticks.push_back({value, tick_label(value, step)});
     }
     return ticks;

@@ -127,6 +127,9 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     EXPECT_THROW(report_settings(flags), UsageError);
     flags.meshes = {(folder.path() / "link" / "my.obj").string()};
     EXPECT_THROW(report_settings(flags), UsageError);
+    flags.out = (folder.path() / "nowhere" / ".." / "out").string();
+    EXPECT_THROW(report_settings(flags), UsageError) << "where the report goes, spelt by way of a folder that is not there";
+    flags.out = out.string();
     flags.meshes = {(folder.path() / "out.obj").string()};
     EXPECT_NO_THROW(report_settings(flags));
     flags.data = {(out / "data").string()};

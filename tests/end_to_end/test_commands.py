@@ -304,12 +304,15 @@ class MeshesOut(InFolder):
 
     def test_an_output_never_takes_the_place_of_the_input(self):
         mesh = self.sample('cube')
-        os.link(self.path(mesh), self.path('twin.csv'))
-        before = open(self.path(mesh), 'rb').read()
-        for words in (['curvature', mesh, '--csv', mesh], ['curvature', mesh, '--csv', './twin.csv'], ['spectrum', mesh, '-k', '3', '--csv', mesh],
-                      ['spectrum', mesh, '-k', '3', '--vectors', mesh], ['render', mesh, '--glb', mesh, '--out', 'views']):
+        self.succeed('curvature', mesh, '--csv', 'values.csv')
+        os.symlink(mesh, self.path('link.csv'))
+        before = [read(self.path(name)) for name in (mesh, 'values.csv')]
+        with_values = ['render', mesh, '--values', 'values.csv:k_gauss', '--size', '32', '--out', 'views']
+        for words in (['curvature', mesh, '--csv', mesh], ['curvature', mesh, '--csv', './link.csv'],
+                      ['curvature', mesh, '--csv', 'nowhere/../' + mesh], ['spectrum', mesh, '-k', '3', '--csv', mesh],
+                      ['spectrum', mesh, '-k', '3', '--vectors', mesh], with_values + ['--glb', mesh], with_values + ['--glb', 'values.csv']):
             self.assertIn('is the input itself', self.refuse(2, *words))
-        self.assertEqual(open(self.path(mesh), 'rb').read(), before)
+        self.assertEqual([read(self.path(name)) for name in (mesh, 'values.csv')], before)
 
     def test_compare_sees_past_a_surface_that_turned_inside_out(self):
         self.write('a.obj', BOX)

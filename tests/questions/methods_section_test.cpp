@@ -22,9 +22,7 @@ QuestionSettings with_noise_of(std::vector<double> shares) {
 }
 
 DenoisingLaboratory laboratory_of(const TriangleMesh& mesh, const QuestionSettings& settings = quick_settings()) {
-    std::vector<DenoisingSubject> subjects;
-    subjects.push_back(denoising_subject("subject", mesh, 10000));
-    return denoising_laboratory(std::move(subjects), settings);
+    return {search_budget(settings), {denoising_trials(denoising_subject("subject", mesh, 10000), settings)}};
 }
 
 double gain_of(const NoiseTrial& trial, DenoisingMethod method) {

@@ -35,9 +35,9 @@ TEST(StudiesOf, AMeshThatDefeatsItsStudyCostsTheOthersNothing) {
 TEST(StudiesOf, WithoutAnyTheSectionFailsAndNamesTheMesh) {
     report::Section section;
     try {
-        studied({"bad"}, section);
+        studied({"bad", "bad"}, section);
         FAIL() << "nothing is left to study";
     } catch (const SolverError& error) {
-        EXPECT_STREQ(error.what(), "bad.ply: no factor; clean the mesh");
+        EXPECT_STREQ(error.what(), "bad.ply: no factor; clean the mesh; bad.ply: no factor; clean the mesh");
     }
 }
