@@ -8,6 +8,7 @@
 #include "geometry/panel_kernels.h"
 #include "geometry/position_rows.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/solver_versions.h"
 #include "geometry/stability.h"
 
 using namespace meshfolio;
@@ -45,6 +46,20 @@ TEST(CholeskyAnalysis, SolvesInEveryForm) {
                 for (const SparseMatrix& A : {first, second, first}) EXPECT_LT(residual_of(A, analysis.factor(A)), 1e-11);
             }
         }
+    }
+}
+
+// Columns are joined to supernodes by zeros between their entries: a form that was asked for is the one that is taken.
+TEST(CholeskyAnalysis, FormsDifferInTheirEntries) {
+    const TriangleMesh mesh = irregular_sphere(4);
+    const SparseMatrix A = system_of(mesh, critical_step(mesh));
+    const auto entries = [&](FactorForm form, FactorLibrary library = FactorLibrary::automatic) {
+        return CholeskyAnalysis(A, form, library).nonzeros();
+    };
+    EXPECT_EQ(entries(FactorForm::automatic), entries(FactorForm::simplicial)) << "below 100 000 rows";
+    EXPECT_EQ(entries(FactorForm::supernodal, FactorLibrary::eigen), entries(FactorForm::simplicial, FactorLibrary::eigen));
+    if (solver_versions().contains("CHOLMOD")) {
+        EXPECT_GT(entries(FactorForm::supernodal), entries(FactorForm::simplicial));
     }
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
+
 #include "geometry/conjugate_gradients.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/solver_test_meshes.h"
@@ -82,6 +84,23 @@ TEST(ImplicitSolver, BothSolversKeepTheBarycentreAndTheConstant) {
     solver.prepare(operator_with_mass(laplace_beltrami(mesh)), lambda, mesh.X, nothing_fits);
     EXPECT_LT(largest_difference(solver.step(flat), flat), 1e-9);
     EXPECT_EQ(solver.iterations(), 0) << "the start is the solution";
+}
+
+// The factor is made in the least memory that holds it, to the byte.
+TEST(ImplicitSolver, AFactorThatJustFitsIsMade) {
+    const TriangleMesh mesh = irregular_sphere(3);
+    const OperatorWithMass whole = operator_with_mass(laplace_beltrami(mesh));
+    const auto solver_within = [&](double bytes) {
+        ImplicitSolver solver;
+        solver.prepare(whole, 1, mesh.X, bytes);
+        return solver.solver();
+    };
+    double too_little = nothing_fits, enough = 1e12;
+    while (std::nextafter(too_little, enough) < enough) {
+        const double between = too_little + (enough - too_little) / 2;
+        (solver_within(between) == LinearSolver::direct ? enough : too_little) = between;
+    }
+    EXPECT_EQ(enough, std::round(enough)) << "what is needed is a whole number of bytes";
 }
 
 TEST(ImplicitSolver, ASweepOverLambdaIsAnalysedOnce) {

@@ -11,6 +11,25 @@
 
 namespace {
 
+TEST(CanBeDrawn, OnlyWithThreeFiniteCornersThatExist) {
+    const std::vector<glm::dvec3> good = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    EXPECT_TRUE(render::can_be_drawn({0, 1, 2}, good));
+    for (int corner = 0; corner < 3; ++corner) {
+        for (const int outside : {-1, 3}) {
+            glm::ivec3 triangle{0, 1, 2};
+            triangle[corner] = outside;
+            EXPECT_FALSE(render::can_be_drawn(triangle, good)) << corner << " " << outside;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+                std::vector<glm::dvec3> bad = good;
+                bad[static_cast<std::size_t>(corner)][axis] = value;
+                EXPECT_FALSE(render::can_be_drawn({0, 1, 2}, bad)) << corner << " " << axis << " " << value;
+            }
+        }
+    }
+}
+
 TEST(Views, RightUpAndFromAreARightHandedSystem) {
     for (const render::View& v : render::six_views) {
         EXPECT_EQ(glm::cross(v.right(), v.up), v.from) << v.name;

@@ -97,6 +97,20 @@ TEST(ColorBar, EachBinStandsOverItsValuesWithTheRootOfItsShare) {
     for (const double t : {0.1, 0.45, 0.7, 0.99}) EXPECT_LE(height_over(t), 3) << t;
 }
 
+TEST(ColorBar, AMirroredHistogramIsDrawnMirrored) {
+    render::ColorBar bar{{&render::colormap_named("grey"), 0, 1}, "", ""};
+    bar.histogram = {0.02, 0.3, 0.05, 0, 0.2, 0.1, 0.01, 0.15};
+    const Image image = bar_image(bar, 700);
+    std::reverse(bar.histogram.begin(), bar.histogram.end());
+    const Image mirrored = bar_image(bar, 700);
+    const Box colors = box_of(image, render::color_at(*bar.range.colormap, 0.5 / 600));
+    int largest = 0;
+    for (int y = 24; y < colors.y0 - 1; ++y)
+        for (int x = colors.x0 + 2; x < 700 - colors.x0 - 2; ++x)
+            largest = std::max(largest, std::abs(image.at(x, y).r - mirrored.at(699 - x, y).r));
+    EXPECT_LE(largest, 1);
+}
+
 TEST(ColorBar, NarrowBarsAndStrangeRangesAreDrawn) {
     const double nan = std::nan(""), huge = 1.7e308;
     for (const int width : {40, 120, 900})
