@@ -265,6 +265,17 @@ TEST(DrawViews, AFlatPartThatLiesOnALevelIsNoLine) {
     EXPECT_EQ(differing_pixels(drawn(mesh, options)[4], without), 0);
 }
 
+TEST(DrawViews, AMarkOnTheVeryEdgeOfThePictureIsRinged) {
+    const Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
+    DrawOptions options = plain(200, 200);
+    options.fill = 1;   // corners of the box lie in those of the picture
+    const auto unmarked = drawn(mesh, options);
+    const std::vector<int> corners{0, 1, 2, 3, 4, 5, 6, 7};
+    options.marked_vertices = corners;
+    const auto marked = drawn(mesh, options);
+    for (std::size_t v = 0; v < 6; ++v) EXPECT_NE(marked[v].at(0, 4), unmarked[v].at(0, 4)) << render::six_views[v].name;
+}
+
 TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {
     const Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
     DrawOptions options = plain(200, 200);
