@@ -222,4 +222,8 @@ TEST(DecodePng, RefusesWhatIsNoneCutOffOrTooLarge) {
     EXPECT_FALSE(render::decode_png(png, 40 * 30 - 1));
     EXPECT_TRUE(render::decode_png(png, 40 * 30));
     for (std::size_t size = 0; size < 45; ++size) EXPECT_FALSE(render::decode_png(png.substr(0, size))) << size;
+    std::string greedy = png;
+    greedy[33] = 0x40;   // the chunk behind the header has a gigabyte, it says
+    EXPECT_FALSE(render::decode_png(greedy));
+    EXPECT_TRUE(render::decode_png(png + "what follows is no matter"));
 }
