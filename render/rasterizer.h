@@ -40,8 +40,8 @@ public:
     int x() const { return x_; }
     int y() const { return y_; }
     int blocks_on_side() const { return blocks_on_side_; }
-    SampleBlock* row(int block_row) { return blocks_.data() + std::ptrdiff_t{block_row} * blocks_on_side_; }
-    const SampleBlock* row(int block_row) const { return blocks_.data() + std::ptrdiff_t{block_row} * blocks_on_side_; }
+    SampleBlock* row(int block_row) { return blocks_.data() + static_cast<std::ptrdiff_t>(block_row) * blocks_on_side_; }
+    const SampleBlock* row(int block_row) const { return blocks_.data() + static_cast<std::ptrdiff_t>(block_row) * blocks_on_side_; }
     SampleRegion& region(int x, int y) { return *(regions_.data() + std::ptrdiff_t{y} * (blocks_on_side_ / SampleRegion::side) + x); }
 
 private:

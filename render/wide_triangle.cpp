@@ -85,10 +85,11 @@ template <class Integer>
 struct EdgeFunction {
     Integer dx, dy, at_tile;   // its value at the upper left corner of the tile
 
-    EdgeFunction(const ScreenPoint& a, const ScreenPoint& b, const SampleTile& tile) : dx(b.x - a.x), dy(b.y - a.y) {
-        const bool owns_samples = dy < 0 || (dy == 0 && dx > 0);   // top and left edges
-        at_tile = value(std::int64_t{subpixels} * tile.x() - a.x, std::int64_t{subpixels} * tile.y() - a.y) - (owns_samples ? 0 : 1);
-    }
+    EdgeFunction(const ScreenPoint& a, const ScreenPoint& b, const SampleTile& tile)
+        : dx(b.x - a.x),
+          dy(b.y - a.y),
+          at_tile(value(std::int64_t{subpixels} * tile.x() - a.x, std::int64_t{subpixels} * tile.y() - a.y) - (owns_samples() ? 0 : 1)) {}
+    bool owns_samples() const { return dy < 0 || (dy == 0 && dx > 0); }   // top and left edges
     Integer value(std::int64_t x, std::int64_t y) const { return dx * Integer(y) - dy * Integer(x); }
     Integer at(std::int64_t x, std::int64_t y) const { return at_tile + value(x, y); }
 };

@@ -50,7 +50,7 @@ TriangleMesh subdivide_midpoint(const TriangleMesh& mesh) {
     for (int t = 0; t < mesh.face_count(); ++t) {
         const int a = mesh.F(t, 0), b = mesh.F(t, 1), c = mesh.F(t, 2);
         const int ab = middle_of(a, b), bc = middle_of(b, c), ca = middle_of(c, a);
-        fine.F.middleRows<4>(Eigen::Index{4} * t) << a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca;
+        fine.F.middleRows<4>(4 * Eigen::Index{t}) << a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca;
     }
     fine.X.resize(n, 3);
     fine.X.topRows(mesh.X.rows()) = mesh.X;

@@ -149,7 +149,7 @@ private:
         return accessors_.size() - 1;
     }
 
-    void attribute(const char* name, Json accessor) { attributes_[name] = end(std::move(accessor)); }
+    void attribute(const char* name, const Json& accessor) { attributes_[name] = end(accessor); }
 
     const TriangleMesh& mesh_;
     int count_;
