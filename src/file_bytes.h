@@ -17,6 +17,9 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = 
 /// The same bytes piece by piece, for whom not all of them must be in memory at once. @throws InputError as above
 void read_in_pieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& take);
 
+/// Of a file that is created, before the umask.
+inline constexpr std::filesystem::perms new_file_permissions{0666};
+
 /// Creates or replaces `path` with `bytes`; the data has reached the disk when this returns. A file that has other links as well is
 /// replaced by a new one, so that what they name stays as it was.
 /// @throws OutputError naming the path and the system's reason
@@ -25,8 +28,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// The same in two steps, for whoever must know when the name appears.
 class NewFile {
 public:
-    /// Creates or empties the file. @param permissions  of one that is created, before the umask @throws OutputError
-    explicit NewFile(std::filesystem::path path, std::filesystem::perms permissions = std::filesystem::perms{0666});
+    /// Creates or empties the file. @throws OutputError
+    explicit NewFile(std::filesystem::path path, std::filesystem::perms permissions = new_file_permissions);
     ~NewFile();
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;

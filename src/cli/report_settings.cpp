@@ -10,6 +10,7 @@
 #include "in_quotes.h"
 #include "nearest_word.h"
 #include "number_text.h"
+#include "output/folder_system.h"
 #include "output/publish.h"
 #include "questions/question.h"
 
@@ -82,11 +83,14 @@ void take_environment(ReportSettings& settings, Problems& problems) {
 /// What is read must not lie in an earlier report: that is removed once the new one is in its place.
 void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
     std::error_code error;
-    const std::filesystem::path out = std::filesystem::weakly_canonical(std::filesystem::absolute(settings.out, error), error);
+    const std::filesystem::path out = output::resolved(settings.out, error);
     if (!std::filesystem::exists(out / output::marker_file, error)) return;
     std::vector<std::filesystem::path> inputs = {config, settings.templates, settings.page_template.value_or("")};
     inputs.insert(inputs.end(), settings.meshes.begin(), settings.meshes.end());
-    inputs.insert(inputs.end(), settings.data.begin(), settings.data.end());
+    for (const std::filesystem::path& folder : settings.data) {
+        inputs.push_back(folder);   // and what is linked there
+        for (const auto& entry : std::filesystem::directory_iterator(folder, error)) inputs.push_back(entry.path());
+    }
     for (const std::filesystem::path& mesh : listed_meshes(settings)) inputs.push_back(settings.base / mesh);
     for (const Experiment& experiment : settings.experiments) {
         for (const OriginalMesh& mesh : experiment.meshes) {

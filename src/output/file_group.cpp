@@ -14,16 +14,6 @@ namespace meshfolio::output {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Absolute, links followed: what the rename will name.
-fs::path resolved(const fs::path& path, std::error_code& error) {
-    const fs::path absolute = fs::absolute(path, error);
-    return error ? absolute : fs::weakly_canonical(absolute, error);
-}
-
-}   // namespace
-
 void FileGroup::keep(const fs::path& input) {
     std::error_code error;
     const fs::path file = resolved(input, error);
@@ -50,13 +40,11 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
         return &members_.emplace_back(path, target, folder / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
     }();
     try {
-        if (fs::exists(status)) {
-            write_part(member->part, bytes, true, status.permissions());   // never more open than what it replaces
-            // Nor closed by the umask; if that fails it stays so. Whose it is may have changed: nothing runs as somebody else.
-            fs::permissions(member->part.path(), status.permissions() & fs::perms::all, error);
-        } else {
-            write_part(member->part, bytes, true);
-        }
+        const bool replaces = fs::exists(status);
+        write_part(member->part, bytes, true,
+                   replaces ? status.permissions() : new_file_permissions);   // never more open than what was there
+        // Nor closed by the umask; if that fails it stays so. Whose it is may have changed: nothing runs as somebody else.
+        if (replaces) fs::permissions(member->part.path(), status.permissions() & fs::perms::all, error);
     } catch (const OutputError& failure) {   // name the file that was asked for
         throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
     }

@@ -49,6 +49,13 @@ bool is_mount_point(const fs::path& folder) {
     return inside.st_dev != outside.st_dev;
 }
 
+fs::path resolved(const fs::path& path, std::error_code& error) {
+    fs::path target = fs::absolute(path, error);
+    // Twice: behind "nowhere/.." the first only shortens and follows no links.
+    for (int i = 0; i < 2 && !error; ++i) target = fs::weakly_canonical(target, error);
+    return target;
+}
+
 void make_folder(const fs::path& path) {
     const auto permission = permission_to_create();
     std::error_code error;

@@ -30,6 +30,9 @@ private:
 /// True where another file system (or a bind mount) begins: such a folder cannot be renamed.
 bool is_mount_point(const std::filesystem::path& folder);
 
+/// Absolute, links followed as far as the path exists: what a rename will name.
+std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& error);
+
 /// mkdir, parents too. @throws OutputError
 void make_folder(const std::filesystem::path& path);
 

@@ -25,11 +25,10 @@ namespace {
     throw OutputError(path.string(), what + " (" + std::strerror(error) + ")");
 }
 
-/// Absolute, links followed, no trailing slash: what the rename will name.
-fs::path resolved(const fs::path& target) {
+/// The folder that the rename will name, without a trailing slash.
+fs::path resolved_folder(const fs::path& target) {
     std::error_code error;
-    fs::path path = fs::absolute(target, error);
-    if (!error) path = fs::weakly_canonical(path, error);
+    fs::path path = resolved(target, error);
     if (error || target.empty()) throw OutputError(target.string(), "cannot be a folder (" + error.message() + ")");
     if (path.filename().empty()) path = path.parent_path();
     if (path.filename().empty()) throw OutputError(target.string(), "is the root of the file system", "choose another folder with --out");
@@ -179,7 +178,7 @@ struct Publication::Folder : Temporary {
     using Temporary::Temporary;
 };
 
-Publication::Publication(const fs::path& target) : target_(resolved(target)) {
+Publication::Publication(const fs::path& target) : target_(resolved_folder(target)) {
     require_ours(target_);
     make_folder(target_.parent_path());
     sweep_leftovers(target_);

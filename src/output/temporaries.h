@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "file_bytes.h"
+
 namespace meshfolio::output {
 
 /// A path that is removed with everything in it when this goes, or earlier by remove_all_temporaries().
@@ -29,8 +31,7 @@ std::unique_lock<std::recursive_mutex> permission_to_create();
 void remember_publication();
 
 /// Writes the file that `part` stands for. @param synced  it has reached the disk when this returns @throws OutputError
-void write_part(const Temporary& part, std::string_view bytes, bool synced,
-                std::filesystem::perms permissions = std::filesystem::perms{0666});
+void write_part(const Temporary& part, std::string_view bytes, bool synced, std::filesystem::perms permissions = new_file_permissions);
 
 /// Takes the permission for good and removes what is registered, also while other threads still write there.
 /// @return whether something was published before

@@ -134,6 +134,12 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     EXPECT_NO_THROW(report_settings(flags));
     flags.data = {(out / "data").string()};
     EXPECT_THROW(report_settings(flags), UsageError);
+    const auto outside = folder.path() / "meshes";
+    std::filesystem::create_directory(outside);
+    flags.data = {outside.string()};
+    EXPECT_NO_THROW(report_settings(flags));
+    std::filesystem::create_symlink(out / "my.obj", outside / "bunny.obj");
+    EXPECT_THROW(report_settings(flags), UsageError) << "a folder beside the report with a link into it";
     flags.data = {};
     flags.templates = (out / "data").string();
     EXPECT_THROW(report_settings(flags), UsageError);

@@ -45,6 +45,21 @@ TEST(FileGroup, NoFileIsWrittenTwice) {
     EXPECT_EQ(read_file(folder.path() / "a"), "one");
 }
 
+TEST(FileGroup, WhatIsKeptIsNotReplacedHoweverItIsSpelt) {
+    const TemporaryFolder folder;
+    const fs::path input = folder.path() / "mesh.obj";
+    replace_file(input, "input");
+    fs::create_symlink("mesh.obj", folder.path() / "link");
+    FileGroup files;
+    files.keep(folder.path() / "link");
+    EXPECT_THROW(files.add(input, "output"), UsageError);
+    EXPECT_THROW(files.add(folder.path() / "nowhere" / ".." / "link", "output"), UsageError);
+    files.add(folder.path() / "other", "output");
+    files.publish();
+    EXPECT_EQ(read_file(input), "input");
+    EXPECT_EQ(entries_in(folder.path()), 3);
+}
+
 TEST(ReplaceFile, IsAsPrivateOrAsOpenAsWhatItReplaces) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "file";
