@@ -84,6 +84,15 @@ class FilesTouched(Faults):
         self.assertEqual(end.code, 2, end.err)
         self.assertFalse([paths for _, paths, for_writing, _ in calls if for_writing])
 
+    def test_what_replaces_a_private_file_is_private_from_its_first_byte(self):
+        private = self.place / "private.ply"
+        private.write_text("")
+        private.chmod(0o600)
+        end, _ = self.touched("sample", "cube8", "-o", private, umask=0)
+        self.assertEqual(end.code, 0, end.err)
+        created = re.findall(r'openat\([^\n]*"[^"]*/place/[^\n]*O_CREAT[^\n]*, 0(\d+)\)', (self.folder / "trace").read_text())
+        self.assertEqual(created, ["600"])
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
