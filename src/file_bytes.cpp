@@ -81,6 +81,11 @@ private:
 
 }   // namespace
 
+bool may_be_there(const std::filesystem::path& path) {
+    std::error_code unknown;
+    return std::filesystem::symlink_status(path, unknown).type() != std::filesystem::file_type::not_found;
+}
+
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     const Location where{path.string(), 0};
     RegularFile file(where);

@@ -10,6 +10,10 @@
 
 namespace meshfolio {
 
+/// Is anything there of that name, whether or not it can be read? Links that lead nowhere and folders that are closed count: reading them
+/// tells what is wrong.
+bool may_be_there(const std::filesystem::path& path);
+
 /// The bytes of a regular file.
 /// @throws InputError if it is missing, unreadable, not a regular file, or larger than `limit` bytes
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{4} << 30);

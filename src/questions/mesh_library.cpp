@@ -58,7 +58,7 @@ const MeshRole* role_of_path(const std::string& path) {
 
 std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidates) {
     for (const fs::path& candidate : candidates) {
-        if (std::error_code error; fs::exists(candidate, error)) return candidate;
+        if (may_be_there(candidate)) return candidate;
     }
     return {};
 }
@@ -173,7 +173,7 @@ MeshLibrary::Found MeshLibrary::found_file(const fs::path& path, const fs::path&
     found.label = path.string();
     found.input.role = found.name;
     found.input.file = path.filename().string();
-    if (std::error_code error; fs::exists(base / path, error)) {
+    if (may_be_there(base / path)) {
         found.path = base / path;
     } else if (const auto in_data = in_folders(folders_, path)) {
         found.path = in_data;

@@ -41,7 +41,7 @@ Templates::Templates(const fs::path& folder) {
     if (!fs::is_directory(folder, ignored))
         throw UsageError("not a folder of templates", "make one with meshfolio templates FOLDER", {folder.string(), 0});
     for (const auto& [name, unused] : text_) {
-        if (fs::exists(folder / name, ignored)) replace(name, folder / name);
+        if (may_be_there(folder / name)) replace(name, folder / name);
     }
 }
 

@@ -109,6 +109,20 @@ TEST(MeshLibrary, FilesAreFoundBesideTheSettingsThenInDataThenBundled) {
     EXPECT_THROW(library.file("teapot.obj", base), InputError);
 }
 
+// Another mesh in its place, unsaid, would be worse than none.
+TEST(MeshLibrary, AFileThatIsThereButCannotBeReadIsNotPassedOver) {
+    const TemporaryFolder folder;
+    const fs::path data = folder.path() / "data";
+    fs::create_directories(data / "curvatures");
+    fs::create_symlink("nowhere", data / "curvatures" / "plane.obj");
+    fs::create_symlink("loop.obj", folder.path() / "loop.obj");
+    put(data / "loop.obj", cube_mesh(1));
+    const MeshLibrary library({data}, {});
+    EXPECT_THROW(library.role("plane"), InputError);
+    EXPECT_THROW(library.file("loop.obj", folder.path()), InputError);
+    EXPECT_EQ(library.role("lilium")->input.file, "lily.obj");
+}
+
 TEST(MeshLibrary, ListedFilesOfOneStemHaveNamesInTheOrderListed) {
     const TemporaryFolder folder;
     put(folder.path() / "a" / "x.obj", cube_mesh(1));

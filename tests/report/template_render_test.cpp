@@ -67,6 +67,12 @@ TEST(TemplateRender, WhatIncludesNoTemplateIsNamedWithTheNearest) {
     EXPECT_TRUE(error.starts_with("report.md: {{>/etc/passwd}} includes what is no template; did you mean '")) << error;
 }
 
+TEST(Templates, OneThatIsThereButCannotBeReadIsNotPassedOver) {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("nowhere", folder.path() / "report.html");
+    EXPECT_NE(usage_error_of([&] { Templates(folder.path()); }).find("report.html"), std::string::npos);
+}
+
 TEST(Templates, FolderReplacesFileByFile) {
     const Templates replaced = with_markdown("mine");
     EXPECT_EQ(replaced["report.md"], "mine");
