@@ -54,9 +54,9 @@ report::Table gain_table(const DenoisingTrials& mesh, Measure measure) {
     static constexpr Wording wordings[] = {
         {"gains", "the distance of the vertices to the clean triangles around their places (rms)", "error, noisy", "% of box",
          &SearchResult::gain},
-        {"rms_gains", "the distance of the vertices to their clean places (rms), which counts what moves them within the surface too",
+        {"gains_rms", "the distance of the vertices to their clean places (rms), which counts what moves them within the surface too",
          "error, noisy", "% of box", &SearchResult::rms_gain},
-        {"angle_gains", "the mean angle between the face normals and the clean ones", "angle, noisy", "°", &SearchResult::angle_gain}};
+        {"gains_angle", "the mean angle between the face normals and the clean ones", "angle, noisy", "°", &SearchResult::angle_gain}};
     const Wording& wording = wordings[static_cast<std::size_t>(measure)];
     report::Table table;
     table.id = id_of("methods", mesh.name(), wording.id);

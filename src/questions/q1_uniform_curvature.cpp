@@ -138,7 +138,7 @@ void add_area_table(report::Section& section, const std::vector<UniformRefinemen
 
 void add_convergence_plot(report::Section& section, const std::vector<UniformRefinement>& refinements, bool gaussian) {
     report::Plot plot;
-    plot.id = gaussian ? "q1_convergence_k" : "q1_convergence_h";
+    plot.id = gaussian ? "q1_k_convergence" : "q1_h_convergence";
     const std::string quantity = gaussian ? "K (barycentric areas)" : "uniform H (scaled)";
     plot.caption = "L2 error of " + quantity + " as the meshes are refined, regular and with jittered vertices.";
     plot.x_label = "mean edge [length]";

@@ -48,12 +48,12 @@ void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
 /// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap) {
     SixViewFigure figure;
-    figure.id = "q3_irregular_plane_h";
+    figure.id = "q3_h_irregular_plane";
     figure.title = "False curvature |H| × mean edge of an irregular flat square";
     figure.subtitle = counted(plane.mesh.vertex_count(), "vertex", "vertices") + ", inner ones moved within the plane";
-    figure.panels = {panel_of(plane.mesh, "q3_irregular_plane_uniform", "uniform, × 4/h²", plane.uniform_H.cwiseAbs()),
-                     panel_of(plane.mesh, "q3_irregular_plane_cotangent", "cotangent", plane.cotangent_H.cwiseAbs()),
-                     panel_of(plane.mesh, "q3_irregular_plane_clamped", "cotangent, clamped", plane.clamped_H.cwiseAbs())};
+    figure.panels = {panel_of(plane.mesh, "q3_uniform_irregular_plane", "uniform, × 4/h²", plane.uniform_H.cwiseAbs()),
+                     panel_of(plane.mesh, "q3_cotangent_irregular_plane", "cotangent", plane.cotangent_H.cwiseAbs()),
+                     panel_of(plane.mesh, "q3_clamped_irregular_plane", "cotangent, clamped", plane.clamped_H.cwiseAbs())};
     figure.range = output::robust_range(figure.panels, colormap, "|H| × mean edge", "", 0.01);
     figure.range->low = 0;
     figure.range = range_for(*figure.range, figure.panels);

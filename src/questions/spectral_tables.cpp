@@ -162,7 +162,7 @@ void add_band_table(report::Section& section, const SpectralStudy& study, const 
 
 void add_mistake_table(report::Section& section, const SpectralStudy& study, const MistakeStudy& mistakes) {
     report::Table table;
-    table.id = id_of("q4", study.name(), "mistake_errors");
+    table.id = id_of("q4", study.name(), "errors_mistaken");
     table.caption = "rms error over the vertices of " + study.name() +
                     " rebuilt the right way and three mistaken ones: ψ = √M φ not mapped back, plain products with M-normalised modes, "
                     "and the operator normalised per edge, (cot α + cot β)/(Aᵢ + Aⱼ), with plain products.";

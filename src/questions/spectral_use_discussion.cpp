@@ -157,7 +157,7 @@ report::Text cost_of_mistakes(const SpectralStudy& study, const MistakeStudy& mi
                        percent_of_box(study, at->edge_normalised), " off, and from ", edge_normalised_range(mistakes),
                        " times as far as the right one over the k of the table.");
     }
-    report::extend(t, " ", ref(id_of("q4", study.name(), "mistake_errors")), " has them all.");
+    report::extend(t, " ", ref(id_of("q4", study.name(), "errors_mistaken")), " has them all.");
     return t;
 }
 
