@@ -6,6 +6,7 @@
 #include "cli/console.h"
 #include "cli/paper_copy.h"
 #include "cli/report_files.h"
+#include "cli/report_summary.h"
 #include "cli/stored_results.h"
 #include "file_bytes.h"
 #include "mesh/parallel_tasks.h"
@@ -190,8 +191,9 @@ ExitCode report_from_results(const ReportFlags& flags) {
         if (!words.empty()) warn(words);
     }
     tell_missing(missing);
+    const ExitCode result = summarise(earlier.document);
     print_path(settings.out / "index.html");
-    return ExitCode::ok;
+    return result;
 }
 
 }   // namespace meshfolio::cli

@@ -12,6 +12,7 @@
 #include "cli/provenance.h"
 #include "cli/report_files.h"
 #include "cli/report_settings.h"
+#include "cli/report_summary.h"
 #include "cli/run_questions.h"
 #include "cli/stored_results.h"
 #include "file_bytes.h"
@@ -28,8 +29,6 @@ namespace meshfolio::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int most_lines = 4;   // of the summary, a kind: with a line a question and its notes they stay below 40
 
 class Stopwatch {
 public:
@@ -67,31 +66,6 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
     display.milestone(std::to_string(requests.size()) + " figures drawn");
     add_stored_figures(results, cover, figures);
     return figures;
-}
-
-/// At most `most_lines` of them, then how many more.
-void complain_about(const std::vector<std::string>& lines) {
-    for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) complain(lines[i]);
-    if (lines.size() > most_lines) complain("… and " + std::to_string(lines.size() - most_lines) + " more, see the report");
-}
-
-/// What went wrong, on stderr. @return failed when anything did
-ExitCode summary(const report::Document& document) {
-    std::vector<std::string> failures, checks;
-    std::set<std::string> warnings;
-    for (const report::Section& section : document.sections) {
-        if (section.status == report::Status::failed) failures.push_back(section.id + " failed: " + section.failure);
-        for (const report::Check& check : section.checks) {
-            if (check.passed) continue;
-            checks.push_back(section.id + ": check failed: " + check.name + ": " + words_of(check) +
-                             (check.note.empty() ? "" : " (" + check.note + ")"));
-        }
-        for (const std::string& warning : section.warnings) warnings.insert("warning: " + warning);
-    }
-    complain_about({warnings.begin(), warnings.end()});
-    complain_about(failures);
-    complain_about(checks);
-    return failures.empty() && checks.empty() ? ExitCode::ok : ExitCode::failed;
 }
 
 ExitCode run_report(const ReportFlags& flags) {
@@ -134,7 +108,7 @@ ExitCode run_report(const ReportFlags& flags) {
     for (const std::string& words : {note, pdf_note}) {
         if (!words.empty()) warn(words);
     }
-    const ExitCode result = summary(document);
+    const ExitCode result = summarise(document);
     print_path(settings.out / "index.html");
     return result;
 }

@@ -94,6 +94,13 @@ class From(unittest.TestCase):
         self.assertEqual(tree(folder / "elsewhere"), tree(self.out))
         self.again("--threads", "abc", expected=2)
 
+    def test_what_failed_has_still_failed(self):
+        folder = temporary_folder(self)
+        words = ["report", "--quick", "--size", 64, "--only", "q2", "--no-cache", "--out", folder / "failed"]
+        self.assertEqual(run(*words, MESHFOLIO_FAIL="q2").returncode, 1)
+        _, process = self.again(source=folder / "failed" / "results.json", expected=1)
+        self.assertIn("q2 failed", process.stderr)
+
     def test_nothing_can_be_computed(self):
         _, process = self.again("--only", "q2", expected=2)
         self.assertIn("--only cannot be given with --from", process.stderr)

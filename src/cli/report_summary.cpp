@@ -1,0 +1,41 @@
+#include "cli/report_summary.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+constexpr int most_lines = 4;   // of a kind: with a line a question and its notes they stay below 40
+
+/// At most `most_lines` of them, then how many more.
+void complain_about(const std::vector<std::string>& lines) {
+    for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) complain(lines[i]);
+    if (lines.size() > most_lines) complain("… and " + std::to_string(lines.size() - most_lines) + " more, see the report");
+}
+
+}   // namespace
+
+ExitCode summarise(const report::Document& document) {
+    std::vector<std::string> failures, checks;
+    std::set<std::string> warnings;
+    for (const report::Section& section : document.sections) {
+        if (section.status == report::Status::failed) failures.push_back(section.id + " failed: " + section.failure);
+        for (const report::Check& check : section.checks) {
+            if (check.passed) continue;
+            checks.push_back(section.id + ": check failed: " + check.name + ": " + words_of(check) +
+                             (check.note.empty() ? "" : " (" + check.note + ")"));
+        }
+        for (const std::string& warning : section.warnings) warnings.insert("warning: " + warning);
+    }
+    complain_about({warnings.begin(), warnings.end()});
+    complain_about(failures);
+    complain_about(checks);
+    return failures.empty() && checks.empty() ? ExitCode::ok : ExitCode::failed;
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,13 @@
+/// @file
+/// What a report did not achieve, in a few lines for the terminal.
+#pragma once
+
+#include "errors.h"
+#include "report/document.h"
+
+namespace meshfolio::cli {
+
+/// Warnings, failures and failed checks, on stderr. @return failed when a section or a check has failed
+ExitCode summarise(const report::Document& document);
+
+}   // namespace meshfolio::cli
