@@ -211,6 +211,8 @@ std::string Publication::publish(const Digests& known) try {
     } else {
         place_by_one_rename(folder(), target_, note);
     }
+    if (!folder_->remove())   // the earlier report, of another owner perhaps
+        note += (note.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
     return note;
 } catch (const fs::filesystem_error& error) {
     throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");

@@ -35,7 +35,7 @@ public:
     using Digests = std::map<std::string, std::string>;
 
     /// Writes SHA256SUMS and the marker, carries over .gitignore, syncs, exchanges, removes the old one.
-    /// @return  what to tell the user when the exchange could not be one atomic step; else empty
+    /// @return  what to tell the user when the exchange could not be one atomic step, or the old one not be removed; else empty
     /// @throws OutputError
     std::string publish(const Digests& known = {});
 

@@ -40,7 +40,8 @@ void remove_contents(const fs::path& folder, std::error_code& error) {
 }
 
 /// Repeated, because a writer that is still running may add a file between the listing and the removal of its folder.
-void remove_stubbornly(const fs::path& path) noexcept {
+/// @return whether nothing is left
+bool remove_stubbornly(const fs::path& path) noexcept {
     for (int attempt = 0; attempt < 100; ++attempt) {
         std::error_code error;
         try {
@@ -49,10 +50,11 @@ void remove_stubbornly(const fs::path& path) noexcept {
         } catch (const std::exception&) {
             error = std::make_error_code(std::errc::not_enough_memory);
         }
-        if (!error) return;
+        if (!error) return true;
         if (error == std::errc::not_enough_memory) delete[] registry().reserve.exchange(nullptr);
         ::usleep(1000);
     }
+    return false;
 }
 
 }   // namespace
@@ -67,6 +69,8 @@ Temporary::~Temporary() {
     const std::lock_guard lock(registry().listing);
     registry().paths.erase(path_);
 }
+
+bool Temporary::remove() const noexcept { return remove_stubbornly(path_); }
 
 std::unique_lock<std::recursive_mutex> permission_to_create() { return std::unique_lock(registry().creating); }
 

@@ -19,6 +19,8 @@ public:
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
     const std::filesystem::path& path() const { return path_; }
+    /// @return whether nothing is left of it
+    bool remove() const noexcept;
 
 private:
     std::filesystem::path path_;
