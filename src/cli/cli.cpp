@@ -30,6 +30,17 @@ std::vector<std::string> with_command(int argc, const char* const* argv) {
     return words;
 }
 
+/// A script's variable that is not set: CLI11 would take the next word for the value of "--out=".
+void refuse_empty(const std::vector<std::string>& words) {
+    std::string before;
+    for (const std::string& word : words) {
+        if (word.empty())
+            throw UsageError("an argument is empty" + (before.empty() ? "" : ", the one after '" + before + "'"), "leave it out");
+        if (word.starts_with("--") && word.find('=') == word.size() - 1) throw UsageError("'" + word + "' has no value", "leave it out");
+        before = word;
+    }
+}
+
 void refuse_unknown_command(const std::string& word, const std::vector<Command>& commands) {
     std::vector<std::string> known;
     for (const Command& command : commands) known.push_back(command.app->get_name());
@@ -50,6 +61,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     }
 
     std::vector<std::string> words = with_command(argc, argv);
+    refuse_empty(words);
     refuse_unknown_command(words.front(), commands);
     std::reverse(words.begin(), words.end());   // CLI11 takes the words from the back
     try {

@@ -12,6 +12,7 @@
 #include "contact_sheet.h"
 #include "draw_mesh.h"
 #include "mesh/parallel_tasks.h"
+#include "mesh/polygon_list.h"
 #include "number_text.h"
 #include "output/file_group.h"
 #include "output/folder_system.h"
@@ -45,12 +46,16 @@ std::pair<int, int> picture_size(const std::string& text) {
     return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
+constexpr double narrowest_range = 1 / largest_coordinate;   // where numbers on a colour bar end
+
 /// "lo,hi".
 std::pair<double, double> value_limits(const std::string& text) {
     const std::size_t comma = text.find(',');
     const auto low = parse_number(std::string_view(text).substr(0, comma));
     const auto high = comma == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(comma + 1));
     if (!low || !high || !(*low < *high)) throw UsageError("--range '" + text + "' is not lo,hi with lo < hi");
+    if (std::max(std::abs(*low), std::abs(*high)) > largest_coordinate || *high - *low < narrowest_range)
+        throw UsageError("--range '" + text + "' is beyond 1e100 or narrower than 1e-100", "scale the values");
     return {*low, *high};
 }
 

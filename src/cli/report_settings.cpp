@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <set>
 #include <string_view>
 
 #include "cli/arguments.h"
@@ -13,6 +14,8 @@
 #include "output/folder_system.h"
 #include "output/publish.h"
 #include "questions/question.h"
+#include "questions/stand_ins.h"
+#include "report/writers.h"
 
 namespace meshfolio::cli {
 
@@ -65,6 +68,16 @@ void take_data(ReportSettings& settings, const std::vector<std::string>& folders
     if (!folders.empty()) settings.data.assign(folders.begin(), folders.end());
 }
 
+void take_meshes(ReportSettings& settings, const std::vector<std::string>& meshes, Problems& problems) {
+    for (const std::string& mesh : meshes) {
+        if (std::ranges::find(settings.meshes, std::filesystem::path(mesh)) != settings.meshes.end()) {
+            problems.add(0, in_quotes(mesh) + " is given twice; its outputs would collide", "name it once");
+        } else {
+            settings.meshes.emplace_back(mesh);
+        }
+    }
+}
+
 std::string environment(const char* name) {
     const char* value = std::getenv(name);
     return value != nullptr ? value : "";
@@ -80,24 +93,53 @@ void take_environment(ReportSettings& settings, Problems& problems) {
     if (const std::string out = environment("MESHFOLIO_OUT"); !out.empty()) settings.out = out;
 }
 
-/// What is read must not lie in an earlier report: that is removed once the new one is in its place.
+/// Those of data/reports, each file read once.
+const std::vector<Experiment>& bundled_experiments() {
+    static const std::vector<Experiment> experiments = [] {
+        std::vector<Experiment> all;
+        for (const std::string& name : bundled_report_names()) {
+            const std::vector<Experiment> some = parse_settings(bundled_report_text(name), name + ".toml").experiments;
+            all.insert(all.end(), some.begin(), some.end());
+        }
+        return all;
+    }();
+    return experiments;
+}
+
+/// Meshes that settings and experiments name: looked for beside the settings file, then in the data folders.
+std::vector<std::filesystem::path> named_meshes(const ReportSettings& settings) {
+    std::vector<std::filesystem::path> files = listed_meshes(settings);
+    for (const Experiment& experiment : settings.experiments.empty() ? bundled_experiments() : settings.experiments) {
+        for (const OriginalMesh& mesh : experiment.meshes) {
+            if (!mesh.file.empty()) files.emplace_back(mesh.file);
+        }
+    }
+    return files;
+}
+
+/// Every file and folder that may be read.
+std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const std::string& config) {
+    std::set<std::filesystem::path> inputs = {config, settings.templates, settings.page_template.value_or("")};
+    inputs.insert(settings.meshes.begin(), settings.meshes.end());
+    inputs.insert(settings.data.begin(), settings.data.end());
+    std::vector<std::filesystem::path> in_data = named_meshes(settings);
+    for (const std::filesystem::path& mesh : in_data) inputs.insert(settings.base / mesh);
+    for (const MeshRole& role : mesh_role_list()) in_data.emplace_back(role.asked);
+    for (const StandIn& original : stand_in_list()) in_data.emplace_back(original.file);
+    for (const std::filesystem::path& folder : settings.data) {
+        for (const std::filesystem::path& mesh : in_data) {
+            if (!mesh.empty()) inputs.insert({folder / mesh, folder / mesh.filename()});
+        }
+    }
+    return inputs;
+}
+
+/// What is read must not lie in an earlier report, nor be linked to there: that is removed once the new one is in its place.
 void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
     std::error_code error;
     const std::filesystem::path out = output::resolved(settings.out, error);
     if (!std::filesystem::exists(out / output::marker_file, error)) return;
-    std::vector<std::filesystem::path> inputs = {config, settings.templates, settings.page_template.value_or("")};
-    inputs.insert(inputs.end(), settings.meshes.begin(), settings.meshes.end());
-    for (const std::filesystem::path& folder : settings.data) {
-        inputs.push_back(folder);   // and what is linked there
-        for (const auto& entry : std::filesystem::directory_iterator(folder, error)) inputs.push_back(entry.path());
-    }
-    for (const std::filesystem::path& mesh : listed_meshes(settings)) inputs.push_back(settings.base / mesh);
-    for (const Experiment& experiment : settings.experiments) {
-        for (const OriginalMesh& mesh : experiment.meshes) {
-            if (!mesh.file.empty()) inputs.push_back(settings.base / mesh.file);
-        }
-    }
-    for (const std::filesystem::path& input : inputs) {
+    for (const std::filesystem::path& input : inputs_of(settings, config)) {
         if (input.empty() || !std::filesystem::exists(input, error)) continue;
         const std::filesystem::path inside = std::filesystem::canonical(input, error).lexically_relative(out);
         if (inside.empty() || *inside.begin() == "..") continue;
@@ -131,19 +173,6 @@ std::string listed(const std::vector<Number>& values) {
     std::string text;
     for (const Number value : values) text += (text.empty() ? "" : ", ") + exact_text(static_cast<double>(value));
     return text;
-}
-
-/// Those of data/reports, each file read once.
-const std::vector<Experiment>& bundled_experiments() {
-    static const std::vector<Experiment> experiments = [] {
-        std::vector<Experiment> all;
-        for (const std::string& name : bundled_report_names()) {
-            const std::vector<Experiment> some = parse_settings(bundled_report_text(name), name + ".toml").experiments;
-            all.insert(all.end(), some.begin(), some.end());
-        }
-        return all;
-    }();
-    return experiments;
 }
 
 void take_experiments(QuestionSettings& question, const ReportSettings& settings) {
@@ -182,10 +211,11 @@ ReportSettings report_settings(const ReportFlags& flags) {
     take_data(settings, flags.data);
     if (!flags.out.empty()) settings.out = flags.out;
     settings.templates = flags.templates;
-    settings.meshes.assign(flags.meshes.begin(), flags.meshes.end());
+    take_meshes(settings, flags.meshes, problems);
     problems.collect([&] {
         if (!flags.only.empty()) settings.only = chosen_questions(flags.only);
     });
+    problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, told with the other problems
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();
     settings.quick = flags.quick;

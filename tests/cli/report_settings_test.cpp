@@ -138,8 +138,16 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     std::filesystem::create_directory(outside);
     flags.data = {outside.string()};
     EXPECT_NO_THROW(report_settings(flags));
-    std::filesystem::create_symlink(out / "my.obj", outside / "bunny.obj");
+    std::filesystem::create_symlink(out / "my.obj", outside / "unused.obj");
+    EXPECT_NO_THROW(report_settings(flags)) << "nobody reads that link";
+    std::filesystem::create_directory(outside / "curvatures");
+    std::filesystem::create_symlink(out / "my.obj", outside / "curvatures" / "plane.obj");
     EXPECT_THROW(report_settings(flags), UsageError) << "a folder beside the report with a link into it";
+    std::filesystem::remove(outside / "curvatures" / "plane.obj");
+    std::filesystem::create_symlink(out / "my.obj", outside / "bunny.off");
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags.data = {folder.path().string()};
+    EXPECT_NO_THROW(report_settings(flags)) << "the report lies beside the meshes";
     flags.data = {};
     flags.templates = (out / "data").string();
     EXPECT_THROW(report_settings(flags), UsageError);

@@ -49,6 +49,13 @@ class Usage(InFolder):
             self.refuse(2, *arguments)
         self.assertEqual(os.listdir(self.folder), [])
 
+    def test_variables_that_are_not_set(self):
+        for arguments in (['inspect', ''], ['report', ''], ['report', '--from', ''], ['report', '--templates', '', '--quick'],
+                          ['report', '--out=', '--quick'], ['report', '--config=', '--only', 'q2'], ['curvature', 'a.obj', '--csv', ''],
+                          ['curvature', 'a.obj', '--csv=']):
+            self.refuse(2, *arguments)
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_numbers_out_of_range_or_not_finite(self):
         mesh = self.sample('cube8')
         for value in ('nan', 'inf', '1e999', '0x10', '1,5', '', '-1', '0'):
@@ -59,7 +66,7 @@ class Usage(InFolder):
             self.refuse(2, 'spectrum', mesh, '-k', value)
         for value in ('0', '-5', '10x', 'x10', '99999', '1e2'):
             self.refuse(2, 'render', mesh, '--size', value)
-        for value in ('1', '2,1', '1,1', 'a,b', 'nan,1'):
+        for value in ('1', '2,1', '1,1', 'a,b', 'nan,1', '1,1e308', '1e-320,2e-320'):
             self.refuse(2, 'render', mesh, '--field', 'x', '--range', value)
         self.refuse(2, 'noise', mesh, '-o', 'x.ply', '--sigma', '1', '--seed', '-1')
         self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda', '1', '--iterations', '-1')

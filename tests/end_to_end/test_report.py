@@ -33,6 +33,16 @@ class Page(html.parser.HTMLParser):
             self.pictures.append(attribute)
 
 
+def ids_in(value):
+    if isinstance(value, dict):
+        if isinstance(value.get("id"), str):
+            yield value["id"]
+        value = list(value.values())
+    if isinstance(value, list):
+        for part in value:
+            yield from ids_in(part)
+
+
 def digest(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
@@ -221,6 +231,32 @@ class OwnMesh(unittest.TestCase):
         for question in results["questions"]:
             for entry in question["inputs"]:
                 self.assertEqual((entry["file"], entry["stand_in"]), ("torus.ply", False), question["id"])
+        self.require_apart(folder / "out", results, "torus")
+
+    def require_apart(self, out, results, mesh):
+        """An id is question, mesh, what. Where one `what`, or one id of no mesh, ends in another `what`, two meshes could share an id:
+        "mistake_errors" of cube would be "errors" of cube_mistake."""
+        ids = {p.stem for p in out.rglob("*")} | set(ids_in(results))
+        for question in {q["id"] for q in results["questions"]}:
+            here = {i.removeprefix(question + "_") for i in ids if i.startswith(question + "_")}
+            whats = {i.removeprefix(mesh + "_") for i in here if i.startswith(mesh + "_")}
+            others = {i for i in here if not i.startswith(mesh + "_")}
+            self.assertEqual([(x, y) for x in whats | others for y in whats if x.endswith("_" + y)], [], question)
+
+    def test_a_mesh_given_twice_is_refused_before_any_work(self):
+        folder = temporary_folder(self)
+        mesh = sample(folder, "cube8", "obj")
+        process = run("report", "--quick", "--out", folder / "out", mesh, mesh)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("is given twice", process.stderr)
+        self.assertFalse((folder / "out").exists())
+
+    def test_a_report_beside_its_meshes_is_replaced_like_any_other(self):
+        folder = temporary_folder(self)
+        sample(folder, "cube8", "obj")
+        for _ in range(2):
+            process = run("report", "--quick", "--only", "q2", "--size", 64, "--out", folder / "report", "--data", folder)
+            self.assertEqual(process.returncode, 0, process.stderr)
 
     def test_the_assignments_own_meshes(self):
         data = SOURCE.parent / "shared" / "meshes" / "coursework"
