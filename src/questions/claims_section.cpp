@@ -28,8 +28,8 @@ void add_method(report::Section& section) {
         "not exclude. Some rules (low noise, noise beyond repair, the operator of ",
         report::math("A_i + A_j"),
         ", Taubin's and Rippa's claims, small steps) were put more exactly after a first measurement had shown them to test "
-        "something else than is claimed; the others stand as they were first written. The verdict follows from the rule and the "
-        "numbers alone, on any mesh. A few claims are theorems, which only a fault of this program could refute:");
+        "something else than is claimed; the others stand as they were first written. A few claims are theorems, which only a fault "
+        "of this program could refute. The verdict follows from the rule and the numbers alone, on any mesh:");
     section.blocks.push_back(report::BulletList{
         {report::text(report::strong(shown(Verdict::holds)), " – every case is on the right side of the threshold;"),
          report::text(report::strong(shown(Verdict::conditional)), " – some cases are: the claim needs the condition that is named;"),
@@ -108,7 +108,7 @@ int count_of(const std::vector<JudgedClaim>& judged, Verdict verdict) {
 report::Table ledger_table(const std::vector<JudgedClaim>& judged) {
     report::Table table;
     table.id = "claims_ledger";
-    table.caption = "The ledger: who claims what, and what measuring says. Every claim is explained below.";
+    table.caption = "The ledger: who claims what, and what measuring says.";
     table.columns = {{"no."},  {"source"},  {"question"},  {"claim"}, {"verdict"}, {"deciding number", "", 3},
                      {"unit"}, {"true if"}, {"decided by"}};
     for (const char* name : {"no.", "question", "decided by"}) {

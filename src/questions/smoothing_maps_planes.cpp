@@ -116,7 +116,7 @@ report::Map error_map(const SmoothingMaps& maps) {
         (known ? "rms distance of every vertex from where it was before the noise, which the program added itself; the input is " +
                      readable(100 * maps.input_error) + " % away. Blue: nearer than the input; red: farther."
                : std::string("rms distance from the input, which is all there is to compare with.")) +
-        " λ_crit = " + readable(maps.subject.critical, 4) + ". Letters: the places of " + "the pictures below.";
+        " λ_crit = " + readable(maps.subject.critical, 4) + ". Places with a picture of their own:" + words_of(maps.places);
     map.alt = map.value_label + " on " + maps.name() + ": " + ranges_of(map) + ".";
     return map;
 }
@@ -159,6 +159,12 @@ report::Map inverted_map(const SmoothingMaps& maps) {
 }
 
 }   // namespace
+
+std::string words_of(const std::vector<MapPlace>& places) {
+    std::string words;
+    for (const MapPlace& place : places) words += " " + place.letter + ": " + place.why + ".";
+    return words;
+}
 
 std::vector<report::Map> maps_of(const SmoothingMaps& maps) {
     return {error_map(maps), size_map(maps), angle_map(maps), inverted_map(maps)};

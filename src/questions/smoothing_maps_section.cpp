@@ -43,7 +43,7 @@ void add_pictures(Answer& answer, const SmoothingMaps& maps) {
     }
     request.range = output::robust_range({request.panels.front()}, "diverging", "mean curvature × mean edge", "", 0.02);
     std::string caption = "The lettered places of the maps of " + maps.name() + ", all in the frame of the input.";
-    for (const MapPlace& place : maps.places) caption += " " + place.letter + ": " + place.why + ".";
+    caption += words_of(maps.places);
     caption += " Coloured by cotangent mean curvature times the mean edge of the input.";
     answer.section.blocks.push_back(report::Figure{request.id, caption, caption});
     answer.figures.push_back(std::move(request));

@@ -11,6 +11,8 @@ namespace meshfolio {
 
 /// The maps of one mesh: error, volume (area where it is open), smallest angle, turned triangles; explicit beside implicit.
 std::vector<report::Map> maps_of(const SmoothingMaps& maps);
+/// " a: explicit, the last step …. b: …."
+std::string words_of(const std::vector<MapPlace>& places);
 
 report::Table blow_up_table(const std::vector<SmoothingMaps>& studies);
 report::Table place_table(const std::vector<SmoothingMaps>& studies);

@@ -67,7 +67,7 @@ Answer answer_stability(const MeshLibrary& library, const QuestionSettings& sett
     const StabilityStudy& last = studies.back();
     section.findings.push_back(
         {report::text("The largest stable λ of ", last.name(), ", ", readable(rounded_down(last.cotangent.certificate.lambda_low(), 5), 5),
-                      ", is proved to ", readable(last.cotangent.certificate.relative_width(), 1), " relative; vertex ",
+                      " rounded down, is proved to ", readable(last.cotangent.certificate.relative_width(), 1), " relative; vertex ",
                       std::to_string(last.limiting.vertex), " sets it."),
          76});
     return answer;

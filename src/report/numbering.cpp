@@ -61,7 +61,10 @@ void Numbering::add(const std::string& id, const std::string& kind, const std::s
 }
 
 void Numbering::leave_out(const std::string& id) {
-    if (const auto it = references_.find(id); it != references_.end()) it->second.anchor.clear();
+    const auto it = references_.find(id);
+    if (it == references_.end()) return;
+    it->second.anchor.clear();
+    it->second.left_out = true;
 }
 
 /// The section whose blocks are called "<section>_…"; questions also where the document lacks them.

@@ -12,9 +12,10 @@
 namespace meshfolio::report {
 
 struct Reference {
-    std::string number;   // "1.3"
-    std::string label;    // "Figure 1.3"
-    std::string anchor;   // of the element in the page; empty: the report does not hold it
+    std::string number;      // "1.3"
+    std::string label;       // "Figure 1.3"
+    std::string anchor;      // of the element in the page; empty: the page does not hold it
+    bool left_out = false;   // of this page alone, to be found in the whole report
 };
 
 class Numbering {
@@ -29,7 +30,7 @@ public:
     /// @throws std::logic_error naming the id if nothing has it
     Reference resolve(const std::string& id) const;
 
-    /// What has this id is not in the page: it keeps its name and has no anchor.
+    /// What has this id is not in the page, only in the whole report: it keeps its name and has no anchor.
     void leave_out(const std::string& id);
 
 private:

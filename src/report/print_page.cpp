@@ -72,6 +72,7 @@ PrintPage print_page(const Document& document, const DrawnFigures& figures, cons
     view.extent = options.extent;
     view.passed_checks = options.extent == Extent::whole;
     view.table_rows = options.extent == Extent::brief ? options.table_rows : rows_of_the_whole;
+    view.fewest_left_out = view.table_rows / 2;   // a gap in a table hardly longer spares nothing
     nlohmann::json model = view_model(document, figures, templates, view);
     add_design(model, templates, "print");
     return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.extent)};

@@ -35,7 +35,8 @@ json run_view(const Run& run, const Reference& target) {
             {"is_emphasis", run.kind == Run::Kind::emphasis},
             {"is_code", run.kind == Run::Kind::code},
             {"is_math", run.kind == Run::Kind::math},
-            {"is_link", is_reference && !target.anchor.empty()}};
+            {"is_link", is_reference && !target.anchor.empty()},
+            {"is_elsewhere", is_reference && target.left_out}};
 }
 
 json formula_view(const Formula& formula, const ViewContext& context) {

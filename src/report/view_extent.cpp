@@ -1,6 +1,8 @@
 #include "report/view_extent.h"
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 
 namespace meshfolio::report {
 
@@ -21,6 +23,38 @@ const Block* first_narrow_table(const Section& section) {
         return table != nullptr && table->columns.size() <= widest_brief_table;
     });
     return it != section.blocks.end() ? &*it : nullptr;
+}
+
+/// Whether the text stops in the middle of a sentence.
+bool stops_midway(const Text& text) {
+    const std::string words = plain(text);
+    const std::size_t end = words.find_last_not_of(" )");
+    return end != std::string::npos && std::string_view(".!?").find(words[end]) == std::string_view::npos;
+}
+
+/// Whether the block is a paragraph that begins in the middle of a sentence.
+bool begins_midway(const Block& block) {
+    const auto* paragraph = std::get_if<Paragraph>(&block);
+    const std::string words = paragraph != nullptr ? plain(paragraph->text) : "";
+    return !words.empty() && (words.front() == ',' || std::islower(static_cast<unsigned char>(words.front())) != 0);
+}
+
+/// Whether a sentence in `block` goes on in `next`. Formulas and lists are parts of sentences.
+bool goes_on_in(const Block& block, const Block& next) {
+    const auto is_part = [](const Block& b) { return std::holds_alternative<Formula>(b) || std::holds_alternative<BulletList>(b); };
+    if (std::holds_alternative<Heading>(next)) return false;
+    if (const auto* paragraph = std::get_if<Paragraph>(&block)) return stops_midway(paragraph->text);
+    return is_part(block) && (is_part(next) || begins_midway(next));
+}
+
+/// The first paragraph and what it introduces: a reader must not be left in the middle of a sentence.
+std::set<const Block*> first_passage(const Section& section) {
+    const auto is_paragraph = [](const Block& block) { return std::holds_alternative<Paragraph>(block); };
+    const auto begin = std::find_if(section.blocks.begin(), section.blocks.end(), is_paragraph);
+    const auto last = std::adjacent_find(begin, section.blocks.end(), std::not_fn(goes_on_in));
+    std::set<const Block*> passage;
+    for (auto block = begin; block != section.blocks.end() && block <= last; ++block) passage.insert(&*block);
+    return passage;
 }
 
 /// What can be referred to in a block.
@@ -47,7 +81,8 @@ std::set<const Block*> blocks_told(const Section& section, Extent extent) {
         for (const Block& block : section.blocks) told.insert(&block);
         return told;
     }
-    told = {first_of<Paragraph>(section), first_of<Figure, Plot, Map>(section), first_narrow_table(section)};
+    told = first_passage(section);
+    told.insert({first_of<Figure, Plot, Map>(section), first_narrow_table(section)});
     told.erase(nullptr);
     return told;
 }

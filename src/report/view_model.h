@@ -16,7 +16,8 @@ namespace meshfolio::report {
 /// How much of the document is told.
 enum class Extent {
     whole,
-    brief,   // of what is no question the findings, the first picture and the first table; of the checks those that failed
+    brief,   // of what is no question the findings, the first paragraph with what it introduces, the first picture and the first table; of
+             // the checks those that failed
 };
 
 struct ViewOptions {
@@ -26,11 +27,12 @@ struct ViewOptions {
     bool page_numbers = false;     // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
     bool plain_formulas = false;   // for readers without MathML
     Extent extent = Extent::whole;
-    bool plot_files = false;        // images/<plot>.svg are there to link to
-    bool single_views = true;       // links to the pictures a sheet is made of
-    bool models = false;            // inside, for a page that can turn them; false: only linked to
-    bool passed_checks = true;      // in the lists of checks; false: only those that failed
-    std::size_t table_rows = 200;   // longer tables show their first and last rows
+    bool plot_files = false;           // images/<plot>.svg are there to link to
+    bool single_views = true;          // links to the pictures a sheet is made of
+    bool models = false;               // inside, for a page that can turn them; false: only linked to
+    bool passed_checks = true;         // in the lists of checks; false: only those that failed
+    std::size_t table_rows = 200;      // longer tables show their first and last rows,
+    std::size_t fewest_left_out = 1;   // unless fewer than these would be left out
 };
 
 /// Of the picture of a figure for paper.

@@ -123,13 +123,30 @@ ColumnView column_view(const Table& table, std::size_t column) {
     return view;
 }
 
+/// A reference in a cell is its name alone: where to find what is left out, the caption says.
+json reference_view(const std::string& id, const Numbering& numbering) {
+    json runs = text_view({ref(id)}, numbering);
+    runs[0]["is_elsewhere"] = false;
+    return {{"runs", std::move(runs)}};
+}
+
+bool refers_elsewhere(const Table& table, const Numbering& numbering) {
+    for (const auto& row : table.rows) {
+        for (std::size_t c = 0; c < std::min(row.size(), table.columns.size()); ++c) {
+            const auto* id = std::get_if<std::string>(&row[c]);
+            if (id != nullptr && table.columns[c].reference && numbering.resolve(*id).left_out) return true;
+        }
+    }
+    return false;
+}
+
 json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& columns, const Numbering& numbering) {
     json cells = json::array();
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const double* x = number_in(table.rows[r], c);
         const auto* words = c < table.rows[r].size() ? std::get_if<std::string>(&table.rows[r][c]) : nullptr;
         const bool refers = words != nullptr && columns[c].reference;
-        json cell = refers ? json{{"runs", text_view({ref(*words)}, numbering)}} : prose_view(words ? *words : "");
+        json cell = refers ? reference_view(*words, numbering) : prose_view(words ? *words : "");
         cell["is_words"] = words != nullptr;
         cell["number"] = columns[c].texts[r];
         cell["padding"] = columns[c].paddings[r];
@@ -174,13 +191,14 @@ json table_view(const Table& table, const ViewContext& context) {
                          {"is_numeric", columns.back().numeric}});
     }
     const std::size_t shown = std::max<std::size_t>(context.options.table_rows, 2), total = table.rows.size();
-    const std::size_t first = total <= shown ? total : (shown + 1) / 2, last = total <= shown ? 0 : shown / 2;
+    const bool whole = total < shown + std::max<std::size_t>(context.options.fewest_left_out, 1);
+    const std::size_t first = whole ? total : (shown + 1) / 2, last = whole ? 0 : shown / 2;
     json rows = json::array();
     for (std::size_t r = 0; r < first; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
-    if (first + last < total) rows.push_back(gap_view(total - first - last, columns.size()));
+    if (!whole) rows.push_back(gap_view(total - first - last, columns.size()));
     for (std::size_t r = total - last; r < total; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
     const Reference self = context.numbering.resolve(table.id);
-    const bool whole = first + last == total, worth_sorting = table.sortable || total >= 3;
+    const bool worth_sorting = table.sortable || total >= 3;
     return {{"id", safe_text(table.id)},
             {"label", self.label},
             {"caption", prose_view(table.caption)},
@@ -190,7 +208,8 @@ json table_view(const Table& table, const ViewContext& context) {
             {"is_cut", !whole},
             {"is_sortable", whole && worth_sorting},
             {"has_many_columns", table.columns.size() > most_columns},
-            {"has_best", has_best}};
+            {"has_best", has_best},
+            {"has_references_elsewhere", refers_elsewhere(table, context.numbering)}};
 }
 
 }   // namespace meshfolio::report
