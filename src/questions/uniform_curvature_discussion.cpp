@@ -220,7 +220,7 @@ report::Text panel_words(const GroundTruth& truth) {
                         " on anisotropic triangles; that of K with barycentric areas ", told(Quantity::K, Kind::regular, "barycentric"),
                         ", ", told(Quantity::K, Kind::random, "barycentric"), " and ", told(Quantity::K, Kind::anisotropic, "barycentric"),
                         " (", ref("truth_errors_regular_l2"), ", ", ref("truth_errors_random_l2"), " and ",
-                        ref("truth_errors_anisotropic_l2"), ", each with its orders behind it).");
+                        ref("truth_errors_anisotropic_l2"), ", each followed by its orders).");
 }
 
 }   // namespace
