@@ -89,6 +89,11 @@ std::string words_of(const Rule& rule) {
     return (rule.relation == Rule::Relation::at_most ? "at most " : "at least ") + with_unit_of(rule, number);
 }
 
+std::string beginning_of(const Rule& rule) {
+    const bool closes_with_comma = rule.quantity.find(", ") != std::string_view::npos;
+    return std::string(rule.quantity) + (closes_with_comma ? ", is" : " is");
+}
+
 Decision decide(const Rule& rule, const Measurement& measurement) {
     Decision decision;
     decision.why = measurement.undecidable;
@@ -108,8 +113,7 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
 
 report::Text rule_text(const JudgedClaim& judged) {
     const Claim& claim = *judged.claim;
-    const bool closes_with_comma = claim.rule.quantity.find(", ") != std::string_view::npos;
-    return report::text("True if ", std::string(claim.rule.quantity), closes_with_comma ? ", is " : " is ", words_of(claim.rule),
+    return report::text("True if ", beginning_of(claim.rule), " ", words_of(claim.rule),
                         judged.measurement.cases.size() > 1 ? " in every case." : ".");
 }
 

@@ -28,6 +28,8 @@ struct Rule {
 };
 /// "at most 5 %".
 std::string words_of(const Rule& rule);
+/// "gap between the two results, of how far they moved, is": what a value or words_of() the rule follows.
+std::string beginning_of(const Rule& rule);
 
 /// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
 struct Case {

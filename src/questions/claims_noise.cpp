@@ -78,7 +78,9 @@ Measurement hopeless_noise(ClaimBench& bench) {
         m.cases.push_back({bench.mesh(name).mesh->name, left / bench.mesh(name).mesh->prepared->preflight.mean_edge});
         gains.push_back(readable_percent(1 - left / sweep.noisy, 2));
     }
-    m.remark = report::text("Smoothing takes away ", listed(gains), " of the noise; what counts is what is left.");
+    m.remark = report::text("Smoothing takes away ", listed(gains),
+                            " of the noise, but what counts is what is left: an error of a mean edge or more is as coarse as the "
+                            "triangles that draw the shape.");
     m.meshes = bench.called({"bunny", "cow"});
     return m;
 }

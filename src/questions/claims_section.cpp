@@ -89,8 +89,8 @@ void add_discussion(report::Section& section, const std::vector<JudgedClaim>& ju
             section.blocks.push_back(report::Paragraph{std::move(t)});
     }
     if (const JudgedClaim* most = most_refuted(judged)) {
-        add_paragraph(section, "Of the percentages, the farthest from its threshold, by their ratio, is that of ",
-                      report::ref(std::string(most->claim->id)), ": ",
+        add_paragraph(section, "Of the refuted claims about percentages, the farthest from its threshold, by their ratio, is ",
+                      report::ref(std::string(most->claim->id)), ": ", beginning_of(most->claim->rule), " ",
                       with_unit(most->measurement.cases[most->decision.deciding].value, most->claim->rule), " where ",
                       words_of(most->claim->rule), " would have been needed.");
     }
@@ -228,8 +228,9 @@ Answer answer_claims(const MeshLibrary& library, const QuestionSettings& setting
     report::Text finding = ledger_summary(ledger);
     if (const JudgedClaim* refuted = most_refuted(ledger)) {
         report::extend(finding, " For instance “", std::string(refuted->claim->words), "” (", std::string(refuted->claim->source),
-                       ") is refuted: ", with_unit(refuted->measurement.cases[refuted->decision.deciding].value, refuted->claim->rule),
-                       ", true if ", words_of(refuted->claim->rule), ".");
+                       ") is refuted: ", beginning_of(refuted->claim->rule), " ",
+                       with_unit(refuted->measurement.cases[refuted->decision.deciding].value, refuted->claim->rule), ", true if ",
+                       words_of(refuted->claim->rule), ".");
     }
     section.findings.push_back({std::move(finding), 82});
     return answer;

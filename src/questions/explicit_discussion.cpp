@@ -119,7 +119,8 @@ report::Text good_step(const Studies& studies) {
     report::Text t;
     if (any && all_keep_signs) {
         report::extend(t, "Of the steps tried the one to use is that which smooths most while no mode changes its sign (", math("λμ ≤ 1"),
-                       ", half the limit at most).");
+                       ", half the limit at most). A larger one that is still stable may leave less roughness after as many iterations (",
+                       ref("claims_s1_largest_stable"), "), but turns the highest modes over at every step (", ref("modes_damping"), ").");
     } else if (any) {
         report::extend(t, "Of the steps tried the best are stable, though the highest modes change sign from step to step where ",
                        math("λμ > 1"), ".");
@@ -224,7 +225,7 @@ report::Text units_of_lambda(const Studies& studies) {
     report::extend(t, ". A λ quoted without its mesh says nothing. The uniform operator has no unit; its limit is ",
                    readable(uniform_low, 3));
     if (studies.size() > 1) report::extend(t, " to ", readable(uniform_high, 3));
-    report::extend(t, uniform_low > 1 && uniform_high < 1.5 ? " here, which is why λ = 1 works there and λ = 1.5 does not." : " here.");
+    report::extend(t, uniform_low > 1 && uniform_high < 1.5 ? " here, which is why λ = 1 is stable there and λ = 1.5 is not." : " here.");
     report::extend(t, " That the limits are what they are is proved in ", ref("stability"), ".");
     return t;
 }

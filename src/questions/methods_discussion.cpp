@@ -162,22 +162,22 @@ report::Text kind_words(const DenoisingTrials& mesh) {
     const double edges = mesh.trials[static_cast<std::size_t>(mesh.pictured)].edges;
     std::vector<std::string> told;
     double smallest = INFINITY, largest = 0;
-    std::string_view hardest, easiest;
+    std::string_view with_least, with_most;
     for (const NoiseTrial& trial : mesh.trials) {
         if (trial.edges != edges) continue;
         const std::string_view title = noise_entry(trial.kind).title;
         const int best = winner(trial, &SearchResult::gain);
         const double gain = best >= 0 ? trial.results[static_cast<std::size_t>(best)].gain() : 1;
         told.push_back(std::string(title) + " " + readable(gain) + (best >= 0 ? " (" + method_title(best) + ")" : ""));
-        if (gain < smallest) smallest = gain, hardest = title;
-        if (gain > largest) largest = gain, easiest = title;
+        if (gain < smallest) smallest = gain, with_least = title;
+        if (gain > largest) largest = gain, with_most = title;
     }
     if (told.size() < 2) return {};
     report::Text t = report::text("Kinds of noise of the same strength, ", readable(edges, 2), " mean edges on ", mesh.name(),
                                   ", and the largest gain in shape against each: ", listed(told), ".");
     if (largest > 1.1 * smallest) {
-        report::extend(t, " The easiest to take off is the one called “", std::string(easiest), "”, the hardest the one called “",
-                       std::string(hardest), "”.");
+        report::extend(t, " The gain is largest for the noise called “", std::string(with_most), "”, smallest for “",
+                       std::string(with_least), "”.");
     }
     return t;
 }

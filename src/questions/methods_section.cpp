@@ -117,8 +117,8 @@ void add_finding(report::Section& section, const DenoisingLaboratory& laboratory
     std::vector<std::string> told;
     for (const ClassResult& c : class_results(laboratory)) {
         if (told.size() < 3 && c.best() >= 0)
-            told.push_back(method_title(c.best()) + " on what is " + c.title + " (" +
-                           readable(c.gain[static_cast<std::size_t>(c.best())], 2) + "-fold)");
+            told.push_back(method_title(c.best()) + " on “" + c.title + "” (" + readable(c.gain[static_cast<std::size_t>(c.best())], 2) +
+                           "-fold)");
     }
     if (told.empty()) told.push_back("none, for the noise changed no shape");
     section.findings.push_back(

@@ -73,7 +73,8 @@ void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& la
                          std::to_string(idt.negative_boundary) + " on the boundary are left)");
     }
     report::Text text = report::text("Maximum principle. Of the cotangent weights ", listed(counts), " are negative. ");
-    if (!clean.empty()) report::extend(text, "No weight is negative on any of these meshes with ", quoted_list(clean), ". ");
+    if (!clean.empty())
+        report::extend(text, "No weight is negative beyond rounding on any of these meshes with ", quoted_list(clean), ". ");
     if (!indefinite.empty())
         report::extend(text, "An eigenvalue of ", math("−C"), " below 0, with which even implicit smoothing may grow, was found with ",
                        listed(indefinite), ".");

@@ -74,6 +74,12 @@ void add_operator_list(report::Section& section) {
     for (const OperatorEntry& entry : operator_list())
         list.items.push_back(report::text(report::code(std::string(entry.name)), ": ", std::string(entry.description)));
     section.blocks.push_back(std::move(list));
+    std::vector<std::string> other_areas;
+    for (const LaboratoryOperator& tried : laboratory_operators()) {
+        if (tried.area != AreaForm::barycentric) other_areas.push_back("“" + tried.title() + "”");
+    }
+    add_paragraph(section, "The laboratory tries the default, which has barycentric areas, with others as well: ", listed(other_areas),
+                  ".");
 }
 
 // ---- the figure -------------------------------------------------------------------------------------------------------

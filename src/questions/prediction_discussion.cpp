@@ -185,7 +185,7 @@ report::Text rebuilt_words(const Studies& studies) {
         better += rebuilt.measured.square.minCoeff() < own.measured.square.minCoeff() * (1 - 1e-9) ? 1 : 0;
     });
     if (cases == 0) return t;
-    report::extend(t, "Where both errors reach their minimum rebuilding reaches a smaller one than the noisy mesh's operator in ",
+    report::extend(t, "Where both runs reach their minimum, that of the rebuilt operator is smaller than that of the noisy mesh's own in ",
                    std::to_string(better), " of ", counted(cases, "case"), ".");
     return t;
 }

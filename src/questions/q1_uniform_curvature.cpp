@@ -120,7 +120,7 @@ void add_area_table(report::Section& section, const std::vector<UniformRefinemen
     table.caption =
         norm_name +
         " error of K on the finest meshes, one row an area form. Vertices whose area is ≤ 0 have no K and are counted in the last column.";
-    table.columns = {{"area A_i", ""}};
+    table.columns = {{"area form", ""}};
     for (const UniformRefinement& r : refinements) table.columns.push_back({r.title(), "%", 3, report::Column::Best::smallest});
     table.columns.push_back({"without K", "vertices", 3, report::Column::Best::smallest});
     for (std::size_t form = 0; form < area_forms.size(); ++form) {

@@ -69,7 +69,8 @@ void add_sweep_table(report::Section& section, const ExplicitStudy& study) {
     table.id = id_of("q5", study.name(), "sweep_table");
     table.caption = "Explicit smoothing of " + study.name() +
                     " with fixed operator. The top mode is predicted to grow by |1 − λμ_max| a step; "
-                    "measured over 20 steps. Energy: Dirichlet energy over that of the input. No volume (–): the mesh is open.";
+                    "measured over 20 steps. Energy: Dirichlet energy over that of the input." +
+                    (study.subject.source->prepared->preflight.closed() ? "" : " No volume (–): the mesh is open.");
     table.columns = {{"λ", "length²", 3},
                      {"λ/λ_crit", "", 3},
                      {"λ/h̄²", "", 3},

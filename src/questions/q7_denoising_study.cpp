@@ -40,7 +40,7 @@ void add_figure_of(Answer& answer, const DenoisingStudy& study, const DenoisingT
     const std::string last = "t = " + std::to_string(trial.iterations());
     if (trial.minimum_reached()) {
         panels.push_back(coloured(trial.best, "best", "best, t = " + std::to_string(trial.best_rms)));
-        panels.push_back(coloured(trial.last, "over", "over-smoothed, " + last));
+        panels.push_back(coloured(trial.last, "over", "smoothed on, " + last));
     } else {
         panels.push_back(coloured(trial.best, "best", last + ", error still falling"));
     }
@@ -116,6 +116,15 @@ std::string length_of_runs(const DenoisingStudy& study) {
     return "at twice the best iteration, but at " + least + " at least and " + std::to_string(study.most_iterations) + " at most";
 }
 
+/// Where a run ended before the error or the angle had turned; empty when none did.
+std::string words_of_unended(const std::vector<DenoisingStudy>& studies) {
+    const bool any = std::any_of(studies.begin(), studies.end(), [](const DenoisingStudy& study) {
+        return std::any_of(study.trials.begin(), study.trials.end(),
+                           [](const DenoisingTrial& trial) { return !trial.minimum_reached() || trial.best_angle == trial.iterations(); });
+    });
+    return any ? " A best iteration that is the last of its run is no minimum: places or normals were still getting nearer." : "";
+}
+
 void add_result_table(report::Section& section, const std::vector<DenoisingStudy>& studies) {
     report::Table table;
     table.id = "q7_results";
@@ -123,7 +132,7 @@ void add_result_table(report::Section& section, const std::vector<DenoisingStudy
         "Denoising by implicit smoothing with the noisy mesh's own operator. Gain: error of the noisy mesh over the smallest error "
         "reached. Works: gain "
         "≥ 2; helps: ≥ 1.2; fails: below; harms: no iteration is better than none. Last: where the run ended, " +
-        length_of_runs(studies.front()) + ".";
+        length_of_runs(studies.front()) + "." + words_of_unended(studies);
     table.columns = {{"mesh", "", 3},
                      {"σ", "% of box", 3},
                      {"σ", "mean edges", 3},

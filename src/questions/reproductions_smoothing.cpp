@@ -171,6 +171,18 @@ void tell_runs(report::Text& text, const Runs& runs, const std::string& what) {
     report::extend(text, ". ");
 }
 
+/// Of runs beyond the limit that ended whole with less energy: how far the top mode, for which λμ_max = 2λ/λ_crit, grew in them.
+void tell_hidden_growth(report::Text& text, const Runs& beyond) {
+    Runs hidden;
+    for (const ExperimentRun* run : beyond) {
+        if (!run->run.result.blew_up && last_energy(*run) < 1) hidden.push_back(run);
+    }
+    if (hidden.empty()) return;
+    const auto growth = [](const ExperimentRun& run) { return std::pow(2 * run.share() - 1, run.run.result.iterations); };
+    report::extend(text, "Where such steps ended whole, the top mode grew ", math("|1 − λμ_max|^t"), " = ",
+                   range_text(values_of(hidden, growth)), "-fold all the same, which the energy does not show yet. ");
+}
+
 /// The gap between explicit and implicit runs at the same λ, against how far they moved.
 void tell_pairs(report::Text& text, const SmoothingExperiment& done, std::size_t m) {
     for (const ExperimentRun& a : done.runs) {
@@ -214,8 +226,9 @@ report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, st
     const auto frozen = [](const ExperimentRun& run) { return is_explicit(run) && !run.method.rebuild; };
     tell_runs(text, runs_where(done, m, [&](const ExperimentRun& run) { return frozen(run) && run.share() <= 1; }),
               "explicit steps within the limit");
-    tell_runs(text, runs_where(done, m, [&](const ExperimentRun& run) { return frozen(run) && run.share() > 1; }),
-              "explicit steps beyond the limit");
+    const Runs beyond = runs_where(done, m, [&](const ExperimentRun& run) { return frozen(run) && run.share() > 1; });
+    tell_runs(text, beyond, "explicit steps beyond the limit");
+    tell_hidden_growth(text, beyond);
     tell_runs(text, runs_where(done, m, [](const ExperimentRun& run) { return is_explicit(run) && run.method.rebuild; }),
               "explicit steps with the operator rebuilt at each");
     tell_runs(text, runs_where(done, m, [](const ExperimentRun& run) { return run.method.scheme == SmoothingScheme::implicit_euler; }),

@@ -19,6 +19,17 @@ std::string cell_words(const SmoothingMaps& maps, std::size_t i) {
            "\u202fλ_crit, t = " + std::to_string(maps.iterations[i / maps.lambdas.size()]);
 }
 
+/// What limits the worth of a best cell: a run that was about to end, or a plane that ends there.
+std::string caveat_of(const SmoothingMaps& maps, const SchemeMap& map, std::size_t i) {
+    const std::size_t step = i % maps.lambdas.size(), row = i / maps.lambdas.size();
+    std::vector<std::string> caveats;
+    if (map.scheme == SmoothingScheme::explicit_euler && maps.relative(step) > 1)
+        caveats.emplace_back(map.blow_up[step] > 0 ? "beyond the limit, before the run blows up" : "beyond the limit");
+    if (step == 0 || step + 1 == maps.lambdas.size() || row == 0 || row + 1 == maps.iterations.size())
+        caveats.emplace_back("at the edge of the plane");
+    return caveats.empty() ? "" : " (" + listed(caveats) + ")";
+}
+
 report::Text limit_words(const std::vector<SmoothingMaps>& studies) {
     int below = 0, beyond = 0, below_lost = 0, beyond_lost = 0, implicit_lost = 0, implicit_steps = 0;
     double widest = 0;   // of measured over predicted from the best prediction at hand, where both are there
@@ -101,8 +112,9 @@ report::Text best_words(const SmoothingMaps& maps) {
     }
     report::Text t = report::text("The noisy ", maps.name(), " begins ", readable_percent(maps.input_error, 3),
                                   " of the box away from the clean mesh. Explicit smoothing brings it to ", readable_percent(e, 3), " at ",
-                                  cell_words(maps, *by_explicit), ", implicit smoothing to ", readable_percent(i, 3), " at ",
-                                  cell_words(maps, *by_implicit), ": ");
+                                  cell_words(maps, *by_explicit), caveat_of(maps, maps.explicit_map, *by_explicit),
+                                  ", implicit smoothing to ", readable_percent(i, 3), " at ", cell_words(maps, *by_implicit),
+                                  caveat_of(maps, maps.implicit_map, *by_implicit), ": ");
     const double ratio = i / e;
     report::extend(t, ratio < 0.98   ? "the implicit scheme gets nearer, by " + readable_percent(1 - ratio, 2) + "."
                       : ratio > 1.02 ? "the explicit scheme gets nearer, by " + readable_percent(1 - 1 / ratio, 2) + "."
@@ -110,11 +122,21 @@ report::Text best_words(const SmoothingMaps& maps) {
     return t;
 }
 
-/// "10 % of the cells with implicit steps", where any.
+/// "in 96 of the 113 cells of the explicit plane that can be measured, at most 61.7 % of the triangles": what had blown up or shrunk to
+/// nothing is in neither number.
 std::string turned_words(const SchemeMap& map) {
-    const auto turned = std::count_if(map.inverted.begin(), map.inverted.end(), [](double x) { return x > 0; });
-    return (turned == 0 ? "in no cell" : "in " + readable_percent(double(turned) / double(map.inverted.size()), 2) + " of the cells") +
-           " of the " + map.name() + " plane";
+    int measured = 0, turned = 0;
+    double most = 0;
+    for (const double share : map.inverted) {
+        if (std::isnan(share)) continue;
+        ++measured;
+        turned += share > 0 ? 1 : 0;
+        most = std::max(most, share);
+    }
+    const bool all = measured == static_cast<int>(map.inverted.size());
+    return "in " + (turned == 0 ? std::string("none") : std::to_string(turned)) + " of the " + counted(measured, "cell") + " of the " +
+           map.name() + " plane" + (all ? "" : " that can be measured") +
+           (turned == 0 ? "" : ", at most " + readable_percent(most) + " of the triangles");
 }
 
 report::Text health_words(const SmoothingMaps& maps) {
@@ -125,7 +147,7 @@ report::Text health_words(const SmoothingMaps& maps) {
         }
         return least;
     };
-    report::Text t = report::text("Triangles of ", maps.name(), " turn over ", turned_words(maps.explicit_map), " and ",
+    report::Text t = report::text("Triangles of ", maps.name(), " turn over ", turned_words(maps.explicit_map), ", and ",
                                   turned_words(maps.implicit_map), ". ");
     const double least = smallest(maps.implicit_map.size);
     report::extend(t, "Stability is not fidelity: where it keeps least, the implicit plane keeps ",

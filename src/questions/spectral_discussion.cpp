@@ -73,11 +73,9 @@ report::Text where_the_error_sits(const SpectralStudy& study) {
     report::Text t = report::text("At k = ", std::to_string(it->k), " the 5\u202f% of vertices that are farthest off lie at ",
                                   readable(remoteness, 2), " times the mean distance from the centroid");
     if (remoteness > 1.15) {
-        report::extend(t,
-                       ": the largest errors are in the extremities. The low modes are nearly constant across a thin limb; those that vary "
-                       "over it are the ones left out");
+        report::extend(t, ": they lie farther out than the mean, towards the extremities");
     } else if (remoteness < 0.85) {
-        report::extend(t, ": the largest errors are in the inner parts of the shape, not at its extremities");
+        report::extend(t, ": they lie farther in than the mean, away from the extremities");
     } else {
         report::extend(t, ": the largest errors are not tied to the extremities");
     }

@@ -144,7 +144,7 @@ report::Text adaptive_words(const RebuiltFlow& flow) {
     report::extend(t, " reaches ", readable_percent(adaptive.time / (flow.lambda * flow.iterations)), " of the diffusion time asked for");
     if (adaptive.steps.back().lambda < 0.5 * flow.lambda) {
         report::extend(t, ", for the last step is only ", readable_percent(adaptive.steps.back().lambda / flow.lambda, 2),
-                       " of the first asked for: where the flow shrinks triangles to nothing, so does the limit");
+                       " of the fixed step: where the flow shrinks triangles to nothing, so does the limit");
     }
     report::extend(t, ".");
     report::extend(t, diagnosis(flow.adaptive));

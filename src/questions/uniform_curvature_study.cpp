@@ -53,6 +53,18 @@ ErrorHistory deficit_K(const UniformRefinement& refinement, std::size_t area_for
     return refinement.history([area_form](const UniformErrors& level) { return level.K[area_form].l2; });
 }
 
+JitterFactors jitter_factors(const std::vector<UniformRefinement>& refinements, bool gaussian) {
+    const auto error = [&](const UniformRefinement& r) { return gaussian ? deficit_K(r).last() : uniform_H(r).last(); };
+    JitterFactors factors;
+    for (const UniformRefinement& jittered : refinements) {
+        if (jittered.triangulation != Triangulation::jittered) continue;
+        const double factor = error(jittered) / error(refinement_on(refinements, jittered.surface.name, Triangulation::regular));
+        factors.least = std::min(factors.least, factor);
+        factors.most = std::max(factors.most, factor);
+    }
+    return factors;
+}
+
 std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const std::vector<UniformRefinement>& refinements) {
     std::vector<AngleSum> sums;
     for (const MeshCurvature& c : meshes) {

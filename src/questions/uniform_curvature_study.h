@@ -51,6 +51,13 @@ std::string area_name(AreaForm form);   // "Voronoi", for prose and tables
 ErrorHistory uniform_H(const UniformRefinement& refinement);                              // L2
 ErrorHistory deficit_K(const UniformRefinement& refinement, std::size_t area_form = 0);   // L2, index into area_forms
 
+/// Over the surfaces: how many times as large the L2 error at the finest level is with jittered vertices as with regular ones.
+struct JitterFactors {
+    double least = INFINITY, most = 0;
+    bool matter() const { return least < 0.5 || most > 2; }
+};
+JitterFactors jitter_factors(const std::vector<UniformRefinement>& refinements, bool gaussian);
+
 struct AngleSum {
     std::string mesh;
     int vertices = 0, faces = 0, euler = 0;

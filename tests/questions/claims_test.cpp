@@ -178,6 +178,13 @@ TEST(ClaimsSection, BundledMeshes) {
     const std::string prose = prose_of(answer.section);
     EXPECT_NE(prose.find("creature in place of bunny.off"), std::string::npos) << "what stands in is told";
     EXPECT_NE(prose.find("a quick run does not measure it"), std::string::npos);
+    const std::string finding = report::plain(answer.section.findings.front().text);
+    EXPECT_TRUE(std::any_of(claim_list().begin(), claim_list().end(),
+                            [&](const Claim& claim) {
+                                return finding.find(std::string(claim.words) + "”") != std::string::npos &&
+                                       finding.find(" is refuted: " + beginning_of(claim.rule) + " ") != std::string::npos;
+                            }))
+        << "a percentage says of what: " << finding;
 }
 
 TEST(ClaimsSection, MeshesOfOnesOwn) {

@@ -42,6 +42,27 @@ TEST(CurvatureStudy, WordsFollowTheNumbers) {
     EXPECT_NE(grade(0.1), grade(10));
 }
 
+// The worst of each kind may lie on different surfaces: their ratio is that of no surface.
+TEST(CurvatureStudy, JitterIsJudgedSurfaceBySurface) {
+    std::vector<UniformRefinement> refinements;
+    const auto add = [&](Triangulation triangulation, std::size_t surface, double H, double K) {
+        UniformErrors errors;
+        errors.H.l2 = H;
+        errors.K[0].l2 = K;
+        refinements.push_back({known_surfaces()[surface], triangulation, {UniformErrors{}, errors}});
+    };
+    add(Triangulation::regular, 0, 0.2, 0.01);
+    add(Triangulation::regular, 1, 0.01, 0.5);
+    add(Triangulation::jittered, 0, 0.6, 0.01);
+    add(Triangulation::jittered, 1, 0.5, 0.25);
+    EXPECT_DOUBLE_EQ(jitter_factors(refinements, false).least, 3);
+    EXPECT_DOUBLE_EQ(jitter_factors(refinements, false).most, 50);
+    EXPECT_TRUE(jitter_factors(refinements, false).matter());
+    EXPECT_DOUBLE_EQ(jitter_factors(refinements, true).least, 0.5);
+    EXPECT_DOUBLE_EQ(jitter_factors(refinements, true).most, 1);
+    EXPECT_FALSE(jitter_factors(refinements, true).matter());
+}
+
 TEST(CurvatureStudy, SharedRangeTellsWhatEachFigureClips) {
     output::ColorRange shared;
     shared.low = -1;

@@ -63,7 +63,19 @@ TEST(Q7, TheTableIsTheStudy) {
     expect_near(numbers(table, "gain"), best, 1e-6);
 }
 
-TEST(Q7, PanelsAreCleanNoisyBestAndOverSmoothed) {
+TEST(Q7, ABestIterationThatIsTheLastIsNoMinimum) {
+    QuestionSettings settings = quick_settings();
+    const auto is_told = [&](double noise) {
+        settings.noise = {noise};
+        settings.iterations = {1};
+        const Answer answer = answer_q7(library_of(icosphere(2), "ball_ended"), settings, no_progress);
+        return table_named(answer.section, "q7_results").caption.find("is no minimum") != std::string::npos;
+    };
+    EXPECT_TRUE(is_told(0.03)) << "one step of many";
+    EXPECT_FALSE(is_told(1e-9)) << "none is better";
+}
+
+TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedOn) {
     const Answer answer = answer_q7(library_of(icosphere(2), "ball_panels"), quick_settings(), no_progress);
     const DenoisingStudy study = denoising_study(library_mesh(icosphere(2), "ball_panels"), quick_settings());
     ASSERT_GE(answer.figures.size(), study.trials.size());   // and before beside after

@@ -160,6 +160,25 @@ TEST(SmoothingMaps, EqualTimeIsComparedAtEqualTime) {
     EXPECT_NEAR(pair.difference, maps.implicit_map.moved[pair.many] / maps.implicit_map.moved[pair.few] - 1, 1e-15);
 }
 
+// Schemes lose different cells: shares of all cells would not compare.
+TEST(SmoothingMapsSection, TurnedTrianglesAreCountedAmongTheCellsThatHaveThem) {
+    SmoothingMaps maps = egg_maps();
+    std::fill(maps.explicit_map.inverted.begin(), maps.explicit_map.inverted.end(), NAN);
+    maps.explicit_map.inverted[0] = 0;
+    maps.explicit_map.inverted[1] = 0.25;
+    maps.explicit_map.inverted[2] = 0.5;
+    std::fill(maps.implicit_map.inverted.begin(), maps.implicit_map.inverted.end(), 0);
+    report::Section section;
+    add_map_discussion(section, {maps});
+    const std::string prose = prose_of(section), cells = std::to_string(maps.implicit_map.inverted.size());
+    EXPECT_NE(
+        prose.find("in 2 of the 3 cells of the explicit plane that can be measured, at most 50.0\u202f% of the triangles, and in none "
+                   "of the " +
+                   cells + " cells of the implicit plane. "),
+        std::string::npos)
+        << prose;
+}
+
 TEST(SmoothingMapsSection, WellFormedAndPassesItsChecks) {
     const Answer answer = answer_maps(library_of(egg(), "egg_section"), quick_settings(), no_progress);
     expect_well_formed(answer);
