@@ -15,6 +15,12 @@ Vector in_matrix_order(const Vector& d, const Eigen::PermutationMatrix<Eigen::Dy
     return Pinv.size() > 0 ? Vector(Pinv * d) : d;
 }
 
+/// The analysis sets the size of the factor, but matrixL() shows it only once there are numbers in it.
+template <class Solver>
+struct SizedSolver : Solver {
+    long long entries() const { return this->m_matrix.nonZeros(); }
+};
+
 template <class Solver>
 class EigenFactor final : public SparseFactor::Implementation {
 public:
@@ -52,11 +58,11 @@ public:
     }
     long long nonzeros() const override {
         const long long unit_diagonal = std::is_same_v<Solver, LDLT> ? rows : 0;   // kept implicit in LDLᵀ
-        return solver_.matrixL().nestedExpression().nonZeros() + unit_diagonal;
+        return solver_.entries() + unit_diagonal;
     }
 
 private:
-    Solver solver_;
+    SizedSolver<Solver> solver_;
 };
 
 }   // namespace
