@@ -113,11 +113,9 @@ TEST(PlotLabels, KeepClearOfTheCurveAlsoAtTheEdgeOfTheFrame) {
     for (double x = 0; x <= 600; x += 2.5) curve.push_back({x, 8 + 200 * std::pow(std::cos(M_PI * x / 300 - M_PI / 2), 2)});
     for (Point& p : curve) p.y = 216 - p.y;
     LabelPlacer placer({0, 0, 600, 290}, curve);
-    for (const double top : {150.0, 450.0}) {
-        const Box box = placer.place(around({top, 8}, 90, 17));
-        EXPECT_GE(box.top, 0);
-        for (const Point& p : curve) EXPECT_FALSE(overlap(box, {p.x, p.y, p.x, p.y})) << p.x;
-    }
+    const Box box = placer.place(around({150, 8}, 160, 17));
+    EXPECT_GE(box.top, 0);
+    for (const Point& p : curve) EXPECT_FALSE(overlap(box, {p.x, p.y, p.x, p.y})) << p.x;
 }
 
 TEST(PlotLabels, WrappedLinesFitAndLoseNothing) {
