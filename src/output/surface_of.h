@@ -14,6 +14,9 @@ render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = null
 
 render::Bounds bounds_of(const TriangleMesh& mesh);
 
+/// Do positions lie within the pictures along the axes that are framed on `mesh`? Not so if one of them is not finite.
+bool fit_frame_of(const TriangleMesh& mesh, const Positions& X);
+
 /// @throws UsageError for an unknown colour map, naming the known ones
 render::ValueRange value_range(const ColorRange& range);
 

@@ -121,7 +121,7 @@ std::string undefined_words(const CurvatureSubject& subject) {
     const int undefined = subject.source->prepared->preflight.vertices_in_use - subject.interior;
     if (undefined == 0) return "";
     return " " + counted(undefined, "vertex", "vertices") + " on the boundary or not manifold, where it is undefined, " +
-           (undefined == 1 ? "is" : "are") + " left uncoloured.";
+           (undefined == 1 ? "is" : "are") + " drawn in the colour for undefined values.";
 }
 
 std::string name_of(Triangulation triangulation) { return triangulation == Triangulation::regular ? "regular" : "jittered"; }

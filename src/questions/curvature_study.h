@@ -57,7 +57,7 @@ output::ColorRange range_for(const output::ColorRange& shared, const std::vector
 
 std::string name_of(Triangulation triangulation);   // "regular", "jittered"
 
-/// " 12 vertices on the boundary … are left uncoloured.", or nothing: for captions.
+/// " 12 vertices on the boundary … are drawn in the colour for undefined values.", or nothing: for captions.
 std::string undefined_words(const CurvatureSubject& subject);
 
 /// A relative error over a refinement. Words and order are about the (up to) three finest meshes.

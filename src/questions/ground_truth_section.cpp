@@ -136,7 +136,8 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
     plot.log_x = plot.log_y = true;
     for (std::size_t e = 0; e < estimators_of(quantity).size(); ++e) {
         const Estimator& estimator = estimators_of(quantity)[e];
-        if (std::find(shown.begin(), shown.end(), estimator.key) == shown.end()) continue;
+        const auto place = std::find(shown.begin(), shown.end(), estimator.key);
+        if (place == shown.end()) continue;
         ErrorHistory history;
         for (std::size_t level = 0; level < run.levels.size(); ++level) {
             history.mean_edges.push_back(run.levels[level].mean_edge);
@@ -145,6 +146,7 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
         const bool given_normals = estimator.key == "corrected_exact";
         plot.series.push_back(
             error_series(estimator.name, history, given_normals ? report::Series::Style::dashed : report::Series::Style::line_and_points));
+        plot.series.back().color = plot.series.back().pattern = int(place - shown.begin());   // the same in the plots of H and of K
         plot.alt += " " + estimator.name + ": " + readable_percent(history.errors.back(), 2) + " at the finest, order " +
                     words_of(truth.order(run, quantity, e)) + ".";
     }

@@ -216,6 +216,7 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
     for (std::size_t i = 0; i < denoising_list().size(); ++i) {
         report::Series series{method_title(int(i)), {}, {}, {}, {}, report::Series::Style::line_and_points};
         if (filters_normals(denoising_list()[i].method)) series.style = report::Series::Style::dashed;
+        series.color = series.pattern = int(i);   // as on the other meshes, also where a method before it has no gain
         for (const NoiseTrial* trial : levels) {
             series.x.push_back(trial->edges);
             series.y.push_back(trial->results[i].gain());

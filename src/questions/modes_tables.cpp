@@ -34,7 +34,7 @@ report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
 
 /// Some sixty of the modes, evenly through them, the last included.
 report::Series measured_points(const ModeStudy& study, const ModeDamping& damping) {
-    report::Series points{"measured", {}, {}, {}, {}, Style::points};
+    report::Series points{relative_step(study, damping.lambda) + ", measured", {}, {}, {}, {}, Style::points};
     const Eigen::Index n = study.eigenvalues.size(), shown = std::min<Eigen::Index>(n, 60);
     for (Eigen::Index k = 0; k < shown; ++k) {
         const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
@@ -118,11 +118,11 @@ report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme) {
     for (const ModeDamping& d : study.dampings) {
         if (d.scheme == scheme) plot.series.push_back(law_line(study, d));
     }
-    const std::size_t laws = plot.series.size();
+    int law = 0;
     for (const ModeDamping& d : study.dampings) {
         if (d.scheme != scheme) continue;
         plot.series.push_back(measured_points(study, d));
-        if (plot.series.size() > laws + 1) plot.series.back().name.clear();
+        plot.series.back().color = plot.series.back().pattern = law++;   // of the line they are to lie on
         steps.push_back(relative_step(study, d.lambda));
     }
     const int count = study.dampings.front().steps;

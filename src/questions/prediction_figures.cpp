@@ -53,11 +53,15 @@ report::Plot error_plot(std::string id) {
 report::Plot clean_prediction_plot(const PredictionStudy& study) {
     report::Plot plot = error_plot(id_of("prediction", study.name(), "clean"));
     double farthest = 0;
+    int levels = 0;
     for (const NoiseLevelStudy& level : study.levels) {
         const OperatorStudy& clean = level.of(FlowOperator::clean);
         const std::string sigma = "σ = " + readable_percent(level.sigma, 2);
         plot.series.push_back(measured_series(sigma + ", measured", clean.measured));
+        plot.series.back().color = levels;
+        plot.series.back().pattern = 0;   // a continuous line at every level
         plot.series.push_back(root_series(sigma + ", expected", clean.formula().square, Style::dashed));
+        plot.series.back().color = levels++ + 3;   // another colour than that of the line it runs on
         const int expected = clean.formula().best(), measured = clean.measured.best();
         if (expected == measured) {
             plot.markers.push_back(marker_at(clean.measured.square, measured, "both t = "));
@@ -69,7 +73,7 @@ report::Plot clean_prediction_plot(const PredictionStudy& study) {
     }
     plot.caption = "Denoising " + study.name() + " with the operator of the clean mesh: the root of the mean squared error of " +
                    counted(study.seeds, "noisy mesh", "noisy meshes") +
-                   ", with the band of the tenth to the ninetieth percentile, and dashed what was expected "
+                   ", with the band of the tenth to the ninetieth percentile, and dashed on it what was expected "
                    "before any of them was drawn, at most " +
                    readable_percent(farthest, 2) + " away. The best iterations are marked.";
     plot.alt = plot.caption;

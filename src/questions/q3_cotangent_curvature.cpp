@@ -184,19 +184,25 @@ void add_order_table(report::Section& section, const std::vector<CotangentRefine
 void add_convergence_plot(report::Section& section, const std::vector<CotangentRefinement>& refinements, Triangulation triangulation) {
     report::Plot plot;
     plot.id = "q3_convergence_" + name_of(triangulation);
-    plot.caption = "L2 error of H over the mean edge on " + name_of(triangulation) + " meshes; dashed: the scaled uniform estimate.";
+    plot.caption = "L2 error of H over the mean edge on " + name_of(triangulation) +
+                   " meshes: a colour for each surface; dashes and points for each estimator, the scaled uniform one without points.";
     plot.x_label = "mean edge [length]";
     plot.y_label = "relative L2 error [%]";
     plot.log_x = plot.log_y = true;
     plot.alt = "L2 error of H over mean edge, " + name_of(triangulation) + " meshes.";
+    int surface = 0;
     for (const CotangentRefinement& r : refinements) {
         if (r.triangulation != triangulation) continue;
-        for (std::size_t form = 0; form < area_forms.size(); ++form) {
-            const std::string name = r.surface.name + ", " + area_name(area_forms[form]);
-            plot.series.push_back(error_series(name, cotangent_H(r, form), report::Series::Style::line_and_points));
-            plot.alt += " " + name + ": " + trend(cotangent_H(r, form)) + ".";
-        }
-        plot.series.push_back(error_series(r.surface.name + ", uniform", scaled_uniform_H(r), report::Series::Style::dashed));
+        const auto add = [&](const std::string& estimator, const ErrorHistory& history, report::Series::Style style, std::size_t pattern) {
+            plot.series.push_back(error_series(r.surface.name + ", " + estimator, history, style));
+            plot.series.back().color = surface;
+            plot.series.back().pattern = static_cast<int>(pattern);
+            plot.alt += " " + plot.series.back().name + ": " + trend(history) + ".";
+        };
+        for (std::size_t form = 0; form < area_forms.size(); ++form)
+            add(area_name(area_forms[form]), cotangent_H(r, form), report::Series::Style::line_and_points, form);
+        add("uniform", scaled_uniform_H(r), report::Series::Style::dashed, area_forms.size());
+        ++surface;
     }
     section.blocks.push_back(std::move(plot));
 }

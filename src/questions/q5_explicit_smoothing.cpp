@@ -104,6 +104,7 @@ void add_energy_plot(report::Section& section, const ExplicitStudy& study) {
     plot.x_label = "iteration";
     plot.y_label = "Dirichlet energy / that of the input";
     plot.log_y = true;
+    std::vector<std::string> cut;
     for (const SmoothingRun& run : study.runs) {
         report::Series series{plain_text(run.lambda / study.subject.critical, 3) + " λ_crit", {}, {}, {}, {}, report::Series::Style::line};
         // Beyond twenty the curve has made its point and would flatten all others.
@@ -111,6 +112,7 @@ void add_energy_plot(report::Section& section, const ExplicitStudy& study) {
             series.x.push_back(double(t));
             series.y.push_back(run.energy[t]);
         }
+        if (series.y.size() < run.energy.size()) cut.push_back(plain_text(run.lambda / study.subject.critical, 3));
         plot.series.push_back(std::move(series));
     }
     std::vector<std::string> falling, rising;
@@ -121,7 +123,8 @@ void add_energy_plot(report::Section& section, const ExplicitStudy& study) {
     if (!falling.empty()) plot.caption += "; it ends below that of the input at " + listed(falling) + " λ_crit";
     if (!rising.empty())
         plot.caption += (falling.empty() ? "; it ends above that of the input at " : ", above it at ") + listed(rising) + " λ_crit";
-    plot.caption += ". Curves end where they pass 20.";
+    plot.caption += ".";
+    if (!cut.empty()) plot.caption += " The curve at " + listed(cut) + " λ_crit ends with its last value below 20.";
     plot.alt = plot.caption;
     section.blocks.push_back(std::move(plot));
 }

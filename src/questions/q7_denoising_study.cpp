@@ -82,28 +82,29 @@ void add_before_after(Answer& answer, const DenoisingStudy& study, const std::st
 void add_error_plot(report::Section& section, const DenoisingStudy& study) {
     report::Plot plot;
     plot.id = id_of("q7", study.name(), "error_versus_iteration");
-    plot.x_label = "iteration";
+    plot.x_label = "1 + iteration t";   // so that the noisy mesh, t = 0, has a place on the logarithmic axis
     plot.y_label = "rms error [% of box diagonal]";
-    plot.log_y = true;
+    plot.log_x = plot.log_y = true;
     const double percent = 100 / study.diagonal;
     for (const DenoisingTrial& trial : study.trials) {
         report::Series series{"σ = " + readable_percent(trial.relative, 2), {}, {}, {}, {}, report::Series::Style::line};
         for (std::size_t t = 0; t < trial.rms.size(); ++t) {
-            series.x.push_back(double(t));
+            series.x.push_back(1 + double(t));
             series.y.push_back(percent * trial.rms[t]);
         }
         plot.series.push_back(std::move(series));
-        plot.markers.push_back({double(trial.best_rms), percent * trial.rms[static_cast<std::size_t>(trial.best_rms)],
+        plot.markers.push_back({1 + double(trial.best_rms), percent * trial.rms[static_cast<std::size_t>(trial.best_rms)],
                                 (trial.minimum_reached() ? "minimum, t = " : "still falling, t = ") + std::to_string(trial.best_rms)});
     }
     report::Series clean{"without noise", {}, {}, {}, {}, report::Series::Style::dashed};
     for (std::size_t t = 1; t < study.without_noise.size(); ++t) {
-        clean.x.push_back(double(t));
+        clean.x.push_back(1 + double(t));
         clean.y.push_back(percent * study.without_noise[t]);
     }
     plot.series.push_back(std::move(clean));
     plot.caption = "Error of " + study.name() +
-                   " against the clean mesh while it is smoothed, one curve a noise level, its minimum marked. The one without noise is "
+                   " against the clean mesh while it is smoothed, one curve a noise level, from the noisy mesh, 1 + t = 1, on; its minimum "
+                   "marked. The one without noise is "
                    "what smoothing alone does to the clean mesh: the price that rises while the noise falls.";
     plot.alt = plot.caption;
     section.blocks.push_back(std::move(plot));

@@ -6,6 +6,7 @@
 #include "geometry/curvature.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
+#include "output/surface_of.h"
 #include "questions/value_lists.h"
 
 namespace meshfolio {
@@ -59,7 +60,6 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     const bool closed = subject.source->prepared->preflight.closed();
     const double first_volume = signed_volume(subject.mesh());
     if (closed) run.volume = {1};
-    const Eigen::RowVector3d centre = bounding_box(subject.mesh()).centre();
 
     SmoothingOptions options;
     options.scheme = scheme;
@@ -71,7 +71,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     options.after_step = [&](int iteration, const Positions& X) {
         run.energy.push_back(dirichlet_energy(subject.laplacian.C, X) / subject.initial_energy);
         if (closed) run.volume.push_back(signed_volume(moved_to(subject.mesh(), X)) / first_volume);
-        if (iteration == run.in_view_iteration + 1 && (X.rowwise() - centre).rowwise().norm().maxCoeff() <= 0.75 * subject.diagonal) {
+        if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(subject.mesh(), X)) {
             run.in_view = X;
             run.in_view_iteration = iteration;
         }

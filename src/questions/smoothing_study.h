@@ -45,7 +45,7 @@ struct SmoothingRun {
     double smallest_angle = 0;    // of the result [rad]
     std::vector<double> energy;   // Dirichlet energy after t = 0, 1, … iterations, over that of the input
     std::vector<double> volume;   // after t = 0, 1, … iterations, over that of the input; empty when open
-    Positions in_view;            // the last positions within three quarters of a box diagonal of the centre: what a picture can show
+    Positions in_view;            // the last positions before any leaves the pictures framed on the input
     int in_view_iteration = 0;
     std::vector<Positions> snapshots;   // at the iterations asked for
 };

@@ -75,6 +75,9 @@ struct Series {
     std::vector<double> x, y;                      // equally long; NaN leaves a gap
     std::vector<double> y_low = {}, y_high = {};   // error band; empty: none
     enum class Style { line, points, line_and_points, dashed } style = Style::line;
+    /// Which of the colours, and which of the dashes and shapes of points; −1: those of the series' place in its plot. Given where a series
+    /// is to look as in another plot, or series are to be told apart by two properties.
+    int color = -1, pattern = -1;
     bool operator==(const Series&) const = default;
 };
 

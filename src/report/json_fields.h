@@ -107,6 +107,8 @@ template <class Fields>
 void describe(Fields& fields, part_of<Series> auto& series) {
     fields("name", series.name);
     fields.optional("style", series.style, Series::Style::line);
+    fields.optional("color", series.color, -1);
+    fields.optional("pattern", series.pattern, -1);
     fields("x", series.x);
     fields("y", series.y);
     fields.optional("y_low", series.y_low, {});

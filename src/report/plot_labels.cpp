@@ -15,6 +15,13 @@ double overlap(const Box& a, const Box& b) {
     return width > 0 && height > 0 ? width * height : 0;
 }
 
+/// As far as need be, and as it fits.
+Box moved_into(const Box& frame, const Box& box) {
+    const double right = std::max(frame.left - box.left, std::min(frame.right - box.right, 0.0)),
+                 down = std::max(frame.top - box.top, std::min(frame.bottom - box.bottom, 0.0));
+    return {box.left + right, box.top + down, box.right + right, box.bottom + down};
+}
+
 double area(const Box& box) { return (box.right - box.left) * (box.bottom - box.top); }
 
 }   // namespace
@@ -56,10 +63,11 @@ Box LabelPlacer::place(const std::vector<Box>& candidates) {
     Box best;
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const double c = cost(candidates[i]) + 2 * static_cast<double>(i);
+        const Box box = moved_into(frame_, candidates[i]);
+        const double c = cost(box) + 2 * static_cast<double>(i);
         if (c < smallest) {
             smallest = c;
-            best = candidates[i];
+            best = box;
         }
     }
     taken_.push_back(best);

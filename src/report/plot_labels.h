@@ -31,7 +31,8 @@ public:
 
     /// Nothing will be placed over this box.
     void block(const Box& box) { taken_.push_back(box); }
-    /// The best of the candidate boxes: earlier ones are preferred where the cost is equal. It is taken from then on.
+    /// The best of the candidate boxes, moved into the frame where they stick out: earlier ones are preferred where the cost is equal. It
+    /// is taken from then on.
     Box place(const std::vector<Box>& candidates);
 
 private:

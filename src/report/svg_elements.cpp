@@ -44,11 +44,22 @@ std::string line_element(Point a, Point b, const std::string& attributes) {
     return "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) + "\" " + attributes + "/>\n";
 }
 
-std::string point_shape(Point p, int shape, const std::string& color) {
+Look look_of(const Series& series, std::size_t place) {
+    constexpr std::array<const char*, 6> colors{"#0b5fa5", "#c2410c", "#047857", "#86198f", "#92600a", "#475569"};
+    constexpr std::array<const char*, 7> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5", "7 3 2 3 2 3"};
+    // Several dashed series of one plot are to be told apart without colour, too.
+    constexpr std::array<const char*, 7> of_dashed{"6 5", "3 6", "13 5", "8 4 2 4", "8 3 2 3 2 3", "2 2 6 2", "4 7"};
+    const std::size_t color = (series.color >= 0 ? static_cast<std::size_t>(series.color) : place) % colors.size();
+    const std::size_t pattern = (series.pattern >= 0 ? static_cast<std::size_t>(series.pattern) : place) % dashes.size();
+    return {"var(--plot-" + std::to_string(color + 1) + ", " + colors[color] + ")",
+            (series.style == Series::Style::dashed ? of_dashed : dashes)[pattern], static_cast<int>(pattern)};
+}
+
+std::string point_shape(Point p, int pattern, const std::string& color) {
     const auto at = [&](double dx, double dy) { return px(p.x + dx) + " " + px(p.y + dy); };
     const std::string filled = "\" fill=\"" + color + "\"/>\n",
                       drawn = "\" fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.8\"/>\n";
-    switch (shape) {
+    switch (pattern) {
         case 1:
             return "<path d=\"M" + at(-3.3, -3.3) + "H" + px(p.x + 3.3) + "V" + px(p.y + 3.3) + "H" + px(p.x - 3.3) + "Z" + filled;
         case 2:
@@ -59,16 +70,11 @@ std::string point_shape(Point p, int shape, const std::string& color) {
             return "<path d=\"M" + at(-3.4, -3.4) + "L" + at(3.4, 3.4) + "M" + at(-3.4, 3.4) + "L" + at(3.4, -3.4) + drawn;
         case 5:
             return "<path d=\"M" + at(-4.2, 0) + "L" + at(4.2, 0) + "M" + at(0, -4.2) + "L" + at(0, 4.2) + drawn;
+        case 6:
+            return "<path d=\"M" + at(0, 4.4) + "L" + at(4.2, -3.2) + "L" + at(-4.2, -3.2) + "Z" + filled;
         default:
             return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"3.6" + filled;
     }
-}
-
-std::string dashes_of(std::size_t index, const Series& series) {
-    constexpr std::array<const char*, 6> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5"};
-    // Several dashed series of one plot are to be told apart without colour, too.
-    constexpr std::array<const char*, 6> of_dashed{"6 5", "3 6", "13 5", "8 4 2 4", "8 3 2 3 2 3", "2 2 6 2"};
-    return (series.style == Series::Style::dashed ? of_dashed : dashes)[index % dashes.size()];
 }
 
 std::string ticks_below(const Axis& axis, const Box& frame) {

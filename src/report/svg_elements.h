@@ -18,11 +18,19 @@ std::string text_element(Point at, const std::string& anchor, const std::string&
 
 std::string line_element(Point a, Point b, const std::string& attributes);
 
-/// Disc, square, triangle, diamond, cross or plus, for shape 0 to 5.
-std::string point_shape(Point p, int shape, const std::string& color);
+/// How a series is drawn. No two of a plot's first 42 look the same, in whatever styles: they repeat the colours after six and the
+/// patterns, each a kind of dashes and a shape of points, after seven.
+struct Look {
+    std::string color;    // a variable of the page, with a default that reads on white
+    std::string dashes;   // empty: a continuous line
+    int pattern;          // shape of its points
+};
 
-/// The dashes of a series, which tell it from the others without colour; empty for the first.
-std::string dashes_of(std::size_t index, const Series& series);
+/// The look of the series at `place` in its plot.
+Look look_of(const Series& series, std::size_t place);
+
+/// Disc, square, triangle, diamond, cross, plus or triangle on its tip, for pattern 0 to 6.
+std::string point_shape(Point p, int pattern, const std::string& color);
 
 /// Ticks and labels under a frame; labels that would touch the one before are left out.
 std::string ticks_below(const Axis& axis, const Box& frame);

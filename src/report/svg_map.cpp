@@ -147,9 +147,9 @@ private:
         return line + "\"#ffffff\" stroke-width=\"4.6\" opacity=\"0.85\"/>\n" + line + "\"#1b1b1f\" stroke-width=\"2\"" +
                (dashes.empty() ? "" : " stroke-dasharray=\"" + dashes + "\"") + "/>\n";
     }
-    static std::string cased_point(Point p, std::size_t shape) {
+    static std::string cased_point(Point p, const Look& look) {
         return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"5.4\" fill=\"#ffffff\"/>\n" +
-               point_shape(p, static_cast<int>(shape % 6), "#1b1b1f");
+               point_shape(p, look.pattern, "#1b1b1f");
     }
     static bool with_line(const Series& series) { return series.style != Series::Style::points; }
     static bool with_points(const Series& series) {
@@ -157,6 +157,7 @@ private:
     }
 
     std::string line(const Series& series, std::size_t index, const Box& frame) const {
+        const Look look = look_of(series, index);
         std::string path, points;
         bool drawing = false;
         for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
@@ -166,10 +167,10 @@ private:
             }
             const Point p = at(frame, series.x[i], series.y[i]);
             path += (drawing ? "L" : "M") + px(p.x) + " " + px(p.y);
-            if (with_points(series)) points += cased_point(p, index);
+            if (with_points(series)) points += cased_point(p, look);
             drawing = true;
         }
-        return (path.empty() || !with_line(series) ? "" : cased(path, dashes_of(index, series))) + points;
+        return (path.empty() || !with_line(series) ? "" : cased(path, look.dashes)) + points;
     }
 
     std::string letters(const Map::Panel& panel, const Box& frame) const {
@@ -219,10 +220,11 @@ private:
                 const Series& series = panel.lines[i];
                 if (series.name.empty() || std::find(named.begin(), named.end(), series.name) != named.end()) continue;
                 named.push_back(series.name);
+                const Look look = look_of(series, i);
                 add(series.name, [&](Point left) {
                     const std::string path = "M" + px(left.x) + " " + px(left.y) + "H" + px(left.x + 28);
-                    return (with_line(series) ? cased(path, dashes_of(i, series)) : "") +
-                           (with_points(series) ? cased_point({left.x + 14, left.y}, i) : "");
+                    return (with_line(series) ? cased(path, look.dashes) : "") +
+                           (with_points(series) ? cased_point({left.x + 14, left.y}, look) : "");
                 });
             }
         }

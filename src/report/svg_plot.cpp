@@ -1,7 +1,5 @@
-// Plots as inline SVG. Colours are CSS variables of the page with defaults that read on white; dashes and marker shapes tell the
-// series apart without colour.
+// Plots as inline SVG. Dashes and shapes of points tell the series apart without colour.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "report/escape.h"
@@ -15,18 +13,6 @@ namespace meshfolio::report {
 namespace {
 
 constexpr double width = 640, plot_height = 290, line_height = 17, right_margin = 18;
-
-struct Look {
-    std::string color, dash;
-    int shape;   // of its points
-};
-
-Look look_of(std::size_t index, const Series& series) {
-    constexpr std::array<const char*, 6> defaults{"#0b5fa5", "#c2410c", "#047857", "#86198f", "#92600a", "#475569"};
-    const std::size_t i = index % defaults.size();
-    const std::string color = "var(--plot-" + std::to_string(i + 1) + ", " + defaults[i] + ")";
-    return {color, dashes_of(i, series), static_cast<int>(i)};
-}
 
 /// Points of a curve without a gap.
 using Stretch = std::vector<Point>;
@@ -129,17 +115,17 @@ private:
 
     std::string sample(std::size_t i, Point left) const {
         const Series& series = plot_.series[i];
-        const Look look = look_of(i, series);
+        const Look look = look_of(series, i);
         const bool with_line = series.style != Series::Style::points;
         const bool with_points = series.style == Series::Style::points || series.style == Series::Style::line_and_points;
         std::string svg;
         if (with_line) svg += line_element(left, {left.x + 28, left.y}, stroke(look));
-        if (with_points) svg += point_shape({left.x + 14, left.y}, look.shape, look.color);
+        if (with_points) svg += point_shape({left.x + 14, left.y}, look.pattern, look.color);
         return svg;
     }
 
     static std::string stroke(const Look& look) {
-        const std::string dash = look.dash.empty() ? "" : " stroke-dasharray=\"" + look.dash + "\"";
+        const std::string dash = look.dashes.empty() ? "" : " stroke-dasharray=\"" + look.dashes + "\"";
         return "fill=\"none\" stroke=\"" + look.color + "\" stroke-width=\"2\" stroke-linejoin=\"round\"" + dash;
     }
 
@@ -197,12 +183,12 @@ private:
             upper.push_back(at(series.x[k], series.y_high[k]));
         }
         close();
-        return path.empty() ? "" : "<path d=\"" + path + "\" fill=\"" + look_of(i, series).color + "\" opacity=\"0.18\"/>\n";
+        return path.empty() ? "" : "<path d=\"" + path + "\" fill=\"" + look_of(series, i).color + "\" opacity=\"0.18\"/>\n";
     }
 
     std::string curve(std::size_t i) const {
         const Series& series = plot_.series[i];
-        const Look look = look_of(i, series);
+        const Look look = look_of(series, i);
         const bool with_line = series.style != Series::Style::points;
         std::string path, points;
         std::size_t count = 0;
@@ -217,7 +203,7 @@ private:
             // A value between two gaps would leave no trace in a line.
             const bool all = !with_line || series.style == Series::Style::line_and_points || run.size() == 1;
             for (const Point& p : run) {
-                if (all && index++ % stride == 0) points += point_shape(p, look.shape, look.color);
+                if (all && index++ % stride == 0) points += point_shape(p, look.pattern, look.color);
             }
         }
         return (path.empty() ? "" : "<path d=\"" + path + "\" " + stroke(look) + "/>\n") + points;

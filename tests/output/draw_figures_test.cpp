@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "file_bytes.h"
 #include "mesh/sample_shapes.h"
 #include "output/preview.h"
+#include "output/surface_of.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;
@@ -63,6 +65,16 @@ int big_endian(const std::string& bytes, std::size_t at) {
 }
 
 }   // namespace
+
+TEST(DrawFigures, AMeshFitsTheFrameOfAnotherUntilItIsWiderThanThePicture) {
+    const TriangleMesh cube = cube_mesh(3);
+    EXPECT_TRUE(fit_frame_of(cube, cube.X));
+    EXPECT_TRUE(fit_frame_of(cube, cube.X / 0.921));   // the cube takes 0.92 of the picture
+    EXPECT_FALSE(fit_frame_of(cube, cube.X / 0.919));
+    Positions lost = cube.X;
+    lost(0, 0) = NAN;
+    EXPECT_FALSE(fit_frame_of(cube, lost));
+}
 
 TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
     const TemporaryFolder folder;

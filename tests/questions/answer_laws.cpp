@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh/mesh_files.h"
+#include "report/svg_elements.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::testing_tools {
@@ -50,6 +51,20 @@ bool is_of_another_section(const std::string& id, const std::string& own) {
     return section != own && std::find(all.begin(), all.end(), section) != all.end();
 }
 
+/// No two curves of a plot have the same colour, the same dashes (or no line) and the same shape of points (or none).
+void expect_looks_differ(const report::Plot& plot) {
+    using Style = report::Series::Style;
+    std::set<std::string> looks;
+    for (std::size_t i = 0; i < plot.series.size(); ++i) {
+        const Style style = plot.series[i].style;
+        const report::Look look = report::look_of(plot.series[i], i);
+        const std::string line = style == Style::points ? "none" : look.dashes;
+        const bool with_points = style == Style::points || style == Style::line_and_points;
+        EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + (with_points ? std::to_string(look.pattern) : "")).second)
+            << plot.id << ": " << plot.series[i].name << " looks like another";
+    }
+}
+
 }   // namespace
 
 void expect_well_formed(const Answer& answer) {
@@ -75,6 +90,7 @@ void expect_well_formed(const Answer& answer) {
         if (const auto* plot = std::get_if<report::Plot>(&block)) {
             enter(plot->id);
             for (const report::Series& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << plot->id;
+            expect_looks_differ(*plot);
         }
         if (const auto* map = std::get_if<report::Map>(&block)) {
             enter(map->id);

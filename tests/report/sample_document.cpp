@@ -65,7 +65,7 @@ Plot error_plot() {
               {},
               {},
               {}};
-    Series measured{"measured", {}, {}, {}, {}, Series::Style::line_and_points},
+    Series measured{"measured", {}, {}, {}, {}, Series::Style::line_and_points, 0, 0},
         predicted{"predicted (Parseval)", {}, {}, {}, {}, Series::Style::dashed};
     for (const double k : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 150.0, 361.0}) {
         const double y = 18 / std::pow(k, 0.66);

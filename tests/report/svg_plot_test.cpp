@@ -5,6 +5,7 @@
 #include "report/plot_axis.h"
 #include "report/plot_labels.h"
 #include "report/sample_document.h"
+#include "report/svg_elements.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
 
@@ -107,6 +108,16 @@ TEST(PlotLabels, KeepClearOfTheCurve) {
     EXPECT_TRUE(box.bottom <= 100 || box.top >= 100);
 }
 
+TEST(PlotLabels, KeepClearOfTheCurveAlsoAtTheEdgeOfTheFrame) {
+    std::vector<Point> curve;   // two hills, whose tops are close to the upper edge
+    for (double x = 0; x <= 600; x += 2.5) curve.push_back({x, 8 + 200 * std::pow(std::cos(M_PI * x / 300 - M_PI / 2), 2)});
+    for (Point& p : curve) p.y = 216 - p.y;
+    LabelPlacer placer({0, 0, 600, 290}, curve);
+    const Box box = placer.place(around({150, 8}, 160, 17));
+    EXPECT_GE(box.top, 0);
+    for (const Point& p : curve) EXPECT_FALSE(overlap(box, {p.x, p.y, p.x, p.y})) << p.x;
+}
+
 TEST(PlotLabels, WrappedLinesFitAndLoseNothing) {
     const std::string words = "a rather long name of a series that would not fit into the width of the plot";
     std::string joined;
@@ -193,6 +204,33 @@ TEST(SvgPlot, SeriesDifferWithoutColour) {
     for (Series& series : plot.series) series.style = Series::Style::dashed;
     const auto all_dashed = matches(svg_of(plot), "stroke-linejoin=\"round\" stroke-dasharray=\"([^\"]*)\"/>");
     EXPECT_EQ(std::set<std::string>(all_dashed.begin(), all_dashed.end()).size(), 6u);
+}
+
+TEST(SvgPlot, NoTwoOfManySeriesLookAlike) {
+    std::set<std::string> lines, points;   // of continuous and of dashed series, which one plot may mix
+    for (std::size_t place = 0; place < 42; ++place) {
+        for (const Series::Style style : {Series::Style::line, Series::Style::dashed}) {
+            Series series;
+            series.style = style;
+            const Look look = look_of(series, place);
+            EXPECT_TRUE(lines.insert(look.color + " " + look.dashes).second) << place;
+            points.insert(point_shape({0, 0}, look.pattern, look.color));
+        }
+    }
+    EXPECT_EQ(points.size(), 42u);
+}
+
+TEST(SvgPlot, ASeriesLooksTheSameWhereverItsColourAndPatternAreGiven) {
+    Plot plot = plot_of({1, 2}, {1, 2});
+    plot.series[0].style = Series::Style::line_and_points;
+    plot.series[0].color = 3;
+    plot.series[0].pattern = 6;
+    const std::string path = matches(svg_of(plot), "<path d=\"[^\"]*\" fill=\"none\" (stroke=[^/]*)/>").at(0);
+    EXPECT_NE(path.find("--plot-4,"), std::string::npos) << path;
+    plot.series.insert(plot.series.begin(), {"other", {1, 2}, {2, 3}, {}, {}});
+    const auto both = matches(svg_of(plot), "<path d=\"[^\"]*\" fill=\"none\" (stroke=[^/]*)/>");
+    EXPECT_NE(both.at(0), path);
+    EXPECT_EQ(both.at(1), path);
 }
 
 TEST(SvgPlot, SaysWhatIsToBeSeen) {
