@@ -30,7 +30,7 @@ private:
 /// True where another file system (or a bind mount) begins: such a folder cannot be renamed.
 bool is_mount_point(const std::filesystem::path& folder);
 
-/// Absolute, links followed as far as the path exists: what a rename will name.
+/// Absolute, links followed as far as the path exists: what a rename will name. @param error  why there is no such path
 std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& error);
 
 /// mkdir, parents too. @throws OutputError

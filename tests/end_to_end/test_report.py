@@ -237,7 +237,7 @@ class OwnMesh(unittest.TestCase):
         """An id is question, mesh, what. Where one `what`, or one id of no mesh, ends in another `what`, two meshes could share an id:
         "mistake_errors" of cube would be "errors" of cube_mistake."""
         ids = {p.stem for p in out.rglob("*")} | set(ids_in(results))
-        for question in {q["id"] for q in results["questions"]}:
+        for question in {q["id"] for q in results["questions"] + results["supporting"]}:
             here = {i.removeprefix(question + "_") for i in ids if i.startswith(question + "_")}
             whats = {i.removeprefix(mesh + "_") for i in here if i.startswith(mesh + "_")}
             others = {i for i in here if not i.startswith(mesh + "_")}
