@@ -26,7 +26,7 @@ ExitCode summarise(const report::Document& document) {
     for (const report::Section& section : document.sections) {
         if (section.status == report::Status::failed) failures.push_back(section.id + " failed: " + section.failure);
         for (const report::Check& check : section.checks) {
-            if (check.passed) continue;
+            if (!check.failed()) continue;
             checks.push_back(section.id + ": check failed: " + check.name + ": " + words_of(check) +
                              (check.note.empty() ? "" : " (" + check.note + ")"));
         }

@@ -31,7 +31,7 @@ std::uint64_t seed_of(const VerifyFlags& options) {
 
 /// "ok      name: measured 1.99, expected 2, tolerance 0.15".
 std::string told(const report::Check& check) {
-    return std::string(check.passed ? "ok      " : "FAILED  ") + check.name + ": " + words_of(check) + "\n";
+    return std::string(check.passed() ? "ok      " : "FAILED  ") + check.name + ": " + words_of(check) + "\n";
 }
 
 /// The sections as a report of their own, and everything measured on curvature as tables/truth_all.csv.
@@ -70,7 +70,7 @@ ExitCode run_verify(const VerifyFlags& options) {
         for (const report::Check& check : section.checks) {
             lines += told(check);
             ++checks;
-            passed += check.passed ? 1 : 0;
+            passed += check.passed() ? 1 : 0;
         }
     }
     print(lines + std::to_string(passed) + " of " + std::to_string(checks) + " checks passed\n");

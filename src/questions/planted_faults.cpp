@@ -170,7 +170,7 @@ FaultTrial trial_of(const Specimen& specimen, const std::vector<report::Check>& 
             trial.sound = sound;
             trial.faulty = faulty;
             named = true;
-        } else if (sound.passed && !faulty.passed) {
+        } else if (sound.passed() && !faulty.passed()) {
             trial.also_seen_by.push_back(sound.name);
         }
     }

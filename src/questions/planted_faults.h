@@ -48,7 +48,7 @@ struct FaultTrial {
     std::string fault;
     report::Check sound, faulty;             // the named check, without and with it
     std::vector<std::string> also_seen_by;   // names of other checks that passed without it and fail with it
-    bool caught() const { return sound.passed && !faulty.passed; }
+    bool caught() const { return sound.passed() && !faulty.passed(); }
 };
 /// @param sound_checks  checks_of(specimen)
 /// @throws std::logic_error if no check has the name

@@ -7,7 +7,12 @@
 
 namespace meshfolio::report {
 
+namespace {
+
 // A NaN is never within a tolerance: every comparison below is written so that it fails.
+Check::Status status_of(bool within) { return within ? Check::Status::passed : Check::Status::failed; }
+
+}   // namespace
 
 std::string words_of(const Check& check) {
     const std::string relation = check.kind == Check::Kind::at_most ? "at most " : check.kind == Check::Kind::at_least ? "at least " : "";
@@ -16,18 +21,24 @@ std::string words_of(const Check& check) {
 }
 
 Check check_near(std::string name, double expected, double measured, double tolerance, std::string note) {
-    const bool passed = std::abs(measured - expected) <= tolerance;
-    return {std::move(name), expected, measured, tolerance, passed, Check::Kind::near, std::move(note)};
+    const bool within = std::abs(measured - expected) <= tolerance;
+    return {std::move(name), expected, measured, tolerance, status_of(within), Check::Kind::near, std::move(note)};
 }
 
 Check check_at_most(std::string name, double limit, double measured, double tolerance, std::string note) {
-    const bool passed = measured <= limit + tolerance;
-    return {std::move(name), limit, measured, tolerance, passed, Check::Kind::at_most, std::move(note)};
+    const bool within = measured <= limit + tolerance;
+    return {std::move(name), limit, measured, tolerance, status_of(within), Check::Kind::at_most, std::move(note)};
 }
 
 Check check_at_least(std::string name, double limit, double measured, double tolerance, std::string note) {
-    const bool passed = measured >= limit - tolerance;
-    return {std::move(name), limit, measured, tolerance, passed, Check::Kind::at_least, std::move(note)};
+    const bool within = measured >= limit - tolerance;
+    return {std::move(name), limit, measured, tolerance, status_of(within), Check::Kind::at_least, std::move(note)};
+}
+
+Check undecided(Check check, std::string why) {
+    check.status = Check::Status::undecided;
+    check.note = check.note.empty() ? std::move(why) : std::move(why) + "; " + check.note;
+    return check;
 }
 
 }   // namespace meshfolio::report

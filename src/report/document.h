@@ -158,15 +158,20 @@ using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot,
 // ---- what a section proves and says -----------------------------------------------------------------------------------
 
 /// passed ⇔ |measured − expected| ≤ tolerance, for kind `near`; measured ≤ expected + tolerance, for `at_most`; and so on.
+/// undecided: the number says nothing about what is checked (rounding is larger than the margin, or it was measured on something else);
+/// the note says why. It is no failure.
 struct Check {
     enum class Kind { near, at_most, at_least };
+    enum class Status { passed, failed, undecided };
     std::string name;   // "Gauss–Bonnet: Σ deficit / 2π on sphere"
     double expected = 0;
     double measured = 0;
     double tolerance = 0;
-    bool passed = false;
+    Status status = Status::failed;
     Kind kind = Kind::near;
-    std::string note = {};   // why a failure is expected, or what is compared
+    std::string note = {};   // why a failure is expected, why nothing is decided, or what is compared
+    bool passed() const { return status == Status::passed; }
+    bool failed() const { return status == Status::failed; }
     bool operator==(const Check&) const = default;
 };
 /// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1".
@@ -174,6 +179,8 @@ std::string words_of(const Check& check);
 Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
 Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
 Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
+/// The same check, which decides nothing, for a reason.
+Check undecided(Check check, std::string why);
 
 /// A result worth the first page.
 struct Finding {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <concepts>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -62,6 +63,7 @@ inline constexpr std::array<const char*, 3> names_of(Column::Rounding) { return 
 inline constexpr std::array<const char*, 4> names_of(Series::Style) { return {"line", "points", "line_and_points", "dashed"}; }
 inline constexpr std::array<const char*, 2> names_of(Map::Colours) { return {"sequential", "diverging"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Kind) { return {"near", "at_most", "at_least"}; }
+inline constexpr std::array<const char*, 3> names_of(Check::Status) { return {"passed", "failed", "undecided"}; }
 inline constexpr std::array<const char*, 3> names_of(Status) { return {"ok", "failed", "skipped"}; }
 inline constexpr std::array<const char*, 6> names_of(Run::Kind) { return {"plain", "strong", "emphasis", "code", "math", "reference"}; }
 inline constexpr std::array<const char*, 9> names_of(BlockEntry::Kind) {
@@ -254,7 +256,11 @@ void describe(Fields& fields, part_of<Check> auto& check) {
     fields("expected", check.expected);
     fields("measured", check.measured);
     fields("tolerance", check.tolerance);
-    fields("passed", check.passed);
+    fields("status", check.status);
+    fields.derived("passed", [&]() -> std::optional<bool> {   // null: undecided
+        if (check.status == Check::Status::undecided) return {};
+        return check.passed();
+    });
     fields.optional("note", check.note, {});
 }
 

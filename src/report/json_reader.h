@@ -80,7 +80,7 @@ public:
     }
     template <class Derive>
     void derived(const char* key, Derive derive) {
-        if (required(key) != Json(derive()))
+        if (required(key) != derived_json(derive()))
             throw JsonProblem({&place_, key}, "does not agree with what it is derived from", "leave it as it was");
     }
     void file(const char* key, std::string& path) {

@@ -7,7 +7,7 @@
 namespace meshfolio::report {
 
 /// Raised whenever a reader of the earlier one would misread what is written; keys that are added do not raise it.
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 struct MeshDigest {
     std::string file, sha256;

@@ -20,6 +20,13 @@ using Json = nlohmann::ordered_json;
 /// outside of a cell is not listed: null says it already.
 inline constexpr const char* not_finite = "_not_finite";
 
+/// A value that follows from others; null where there is none.
+template <class Value>
+Json derived_json(const Value& value) {
+    return value;
+}
+inline Json derived_json(const std::optional<bool>& value) { return value ? Json(*value) : Json(); }
+
 class FieldWriter {
 public:
     explicit FieldWriter(Json& object) : object_(object) { object_ = Json::object(); }
@@ -44,7 +51,7 @@ public:
     }
     template <class Derive>
     void derived(const char* key, Derive derive) {
-        object_[key] = derive();
+        object_[key] = derived_json(derive());
     }
     void file(const char* key, const std::string& path) { object_[key] = path; }
     void files(const char* key, const std::vector<std::string>& paths) { object_[key] = paths; }

@@ -31,7 +31,7 @@ json names_and_values(const std::map<std::string, std::string>& pairs) {
 // ---- checks -------------------------------------------------------------------------------------------------------------
 
 std::size_t passed_in(const Section& section) {
-    return static_cast<std::size_t>(std::count_if(section.checks.begin(), section.checks.end(), [](const Check& c) { return c.passed; }));
+    return static_cast<std::size_t>(std::count_if(section.checks.begin(), section.checks.end(), [](const Check& c) { return c.passed(); }));
 }
 
 /// Counts stay whole numbers; 2.000 says that four digits agree, 2 that it is exactly two.
@@ -45,7 +45,7 @@ json check_view(const Check& check) {
     const std::string relation = near ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
     return {{"name", prose_view(check.name)},   {"expected", relation + brief(check.expected, 4)},
             {"measured", measured_text(check)}, {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
-            {"passed", check.passed},           {"note", prose_view(check.note)},
+            {"passed", check.passed()},         {"note", prose_view(check.note)},
             {"has_note", !check.note.empty()}};
 }
 
@@ -113,7 +113,7 @@ json section_head(const Section& section, const std::string& number, const ViewO
     head["table_count"] = std::to_string(count_of<Table>(section));
     head["checks"] = json::array();
     for (const Check& check : section.checks)
-        if (options.passed_checks || !check.passed) head["checks"].push_back(check_view(check));
+        if (options.passed_checks || !check.passed()) head["checks"].push_back(check_view(check));
     head["has_listed_checks"] = !head["checks"].empty();
     return head;
 }

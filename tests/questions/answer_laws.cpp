@@ -37,8 +37,8 @@ std::string prose_of(const report::Section& section) {
 void expect_checks_pass(const report::Section& section) {
     EXPECT_FALSE(section.checks.empty());
     for (const report::Check& check : section.checks) {
-        EXPECT_TRUE(check.passed) << check.name << ": expected " << check.expected << ", measured " << check.measured << ", tolerance "
-                                  << check.tolerance;
+        EXPECT_TRUE(check.passed()) << check.name << ": expected " << check.expected << ", measured " << check.measured << ", tolerance "
+                                    << check.tolerance;
     }
 }
 

@@ -98,7 +98,7 @@ TEST(GroundTruth, AllItsChecksHold) {
     EXPECT_GE(checks.size(), 50u);
     std::set<std::string> names;
     for (const report::Check& check : checks) {
-        EXPECT_TRUE(check.passed) << check.name << ": " << check.measured;
+        EXPECT_TRUE(check.passed()) << check.name << ": " << check.measured;
         EXPECT_TRUE(names.insert(check.name).second) << "twice: " << check.name;
     }
 }
@@ -106,7 +106,7 @@ TEST(GroundTruth, AllItsChecksHold) {
 TEST(GroundTruth, ChecksNoticeWhenAnEstimatorIsWrong) {
     const auto failures = [](const GroundTruth& truth) {
         int failed = 0;
-        for (const report::Check& check : ground_truth_checks(truth)) failed += check.passed ? 0 : 1;
+        for (const report::Check& check : ground_truth_checks(truth)) failed += check.passed() ? 0 : 1;
         return failed;
     };
     GroundTruth doubled = quick_truth();   // as from areas twice too large: H is off by a half, everywhere

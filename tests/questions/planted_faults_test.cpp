@@ -32,7 +32,7 @@ const PlantedFault& fault_named(const std::vector<PlantedFault>& faults, const s
 
 TEST(PlantedFaults, SoundDataPassesEveryCheck) {
     EXPECT_GE(sound_checks().size(), 18u);
-    for (const report::Check& check : sound_checks()) EXPECT_TRUE(check.passed) << check.name << ": " << check.measured;
+    for (const report::Check& check : sound_checks()) EXPECT_TRUE(check.passed()) << check.name << ": " << check.measured;
 }
 
 class EachFault : public ::testing::TestWithParam<PlantedFault> {};
@@ -40,10 +40,10 @@ class EachFault : public ::testing::TestWithParam<PlantedFault> {};
 TEST_P(EachFault, IsCaughtByItsCheck) {
     const FaultTrial trial = trial_of(specimen(), sound_checks(), GetParam());
     EXPECT_TRUE(trial.caught()) << trial.sound.name << ": " << trial.sound.measured << " sound, " << trial.faulty.measured << " faulty";
-    EXPECT_TRUE(trial.sound.passed);
+    EXPECT_TRUE(trial.sound.passed());
     EXPECT_EQ(trial.sound.name, GetParam().check);
     EXPECT_NE(trial.sound.measured, trial.faulty.measured);
-    EXPECT_TRUE(check_of(trial).passed);
+    EXPECT_TRUE(check_of(trial).passed());
     EXPECT_NE(check_of(trial).name.find(GetParam().name), std::string::npos);
 }
 
@@ -66,7 +66,7 @@ TEST(PlantedFaults, ABlindCheckIsReportedAsNotCaught) {
         fault.check = blind;
         const FaultTrial trial = trial_of(specimen(), sound_checks(), fault);
         EXPECT_FALSE(trial.caught()) << part << " by " << blind;
-        EXPECT_FALSE(check_of(trial).passed);
+        EXPECT_FALSE(check_of(trial).passed());
         EXPECT_NE(std::find(trial.also_seen_by.begin(), trial.also_seen_by.end(), right), trial.also_seen_by.end());
     }
 }
@@ -102,6 +102,6 @@ TEST(PlantedFaults, AreCaughtOnAnotherShapeToo) {
     torus.X.col(2) += 0.2 * torus.X.col(1).cwiseAbs2();
     const Specimen genus_one = sound_specimen(torus);
     const std::vector<report::Check> sound = checks_of(genus_one);
-    for (const report::Check& check : sound) EXPECT_TRUE(check.passed) << check.name << ": " << check.measured;
+    for (const report::Check& check : sound) EXPECT_TRUE(check.passed()) << check.name << ": " << check.measured;
     for (const PlantedFault& fault : planted_faults()) EXPECT_TRUE(trial_of(genus_one, sound, fault).caught()) << fault.name;
 }

@@ -78,7 +78,8 @@ TEST(PreflightSection, AMeshThatCannotBeReadIsToldAndTheRestIsThere) {
     write_file(folder / "armadillo.obj", "v 0 0 0\nf 1 2 3\n");
     const Answer answer = answer_preflight(MeshLibrary({data.path()}, {}), quick_settings(), no_progress);
     EXPECT_EQ(answer.section.inputs.size(), mesh_role_list().size() - 1);
-    const auto failed = std::count_if(answer.section.checks.begin(), answer.section.checks.end(), [](const auto& c) { return !c.passed; });
+    const auto failed =
+        std::count_if(answer.section.checks.begin(), answer.section.checks.end(), [](const auto& c) { return !c.passed(); });
     EXPECT_EQ(failed, 1);
     EXPECT_NE(answer.section.warnings.front().find("armadillo"), std::string::npos);
 }

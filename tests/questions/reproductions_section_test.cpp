@@ -117,7 +117,7 @@ TEST(Coverage, ARowWithoutAnswerIsFoundAndFailsItsCheck) {
     EXPECT_EQ(std::count(missing.begin(), missing.end(), 33), 1);
     EXPECT_EQ(std::count(missing.begin(), missing.end(), 12), 0) << "question 2 answers it";
     const Answer answer = answer_reproductions(MeshLibrary({}, {}), settings_with(some), no_progress);
-    EXPECT_FALSE(answer.section.checks.front().passed);
+    EXPECT_FALSE(answer.section.checks.front().passed());
 }
 
 TEST(ReproductionWords, AreThoseOfTheReport) {

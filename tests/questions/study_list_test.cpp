@@ -28,7 +28,7 @@ TEST(StudiesOf, AMeshThatDefeatsItsStudyCostsTheOthersNothing) {
     report::Section section;
     EXPECT_EQ(studied({"one", "bad", "two"}, section), (std::vector<std::string>{"one", "two"}));
     ASSERT_EQ(section.checks.size(), 1u);
-    EXPECT_FALSE(section.checks.front().passed);
+    EXPECT_FALSE(section.checks.front().passed());
     EXPECT_EQ(section.checks.front().note, "bad.ply: no factor; clean the mesh");
 }
 

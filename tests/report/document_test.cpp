@@ -8,27 +8,27 @@ namespace meshfolio::report {
 namespace {
 
 TEST(Check, NearIsWithinTheTolerance) {
-    EXPECT_TRUE(check_near("", 1, 1.09, 0.1).passed);
-    EXPECT_TRUE(check_near("", 1, 1, 0).passed);
-    EXPECT_FALSE(check_near("", 1, 1.11, 0.1).passed);
-    EXPECT_FALSE(check_near("", 1, 0.89, 0.1).passed);
+    EXPECT_TRUE(check_near("", 1, 1.09, 0.1).passed());
+    EXPECT_TRUE(check_near("", 1, 1, 0).passed());
+    EXPECT_FALSE(check_near("", 1, 1.11, 0.1).passed());
+    EXPECT_FALSE(check_near("", 1, 0.89, 0.1).passed());
 }
 
 TEST(Check, LimitsHoldOnOneSide) {
-    EXPECT_TRUE(check_at_most("", 1, -5).passed);
-    EXPECT_TRUE(check_at_most("", 1, 1.05, 0.1).passed);
-    EXPECT_FALSE(check_at_most("", 1, 1.05).passed);
-    EXPECT_TRUE(check_at_least("", 1, 5).passed);
-    EXPECT_TRUE(check_at_least("", 1, 0.95, 0.1).passed);
-    EXPECT_FALSE(check_at_least("", 1, 0.95).passed);
+    EXPECT_TRUE(check_at_most("", 1, -5).passed());
+    EXPECT_TRUE(check_at_most("", 1, 1.05, 0.1).passed());
+    EXPECT_FALSE(check_at_most("", 1, 1.05).passed());
+    EXPECT_TRUE(check_at_least("", 1, 5).passed());
+    EXPECT_TRUE(check_at_least("", 1, 0.95, 0.1).passed());
+    EXPECT_FALSE(check_at_least("", 1, 0.95).passed());
 }
 
 TEST(Check, UndefinedNeverPasses) {
     const double undefined = std::nan("");
     for (const auto& make : {check_near, check_at_most, check_at_least}) {
-        EXPECT_FALSE(make("", 1, undefined, 1e300, "").passed);
-        EXPECT_FALSE(make("", undefined, 1, 1e300, "").passed);
-        EXPECT_FALSE(make("", 1, 1, undefined, "").passed);
+        EXPECT_FALSE(make("", 1, undefined, 1e300, "").passed());
+        EXPECT_FALSE(make("", undefined, 1, 1e300, "").passed());
+        EXPECT_FALSE(make("", 1, 1, undefined, "").passed());
     }
 }
 

@@ -179,8 +179,8 @@ TEST(ReadJson, RefusesWhatIsMissingOrUnknown) {
 }
 
 TEST(ReadJson, RefusesOtherVersions) {
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 3; }), "schema_version is '3', not 2"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "2"; }), "schema_version"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 2; }), "schema_version is '2', not 3"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "3"; }), "schema_version"));
     EXPECT_TRUE(says(refusal([](Json& d) { d.erase("schema_version"); }), "is no results.json"));
     EXPECT_TRUE(says(refusal([](Json& d) { d = Json::array(); }), "is no results.json"));
 }

@@ -103,7 +103,7 @@ json model_of(const Document& document, const ViewOptions& options = {}, const D
 /// Between them these have everything in them: the sample has failed checks and no files of plots, the other has it the other way.
 std::vector<json> complete_models() {
     Document all_well = sample_document();
-    for (Section& section : all_well.sections) std::erase_if(section.checks, [](const Check& check) { return !check.passed; });
+    for (Section& section : all_well.sections) std::erase_if(section.checks, [](const Check& check) { return !check.passed(); });
     ViewOptions with_files;
     with_files.plot_files = true;
     ViewOptions with_models;
