@@ -133,7 +133,6 @@ ordered_json as_json(const Inspection& inspection) {
                       {"nonmanifold_vertices", p.nonmanifold_vertices},
                       {"zero_area_faces", p.zero_area_faces},
                       {"needle_faces", p.needle_faces},
-                      {"floored_cotangents", inspection.facts.floored_cotangents},
                       {"duplicated_positions", p.duplicated_positions},
                       {"dropped_degenerate_faces", p.dropped_degenerate_faces},
                       {"dropped_duplicate_faces", p.dropped_duplicate_faces},

@@ -5,6 +5,7 @@
 #include "geometry/arctangent-inl.h"
 #include "geometry/corner_batch.h"
 #include "geometry/vectors-inl.h"
+#include "mesh/triangle_kind.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace meshfolio::HWY_NAMESPACE {
@@ -58,27 +59,27 @@ void FindShapes(const TriangleMesh& mesh, double scale, CornerBatch& b) {
     }
 }
 
-/// |u × v|, below which it is rounding noise.
-HWY_INLINE Number cross_floor(const CornerBatch& b, std::size_t i) {
+/// Not where |u × v| is rounding: a triangle without area has neither stiffness nor mass.
+HWY_INLINE Truth has_area(const CornerBatch& b, std::size_t i) {
     const Number l = numbers_at(b.squared_here.data() + i), m = numbers_at(b.squared_next.data() + i);
-    return 1e-12 * larger(l, larger(m, numbers_at(b.squared_previous.data() + i)));
+    return numbers_at(b.cross.data() + i) > no_area * larger(l, larger(m, numbers_at(b.squared_previous.data() + i)));
 }
 
 void FindCotangents(CornerBatch& b) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
-        const Number denominator = larger(numbers_at(b.cross.data() + i), cross_floor(b, i));
-        const Number divisor = either(denominator > 0, denominator, 1);   // all corners coincide: 0/1
-        store(numbers_at(b.dot_next.data() + i) / divisor, b.cotangent_next.data() + i);
-        store(numbers_at(b.dot_previous.data() + i) / divisor, b.cotangent_previous.data() + i);
+        const Truth sound = has_area(b, i);
+        const Number divisor = either(sound, numbers_at(b.cross.data() + i), 1);
+        store(either(sound, numbers_at(b.dot_next.data() + i) / divisor, 0), b.cotangent_next.data() + i);
+        store(either(sound, numbers_at(b.dot_previous.data() + i) / divisor, 0), b.cotangent_previous.data() + i);
     }
 }
 
 void FindAreaShares(CornerBatch& b) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
-        const Number cross = numbers_at(b.cross.data() + i), area = 0.5 * cross;
+        const Number area = either(has_area(b, i), 0.5 * numbers_at(b.cross.data() + i), 0);
         const Number of_next = numbers_at(b.cotangent_next.data() + i) * numbers_at(b.squared_next.data() + i) * 0.125;
         const Number of_previous = numbers_at(b.cotangent_previous.data() + i) * numbers_at(b.squared_previous.data() + i) * 0.125;
-        const Number cell = either(cross > cross_floor(b, i), of_next + of_previous, 0);
+        const Number cell = of_next + of_previous;
         const Truth obtuse_here = numbers_at(b.dot_here.data() + i) < 0;
         const Truth obtuse_elsewhere = (numbers_at(b.dot_next.data() + i) < 0) | (numbers_at(b.dot_previous.data() + i) < 0);
         store(area / 3, b.barycentric.data() + i);

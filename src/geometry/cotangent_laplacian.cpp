@@ -113,11 +113,11 @@ void fill_columns(const Spokes& edges, SparseMatrix& C) {
     }
 }
 
-/// Cotangents of triangles given by `shape_of(t)`, and how many were floored.
+/// Cotangents of triangles given by `shape_of(t)`, and how many have no area.
 template <class ShapeOf>
-CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int* floored) {
+CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int* without_area) {
     CornerValues cotangents(triangles, 3);
-    const auto floored_of_blocks = of_blocks(static_cast<int>(triangles), [&](int begin, int end) {
+    const auto degenerate_of_blocks = of_blocks(static_cast<int>(triangles), [&](int begin, int end) {
         int count = 0;
         for (int t = begin; t < end; ++t) {
             const TriangleShape triangle = shape_of(t);
@@ -126,32 +126,41 @@ CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int*
         }
         return count;
     });
-    if (floored != nullptr) *floored = 0;
-    for (const auto& block : floored_of_blocks) {
-        if (floored != nullptr) *floored += block.value;
-    }
+    if (without_area == nullptr) return cotangents;
+    *without_area = 0;
+    for (const auto& block : degenerate_of_blocks) *without_area += block.value;
     return cotangents;
 }
 
 }   // namespace
 
-CornerValues corner_cotangents(const TriangleMesh& mesh, int* floored) {
+CornerValues corner_cotangents(const TriangleMesh& mesh, int* without_area) {
     const double scale = unit_scale(mesh);
     const auto shape_of = [&](int t) {
         send_for_corners(mesh, t);
         return triangle_shape(mesh, t, scale);
     };
-    return cotangents_of_shapes(mesh.F.rows(), shape_of, floored);
+    return cotangents_of_shapes(mesh.F.rows(), shape_of, without_area);
 }
 
-CornerValues corner_cotangents(const CornerValues& lengths, int* floored) {
+CornerValues corner_cotangents(const CornerValues& lengths, int* without_area) {
     require_lengths("corner_cotangents", lengths);
     const auto shape_of = [&](int t) {
         const double longest = lengths.row(t).maxCoeff();
         const double unit = longest > 0 ? longest : 1;
         return triangle_shape(lengths(t, 0) / unit, lengths(t, 1) / unit, lengths(t, 2) / unit);
     };
-    return cotangents_of_shapes(lengths.rows(), shape_of, floored);
+    return cotangents_of_shapes(lengths.rows(), shape_of, without_area);
+}
+
+CornerValues floored_cotangents(const TriangleMesh& mesh) {
+    const double scale = unit_scale(mesh);
+    CornerValues cotangents(mesh.F.rows(), 3);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        const TriangleShape triangle = triangle_shape(mesh, t, scale);
+        for (int k = 0; k < 3; ++k) cotangents(t, k) = triangle.floored_cotangent(static_cast<std::size_t>(k));
+    }
+    return cotangents;
 }
 
 SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerValues& cotangents, const CotangentOptions& options) {

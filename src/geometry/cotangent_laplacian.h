@@ -21,12 +21,14 @@ struct CotangentOptions {
     bool clamp_negative = false;
 };
 
-/// m × 3 cotangents from positions: (u · v)/|u × v|. |u × v| is floored at 1e-12 of the longest squared edge of the triangle;
-/// `floored`, when given, counts the triangles where that happened.
-CornerValues corner_cotangents(const TriangleMesh& mesh, int* floored = nullptr);
+/// m × 3 cotangents from positions: (u · v)/|u × v|, and 0 in triangles without area (mesh/triangle_kind.h), which bound no surface and so
+/// have no Dirichlet energy. `without_area`, when given, counts them.
+CornerValues corner_cotangents(const TriangleMesh& mesh, int* without_area = nullptr);
 /// The same from the m × 3 edge lengths of intrinsic triangles: (b² + c² − a²)/(4A) with Kahan's form of Heron's A.
 /// @throws MeshError if a length is negative or not finite
-CornerValues corner_cotangents(const CornerValues& lengths, int* floored = nullptr);
+CornerValues corner_cotangents(const CornerValues& lengths, int* without_area = nullptr);
+/// Where triangles without area keep a stiffness: cotangents up to 1/no_area, of either sign. To show what they do to the largest step.
+CornerValues floored_cotangents(const TriangleMesh& mesh);
 
 /// C, n × n, from triangles and the cotangents of their corners; every diagonal entry is stored. [dimensionless]
 /// Corners of a triangle may be the same vertex, and several edges may join the same two vertices, whose weight is then

@@ -23,8 +23,7 @@ struct Apex {
 /// The triangle over a side from the origin along x: `before` is the side at its start, `after` the one at its end.
 Apex apex_over(double side, double before, double after) {
     const double along = side > 0 ? 0.5 * (side + (before - after) * ((before + after) / side)) : 0;
-    const double area = triangle_shape(side, before, after).area();
-    return {along, side > 0 ? 2 * area / side : before};
+    return {along, side > 0 ? triangle_shape(side, before, after).cross / side : before};
 }
 
 class Flipper {

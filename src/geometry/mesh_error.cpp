@@ -142,15 +142,4 @@ double smallest_angle(const TriangleMesh& mesh) {
     return mesh.face_count() > 0 ? corner_angles(mesh).minCoeff() : std::numeric_limits<double>::quiet_NaN();
 }
 
-double dirichlet_energy(const SparseMatrix& C, const Positions& X) {
-    // ½ Σ_{i<j} C_ij |x_i − x_j|², the same as −½ Σ_c x_cᵀ C x_c because rows of C sum to 0, wherever X lies.
-    double energy = 0;
-    for (Eigen::Index j = 0; j < C.outerSize(); ++j) {
-        for (SparseMatrix::InnerIterator entry(C, j); entry && entry.row() < j; ++entry) {
-            energy += 0.5 * entry.value() * (X.row(entry.row()) - X.row(j)).squaredNorm();
-        }
-    }
-    return energy;
-}
-
 }   // namespace meshfolio

@@ -40,7 +40,4 @@ double mean_normal_angle(const Positions& a, const Positions& b);
 /// Smallest interior angle of all triangles. [rad]
 double smallest_angle(const TriangleMesh& mesh);
 
-/// Discrete Dirichlet energy −½ Σ_c x_cᵀ C x_c over the three coordinates. [length²]
-double dirichlet_energy(const SparseMatrix& C, const Positions& X);
-
 }   // namespace meshfolio

@@ -42,7 +42,6 @@ MeshFacts mesh_facts(const PreparedMesh& prepared) {
     const Box box{facts.counts.box_low, facts.counts.box_high};
     facts.diagonal = box.diagonal();
     facts.offset = box.centre().norm() / facts.diagonal;
-    corner_cotangents(mesh, &facts.floored_cotangents);
     const Vector deficits = angle_deficit(mesh, prepared.topology);
     facts.total_deficit = deficits.sum();
     facts.gauss_bonnet_residual = gauss_bonnet_error(deficits, facts.counts.euler_characteristic);

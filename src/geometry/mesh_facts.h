@@ -13,7 +13,6 @@ struct MeshFacts {
     double diagonal = 0;                          // of the bounding box [length]
     double offset = 0;                            // of the box centre from the origin, in box diagonals
     int unreferenced_vertices = 0;
-    int floored_cotangents = 0;         // triangles
     double total_deficit = 0;           // Σ angle deficit [rad]
     double gauss_bonnet_residual = 0;   // |total_deficit/2π − χ|; rounding on manifold meshes, elsewhere without meaning
 

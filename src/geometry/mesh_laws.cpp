@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/dirichlet_energy.h"
 #include "geometry/mesh_error.h"
 #include "geometry/sparse_factor.h"
 #include "mesh/triangle_measures.h"

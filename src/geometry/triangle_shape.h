@@ -8,6 +8,7 @@
 #include <array>
 
 #include "mesh/mesh_topology.h"
+#include "mesh/triangle_kind.h"
 
 namespace meshfolio {
 
@@ -16,13 +17,16 @@ struct TriangleShape {
     std::array<double, 3> squared_edge;   // |e_k|² of the edge opposite corner k [length²]
     double cross;                         // |u × v| = 2A, the same at every corner [length²]
 
-    double area() const { return 0.5 * cross; }
-    /// Below this, |u × v| is rounding noise.
-    double cross_floor() const { return 1e-12 * std::max({squared_edge[0], squared_edge[1], squared_edge[2]}); }
-    bool degenerate() const { return !(cross > cross_floor()); }
-    /// cot θ_k = (u · v)/|u × v|, with |u × v| floored; 0 when all corners coincide.
-    double cotangent(std::size_t k) const {
-        const double denominator = std::max(cross, cross_floor());
+    double longest_squared_edge() const { return std::max({squared_edge[0], squared_edge[1], squared_edge[2]}); }
+    /// Without area: |u × v| is rounding.
+    bool degenerate() const { return !(cross > no_area * longest_squared_edge()); }
+    /// 0 of a triangle without area.
+    double area() const { return degenerate() ? 0 : 0.5 * cross; }
+    /// cot θ_k = (u · v)/|u × v|; 0 of a triangle without area, which has no stiffness.
+    double cotangent(std::size_t k) const { return degenerate() ? 0 : dot[k] / cross; }
+    /// The same where a triangle without area keeps a stiffness: |u × v| is taken as no_area times the squared longest edge then.
+    double floored_cotangent(std::size_t k) const {
+        const double denominator = std::max(cross, no_area * longest_squared_edge());
         return denominator > 0 ? dot[k] / denominator : 0;
     }
 };

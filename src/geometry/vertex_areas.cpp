@@ -20,7 +20,6 @@ CornerAreas barycentric_shares(const TriangleShape& triangle) {
 
 /// Corner i of edges e_j, e_k: (cot θ_j |e_j|² + cot θ_k |e_k|²)/8.
 CornerAreas voronoi_shares(const TriangleShape& triangle) {
-    if (triangle.degenerate()) return {0, 0, 0};
     CornerAreas edge_part;
     for (std::size_t k = 0; k < 3; ++k) edge_part[k] = triangle.cotangent(k) * triangle.squared_edge[k] / 8;
     return {edge_part[1] + edge_part[2], edge_part[2] + edge_part[0], edge_part[0] + edge_part[1]};

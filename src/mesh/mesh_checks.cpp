@@ -233,8 +233,8 @@ private:
             counts().zero_area_faces += tally.zero_area;
             counts().needle_faces += tally.needles;
         }
-        warn_of(counts().zero_area_faces, "face of no area kept; its cotangents are floored",
-                "faces of no area kept; their cotangents are floored", line_of(first));
+        warn_of(counts().zero_area_faces, "face of no area kept; it contributes no stiffness",
+                "faces of no area kept; they contribute no stiffness", line_of(first));
     }
 
     Checks checks_;

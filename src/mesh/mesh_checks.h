@@ -23,7 +23,7 @@ struct Preflight {
     int genus = -1;                 // of one orientable manifold component; −1 where that is not defined
     int nonmanifold_edges = 0;
     int nonmanifold_vertices = 0;
-    int zero_area_faces = 0;        // kept; their cotangents are floored
+    int zero_area_faces = 0;        // kept; they contribute neither stiffness nor mass
     int needle_faces = 0;           // kept; smallest angle below 1°
     int duplicated_positions = 0;   // vertices in use that lie exactly on an earlier one
     double area = 0;                // [length²]

@@ -31,7 +31,7 @@ TriangleKind kind_of(const TriangleMesh& mesh, int t) {
     std::array<double, 3> edge{u.norm(), v.norm(), (v - u).norm()};
     std::sort(edge.begin(), edge.end());
     const double twice_area = std::hypot(cross.x(), cross.y(), cross.z());
-    if (!(twice_area > 1e-15 * edge[2] * edge[2])) return TriangleKind::zero_area;
+    if (!(twice_area > no_area * edge[2] * edge[2])) return TriangleKind::zero_area;
     // The smallest angle lies between the two longer edges.
     return twice_area < sin_of_needle * edge[1] * edge[2] ? TriangleKind::needle : TriangleKind::sound;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "number_text.h"
+#include "geometry/dirichlet_energy.h"
 #include "questions/claim_bench.h"
 #include "questions/claim_list.h"
 #include "questions/section_tools.h"

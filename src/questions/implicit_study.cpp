@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/dirichlet_energy.h"
 #include "geometry/laplace_spectrum.h"
 #include "geometry/mesh_error.h"
 #include "questions/value_lists.h"

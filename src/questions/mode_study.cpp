@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/diffusion_step.h"
+#include "geometry/dirichlet_energy.h"
 #include "geometry/laplace_spectrum.h"
 #include "geometry/mesh_error.h"
 #include "questions/value_lists.h"

@@ -168,7 +168,7 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
             section.checks.push_back(check_near("top mode after 20 steps, measured / |1 − λμ|²⁰" + at, 1, a.measured / a.predicted, 1e-4));
         }
         if (study.stable(i)) {
-            section.checks.push_back(check_at_most("energy never rises" + at, 0, largest_rise(run.energy), 1e-12));
+            section.checks.push_back(energy_check("energy never rises" + at, run));
             section.checks.push_back(
                 check_at_most("M-barycentre stays, drift / box diagonal" + at, 0, barycentre_drift(subject, run.result.X), 1e-10));
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/curvature.h"
+#include "geometry/dirichlet_energy.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
 #include "output/surface_of.h"
@@ -55,7 +56,6 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.scheme = scheme;
     run.lambda = lambda;
     run.iterations = iterations;
-    run.energy = {1};
     run.in_view = subject.mesh().X;
     const bool closed = subject.source->prepared->preflight.closed();
     const double first_volume = signed_volume(subject.mesh());
@@ -68,8 +68,9 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     options.rebuild = rebuild;
     options.lambda = lambda;
     options.iterations = iterations;
+    EnergyWatch watch(subject.laplacian, scheme, lambda, subject.mesh().X);
     options.after_step = [&](int iteration, const Positions& X) {
-        run.energy.push_back(dirichlet_energy(subject.laplacian.C, X) / subject.initial_energy);
+        watch.look(X);
         if (closed) run.volume.push_back(signed_volume(moved_to(subject.mesh(), X)) / first_volume);
         if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(subject.mesh(), X)) {
             run.in_view = X;
@@ -79,12 +80,31 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
         return true;
     };
     run.result = smooth(subject.mesh(), options, solver);
+    for (const double energy : watch.energy()) run.energy.push_back(energy / watch.energy().front());
+    for (const double rounding : watch.rounding()) run.energy_rounding.push_back(rounding / watch.energy().front());
 
     const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
     run.moved = compare_meshes(subject.mesh(), smoothed);
     run.volume_ratio = closed ? run.moved.volume_ratio : std::nan("");
     run.smallest_angle = smallest_angle(smoothed);
     return run;
+}
+
+report::Check energy_check(std::string name, const SmoothingRun& run) {
+    constexpr double seen = 1e-9;
+    double rise = 0, rounding = *std::max_element(run.energy_rounding.begin(), run.energy_rounding.end());
+    double beyond = 0;   // of the step that rose farthest beyond its rounding
+    for (std::size_t t = 1; t < run.energy.size(); ++t) {
+        const double step = run.energy[t] - run.energy[t - 1];
+        if (step - run.energy_rounding[t] <= beyond) continue;
+        rise = step;
+        rounding = run.energy_rounding[t];
+        beyond = step - rounding;
+    }
+    if (run.result.blew_up) rise = INFINITY;
+    report::Check check = report::check_at_most(std::move(name), 0, rise, rounding);
+    if (!check.passed() || rounding <= seen) return check;
+    return report::undecided(std::move(check), "rounding alone could hide a rise of 1e-9");
 }
 
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps) {

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "errors.h"
+#include "geometry/laplace_operator.h"
+#include "geometry/mesh_operators.h"
 #include "geometry/operator_test_meshes.h"
 #include "mesh/mesh_topology.h"
 
@@ -244,24 +246,57 @@ TEST(CotangentLaplacian, FarFromTheOrigin) {
     EXPECT_EQ(relative_difference(stiffness(far), stiffness(mesh)), 0);
 }
 
-TEST(CotangentLaplacian, DegenerateTrianglesAreFlooredAndCounted) {
-    int floored = -1;
-    CornerValues cotangents = corner_cotangents(triangle({0, 0, 0}, {1, 0, 0}, {3, 0, 0}), &floored);
-    EXPECT_EQ(floored, 1);
-    EXPECT_NEAR(cotangents(0, 0), 3 / 9e-12, 1);
-    EXPECT_NEAR(cotangents(0, 1), -2 / 9e-12, 1);
-    cotangents = corner_cotangents(triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1}), &floored);
-    EXPECT_EQ(floored, 1);
-    EXPECT_EQ(cotangents.cwiseAbs().maxCoeff(), 0);
-    corner_cotangents(triangle({0, 0, 0}, {1, 0, 0}, {3, 1e-6, 0}), &floored);
-    EXPECT_EQ(floored, 0);
+TEST(CotangentLaplacian, TrianglesWithoutAreaHaveNoCotangents) {
+    int without_area = -1;
+    const TriangleMesh line = triangle({0, 0, 0}, {1, 0, 0}, {3, 0, 0}), point = triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1});
+    for (const TriangleMesh* mesh : {&line, &point}) {
+        EXPECT_EQ(corner_cotangents(*mesh, &without_area).cwiseAbs().maxCoeff(), 0);
+        EXPECT_EQ(without_area, 1);
+    }
+    EXPECT_NEAR(floored_cotangents(line)(0, 0), 3 / 9e-12, 1);
+    EXPECT_NEAR(floored_cotangents(line)(0, 1), -2 / 9e-12, 1);
+    EXPECT_EQ(floored_cotangents(point).cwiseAbs().maxCoeff(), 0);
+    EXPECT_GT(corner_cotangents(triangle({0, 0, 0}, {1, 0, 0}, {3, 1e-6, 0}), &without_area)(0, 0), 1e5);
+    EXPECT_EQ(without_area, 0);
     CornerValues lengths(2, 3);
     lengths << 1, 2, 4, 3, 4, 5;   // no triangle, and a right one
-    cotangents = corner_cotangents(lengths, &floored);
-    EXPECT_EQ(floored, 1);
-    EXPECT_TRUE(cotangents.allFinite());
+    const CornerValues cotangents = corner_cotangents(lengths, &without_area);
+    EXPECT_EQ(without_area, 1);
+    EXPECT_EQ(cotangents.row(0).cwiseAbs().maxCoeff(), 0);
     EXPECT_NEAR(cotangents(1, 0), 4.0 / 3, 1e-15);
     EXPECT_NEAR(cotangents(1, 2), 0, 1e-15);
+}
+
+/// Two triangles at an edge and, as the third, one without area: its tip lies on that edge.
+TriangleMesh first_of_quad_with_flat_triangle(int triangles) {
+    TriangleMesh mesh{Positions(5, 3), Faces(triangles, 3)};
+    mesh.X << 0, 0, 0, 1, 0, 0, 0.6, 0.8, 0, 0.4, -0.9, 0, 0.5, 0, 0;
+    const int corners[3][3] = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+    for (int t = 0; t < triangles; ++t) mesh.F.row(t) << corners[t][0], corners[t][1], corners[t][2];
+    return mesh;
+}
+
+// Of every operator made from lengths: C, M and so the spectrum are those of the mesh without the triangle.
+TEST(CotangentLaplacian, TrianglesWithoutAreaChangeNoOperator) {
+    const TriangleMesh with = first_of_quad_with_flat_triangle(3), without = first_of_quad_with_flat_triangle(2);
+    for (const OperatorKind kind :
+         {OperatorKind::cotan, OperatorKind::cotan_no_half, OperatorKind::clamped, OperatorKind::edge_normalised}) {
+        const LaplaceBeltrami a = laplace_operator(with, kind), b = laplace_operator(without, kind);
+        EXPECT_EQ((DenseMatrix(a.C) - DenseMatrix(b.C)).cwiseAbs().maxCoeff(), 0) << operator_entry(kind).name;
+        const bool masses_are_areas = kind != OperatorKind::edge_normalised;
+        EXPECT_TRUE(!masses_are_areas || a.M == b.M) << operator_entry(kind).name;
+        EXPECT_TRUE(DenseMatrix(laplace_operator(with, kind).C).allFinite());
+    }
+    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
+        const LaplaceBeltrami plain = laplace_beltrami(with, form);
+        const MeshOperators fast = mesh_operators(with, topology_of(with), form);
+        EXPECT_EQ((DenseMatrix(plain.C) - DenseMatrix(fast.C)).cwiseAbs().maxCoeff(), 0);
+        EXPECT_EQ((plain.M - fast.areas(form)).cwiseAbs().maxCoeff(), 0);
+        EXPECT_EQ((plain.M - vertex_areas(without, form)).cwiseAbs().maxCoeff(), 0);
+    }
+    const LaplaceBeltrami idt = laplace_operator(with, OperatorKind::idt);
+    EXPECT_LE(DenseMatrix(idt.C).cwiseAbs().maxCoeff(), 10) << "no weight of a triangle without area";
+    EXPECT_NEAR(idt.M.sum(), vertex_areas(without, AreaForm::barycentric).sum(), 1e-12);
 }
 
 // Two edges of length 1, the third 2ε: half the sharp angle is asin ε, the others have cot = ε/√(1 − ε²).

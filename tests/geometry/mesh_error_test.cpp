@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "geometry/closest_point.h"
 #include "geometry/cotangent_laplacian.h"
+#include "geometry/dirichlet_energy.h"
 #include "geometry/operator_test_meshes.h"
 
 namespace meshfolio {

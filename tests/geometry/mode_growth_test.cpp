@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "errors.h"
+#include "geometry/dirichlet_energy.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/mesh_error.h"
 #include "geometry/solver_test_meshes.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/curvature.h"
+#include "geometry/dirichlet_energy.h"
 #include "geometry/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
 #include "mesh/mesh_checks.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "errors.h"
+#include "geometry/dirichlet_energy.h"
 #include "geometry/laplace_spectrum.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/mesh_error.h"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/dirichlet_energy.h"
 #include "mesh/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
