@@ -11,6 +11,7 @@
 #include "build_info.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "cli/settings_file.h"
 #include "nearest_word.h"
 
@@ -81,6 +82,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         throw UsageError(error.what(), "see meshfolio " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
     }
     const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& command) { return command.app->parsed(); });
+    const Stage stage(chosen->app->get_name());
     return chosen->run();
 }
 

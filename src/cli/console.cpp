@@ -5,13 +5,17 @@
 #include <cerrno>
 #include <cstring>
 
+#include "cli/progress.h"
 #include "errors.h"
 #include "file_bytes.h"
 #include "mesh/mesh_files.h"
 
 namespace meshfolio::cli {
 
-void print(std::string_view text) { write_all(STDOUT_FILENO, text, "standard output"); }
+void print(std::string_view text) {
+    make_room_on_terminal();
+    write_all(STDOUT_FILENO, text, "standard output");
+}
 
 void print_path(const std::filesystem::path& path) {
     print((::isatty(STDOUT_FILENO) == 1 ? printable(path.string()) : path.string()) + "\n");
@@ -28,6 +32,7 @@ void print_to(output::FileGroup& files, const std::string& file, std::string_vie
 void write_mesh_to(const std::string& file, const TriangleMesh& mesh) { output::replace_file(file, encode_mesh(mesh, file)); }
 
 void complain(const std::string& message) {
+    make_room_on_terminal();
     try {
         write_all(STDERR_FILENO, "meshfolio: " + printable(message) + "\n", "standard error");
     } catch (const OutputError&) {
@@ -46,6 +51,7 @@ void warn(const std::string& message) { complain("warning: " + message); }
 
 PreparedMesh load_mesh(const std::string& file, Checks checks) {
     constexpr std::size_t most = 20;
+    const Stage stage("reading " + file);
     PreparedMesh prepared = prepare_mesh(read_mesh(file), checks);
     for (std::size_t i = 0; i < std::min(most, prepared.warnings.size()); ++i) {
         const MeshWarning& warning = prepared.warnings[i];

@@ -36,6 +36,29 @@ private:
     void draw(bool now);
 };
 
+/// What a command works on while the object lives. On a terminal, a command that runs for more than two seconds shows its innermost stage
+/// on stderr with the seconds it has taken: "inspect: reading bunny.off, 12 s". Elsewhere, and beside a ProgressDisplay, nothing is shown.
+/// Stages are nested and belong to one thread; advance() may be called from any.
+class Stage {
+public:
+    explicit Stage(const std::string& what);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    /// The share that is done, in [0, 1], where it is known.
+    void advance(double fraction);
+
+private:
+    std::size_t depth_;
+};
+
+/// "inspect: reading bunny.off, 45 %, 12 s", cut to `width` columns; no share where `fraction` is negative.
+std::string stage_line(std::string_view what, double fraction, int seconds, int width);
+
+/// Wipes what a stage has drawn on the terminal, before other words are written to it.
+void make_room_on_terminal();
+
 /// "[#########···········]  45 %  q4: 150 eigenpairs", cut to `width` columns (counted in code points).
 std::string progress_line(double fraction, std::string_view step, int width);
 

@@ -36,6 +36,14 @@ TEST(ProgressLine, NamesOfMeshesCannotSteerTheTerminal) {
     EXPECT_EQ(progress_line(0.3, "\x1b[2J\n", 80).find_first_of("\x1b\n"), std::string::npos);
 }
 
+TEST(StageLine, KeepsTheSecondsHoweverNarrowTheTerminal) {
+    EXPECT_EQ(stage_line("inspect: reading bunny.off", -1, 12, 80), "inspect: reading bunny.off, 12 s");
+    EXPECT_EQ(stage_line("spectrum", 0.456, 3, 80), "spectrum, 45 %, 3 s");
+    EXPECT_EQ(stage_line("inspect: reading bunny.off", -1, 12, 20), "inspect: readi, 12 s");
+    EXPECT_LE(code_points(stage_line("μμμμμμμμμμμμ", 0.5, 100, 5)), 5);
+    EXPECT_EQ(stage_line("\x1b[2J\n", -1, 3, 80).find_first_of("\x1b\n"), std::string::npos);
+}
+
 TEST(ProgressDisplay, WithoutATerminalItPrintsLines) {
     testing::internal::CaptureStderr();
     {
