@@ -153,16 +153,6 @@ CornerValues corner_cotangents(const CornerValues& lengths, int* without_area) {
     return cotangents_of_shapes(lengths.rows(), shape_of, without_area);
 }
 
-CornerValues floored_cotangents(const TriangleMesh& mesh) {
-    const double scale = unit_scale(mesh);
-    CornerValues cotangents(mesh.F.rows(), 3);
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        const TriangleShape triangle = triangle_shape(mesh, t, scale);
-        for (int k = 0; k < 3; ++k) cotangents(t, k) = triangle.floored_cotangent(static_cast<std::size_t>(k));
-    }
-    return cotangents;
-}
-
 SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerValues& cotangents, const CotangentOptions& options) {
     require_corner_values("cotangent_stiffness", F, vertex_count, cotangents);
     Spokes edges = opposite_corners_by_edge_end(F, vertex_count, cotangents);
@@ -176,6 +166,16 @@ SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerV
 
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area, const CotangentOptions& options) {
     return {cotangent_stiffness(mesh.F, mesh.vertex_count(), corner_cotangents(mesh), options), vertex_areas(mesh, area)};
+}
+
+LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area) {
+    const double scale = unit_scale(mesh);
+    CornerValues cotangents(mesh.F.rows(), 3);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        const TriangleShape triangle = triangle_shape(mesh, t, scale);
+        for (int k = 0; k < 3; ++k) cotangents(t, k) = triangle.floored_cotangent(static_cast<std::size_t>(k));
+    }
+    return {cotangent_stiffness(mesh.F, mesh.vertex_count(), cotangents), vertex_areas(mesh, area)};
 }
 
 LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area,

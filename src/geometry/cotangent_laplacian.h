@@ -27,8 +27,6 @@ CornerValues corner_cotangents(const TriangleMesh& mesh, int* without_area = nul
 /// The same from the m × 3 edge lengths of intrinsic triangles: (b² + c² − a²)/(4A) with Kahan's form of Heron's A.
 /// @throws MeshError if a length is negative or not finite
 CornerValues corner_cotangents(const CornerValues& lengths, int* without_area = nullptr);
-/// Where triangles without area keep a stiffness: cotangents up to 1/no_area, of either sign. To show what they do to the largest step.
-CornerValues floored_cotangents(const TriangleMesh& mesh);
 
 /// C, n × n, from triangles and the cotangents of their corners; every diagonal entry is stored. [dimensionless]
 /// Corners of a triangle may be the same vertex, and several edges may join the same two vertices, whose weight is then
@@ -41,6 +39,9 @@ struct LaplaceBeltrami {
     Vector M;         // n lumped masses A_i; 0 at unreferenced vertices [length²]
 };
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric, const CotangentOptions& options = {});
+/// The same where triangles without area keep a stiffness, their cotangents cut off at 1/no_area. To show what that does to the largest
+/// stable step.
+LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric);
 /// The same of glued intrinsic triangles with m × 3 edge lengths.
 LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area = AreaForm::barycentric,
                                  const CotangentOptions& options = {});

@@ -153,6 +153,18 @@ void add_limit_table(report::Section& section, const std::vector<ExplicitStudy>&
     section.blocks.push_back(std::move(table));
 }
 
+/// What triangles without area would do to the limit, on the meshes that have some.
+void add_faces_without_area(report::Section& section, const std::vector<ExplicitStudy>& studies) {
+    for (const ExplicitStudy& study : studies) {
+        if (!(study.subject.critical_floored > 0)) continue;
+        const int faces = study.subject.source->prepared->preflight.zero_area_faces;
+        add_paragraph(section, counted(faces, "triangle"), " of ", study.name(), faces == 1 ? " has" : " have",
+                      " no area and so no stiffness: ", math("λ_crit"), " = ", readable(study.subject.critical, 4),
+                      ". With their cotangents cut off at 10¹² it would be ", readable(study.subject.critical_floored, 4),
+                      ". Flip their longest edges, or take the intrinsic Delaunay operator.");
+    }
+}
+
 // ---- checks -----------------------------------------------------------------------------------------------------------
 
 void add_checks(report::Section& section, const ExplicitStudy& study) {
@@ -201,6 +213,7 @@ Answer answer_q5(const MeshLibrary& library, const QuestionSettings& settings, c
     add_heading(section, "Results");
     const auto studies = studies_of(meshes, "explicit smoothing", settings, progress, section, explicit_study);
     add_limit_table(section, studies);
+    add_faces_without_area(section, studies);
     for (const ExplicitStudy& study : studies) {
         add_sweep_figure(answer, study);
         add_before_after(answer, study, settings.colormap);

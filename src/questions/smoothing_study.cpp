@@ -30,6 +30,9 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
     subject.laplacian = laplace_operator(subject.mesh(), kind, area);
     subject.top = largest_eigenvalue(subject.laplacian);
     subject.critical = largest_stable_step(subject.top);
+    if (kind == OperatorKind::cotan && subject.source->prepared->preflight.zero_area_faces > 0) {
+        subject.critical_floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(subject.mesh(), area)));
+    }
     subject.mean_edge = mean_edge_length(subject.mesh());
     subject.diagonal = bounding_box(subject.mesh()).diagonal();
     subject.initial_energy = dirichlet_energy(subject.laplacian.C, subject.mesh().X);

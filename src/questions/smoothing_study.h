@@ -20,12 +20,13 @@ struct SmoothingSubject {
     std::shared_ptr<const LibraryMesh> source;
     OperatorKind kind = OperatorKind::cotan;
     AreaForm area = AreaForm::barycentric;
-    LaplaceBeltrami laplacian;   // of the input, frozen
-    LargestEigenvalue top;       // of −L
-    double critical = 0;         // λ_crit = 2/μ_max [length²; 1 for the uniform operator]
-    double mean_edge = 0;        // [length]
-    double diagonal = 0;         // of the bounding box [length]
-    double initial_energy = 0;   // Dirichlet energy of the input [length²]
+    LaplaceBeltrami laplacian;     // of the input, frozen
+    LargestEigenvalue top;         // of −L
+    double critical = 0;           // λ_crit = 2/μ_max [length²; 1 for the uniform operator]
+    double critical_floored = 0;   // λ_crit if triangles without area kept a stiffness; 0: there are none
+    double mean_edge = 0;          // [length]
+    double diagonal = 0;           // of the bounding box [length]
+    double initial_energy = 0;     // Dirichlet energy of the input [length²]
 
     const TriangleMesh& mesh() const { return source->mesh(); }
     const std::string& name() const { return source->name; }
