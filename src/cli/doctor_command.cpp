@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/provenance.h"
+#include "geometry/blas_turn.h"
 #include "number_text.h"
 #include "report/page_viewer.h"
 #include "report/pdf_engine.h"
@@ -27,6 +29,17 @@ bool is_installed(const std::string& font) {
         if (it->path().filename() == font) return true;
     }
     return false;
+}
+
+/// Which BLAS factorisations reach, and whether several of them may at once; null without CHOLMOD.
+nlohmann::ordered_json blas_in_words() {
+    const BlasLibrary& blas = blas_library();
+    if (blas.files.empty()) return nullptr;
+    std::string files;
+    for (const std::string& file : blas.files) files += (files.empty() ? "" : ", ") + printable(file);
+    return {{"library", files},
+            {"configuration", blas.configuration.empty() ? "unknown" : printable(blas.configuration)},
+            {"concurrent calls", blas.is_safe ? "safe" : "locked"}};
 }
 
 void add_pdf(nlohmann::ordered_json& json) {
@@ -65,6 +78,7 @@ nlohmann::ordered_json findings() {
     json["fonts"] = "DejaVu Sans, compiled in";
     json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
+    json["blas"] = blas_in_words();
     json["cache"] = cache_in_words();
     add_pdf(json);
     if (report::viewer_program().empty()) json["missing"].push_back("the viewer of models: apt install npm, then build again");
@@ -76,10 +90,10 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
     const auto line = [&](const std::string& key, const std::string& value) {
         text += key + std::string(key.size() < 26 ? 26 - key.size() : 1, ' ') + value + "\n";
     };
+    const std::map<std::string, std::string> group{{"libraries", "library "}, {"blas", "BLAS, "}, {"pdf_engine", "PDF engine, "}};
     for (const auto& [key, value] : json.items()) {
         if (value.is_object()) {
-            for (const auto& [name, detail] : value.items())
-                line((key == "libraries" ? "library " : "PDF engine, ") + name, detail.get<std::string>());
+            for (const auto& [name, detail] : value.items()) line(group.at(key) + name, detail.get<std::string>());
         } else if (value.is_array()) {
             for (const auto& entry : value) line(key == "missing" ? key : "PDF engine refused", entry.get<std::string>());
         } else if (!value.is_null()) {

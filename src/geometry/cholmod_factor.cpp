@@ -7,6 +7,7 @@
 #include <new>
 
 #include "errors.h"
+#include "geometry/blas_turn.h"
 #include "geometry/factor_implementation.h"
 
 namespace meshfolio {
@@ -88,6 +89,7 @@ public:
 
     bool factorize(const SparseMatrix& A) override {
         cholmod_sparse view = lower_triangle(A);
+        const auto turn = turn_for_blas();
         cholmod_factorize(&view, L_, common_.get());
         common_.check("factorisation");
         return common_->status == CHOLMOD_OK && L_->minor == L_->n;
@@ -96,6 +98,7 @@ public:
     DenseMatrix solve(const DenseMatrix& B) const override {
         Common workspace;   // of this call alone, so that solves may run at the same time
         cholmod_dense view = dense_view(B);
+        const auto turn = turn_for_blas();
         cholmod_dense* X = cholmod_solve(CHOLMOD_A, L_, &view, workspace.get());
         workspace.check("solve");
         DenseMatrix result = Eigen::Map<const DenseMatrix>(static_cast<const double*>(X->x), B.rows(), B.cols());
@@ -148,6 +151,9 @@ public:
     }
 
 private:
+    /// Column by column nothing reaches BLAS.
+    std::unique_lock<std::mutex> turn_for_blas() const { return L_->is_super ? blas_turn() : std::unique_lock<std::mutex>(); }
+
     /// The diagonal comes first in each column.
     template <class Visit>
     void visit_simplicial(Visit visit) const {
