@@ -65,8 +65,8 @@ function unfold() {
 }
 addEventListener("hashchange", unfold);
 
-// The list of checks is long, and its parts have their scores in their titles. What has failed stays open.
-for (const details of document.querySelectorAll("details.checks")) details.open = details.querySelector(".not-passed") !== null;
+// The list of checks is long, and its parts have their scores in their titles. What has not passed stays open.
+for (const details of document.querySelectorAll("details.checks")) details.open = details.querySelector(".not-passed, .undecided") !== null;
 unfold();
 
 // Printing shows what is folded away on the screen.

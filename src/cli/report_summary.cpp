@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/console.h"
+#include "questions/section_tools.h"
 
 namespace meshfolio::cli {
 
@@ -23,8 +24,10 @@ void complain_about(const std::vector<std::string>& lines) {
 ExitCode summarise(const report::Document& document) {
     std::vector<std::string> failures, checks;
     std::set<std::string> warnings;
+    std::size_t undecided = 0;
     for (const report::Section& section : document.sections) {
         if (section.status == report::Status::failed) failures.push_back(section.id + " failed: " + section.failure);
+        undecided += report::score_of(section.checks).undecided;
         for (const report::Check& check : section.checks) {
             if (!check.failed()) continue;
             checks.push_back(section.id + ": check failed: " + check.name + ": " + words_of(check) +
@@ -35,6 +38,7 @@ ExitCode summarise(const report::Document& document) {
     complain_about({warnings.begin(), warnings.end()});
     complain_about(failures);
     complain_about(checks);
+    if (undecided > 0) complain(counted(static_cast<int>(undecided), "check") + " undecided, which is no failure: the report says why");
     return failures.empty() && checks.empty() ? ExitCode::ok : ExitCode::failed;
 }
 

@@ -7,7 +7,8 @@
 
 namespace meshfolio::cli {
 
-/// Warnings, failures and failed checks, on stderr. @return failed when a section or a check has failed
+/// Warnings, failures, failed checks and the number of undecided ones, on stderr.
+/// @return failed when a section or a check has failed; what is undecided is no failure
 ExitCode summarise(const report::Document& document);
 
 }   // namespace meshfolio::cli

@@ -29,9 +29,11 @@ std::uint64_t seed_of(const VerifyFlags& options) {
     return static_cast<std::uint64_t>(integer_between("--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max()));
 }
 
-/// "ok      name: measured 1.99, expected 2, tolerance 0.15".
+/// "ok      name: measured 1.99, expected 2, tolerance 0.15"; of what is undecided, the reason too.
 std::string told(const report::Check& check) {
-    return std::string(check.passed() ? "ok      " : "FAILED  ") + check.name + ": " + words_of(check) + "\n";
+    const std::string line = check.name + ": " + words_of(check);
+    if (check.status == report::Check::Status::undecided) return "undecided  " + line + " (" + check.note + ")\n";
+    return (check.passed() ? "ok      " : "FAILED  ") + line + "\n";
 }
 
 /// The sections as a report of their own, and everything measured on curvature as tables/truth_all.csv.
@@ -65,16 +67,13 @@ ExitCode run_verify(const VerifyFlags& options) {
     }
     if (!options.out.empty()) write_report(options, truth, sections);
     std::string lines;
-    int checks = 0, passed = 0;
+    report::Score score;
     for (const report::Section& section : sections) {
-        for (const report::Check& check : section.checks) {
-            lines += told(check);
-            ++checks;
-            passed += check.passed() ? 1 : 0;
-        }
+        for (const report::Check& check : section.checks) lines += told(check);
+        score += report::score_of(section.checks);
     }
-    print(lines + std::to_string(passed) + " of " + std::to_string(checks) + " checks passed\n");
-    return passed == checks ? ExitCode::ok : ExitCode::failed;
+    print(lines + words_of(score) + "\n");
+    return score.failed == 0 ? ExitCode::ok : ExitCode::failed;
 }
 
 }   // namespace

@@ -3,6 +3,7 @@
 /// compute nothing. Ids are unique in the document and made of [a-z0-9_]; by convention they begin with the question, "q1_…".
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -174,13 +175,23 @@ struct Check {
     bool failed() const { return status == Status::failed; }
     bool operator==(const Check&) const = default;
 };
-/// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1".
+/// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1"; "measured –" where there is no number.
 std::string words_of(const Check& check);
 Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
 Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
 Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
 /// The same check, which decides nothing, for a reason.
 Check undecided(Check check, std::string why);
+
+/// How many checks passed, failed, and decided nothing.
+struct Score {
+    std::size_t passed = 0, failed = 0, undecided = 0;
+    std::size_t total() const { return passed + failed + undecided; }
+    Score& operator+=(const Score& other);
+};
+Score score_of(const std::vector<Check>& checks);
+/// "457 of 458 checks passed, 1 undecided".
+std::string words_of(const Score& score);
 
 /// A result worth the first page.
 struct Finding {

@@ -30,10 +30,6 @@ json names_and_values(const std::map<std::string, std::string>& pairs) {
 
 // ---- checks -------------------------------------------------------------------------------------------------------------
 
-std::size_t passed_in(const Section& section) {
-    return static_cast<std::size_t>(std::count_if(section.checks.begin(), section.checks.end(), [](const Check& c) { return c.passed(); }));
-}
-
 /// Counts stay whole numbers; 2.000 says that four digits agree, 2 that it is exactly two.
 std::string measured_text(const Check& check) {
     const bool whole = std::trunc(check.measured) == check.measured && std::abs(check.measured) < 1e9;
@@ -42,19 +38,27 @@ std::string measured_text(const Check& check) {
 
 json check_view(const Check& check) {
     const bool near = check.kind == Check::Kind::near;
-    const std::string relation = near ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
-    return {{"name", prose_view(check.name)},   {"expected", relation + brief(check.expected, 4)},
-            {"measured", measured_text(check)}, {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
-            {"passed", check.passed()},         {"note", prose_view(check.note)},
+    const std::string relation = near || std::isnan(check.expected) ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
+    return {{"name", prose_view(check.name.empty() ? "–" : check.name)},
+            {"expected", relation + brief(check.expected, 4)},
+            {"measured", measured_text(check)},
+            {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
+            {"passed", check.passed()},
+            {"failed", check.failed()},
+            {"undecided", check.status == Check::Status::undecided},
+            {"note", prose_view(check.note)},
             {"has_note", !check.note.empty()}};
 }
 
 /// Counts of checks, as the opening table and the headings print them.
-json score_view(std::size_t passed, std::size_t total) {
-    return {{"passed_count", std::to_string(passed)},
-            {"total_count", std::to_string(total)},
-            {"has_checks", total > 0},
-            {"all_passed", passed == total}};
+json score_view(const Score& score) {
+    return {{"passed_count", std::to_string(score.passed)},
+            {"undecided_count", std::to_string(score.undecided)},
+            {"total_count", std::to_string(score.total())},
+            {"has_checks", score.total() > 0},
+            {"has_failed", score.failed > 0},
+            {"has_undecided", score.undecided > 0},
+            {"all_passed", score.passed == score.total()}};
 }
 
 // ---- sections -----------------------------------------------------------------------------------------------------------
@@ -99,7 +103,7 @@ json list_of(const std::vector<Item>& items, View view) {
 
 /// What the opening table, the contents list and the section itself have in common.
 json section_head(const Section& section, const std::string& number, const ViewOptions& options) {
-    json head = score_view(passed_in(section), section.checks.size());
+    json head = score_view(score_of(section.checks));
     head["id"] = safe_text(section.id);
     head["number"] = number;
     head["title"] = safe_text(section.title);
@@ -277,25 +281,29 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     const auto numbers = section_numbers(document);
     const ViewContext context{figures, numbering, formulas, options};
 
-    std::size_t passed = 0, total = 0;
+    Score score;
     json attempted = json::array(), sections = json::array();
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
-        passed += passed_in(document.sections[s]);
-        total += document.sections[s].checks.size();
+        score += score_of(document.sections[s].checks);
         attempted.push_back(section_head(document.sections[s], numbers[s], options));
         attempted.back()["begins_supporting"] = s > 0 && is_question(document.sections[s - 1]) && !is_question(document.sections[s]);
         sections.push_back(section_view(document.sections[s], numbers[s], context));
     }
-    json model = {
-        {"title", safe_text(document.title)},     {"author", safe_text(document.author)},
-        {"has_author", !document.author.empty()}, {"course", safe_text(document.course)},
-        {"has_course", !document.course.empty()}, {"provenance", provenance_view(document)},
-        {"score", score_view(passed, total)},     {"attempted", std::move(attempted)},
-        {"sections", std::move(sections)},        {"findings", findings_view(document, numbers, numbering)},
-        {"works", works_view(works, numbering)},  {"timings", options.timings ? timings_view(document, numbering) : json::array()}};
+    json model = {{"title", safe_text(document.title)},
+                  {"author", safe_text(document.author)},
+                  {"has_author", !document.author.empty()},
+                  {"course", safe_text(document.course)},
+                  {"has_course", !document.course.empty()},
+                  {"provenance", provenance_view(document)},
+                  {"score", score_view(score)},
+                  {"attempted", std::move(attempted)},
+                  {"sections", std::move(sections)},
+                  {"findings", findings_view(document, numbers, numbering)},
+                  {"works", works_view(works, numbering)},
+                  {"timings", options.timings ? timings_view(document, numbering) : json::array()}};
     model["cover"] = document.cover ? picture_view(*document.cover, context) : json(false);
     model["score"]["is_complete"] = options.passed_checks;
-    model["score"]["lists_checks"] = options.passed_checks || passed < total;
+    model["score"]["lists_checks"] = options.passed_checks || score.passed < score.total();
     model["used"] = meshes_used(document);
     model["answers"] = answered_view(document);
     model["has_findings"] = !model["findings"].empty();

@@ -59,10 +59,17 @@ std::vector<std::string> warnings_of(const json& results) {
     for (const char* kind : {"questions", "supporting"}) {
         for (const json& section : results.at(kind)) {
             const json& checks = section.at("checks");
-            const auto failed =
-                std::count_if(checks.begin(), checks.end(), [](const json& check) { return check.at("status") == "failed"; });
+            const auto with_status = [&](const char* status) {
+                return std::count_if(checks.begin(), checks.end(), [&](const json& check) { return check.at("status") == status; });
+            };
             const auto id = section.at("id").get<std::string>();
-            if (failed > 0) warnings.push_back(id + ": " + std::to_string(failed) + " checks failed, as the report says");
+            for (const char* status : {"failed", "undecided"}) {
+                const auto count = with_status(status);
+                if (count > 0) {
+                    warnings.push_back(id + ": " + std::to_string(count) + (count == 1 ? " check " : " checks ") + status +
+                                       ", as the report says");
+                }
+            }
             if (section.at("status") != "ok") warnings.push_back("section " + id + " is " + section.at("status").get<std::string>());
         }
     }

@@ -32,6 +32,26 @@ TEST(Check, UndefinedNeverPasses) {
     }
 }
 
+TEST(Check, UndecidedIsNeitherPassedNorFailedAndSaysWhy) {
+    const Check check = undecided(check_at_most("", 1, 0.5, 0, "half of it"), "rounding");
+    EXPECT_FALSE(check.passed());
+    EXPECT_FALSE(check.failed());
+    EXPECT_EQ(check.note, "rounding; half of it");
+    EXPECT_EQ(words_of(undecided(check_at_most("", std::nan(""), std::nan("")), "nothing to measure")), "measured –, expected –");
+}
+
+TEST(Check, ScoresCountTheThreeStatesApart) {
+    const Check passes = check_near("", 1, 1, 0), fails = check_near("", 1, 2, 0);
+    Score score = score_of({passes, fails, passes, undecided(fails, "why"), undecided(passes, "why")});
+    EXPECT_EQ(score.passed, 2u);
+    EXPECT_EQ(score.failed, 1u);
+    EXPECT_EQ(score.undecided, 2u);
+    EXPECT_EQ(words_of(score), "2 of 5 checks passed, 2 undecided");
+    score += score_of({passes});
+    EXPECT_EQ(score.total(), 6u);
+    EXPECT_EQ(words_of(score_of({passes})), "1 of 1 checks passed");
+}
+
 TEST(Text, JoinsAndExtends) {
     Text t = text("a ", strong("b"), std::string(" c"));
     extend(t, " d", text(ref("q1")));

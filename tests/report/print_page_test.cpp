@@ -91,6 +91,22 @@ TEST(PrintPage, FormulasArePlainForEnginesWithoutMathml) {
     EXPECT_EQ(printed(sample_document(), {.mathml = false}).html.find("<math"), std::string::npos);
 }
 
+TEST(PrintPage, UndecidedChecksAreListedInAWordAndAreNoFailure) {
+    Document document = sample_document();
+    for (const PrintOptions& options : {PrintOptions{}, whole}) {
+        const std::string page = body_of(printed(document, options).html);
+        EXPECT_NE(page.find("3 of 6 checks passed, 1 undecided.</p>"), std::string::npos) << "on the first page";
+        EXPECT_NE(page.find("</strong>, 1 undecided</td>"), std::string::npos) << "in the opening table";
+        EXPECT_NE(page.find("2 of 5 checks passed, 1 undecided.</figcaption>"), std::string::npos);
+        EXPECT_NE(page.find("<span class=\"note\">rounding is larger than the gap</span>"), std::string::npos);
+        EXPECT_NE(page.find("<td><em>undecided</em></td>"), std::string::npos);
+    }
+    document.sections.resize(1);
+    std::erase_if(document.sections[0].checks, [](const Check& check) { return check.failed(); });
+    EXPECT_EQ(body_of(printed(document).html).find("class=\"failure\""), std::string::npos);
+    EXPECT_EQ(body_of(printed(document).html).find("All 3 checks"), std::string::npos);
+}
+
 TEST(PrintPage, HasNoTimings) {
     ASSERT_NE(write_html(sample_document(), sample_figures(), Templates()).find("Timings"), std::string::npos);
     for (const PrintOptions& options : {PrintOptions{}, whole})

@@ -132,7 +132,8 @@ Section answered() {
                 Figure{"q1_before_after", "Before and after.", "A plane before and after, which moved by 1 %."}};
     s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
                 check_at_most("L2 error of H on sphere", 0.01, 0.0088),
-                check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1)};
+                check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1),
+                undecided(check_at_most("count below σ", 30, undefined), "rounding is larger than the gap")};
     s.findings = {{text("H of the sphere is ", strong("0.88 %"), " off (", ref("q1_errors"), ")."), 50}, {text("small"), 1}};
     s.warnings = {"plane.obj: 3 duplicate faces were left out"};
     s.output_meshes = {"meshes/q1_plane.ply"};

@@ -142,10 +142,35 @@ TEST(WriteHtml, SaysWhichMeshStandsInForAnother) {
 }
 
 TEST(WriteHtml, ScoresCountPassedChecks) {
-    EXPECT_NE(sample_page().find("<b>3</b> of 5 checks passed"), std::string::npos);
+    EXPECT_NE(sample_page().find("<b>3</b> of 6 checks passed, 1 undecided</a>"), std::string::npos);
     EXPECT_NE(sample_page().find("<b>1</b> of 2 questions answered"), std::string::npos) << "what was not asked for does not count";
-    EXPECT_NE(sample_page().find(">2/4</a>"), std::string::npos);
+    EXPECT_NE(sample_page().find(">2/5, 1 undecided</a>"), std::string::npos);
     EXPECT_NE(sample_page().find(">1/1</a>"), std::string::npos);
+}
+
+TEST(WriteHtml, AnUndecidedCheckHasItsWordAndItsReasonAndIsNoFailure) {
+    const std::string page = body_of(sample_page());
+    const std::size_t row = page.find("<tr class=\"undecided\">");
+    ASSERT_NE(row, std::string::npos);
+    const std::string text = page.substr(row, page.find("</tr>", row) - row);
+    EXPECT_NE(text.find("count below σ<span class=\"note\">rounding is larger than the gap</span>"), std::string::npos) << text;
+    EXPECT_NE(text.find("<td class=\"numeric\">–</td>"), std::string::npos) << "no number: " << text;
+    EXPECT_NE(text.find("<span class=\"badge warn\">undecided</span>"), std::string::npos) << "told in a word, not by its colour";
+    EXPECT_EQ(count_of(page, "<tr class=\"not-passed\">"), 2u);
+}
+
+TEST(WriteHtml, WhereNothingFailedButSomethingIsUndecidedNothingIsStyledAsFailureNorAllClaimed) {
+    Document document = sample_document();
+    document.sections.resize(1);
+    std::erase_if(document.sections[0].checks, [](const Check& check) { return check.failed(); });
+    const std::string page = body_of(write_html(document, sample_figures(), Templates()));
+    EXPECT_NE(page.find("<b>2</b> of 3 checks passed, 1 undecided"), std::string::npos);
+    EXPECT_EQ(page.find("All 3 passed"), std::string::npos);
+    EXPECT_TRUE(matches(page, "class=\"([^\"]*failure)\"").empty());
+    EXPECT_EQ(page.find("class=\"not-passed\""), std::string::npos);
+    EXPECT_EQ(page.find("badge bad"), std::string::npos);
+    document.sections[0].checks.pop_back();
+    EXPECT_NE(body_of(write_html(document, sample_figures(), Templates())).find("All 2 passed."), std::string::npos);
 }
 
 TEST(WriteHtml, ShowsTheFiveWeightiestFindings) {

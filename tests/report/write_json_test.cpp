@@ -51,6 +51,9 @@ TEST(WriteJson, SchemaRefusesWhatIsBroken) {
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["status"] = "fine"; })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][0]["expected"] = "2"; })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][0]["passed"] = 1; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][0]["passed"] = nullptr; }))) << "it passed";
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][4]["passed"] = false; }))) << "it is undecided";
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["checks"][4].erase("note"); }))) << "why is not said";
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["tables"][0]["rows"][0][0] = true; })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["plots"][0]["series"][0].erase("y_high"); })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0].erase("maps"); })));

@@ -201,12 +201,22 @@ TEST(WriteMarkdown, AnswersToQuestionsStayWholeWhileTheOthersAreCut) {
     EXPECT_NE(text.find("## A "), std::string::npos);
 }
 
+TEST(WriteMarkdown, UndecidedChecksAreCountedAndToldInAWord) {
+    const std::string text = sample_text();
+    EXPECT_NE(text.find("3 of 6 checks passed, 1 undecided.**"), std::string::npos);
+    EXPECT_NE(text.find("| 2/5, 1 undecided |"), std::string::npos);
+    EXPECT_NE(text.find("**3 of 6 passed, 1 undecided.** What is undecided is no failure"), std::string::npos);
+    EXPECT_NE(text.find("count below σ (<i>rounding is larger than the gap</i>) | ≤\u202f30 | – | 0 | *undecided* |"), std::string::npos);
+    EXPECT_NE(text.find("| **no** |"), std::string::npos) << "what failed has another mark";
+}
+
 TEST(WriteMarkdown, ChecksThatPassedAreLeftOutBeforeRowsAre) {
     Document document = sample_document();
     for (int i = 0; i < 3000; ++i) document.sections[1].checks.push_back(check_near("passes " + std::string(80, 'x'), 1, 1, 0));
     const std::string text = write_markdown(document, sample_figures(), Templates());
     EXPECT_EQ(text.find("passes x"), std::string::npos);
     EXPECT_NE(text.find("order of convergence on torus"), std::string::npos) << "what failed is still told";
+    EXPECT_NE(text.find("count below σ"), std::string::npos) << "and what is undecided";
     EXPECT_NE(text.find("Those that passed are listed in `index.html`"), std::string::npos);
     EXPECT_EQ(sample_text().find("Those that passed are listed"), std::string::npos);
     EXPECT_EQ(text.find("see* `index.html`"), std::string::npos) << "nothing had to be cut";
