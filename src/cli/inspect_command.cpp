@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "geometry/laplace_operator.h"
 #include "geometry/stability_certificate.h"
 #include "number_text.h"
@@ -19,27 +20,30 @@ using nlohmann::ordered_json;
 struct Inspection {
     PreparedMesh prepared;
     MeshFacts facts;
-    std::optional<LargestEigenvalue> top;         // of −L; nothing when it could not be computed
-    std::optional<StabilityCertificate> proved;   // nothing on large meshes, or when rounding forbids a proof
+    std::optional<StabilityCertificate> stability;   // nothing when it could not be computed
 
     double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };
 
-/// A proof costs as much again as the estimate, and from about a million vertices rounding forbids it.
-constexpr int proved_up_to = 200000;   // vertices
-
 Inspection inspection_of(const std::string& file, OperatorKind kind) {
+    ProgressDisplay display(stderr_is_terminal());
+    display.step("reading");
     Inspection inspection;
     inspection.prepared = load_mesh(file);
+    display.advance(0.2);
+    display.step("counts and defects");
     inspection.facts = mesh_facts(inspection.prepared);
+    double fraction = 0.4;
+    const auto progress = [&](std::string_view what) {
+        display.step(what);
+        display.advance(fraction);
+        fraction += 0.2;
+    };
     try {
         const LaplaceBeltrami laplacian = laplace_operator(inspection.prepared.mesh, kind);
-        inspection.top = largest_eigenvalue(laplacian);
-        if (inspection.prepared.mesh.vertex_count() > proved_up_to) return inspection;
-        inspection.proved = stability_certificate(laplacian, *inspection.top);
-        inspection.top = inspection.proved->top;
+        inspection.stability = stability_certificate(laplacian, {.assembly = assembly_of(kind), .progress = progress});
     } catch (const SolverError& error) {
-        warn(file + ": largest stable step not " + (inspection.top ? "proved: " : "computed: ") + error.what());
+        warn(file + ": largest stable step not computed: " + error.what());
     }
     return inspection;
 }
@@ -63,11 +67,31 @@ std::string consequences(const MeshFacts& facts) {
     return text.empty() ? "nothing found that affects a question\n" : "found\n" + text;
 }
 
+std::string line(const std::string& name, const std::string& value) { return name + std::string(26 - name.size(), ' ') + value + "\n"; }
+
+std::string told(const StabilityCertificate& proved) {
+    const Definiteness& d = proved.bottom;
+    const double limit = largest_stable_step(proved.top);
+    const std::string interval =
+        "smallest eigenvalue between " + plain_text(rounded_down(d.mu_low, 4), 4) + " and " + plain_text(rounded_up(d.mu_high, 4), 4);
+    const std::string edge = "unstable from " + plain_text(rounded_up(2 / proved.mu_low, 10), 10);
+    if (d.indefinite()) {
+        return line("largest stable lambda",
+                    "none: the operator is indefinite, " + interval + ", at vertex " + std::to_string(d.bottom.vertex)) +
+               line("proved", "at " + plain_text(limit, 4) + " (2/mu_max) that mode grows by " + plain_text(d.growth(limit) - 1, 3) +
+                                  " of itself in each step, at half of it by half as much");
+    }
+    if (!d.semidefinite()) {
+        return line("largest stable lambda", "at most " + plain_text(limit, 8) + ", set at vertex " + std::to_string(proved.top.vertex)) +
+               line("proved", edge + "; no step is proved stable: " + interval + ", which cannot be told from 0 here");
+    }
+    return line("largest stable lambda", plain_text(limit, 8) + " (always safe: " + plain_text(rounded_down(proved.lambda_safe(), 4), 4) +
+                                             "), set at vertex " + std::to_string(proved.top.vertex)) +
+           line("proved", "stable up to " + plain_text(rounded_down(proved.lambda_low(), 10), 10) + ", " + edge);
+}
+
 std::string told(const Inspection& inspection) {
     const Preflight& p = inspection.prepared.preflight;
-    const auto line = [](const std::string& name, const std::string& value) {
-        return name + std::string(26 - name.size(), ' ') + value + "\n";
-    };
     const auto count = [&](const std::string& name, int n) { return line(name, std::to_string(n)); };
     std::string text = facts_line(p);
     text += count("unreferenced vertices", p.vertices - p.vertices_in_use);
@@ -89,15 +113,7 @@ std::string told(const Inspection& inspection) {
     text +=
         line("Gauss-Bonnet", "sum of deficits / 2 pi = " + plain_text(inspection.deficits_over_2pi(), 12) +
                                  (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
-    if (inspection.top) {
-        text += line("largest stable lambda", plain_text(largest_stable_step(*inspection.top), 8) +
-                                                  " (always safe: " + plain_text(rounded_down(2 / inspection.top->upper_bound, 4), 4) +
-                                                  "), set at vertex " + std::to_string(inspection.top->vertex));
-    }
-    if (inspection.proved) {
-        text += line("proved", "stable up to " + plain_text(rounded_down(inspection.proved->lambda_low(), 10), 10) + ", unstable from " +
-                                   plain_text(rounded_up(inspection.proved->lambda_high(), 10), 10));
-    }
+    if (inspection.stability) text += told(*inspection.stability);
     return text + consequences(inspection.facts);
 }
 
@@ -112,6 +128,28 @@ ordered_json consequences_json(const MeshFacts& facts) {
                         {"done", defect->done}});
     }
     return list;
+}
+
+/// Where −C is indefinite no step is stable: the limits are null. Where that cannot be told, none is proved.
+void add_stability(ordered_json& json, const std::optional<StabilityCertificate>& proved) {
+    for (const char* name : {"lambda_crit", "lambda_safe", "lambda_crit_vertex", "lambda_crit_proved", "definiteness"})
+        json[name] = nullptr;
+    if (!proved) return;
+    const Definiteness& d = proved->bottom;
+    const double limit = largest_stable_step(proved->top);
+    json["definiteness"] = {{"verdict", d.semidefinite() ? "semidefinite"
+                                        : d.indefinite() ? "indefinite"
+                                                         : "undecided"},
+                            {"mu_min", ordered_json::array({d.mu_low, d.mu_high})},
+                            {"mu_max", ordered_json::array({proved->mu_low, proved->mu_high})},
+                            {"vertex", d.indefinite() ? ordered_json(d.bottom.vertex) : ordered_json()},
+                            {"growth_per_step", d.indefinite() ? ordered_json(d.growth(limit)) : ordered_json()}};
+    if (d.indefinite()) return;
+    json["lambda_crit"] = limit;
+    json["lambda_crit_vertex"] = proved->top.vertex;
+    if (!d.semidefinite()) return;
+    json["lambda_safe"] = proved->lambda_safe();
+    json["lambda_crit_proved"] = ordered_json::array({proved->lambda_low(), proved->lambda_high()});
 }
 
 ordered_json as_json(const Inspection& inspection) {
@@ -154,15 +192,7 @@ ordered_json as_json(const Inspection& inspection) {
                       {"offset_in_diagonals", inspection.facts.offset},
                       {"coordinate_rounding", inspection.facts.coordinate_rounding},
                       {"defects", consequences_json(inspection.facts)}};
-    if (inspection.top) {
-        json["lambda_crit"] = largest_stable_step(*inspection.top);
-        json["lambda_safe"] = 2 / inspection.top->upper_bound;
-        json["lambda_crit_vertex"] = inspection.top->vertex;
-    } else {
-        json["lambda_crit"] = json["lambda_safe"] = json["lambda_crit_vertex"] = nullptr;
-    }
-    json["lambda_crit_proved"] =
-        inspection.proved ? ordered_json::array({inspection.proved->lambda_low(), inspection.proved->lambda_high()}) : ordered_json();
+    add_stability(json, inspection.stability);
     json["warnings"] = ordered_json::array();
     for (const MeshWarning& warning : inspection.prepared.warnings)
         json["warnings"].push_back({{"line", warning.line}, {"message", printable(warning.message)}});

@@ -3,6 +3,8 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/progress.h"
+#include "geometry/definiteness.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/stability.h"
 #include "mesh/triangle_measures.h"
@@ -37,14 +39,43 @@ SmoothingOptions smoothing_options(const SmoothFlags& options) {
     return smoothing;
 }
 
+/// Before the run: an operator with eigenvalues below 0 has no stable step.
+void warn_of_indefinite(const SmoothFlags& options, const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
+    const LaplaceBeltrami laplacian = laplace_operator(mesh, smoothing.laplacian);
+    const Definiteness found = definiteness(laplacian, assembly_of(smoothing.laplacian));
+    if (found.semidefinite()) return;
+    const std::string about = "--operator " + options.laplacian + " on this mesh ";
+    if (!found.indefinite()) {
+        return warn(about + "cannot be proved free of growing modes: its smallest eigenvalue lies between " +
+                    plain_text(rounded_down(found.mu_low, 3), 3) + " and " + plain_text(rounded_up(found.mu_high, 3), 3));
+    }
+    std::string text = about + "is indefinite: smallest eigenvalue " + plain_text(rounded_up(found.mu_high, 4), 4) +
+                       " or less, at vertex " + std::to_string(found.bottom.vertex);
+    if (smoothing.scheme == SmoothingScheme::explicit_euler) {
+        text += "; no step is stable: each of " + plain_text(smoothing.lambda, 4) + " multiplies that mode by " +
+                plain_text(found.growth(smoothing.lambda), 6);
+    } else if (smoothing.scheme == SmoothingScheme::taubin) {
+        const double back = taubin_mu_of(laplacian, smoothing);
+        text += "; each iteration multiplies that mode by " +
+                plain_text((1 - smoothing.lambda * found.mu_high) * (1 - back * found.mu_high), 6);
+    } else {
+        text += smoothing.lambda * -found.mu_high < 1
+                    ? "; each step multiplies that mode by " + plain_text(1 / (1 + smoothing.lambda * found.mu_high), 6) + " or more"
+                    : "; M - lambda C is not positive definite";
+    }
+    warn(text + "; take --operator cotan or idt");
+}
+
 /// The step in model units. The largest stable one is computed only where it is needed.
 double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, const PreparedMesh& prepared) {
     const StepUnit unit = step_unit_named(options.unit);
     const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
+    ProgressDisplay display(stderr_is_terminal());
+    display.step("largest stable step");
     const bool needs_limit = is_explicit || unit == StepUnit::tau || options.lambda.empty();
     const double critical = needs_limit ? largest_stable_step(largest_eigenvalue(laplace_operator(prepared.mesh, smoothing.laplacian))) : 0;
     if (options.lambda.empty()) {
-        warn("no --lambda given; half the largest stable step is taken, " + plain_text(0.5 * critical));
+        warn("no --lambda given; 1/mu_max, half the largest stable step, is taken: " + plain_text(0.5 * critical));
         return 0.5 * critical;
     }
     const double step = step_in_model_units(smoothing.lambda, unit, critical, mean_edge_length(prepared.mesh));
@@ -74,6 +105,7 @@ ExitCode run_smooth(const SmoothFlags& options) {
     const PreparedMesh prepared = load_mesh(options.mesh);
     const Smoothed result = about_mesh(options.mesh, [&] {
         smoothing.lambda = step_of(options, smoothing, prepared);
+        warn_of_indefinite(options, smoothing, prepared.mesh);
         return smooth(prepared.mesh, smoothing);
     });
     if (result.solver == LinearSolver::conjugate_gradients) {
@@ -109,7 +141,7 @@ Command smooth_command(CLI::App& parent) {
     app->add_option("--mu", options->mu, "Taubin's negative step, in model units; default: from pass-band 0.1");
     app->add_option("--iterations", options->iterations, "how many")->capture_default_str();
     app->add_flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");
-    app->add_flag("--adaptive", options->adaptive, "cut explicit steps below the proved limit of the operator they use");
+    app->add_flag("--adaptive", options->adaptive, "cut explicit steps below 2 over a proved bound of mu_max");
     app->footer("Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
     return {app, [options] { return run_smooth(*options); }};
 }

@@ -73,6 +73,10 @@ std::string operator_names() {
 
 bool is_dimensionless(OperatorKind kind) { return kind == OperatorKind::uniform; }
 
+Assembly assembly_of(OperatorKind kind) {
+    return kind == OperatorKind::cotan || kind == OperatorKind::cotan_no_half ? Assembly::triangles : Assembly::unknown;
+}
+
 LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, AreaForm area) {
     switch (kind) {
         case OperatorKind::cotan:

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "geometry/cotangent_laplacian.h"
+#include "geometry/definiteness.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -30,6 +31,10 @@ std::string operator_names();
 /// Does L = M⁻¹C have no unit, so that a smoothing step has none either? True for the uniform operator and for no other,
 /// whose L is in 1/length² and whose steps are areas.
 bool is_dimensionless(OperatorKind kind);
+
+/// Is C the sum of the stiffness matrices of the mesh's own triangles, so that −C is positive semidefinite but for rounding
+/// (definiteness.h)? That is not said of intrinsic triangulations, whose edges may join a vertex to itself.
+Assembly assembly_of(OperatorKind kind);
 
 /// C and M of the operator, M = 0 at unreferenced vertices.
 /// @param area  how the masses are measured. The uniform operator has the valences as masses, the one normalised per edge has

@@ -62,14 +62,6 @@ void check(const SmoothingOptions& options) {
     }
 }
 
-/// 1/λ + 1/μ = pass_band · μ_max/2.
-double taubin_step(const LaplaceBeltrami& laplacian, double lambda, double pass_band) {
-    const double inverse = 0.5 * pass_band * largest_eigenvalue(laplacian).value - 1 / lambda;
-    if (inverse < 0) return 1 / inverse;
-    throw MeshError("smoothing: no Taubin step inflates again after lambda at pass-band " + plain_text(pass_band, 3),
-                    "take a smaller lambda");
-}
-
 /// One scheme with one operator at a time, in the units of the frame. Positions are kept as the rows of the solver at hand: spatially
 /// sorted, so that neighbours are near each other in memory.
 class Diffusion {
@@ -105,7 +97,7 @@ public:
         const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
         const OperatorWithMass whole = operator_with_mass(laplacian);
         if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) {
-            taubin_mu_ = options_.taubin_mu != 0 ? options_.taubin_mu : taubin_step(laplacian, options_.lambda, options_.pass_band);
+            taubin_mu_ = taubin_mu_of(laplacian, options_);
         }
         if (options_.scheme == SmoothingScheme::implicit_euler) {
             implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit);
@@ -250,6 +242,14 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
     result.factorisations = solver.factorisations() - factorisations_before;
     result.solver_iterations = solver.iterations() - iterations_before;
     return result;
+}
+
+double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& options) {
+    if (options.taubin_mu != 0) return options.taubin_mu;
+    const double inverse = 0.5 * options.pass_band * largest_eigenvalue(laplacian).value - 1 / options.lambda;
+    if (inverse < 0) return 1 / inverse;
+    throw MeshError("smoothing: no Taubin step inflates again after lambda at pass-band " + plain_text(options.pass_band, 3),
+                    "take a smaller lambda");
 }
 
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {

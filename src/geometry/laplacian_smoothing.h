@@ -28,7 +28,8 @@ struct SmoothingOptions {
     /// λμ_max of every step into Smoothed::steps, by Lanczos. Explicit scheme only.
     bool monitor = false;
     /// > 0: no step is larger than this share of 2/bound, with the Gershgorin bound of the operator it uses, so that no mode of that
-    /// operator can grow, whatever λ; at most 1. 0: every step is λ. Explicit scheme only.
+    /// operator with μ ≥ 0 can grow, whatever λ (definiteness.h: what of those below 0); at most 1. 0: every step is λ. Explicit scheme
+    /// only.
     double adaptive = 0;
     /// What a factor may take; 0: what the machine has left. Beyond it, implicit steps are made by conjugate gradients. [bytes]
     double memory_limit = 0;
@@ -41,7 +42,7 @@ struct SmoothingOptions {
 struct StepStability {
     double lambda = 0;   // the step taken, in the unit of SmoothingOptions::lambda
     double bound = 0;    // λ times the Gershgorin bound: proved ≥ λμ_max
-    double top = 0;      // λμ_max by Lanczos; NaN where not monitored, or where it did not converge
+    double top = 0;      // λμ_max by Lanczos; NaN where not monitored, or where weights are not finite
     int vertex = -1;     // where the top mode is largest; −1 where that is not known
 };
 
@@ -72,6 +73,10 @@ struct Smoothed {
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options);
 /// The same for one of several runs: the implicit scheme takes from the solver what an earlier run left there, and leaves its own.
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& solver);
+
+/// Taubin's negative step μ with that operator: the one given, else 1/λ + 1/μ = pass_band · μ_max/2.
+/// @throws MeshError if λ is too large for the pass-band
+double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
 
 /// X + λLX for a fixed operator, and the solution of (M − λC)X' = MX: the two steps on their own, for tests and studies.
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);

@@ -16,12 +16,11 @@ void LimitWatch::look(const OperatorWithMass& whole) {
     }
     top_known_ = false;
     if (!options_.monitor) return;
-    constexpr double tolerance = 1e-9;
     try {
-        top_ = largest_eigenvalue_from(whole, tolerance, top_.mode);
+        top_ = largest_eigenvalue_nearly(whole, top_.mode);
         top_known_ = true;
     } catch (const SolverError&) {
-        // A run that watches its limit need not end where the limit cannot be found: the bound remains.
+        // Weights that are not finite: the run will end by itself.
     }
 }
 

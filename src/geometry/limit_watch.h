@@ -24,7 +24,7 @@ public:
 private:
     const SmoothingOptions& options_;
     double bound_ = 0;        // μ_max ≤ bound_, Gershgorin
-    LargestEigenvalue top_;   // of the last operator for which Lanczos converged: where the next search begins
+    LargestEigenvalue top_;   // of the operator looked at last: where the next search begins
     bool top_known_ = false;
 };
 

@@ -61,13 +61,18 @@ bool is_flat(const TriangleMesh& mesh, const MeshTopology& topology, int v) {
 
 }   // namespace
 
-OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology) {
+OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology, Assembly assembly) {
     OperatorScores scores;
     scores.asymmetry = asymmetry(laplacian.C);
     scores.negative_eigenvalues = negative_eigenvalues(laplacian.C);
     score_weights(scores, laplacian.C, topology);
     scores.without_mass = vertices_without_mass(laplacian.M, topology);
-    scores.critical = scores.without_mass > 0 ? undefined : largest_stable_step(largest_eigenvalue(laplacian));
+    scores.critical = scores.lowest = undefined;
+    if (scores.without_mass > 0) return scores;
+    const Definiteness found = definiteness(laplacian, assembly);
+    scores.critical = largest_stable_step(largest_eigenvalue(laplacian));
+    scores.verdict = found.verdict;
+    scores.lowest = (found.indefinite() ? found.mu_high : found.mu_low) * scores.critical / 2;
     return scores;
 }
 

@@ -2,7 +2,7 @@
 /// What can be said of a discrete Laplacian without knowing where it comes from.
 #pragma once
 
-#include "geometry/cotangent_laplacian.h"
+#include "geometry/definiteness.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -15,10 +15,12 @@ struct OperatorScores {
     int negative_boundary = 0;      // the same with both ends on the boundary
     double smallest_weight = 0;     // smallest C_ij off the diagonal
     int without_mass = 0;           // vertices in use with M ≤ 0, which leave no L = M⁻¹C
-    double critical = 0;            // λ_crit = 2/μ_max; NaN where vertices are without mass [length²]
+    double lowest = 0;              // proved bound of μ_min/μ_max: above it where indefinite, below it elsewhere; NaN without mass
+    Definiteness::Verdict verdict = Definiteness::Verdict::undecided;   // on −C
+    double critical = 0;   // λ_crit = 2/μ_max, the limit unless −C is indefinite; NaN where vertices are without mass [length²]
 };
 /// @throws SolverError if an eigenvalue cannot be computed
-OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology);
+OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology, Assembly assembly = Assembly::unknown);
 
 /// The `count` smallest eigenvalues above zero, ascending; fewer on meshes with fewer, none where vertices are without mass. [1/length²]
 Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const MeshTopology& topology, int count);

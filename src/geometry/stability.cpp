@@ -1,14 +1,13 @@
 #include "geometry/stability.h"
 
-#include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/SymEigsSolver.h>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "errors.h"
+#include "geometry/eigenvalue_enclosure.h"
+#include "geometry/top_lanczos.h"
 #include "number_text.h"
 
 namespace meshfolio {
@@ -17,32 +16,10 @@ namespace {
 
 constexpr int dense_up_to = 200;
 
-struct TopPair {
-    double mu = 0;
-    Vector y;   // unit
-};
-
 TopPair dense_top(const SparseMatrix& B) {
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(B)};
     if (solver.info() != Eigen::Success) throw SolverError("largest eigenvalue: the dense eigensolver did not converge");
-    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1)};
-}
-
-/// Grids have top eigenvalues that crowd together; a larger basis separates them. An empty start leaves the choice to Lanczos.
-TopPair lanczos_top(const SparseMatrix& B, double tolerance, const Vector& start) {
-    constexpr int most_restarts = 1000;
-    for (const int basis : {30, 60, 120}) {
-        Spectra::SparseSymMatProd<double> product(B);
-        Spectra::SymEigsSolver<Spectra::SparseSymMatProd<double>> lanczos(product, 1, basis);
-        try {
-            start.size() > 0 ? lanczos.init(start.data()) : lanczos.init();
-            lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance);
-        } catch (const std::runtime_error&) {
-            continue;   // the small eigenproblem inside did not converge
-        }
-        if (lanczos.info() == Spectra::CompInfo::Successful) return {lanczos.eigenvalues()[0], lanczos.eigenvectors(1)};
-    }
-    throw SolverError("largest eigenvalue: Lanczos did not converge on " + std::to_string(B.rows()) + " vertices");
+    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1), 0};
 }
 
 }   // namespace
@@ -80,22 +57,36 @@ LargestEigenvalue top_mode(const OperatorWithMass& whole, double mu, Vector phi)
     return top;
 }
 
-LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) { return largest_eigenvalue_from(operator_with_mass(laplacian)); }
-
-LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double tolerance, const Vector& start) {
+TopEstimate top_estimate(const OperatorWithMass& whole, double tolerance, int most_steps, const Vector& start) {
     const double total = whole.M.sum();
     const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
     const SparseMatrix B = symmetric_form(whole.A, M);
-    Vector y;
-    if (start.size() == whole.all_vertices) y = start(whole.vertex).cwiseProduct(M.cwiseSqrt());
-    const bool usable = y.allFinite() && y.squaredNorm() > 0;
-    // Started from an eigenvector alone, Lanczos would have nowhere to go.
-    y = usable ? Vector(y.normalized() + 0.1 * irregular_direction(whole.size())) : Vector();
-    const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : lanczos_top(B, tolerance, y);
-    LargestEigenvalue top = top_mode(whole, pair.mu / total, pair.y.cwiseQuotient(M.cwiseSqrt()));
-    if (top.value <= top.upper_bound * (1 + 1e-9)) return top;
-    throw SolverError("largest eigenvalue: Lanczos gave " + plain_text(top.value) + ", beyond the bound of Gershgorin, " +
-                      plain_text(top.upper_bound));
+    Vector y = irregular_direction(whole.size());
+    if (start.size() == whole.all_vertices) {
+        const Vector warm = start(whole.vertex).cwiseProduct(M.cwiseSqrt());
+        // Started from an eigenvector alone, Lanczos would have nowhere to go.
+        if (warm.allFinite() && warm.squaredNorm() > 0) y = warm.normalized() + 0.1 * y;
+    }
+    const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : top_by_lanczos(B, y, {tolerance, most_steps});
+    if (!std::isfinite(pair.value)) throw SolverError("largest eigenvalue: the operator has weights that are not finite");
+    return {pair.value / total, pair.y.cwiseQuotient(M.cwiseSqrt()), pair.change};
+}
+
+LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) {
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    constexpr double tolerance = 1e-13;
+    const TopEstimate estimate = top_estimate(whole, tolerance);
+    if (estimate.change <= tolerance) return top_mode(whole, estimate.mu, estimate.phi);
+    const Enclosure enclosure =
+        enclose_largest(whole.A, whole.M, estimate.phi, {.high = gershgorin_bound(whole.A, whole.M), .missing = estimate.change});
+    return top_mode(whole, enclosure.quotient, enclosure.y);
+}
+
+LargestEigenvalue largest_eigenvalue_nearly(const OperatorWithMass& whole, const Vector& start) {
+    constexpr double tolerance = 1e-9;
+    constexpr int most_steps = 300;
+    const TopEstimate estimate = top_estimate(whole, tolerance, most_steps, start);
+    return top_mode(whole, estimate.mu, estimate.phi);
 }
 
 double largest_stable_step(const LargestEigenvalue& top) { return top.value > 0 ? 2 / top.value : std::numeric_limits<double>::infinity(); }

@@ -8,19 +8,30 @@
 namespace meshfolio {
 
 struct LargestEigenvalue {
-    double value = 0;         // μ_max of −M⁻¹C (or of −L), by Lanczos [1/length²]
+    double value = 0;         // μ_max of −M⁻¹C (or of −L): a Rayleigh quotient, so never above it but for rounding [1/length²]
     double upper_bound = 0;   // Gershgorin: max_i Σ_j |L_ij|, guaranteed
-    Vector mode;              // its eigenvector, M-normalised, largest entry positive
-    int vertex = -1;          // where |mode| is largest: the vertex that sets the limit
+    Vector mode;              // its eigenvector, M-normalised, largest entry positive; where eigenvalues crowd at the top, as on regular
+                              // grids, a mixture of their eigenvectors: the value is right, the mode is one of many
+    int vertex = -1;          // where |mode| is largest: the vertex that sets the limit, or one of those that do
     double support = 0;       // (Σ Mφ²)²/Σ(Mφ²)²: how many vertices share the mode
 };
 
-/// @throws SolverError if Lanczos does not converge
+/// By plain Lanczos to 1e-13 where that comes to an end soon, as on most meshes; else as the stability certificate finds it, to 1e-8 or to
+/// what rounding leaves. The same with any number of threads.
+/// @throws MeshError as operator_with_mass; SolverError if weights are not finite
 LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian);
-/// The same among the vertices with mass.
-/// @param tolerance  of the residual, relative to μ_max
-/// @param start      a mode to begin with, one value a vertex of the whole mesh: that of an operator nearby; empty: none
-LargestEigenvalue largest_eigenvalue_from(const OperatorWithMass& whole, double tolerance = 1e-12, const Vector& start = {});
+/// Without any factorisation, to 1e-9 on most meshes: for operators that come one after the other. Where eigenvalues crowd at the top, too
+/// small by some 1e-5; never too large but for rounding.
+/// @param start  a mode to begin with, one value a vertex of the whole mesh: that of an operator nearby; empty: none
+LargestEigenvalue largest_eigenvalue_nearly(const OperatorWithMass& whole, const Vector& start = {});
+
+/// What plain Lanczos knows of the top among the vertices with mass: where both begin, and the certificate too.
+struct TopEstimate {
+    double mu = 0;       // [1/length²]
+    Vector phi;          // not normalised
+    double change = 0;   // how much the last third of the steps raised μ, relative: about what may still be missing
+};
+TopEstimate top_estimate(const OperatorWithMass& whole, double tolerance = 1e-13, int most_steps = 250, const Vector& start = {});
 
 /// max_i Σ_j |A_ij|/M_i ≥ every eigenvalue of M⁻¹A (Gershgorin), its own rounding included: guaranteed, and O(entries).
 double gershgorin_bound(const SparseMatrix& A, const Vector& M);

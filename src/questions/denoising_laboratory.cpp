@@ -53,7 +53,7 @@ std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const Questio
     return trials;
 }
 
-/// By Lanczos; where it does not converge, Gershgorin's bound, which is safe.
+/// Where it cannot be computed, Gershgorin's bound, which is never too small.
 double largest_eigenvalue_of(const TriangleMesh& mesh) {
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     try {

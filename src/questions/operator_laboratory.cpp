@@ -42,7 +42,7 @@ double relative_difference(const Vector& f, const Vector& g, double scale) {
 
 OperatorTrial trial_of(const LaboratoryOperator& laboratory_operator, const LaplaceBeltrami& laplacian, const CurvatureSubject& subject) {
     OperatorTrial trial;
-    trial.scores = operator_scores(laplacian, subject.topology());
+    trial.scores = operator_scores(laplacian, subject.topology(), assembly_of(laboratory_operator.kind));
     trial.H = operator_mean_curvature(subject.mesh(), subject.topology(), laboratory_operator.kind, laplacian);
     return trial;
 }

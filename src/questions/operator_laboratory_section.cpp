@@ -19,6 +19,20 @@ using report::ref;
 
 // ---- tables -----------------------------------------------------------------------------------------------------------
 
+/// Whether −C is proved semidefinite, else how far below 0 its spectrum goes or may go.
+std::string stability_word(const OperatorScores& scores) {
+    if (std::isnan(scores.lowest)) return "–";
+    switch (scores.verdict) {
+        case Definiteness::Verdict::semidefinite:
+            return "stable";
+        case Definiteness::Verdict::indefinite:
+            return "none is stable: μ_min/μ_max " + readable(scores.lowest, 2);
+        case Definiteness::Verdict::undecided:
+            break;
+    }
+    return "cannot be told: μ_min/μ_max ≥ " + readable(scores.lowest, 2);
+}
+
 void add_mesh_table(report::Section& section, const LaboratoryMesh& lab) {
     report::Table table;
     table.id = id_of("operators", lab.name(), "scores");
@@ -28,13 +42,15 @@ void add_mesh_table(report::Section& section, const LaboratoryMesh& lab) {
         " to intrinsic Delaunay). Asymmetry: max |C − Cᵀ| over max |C|. Negative weights are counted among the pairs of vertices that "
         "share an entry of C; changes "
         "are relative to the cotangent operator with barycentric areas, those of the spectrum the largest among the first ten "
-        "eigenvalues above 0. λ_crit of the uniform operator has no unit, and its spectrum is scaled to fit. –: not defined.";
+        "eigenvalues above 0. λ_crit is 2/μ_max; where −C is proved indefinite no step is stable, "
+        "and μ_min/μ_max says how far. λ_crit of the uniform operator has no unit, and its spectrum is scaled to fit. –: not defined.";
     table.columns = {{"operator", ""},
                      {"asymmetry of C", "", 2},
                      {"eigenvalues of −C below 0", "", 6},
                      {"weights < 0 inside", "", 6},
                      {"weights < 0 on the boundary", "", 6},
                      {"smallest weight", "", 3},
+                     {"steps up to λ_crit"},
                      {"λ_crit", "length²", 4},
                      {"λ_crit, × default", "", 3},
                      {"spectrum changes by", "%", 3},
@@ -43,8 +59,8 @@ void add_mesh_table(report::Section& section, const LaboratoryMesh& lab) {
         const OperatorTrial& t = lab.trials[i];
         table.rows.push_back({laboratory_operators()[i].title(), t.scores.asymmetry, double(t.scores.negative_eigenvalues),
                               double(t.scores.negative_inside), double(t.scores.negative_boundary), t.scores.smallest_weight,
-                              cell_of(t.scores.critical), cell_of(t.critical_ratio), cell_of(100 * t.spectrum_shift),
-                              cell_of(100 * t.H_change)});
+                              stability_word(t.scores), cell_of(t.scores.critical), cell_of(t.critical_ratio),
+                              cell_of(100 * t.spectrum_shift), cell_of(100 * t.H_change)});
     }
     section.blocks.push_back(std::move(table));
 }

@@ -133,7 +133,9 @@ void add_limit_table(report::Section& section, const std::vector<ExplicitStudy>&
     report::Table table;
     table.id = "q5_limits";
     table.caption =
-        "The largest stable step of each mesh: λ_crit = 2/μ_max by Lanczos, the always safe step of the Gershgorin bound, rounded down, "
+        "The largest stable step of each mesh: λ_crit = 2/μ_max by Lanczos, the safe step of the Gershgorin bound, rounded down (0 where "
+        "−C "
+        "is not proved semidefinite), "
         "and λ_crit of the uniform operator, whose λ has no unit. The vertex is the one where the top mode is largest.";
     table.columns = {{"mesh", "", 3},
                      {"μ_max", "1/length²", 4},
@@ -146,7 +148,7 @@ void add_limit_table(report::Section& section, const std::vector<ExplicitStudy>&
                      {"uniform λ_crit", "", 4}};
     for (const ExplicitStudy& study : studies) {
         const LargestEigenvalue& top = study.subject.top;
-        table.rows.push_back({study.name(), top.value, study.subject.critical, 2 / top.upper_bound,
+        table.rows.push_back({study.name(), top.value, study.subject.critical, study.subject.safe(),
                               study.subject.critical / (study.subject.mean_edge * study.subject.mean_edge), double(top.vertex), top.support,
                               study.uniform.top, study.uniform.critical});
     }
@@ -172,6 +174,12 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
     const std::string on = " on " + subject.name();
     section.checks.push_back(
         check_at_least("Gershgorin bound ≥ μ_max" + on, subject.top.value, subject.top.upper_bound, 1e-9 * subject.top.value));
+    const report::Check semidefinite = check_at_least("−C has no eigenvalue below 0 but for rounding, μ_min / μ_max" + on, 0,
+                                                      subject.bottom.mu_low / subject.top.value, 1e-10);
+    section.checks.push_back(
+        subject.bottom.semidefinite() || subject.bottom.indefinite()
+            ? semidefinite
+            : report::undecided(semidefinite, "a negative part as small as rounding can neither be shown nor excluded"));
     for (std::size_t i = 0; i < study.runs.size(); ++i) {
         const SmoothingRun& run = study.runs[i];
         const std::string at = " at " + plain_text(run.lambda / subject.critical, 3) + " λ_crit" + on;

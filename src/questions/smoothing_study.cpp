@@ -29,6 +29,7 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
     subject.area = area;
     subject.laplacian = laplace_operator(subject.mesh(), kind, area);
     subject.top = largest_eigenvalue(subject.laplacian);
+    subject.bottom = definiteness(subject.laplacian, assembly_of(kind));
     subject.critical = largest_stable_step(subject.top);
     if (kind == OperatorKind::cotan && subject.source->prepared->preflight.zero_area_faces > 0) {
         subject.critical_floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(subject.mesh(), area)));

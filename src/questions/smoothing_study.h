@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/definiteness.h"
 #include "geometry/laplacian_smoothing.h"
 #include "geometry/mesh_error.h"
 #include "geometry/stability.h"
@@ -22,12 +23,15 @@ struct SmoothingSubject {
     AreaForm area = AreaForm::barycentric;
     LaplaceBeltrami laplacian;     // of the input, frozen
     LargestEigenvalue top;         // of −L
+    Definiteness bottom;           // only where −C is semidefinite is any explicit step stable
     double critical = 0;           // λ_crit = 2/μ_max [length²; 1 for the uniform operator]
     double critical_floored = 0;   // λ_crit if triangles without area kept a stiffness; 0: there are none
     double mean_edge = 0;          // [length]
     double diagonal = 0;           // of the bounding box [length]
     double initial_energy = 0;     // Dirichlet energy of the input [length²]
 
+    /// Twice the inverse of the Gershgorin bound; 0 where no step is proved stable.
+    double safe() const { return bottom.semidefinite() ? 2 / top.upper_bound : 0; }
     const TriangleMesh& mesh() const { return source->mesh(); }
     const std::string& name() const { return source->name; }
 };

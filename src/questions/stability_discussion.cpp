@@ -16,14 +16,22 @@ using report::ref;
 
 report::Text what_is_proved(const std::vector<StabilityStudy>& studies) {
     double widest = 0, rounding = 0;
-    int refuted = 0, proved = 0;
+    double below = 0;
+    int refuted = 0, proved = 0, semidefinite = 0;
     for (const StabilityStudy& study : studies) {
         for (const OperatorLimit* limit : study.operators()) {
             widest = std::max(widest, limit->certificate.relative_width());
             rounding = std::max(rounding, limit->certificate.rounding);
             refuted += limit->certificate.refuted() ? 1 : 0;
+            below = std::max(below, -limit->certificate.bottom.mu_low / limit->certificate.mu_high);
+            semidefinite += limit->certificate.bottom.semidefinite() ? 1 : 0;
             ++proved;
         }
+    }
+    if (semidefinite < proved) {
+        return report::text("Of ", counted(proved, "operator"), " only ", std::to_string(semidefinite),
+                            " are proved negative semidefinite: of the others no step is proved stable (", ref("stability_certificates"),
+                            "). μ_max is enclosed to ", readable(widest, 2), " or better, relative.");
     }
     report::Text t = report::text(proved == 2 ? std::string("Both limits") : "All " + counted(proved, "limit"), " are known to ",
                                   readable(widest, 2), " or better, relative, and proved from both sides (", ref("stability_certificates"),
@@ -33,8 +41,10 @@ report::Text what_is_proved(const std::vector<StabilityStudy>& studies) {
     } else {
         report::extend(t, "In ", counted(refuted, "case"),
                        " the factorisation just above the value of Lanczos broke down; the limit was then "
-                       "found by bisection.");
+                       "found by Lanczos with the inverse of a factor from farther above.");
     }
+    report::extend(t, " No operator has a mode that grows by itself: no eigenvalue of −L lies below 0 by more than ", readable(below, 2),
+                   " of ", math("μ_max"), ", the rounding of what is stored.");
     return t;
 }
 

@@ -17,10 +17,10 @@ void add_method(report::Section& section) {
     add_heading(section, "Method");
     add_paragraph(section, "A step of explicit smoothing multiplies each mode by ", math("1 − λμ"), ", so that no mode grows as long as");
     add_formula(section, "stability_limit", "stability_eq_limit");
-    add_paragraph(
-        section, "Lanczos finds ", math("μ_max"),
-        " but proves nothing: what it returns may be too small, and the step too large. Two facts enclose it. Every vector proves a "
-        "lower bound by its Rayleigh quotient, and a Cholesky factorisation that runs to its end proves an upper one:");
+    add_paragraph(section, "Lanczos finds ", math("μ_max"),
+                  " but proves nothing: what it returns may be too small, and the step too large. Two facts enclose ", math("μ_max"),
+                  ". Every vector proves a "
+                  "lower bound by its Rayleigh quotient, and a Cholesky factorisation that runs to its end proves an upper one:");
     add_formula(section, "stability_certificate", "stability_eq_certificate");
     add_paragraph(
         section,
@@ -28,9 +28,12 @@ void add_method(report::Section& section) {
         "precision times the entries of the factor ",
         ref("rump_2006"),
         ". So the bounds hold for the matrices as stored, whose own entries were rounded when they were assembled. If Lanczos had "
-        "missed the top, the factorisation just above its value would break down, and bisection with inverse iteration would find "
-        "it. The bound of Gershgorin needs neither and is enough where a safe step will do:");
+        "missed the top, the factorisation just above its value would break down; a factor from farther above then serves to find it. "
+        "The bound of Gershgorin needs neither and is enough where a safe step will do:");
     add_formula(section, "gershgorin_bound");
+    add_paragraph(section, "All of this holds only if no ", math("μ"),
+                  " is below 0, for such a mode grows whatever the step. Weights that are all ≥ 0 rule that out, and so does a sum over "
+                  "flat triangles, whose own matrices are semidefinite; what rounding leaves of it is bounded in the table.");
 }
 
 }   // namespace

@@ -11,10 +11,11 @@ namespace meshfolio {
 
 namespace {
 
-OperatorLimit operator_limit(std::string name, const LaplaceBeltrami& laplacian, const TriangleMesh& mesh, double mean_edge, int steps) {
+OperatorLimit operator_limit(std::string name, OperatorKind kind, const LaplaceBeltrami& laplacian, const TriangleMesh& mesh,
+                             double mean_edge, int steps) {
     OperatorLimit limit;
     limit.name = std::move(name);
-    limit.certificate = stability_certificate(laplacian);
+    limit.certificate = stability_certificate(laplacian, {.assembly = assembly_of(kind)});
     const LargestEigenvalue& top = limit.certificate.top;
     const Positions start = seeded(mesh.X, top, 1e-3 * mean_edge);
     limit.below = mode_growth(laplacian, top, start, 0.99 * limit.critical(), steps);
@@ -69,8 +70,9 @@ StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const 
     study.diagonal = bounding_box(study.mesh()).diagonal();
     const int steps = settings.quick ? 300 : 1000;
     const LaplaceBeltrami laplacian = laplace_beltrami(study.mesh());
-    study.cotangent = operator_limit("cotangent", laplacian, study.mesh(), study.mean_edge, steps);
-    study.uniform = operator_limit("uniform", uniform_operator(study.source->prepared->topology), study.mesh(), study.mean_edge, steps);
+    study.cotangent = operator_limit("cotangent", OperatorKind::cotan, laplacian, study.mesh(), study.mean_edge, steps);
+    study.uniform = operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.source->prepared->topology), study.mesh(),
+                                   study.mean_edge, steps);
     study.limiting = limiting_vertex(laplacian, study.mesh(), study.cotangent.certificate.top.vertex);
     return study;
 }

@@ -30,6 +30,25 @@ std::string vertex_text(int vertex) { return vertex >= 0 ? std::to_string(vertex
 /// The step something happened in, or "never".
 report::Cell when(int iteration) { return iteration > 0 ? std::to_string(iteration) : std::string("never"); }
 
+/// 1e-8, unless the rounding of a large factor forbids it.
+report::Check width_check(std::string name, const StabilityCertificate& proved) {
+    constexpr double wanted = 1e-8;
+    report::Check check = report::check_at_most(std::move(name), wanted, proved.relative_width());
+    if (check.passed() || proved.rounding < 0.2 * wanted) return check;
+    return report::undecided(std::move(check), "the rounding of a factor of " +
+                                                   counted(static_cast<int>(proved.factor_nonzeros), "entry", "entries") +
+                                                   " forbids a narrower bracket");
+}
+
+/// Where that is neither proved nor refuted, the check decides nothing.
+report::Check semidefinite_check(std::string name, const StabilityCertificate& proved) {
+    const Definiteness& d = proved.bottom;
+    report::Check check = report::check_at_least(std::move(name), 0, (d.indefinite() ? d.mu_high : d.mu_low) / proved.mu_high, 1e-10);
+    if (d.semidefinite() || d.indefinite()) return check;
+    return report::undecided(std::move(check), "μ_min lies between " + readable(d.mu_low, 2) + " and " + readable(d.mu_high, 2) +
+                                                   ", which cannot be told from 0");
+}
+
 }   // namespace
 
 report::Table certificate_table(const std::vector<StabilityStudy>& studies) {
@@ -38,6 +57,7 @@ report::Table certificate_table(const std::vector<StabilityStudy>& studies) {
     table.caption =
         "The limit of explicit smoothing between two proved bounds, the vertex that sets it, and how many vertices share its mode. Width: "
         "how far the bounds are apart. Tries: 1 when the Cholesky factorisation just above the value of Lanczos ran to its end at once. "
+        "Below 0: no eigenvalue of −L lies farther below 0 than this share of μ_max, which is rounding. "
         "Safe λ: twice the inverse of the Gershgorin bound, rounded down, which stands beside μ_max in the last column. λ of the uniform "
         "operator has no "
         "unit.";
@@ -49,14 +69,15 @@ report::Table certificate_table(const std::vector<StabilityStudy>& studies) {
                      {.name = "unstable beyond λ", .unit = "length²", .digits = 10, .rounding = report::Column::Rounding::up},
                      {"width", "relative", 2},
                      {"tries", "", 3},
+                     {.name = "below 0", .unit = "of μ_max", .digits = 2, .rounding = report::Column::Rounding::up},
                      {.name = "safe λ", .unit = "length²", .digits = 4, .rounding = report::Column::Rounding::down},
                      {"bound / μ_max", "", 3}};
     for (const StabilityStudy& study : studies) {
         for (const OperatorLimit* limit : study.operators()) {
             const StabilityCertificate& proved = limit->certificate;
             table.rows.push_back({study.name(), limit->name, double(proved.top.vertex), proved.top.support, proved.lambda_low(),
-                                  proved.lambda_high(), proved.relative_width(), double(proved.factorisations), 2 / proved.top.upper_bound,
-                                  proved.top.upper_bound / proved.top.value});
+                                  proved.lambda_high(), proved.relative_width(), double(proved.factorisations),
+                                  -proved.bottom.mu_low / proved.mu_high, proved.lambda_safe(), proved.top.upper_bound / proved.top.value});
         }
     }
     return table;
@@ -74,7 +95,7 @@ report::Table unit_table(const std::vector<StabilityStudy>& studies) {
         const double critical = study.cotangent.critical();
         const std::vector<std::pair<std::string, double>> steps = {{"limit", critical},
                                                                    {"largest without overshoot", 0.5 * critical},
-                                                                   {"safe by Gershgorin", 2 / study.cotangent.certificate.top.upper_bound},
+                                                                   {"safe by Gershgorin", study.cotangent.certificate.lambda_safe()},
                                                                    {"one hundredth of h̄²", 0.01 * study.mean_edge * study.mean_edge}};
         for (const auto& [name, lambda] : steps) {
             const StepInUnits units = step_in_units(lambda, critical, study.mean_edge);
@@ -223,7 +244,8 @@ std::vector<report::Check> stability_checks(const std::vector<StabilityStudy>& s
         for (const OperatorLimit* limit : study.operators()) {
             const std::string on = " of the " + limit->name + " operator on " + study.name();
             const StabilityCertificate& proved = limit->certificate;
-            checks.push_back(check_at_most("Relative width of the proved bounds" + on, 1e-8, proved.relative_width()));
+            checks.push_back(width_check("Relative width of the proved bounds" + on, proved));
+            checks.push_back(semidefinite_check("−C has no eigenvalue below 0 but for rounding, μ_min / μ_max" + on, proved));
             checks.push_back(
                 check_at_least("Gershgorin bound / proved upper bound" + on, 1, proved.top.upper_bound / proved.mu_high, 1e-8));
             checks.push_back(check_near("Growth at 1.01 λ_crit, measured / predicted" + on, 1,

@@ -1,0 +1,175 @@
+#include "geometry/eigenvalue_enclosure.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <vector>
+
+#include "errors.h"
+#include "geometry/stability.h"
+
+namespace meshfolio {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();   // twice the unit roundoff: room for terms of second order
+
+/// The vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, orthonormal in M.
+Vector shift_invert_lanczos(const SparseFactor& factor, const Vector& M, const Vector& y) {
+    constexpr int most_steps = 12;
+    std::vector<Vector> Q{y / std::sqrt(y.dot(M.cwiseProduct(y)))};
+    std::vector<double> alpha, beta;
+    while (true) {
+        Vector u = factor.solve(Vector(M.cwiseProduct(Q.back())));
+        alpha.push_back(u.dot(M.cwiseProduct(Q.back())));
+        for (int repeat = 0; repeat < 2; ++repeat) {
+            const Vector Mu = M.cwiseProduct(u);
+            for (const Vector& q : Q) u -= q.dot(Mu) * q;
+        }
+        beta.push_back(std::sqrt(u.dot(M.cwiseProduct(u))));
+        const auto steps = static_cast<int>(alpha.size());
+        if (steps == most_steps || steps == y.size() || !(beta.back() > 1e-12 * std::abs(alpha.front()))) break;
+        Q.emplace_back(u / beta.back());
+    }
+    const auto steps = static_cast<Eigen::Index>(alpha.size());
+    DenseMatrix T = DenseMatrix::Zero(steps, steps);
+    for (Eigen::Index i = 0; i < steps; ++i) {
+        T(i, i) = alpha[static_cast<std::size_t>(i)];
+        if (i > 0) T(i, i - 1) = T(i - 1, i) = beta[static_cast<std::size_t>(i - 1)];
+    }
+    const Vector s = Eigen::SelfAdjointEigenSolver<DenseMatrix>(T).eigenvectors().rightCols(1);
+    Vector top = Vector::Zero(y.size());
+    for (Eigen::Index i = 0; i < steps; ++i) top += s[i] * Q[static_cast<std::size_t>(i)];
+    return top;
+}
+
+/// Closes in on μ from both sides.
+class Closing {
+public:
+    Closing(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options)
+        : S_(S), M_(M), least_scale_(options.least_scale) {
+        result_.high = options.high;
+        result_.low = -std::numeric_limits<double>::infinity();
+        result_.quotient = result_.low;
+        Eigen::Index stiffest = 0;
+        S.diagonal().cwiseQuotient(M).maxCoeff(&stiffest);
+        take(Vector::Unit(M.size(), stiffest));   // never below half the bound of Gershgorin when weights are ≥ 0
+        if (start.size() == M.size() && start.allFinite() && start.squaredNorm() > 0) take(start.normalized());
+    }
+
+    /// σ = quotient + δ·scale; it follows the quotient down until δ is half the width.
+    void close(double width, double missing) {
+        constexpr double far = 1e-3;
+        constexpr int most_factorisations = 60, most_turns = 200;
+        double last = 0.5 * width, delta = missing <= 0.5 * last ? last : std::clamp(10 * missing, last, far);
+        for (int turns = 0; turns < most_turns && result_.factorisations < most_factorisations; ++turns) {
+            if (result_.high - result_.low <= width * scale()) return;
+            const bool near = factor_ && shift_ <= result_.quotient + delta * scale();   // the factor at hand is as good
+            if (near && delta <= last) return;                                           // what is left is rounding
+            if (!near) {
+                if (!try_at(std::min(result_.quotient + delta * scale(), (1 + 1e-6) * result_.high))) {
+                    if (delta <= last && result_.failed > 4) last *= 2;   // what is left may be rounding
+                    delta = std::max(30 * delta, far * (result_.failed == 1 ? 1 : 0));
+                    continue;
+                }
+                if (delta <= last) return;
+            }
+            delta = approach(last);
+        }
+    }
+
+    const Enclosure& result() const { return result_; }
+
+private:
+    double scale() const { return std::max(result_.quotient, least_scale_); }
+    /// A little of every vector, lest y be one that is not the largest.
+    Vector mixed_in() const { return 0.02 * result_.y.norm() * irregular_direction(static_cast<int>(M_.size())); }
+
+    /// Raises the quotient with the factor at hand: solves are cheap beside the next factorisation.
+    /// @return the distance from the quotient at which to try that one
+    double approach(double last) {
+        constexpr int most_rounds = 3;
+        double expected = 0;
+        for (int round = 0; round < most_rounds; ++round) {
+            const double before = result_.quotient;
+            take(shift_invert_lanczos(*factor_, M_, round == 0 ? Vector(result_.y + mixed_in()) : result_.y));
+            const double step = (result_.quotient - before) / scale(), left = (shift_ - result_.quotient) / scale();
+            expected = std::min(left / 100, 20 * step * step / left);
+            if (expected <= last) return last;
+        }
+        return expected;
+    }
+
+    bool try_at(double sigma) {
+        ++result_.factorisations;
+        std::optional<SparseFactor> factor = factor_at(S_, M_, sigma);
+        if (!factor) {
+            ++result_.failed;
+            return false;
+        }
+        factor_ = std::move(factor);
+        shift_ = sigma;
+        result_.factor_nonzeros = std::max(result_.factor_nonzeros, factor_->nonzeros());
+        const double rounding = rounding_of(*factor_, S_, M_, sigma);
+        if (sigma + rounding > result_.high) return true;
+        result_.high = sigma + rounding;
+        result_.rounding = rounding;
+        return true;
+    }
+
+    void take(const Vector& y) {
+        const Quotient quotient = rayleigh_quotient(S_, M_, y);
+        result_.low = std::max(result_.low, quotient.low);
+        if (!(quotient.value > result_.quotient)) return;
+        result_.quotient = quotient.value;
+        result_.y = y;
+    }
+
+    const SparseMatrix& S_;
+    const Vector& M_;
+    double least_scale_;
+    std::optional<SparseFactor> factor_;   // at shift_, the last σ where Cholesky ran to its end
+    double shift_ = 0;
+    Enclosure result_;
+};
+
+}   // namespace
+
+std::optional<SparseFactor> factor_at(const SparseMatrix& S, const Vector& M, double sigma) {
+    SparseMatrix mass(M.size(), M.size());
+    mass = (sigma * M).asDiagonal();
+    try {
+        return SparseFactor::cholesky(mass - S);
+    } catch (const SolverError&) {
+        return {};
+    }
+}
+
+double rounding_of(const SparseFactor& factor, const SparseMatrix& S, const Vector& M, double sigma) {
+    const double largest = sigma - S.diagonal().cwiseQuotient(M).minCoeff();
+    return epsilon * (static_cast<double>(factor.nonzeros()) + 8.0 * static_cast<double>(M.size())) * largest;
+}
+
+Quotient rayleigh_quotient(const SparseMatrix& S, const Vector& M, const Vector& y) {
+    const Vector size = y.cwiseAbs();
+    const double mass = y.dot(M.cwiseProduct(y));
+    const double value = y.dot(S * y) / mass, magnitude = size.dot(S.cwiseAbs() * size) / mass;
+    Eigen::Index longest = 0;
+    for (Eigen::Index j = 0; j < S.cols(); ++j) longest = std::max<Eigen::Index>(longest, S.outerIndexPtr()[j + 1] - S.outerIndexPtr()[j]);
+    const double rounding = epsilon * static_cast<double>(y.size() + longest + 4) * (magnitude + std::abs(value));
+    return {value, value - rounding, value + rounding};
+}
+
+Enclosure enclose_largest(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options) {
+    Closing closing(S, M, start, options);
+    try {
+        closing.close(options.width, options.missing);
+    } catch (const std::bad_alloc&) {
+        // A factor does not fit into memory: what is proved by then stands.
+    }
+    return closing.result();
+}
+
+}   // namespace meshfolio
