@@ -75,6 +75,28 @@ std::string_view symbol_of(Verdict verdict) {
     return "?";
 }
 
+std::string_view words_of(Property property, bool lacking) {
+    switch (property) {
+        case Property::flat:
+            return lacking ? "is not flat" : "is flat";
+        case Property::not_flat:
+            return lacking ? "is flat" : "is not flat";
+        case Property::closed:
+            return lacking ? "is open and encloses no volume" : "is closed";
+        case Property::sharp_edged:
+            return lacking ? "has no sharp edges that stand out from smooth faces" : "has sharp edges";
+        case Property::negative_weights:
+            return lacking ? "has no negative cotangent weight" : "has negative cotangent weights";
+        case Property::unequal_areas:
+            return lacking ? "has vertices of equal areas" : "has vertices of different areas";
+        case Property::clean_form_known:
+            return lacking ? "has noise under which the surface is not known" : "has noise over a known surface";
+        case Property::above_150_vertices:
+            break;
+    }
+    return lacking ? "has no more than 150 vertices" : "has more than 150 vertices";
+}
+
 std::string with_unit(double value, const Rule& rule) {
     const bool count = std::trunc(value) == value && std::abs(value) < 1e4;
     int digits = 3;   // more where the value would otherwise be printed as if it were the threshold

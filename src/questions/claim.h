@@ -1,6 +1,18 @@
 /// @file
-/// A claim that someone made, as data: its words, the rule that would make it true, the measurement, and the verdict that follows from
-/// both.
+/// A claim that someone made, as data: its words, what it is about, the rule that would make it true, the measurement, and the verdict that
+/// follows from all of them.
+///
+/// What a claim is about decides, before anything is measured, which meshes may be measured (About). A mesh that takes the place of
+/// another decides nothing about what is particular to that other one:
+///   - A claim about formulas, or about surfaces that the program itself makes, names no mesh. It is always measured.
+///   - A claim about any mesh names those that its author used. Whatever takes their places decides as well as they do.
+///   - A claim about a kind of mesh ("the noisy plane", "hands, feet and tail") is decided by the mesh itself or by the bundled one that
+///   was
+///     made as one of that kind for its role. The user's own mesh never decides it: nobody has told of what kind it is.
+///   - A claim about one mesh itself has a step, a number of iterations or of modes that belongs to its triangles. Only that mesh decides
+///     it: known by its counts, mean edge and λ_crit, or as the assignment's file in a data folder.
+/// Of those left, a mesh without a property that the claim needs is not measured, and a mesh that takes two places counts once. Where none
+/// is left, or fewer than the claim compares with each other, the claim is not decidable here, and the reason is told.
 #pragma once
 
 #include <cstddef>
@@ -37,6 +49,32 @@ struct Case {
     double value = 0;        // in the unit of the rule; NaN: not defined there
 };
 
+/// Meshes by name: "bunny", or a role of the library.
+using MeshNames = std::vector<std::string_view>;
+
+/// A property without which a mesh says nothing of a claim.
+enum class Property {
+    flat,                 // all vertices lie in one plane
+    not_flat,             // else noise has no normal direction, and there are no features
+    closed,               // no boundary: encloses a volume
+    sharp_edged,          // as MeshClass has it
+    negative_weights,     // some cotangent weight is below 0
+    unequal_areas,        // the areas of the vertices differ, by 1 % or more
+    clean_form_known,     // the surface under the noise is known, vertex by vertex
+    above_150_vertices,   // so that 150 modes are not all of them
+};
+/// "is flat", "has no negative cotangent weight": what is said of a mesh that has the property, or lacks it.
+std::string_view words_of(Property property, bool lacking);
+
+/// What a claim is about; the rule is above.
+struct About {
+    enum class Scope { any_mesh, its_kind, itself };
+    MeshNames meshes = {};   // none: formulas, or surfaces that the program makes
+    Scope scope = Scope::any_mesh;
+    std::vector<Property> properties = {};   // that every mesh must have
+    std::size_t compared = 1;                // different meshes without which there is nothing to compare
+};
+
 struct Measurement {
     std::vector<Case> cases;
     std::string undecidable;   // why nothing can be decided here: then the cases do not count
@@ -66,9 +104,11 @@ struct Claim {
     std::string_view citation;   // id of the work in the bibliography; empty for the reports
     std::string_view question;   // "q5"
     std::string_view words;      // what is claimed, in words of our own
+    About about;
     Rule rule;
     Effort effort = Effort::quick;
-    Measurement (*measure)(ClaimBench& bench) = nullptr;
+    /// @param meshes  of `about`, those that may be measured: each another mesh, at least as many as are compared
+    Measurement (*measure)(ClaimBench& bench, const MeshNames& meshes) = nullptr;
 };
 
 /// A claim with what was measured and what follows.

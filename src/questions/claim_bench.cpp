@@ -7,6 +7,8 @@
 #include "geometry/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
+#include "questions/curvature_study.h"
+#include "questions/mesh_class.h"
 #include "questions/section_tools.h"
 
 namespace meshfolio {
@@ -15,6 +17,20 @@ namespace {
 
 /// Vertices beyond which a claim would take longer than the section has.
 int largest_mesh(const QuestionSettings& settings) { return settings.laboratory ? 200000 : settings.quick ? 7000 : 12000; }
+
+bool same_mesh(const TriangleMesh& a, const TriangleMesh& b) {
+    const bool same_size = a.X.rows() == b.X.rows() && a.F.rows() == b.F.rows();
+    return same_size && a.X == b.X && a.F == b.F;
+}
+
+bool has_negative_weights(const SparseMatrix& C) {
+    for (int column = 0; column < C.outerSize(); ++column) {
+        for (SparseMatrix::InnerIterator entry(C, column); entry; ++entry) {
+            if (entry.row() != entry.col() && entry.value() < -1e-12 * std::abs(C.coeff(column, column))) return true;
+        }
+    }
+    return false;
+}
 
 }   // namespace
 
@@ -29,15 +45,100 @@ const ReportMesh& ClaimBench::mesh(std::string_view name) {
     return it->second;
 }
 
-std::string ClaimBench::called(std::initializer_list<std::string_view> names) {
+std::string ClaimBench::called(const MeshNames& names) {
     std::vector<std::string> words;
     for (const std::string_view name : names) words.push_back(mesh(name).called());
     return listed(words);
 }
 
-bool ClaimBench::has_limit_of_original(std::string_view name) {
+bool ClaimBench::is_itself(std::string_view name) {
     const ReportMesh& m = mesh(name);
-    return m.original || std::abs(subject(name).critical / m.entry->critical - 1) < 1e-3;
+    if (!m.entry) return m.original;
+    const auto agrees = [](double measured, double expected) { return std::abs(measured / expected - 1) < 1e-4; };
+    const Preflight& p = m.mesh->prepared->preflight;
+    return p.vertices_in_use == m.entry->vertices && p.triangles == m.entry->triangles && agrees(p.mean_edge, m.entry->mean_edge) &&
+           agrees(subject(name).critical, m.entry->critical);
+}
+
+bool ClaimBench::in_scope(std::string_view name, About::Scope scope) {
+    switch (scope) {
+        case About::Scope::any_mesh:
+            return true;
+        case About::Scope::its_kind:
+            return is_itself(name) || (!mesh(name).own && !mesh(name).entry);   // a bundled mesh is of the kind that its role names
+        case About::Scope::itself:
+            break;
+    }
+    return is_itself(name);
+}
+
+bool ClaimBench::has(std::string_view name, Property property) {
+    const PreparedMesh& prepared = *mesh(name).mesh->prepared;
+    switch (property) {
+        case Property::flat:
+            return common_plane_normal(prepared.mesh).has_value();
+        case Property::not_flat:
+            return !common_plane_normal(prepared.mesh).has_value();
+        case Property::closed:
+            return prepared.preflight.closed();
+        case Property::sharp_edged:
+            return mesh_character(prepared.mesh, prepared.topology).kind() == MeshClass::sharp_edged;
+        case Property::negative_weights:
+            return has_negative_weights(subject(name).laplacian.C);
+        case Property::unequal_areas: {
+            const Vector& areas = subject(name).laplacian.M;
+            return areas.minCoeff() < 0.99 * areas.maxCoeff();
+        }
+        case Property::clean_form_known:
+            return clean_form(name).has_value();
+        case Property::above_150_vertices:
+            break;
+    }
+    return prepared.preflight.vertices_in_use > 150;
+}
+
+Measurable ClaimBench::measurable(const About& about) {
+    Measurable result;
+    std::vector<std::string> reasons;
+    const auto refuse = [&](const std::string& reason) {
+        if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) reasons.push_back(reason);
+    };
+    for (const std::string_view name : about.meshes) {
+        const std::string& here = mesh(name).mesh->name;
+        if (!in_scope(name, about.scope)) {
+            const bool itself = about.scope == About::Scope::itself;
+            refuse("it is about " + std::string(mesh(name).asked) + (itself ? " itself" : "") + ", and what " + here +
+                   " does in its place says nothing of that");
+            continue;
+        }
+        const auto lacks =
+            std::find_if(about.properties.begin(), about.properties.end(), [&](Property property) { return !has(name, property); });
+        if (lacks != about.properties.end()) {
+            refuse(here + " " + std::string(words_of(*lacks, true)));
+            continue;
+        }
+        const bool again = std::any_of(result.meshes.begin(), result.meshes.end(), [&](std::string_view before) {
+            return same_mesh(mesh(before).mesh->mesh(), mesh(name).mesh->mesh());
+        });
+        if (!again) result.meshes.push_back(name);
+    }
+    const std::size_t needed = about.meshes.empty() ? 0 : about.compared;
+    if (result.meshes.size() >= needed) return result;
+    if (needed > 1) refuse("it compares different meshes with each other, and one takes the place of all");
+    result.why_not = listed(reasons);
+    return result;
+}
+
+std::optional<Positions> ClaimBench::clean_form(std::string_view noisy) {
+    const LibraryMesh& source = *mesh(noisy).mesh;
+    if (mesh(noisy).own) return {};
+    if (source.input.file == "plane_noisy.obj") {
+        Positions X = source.mesh().X;   // flat; along the plane nothing is known, so that motion within it is no error
+        X.col(2).setZero();
+        return X;
+    }
+    if (source.input.file != "fandisk_noisy.obj") return {};
+    return mesh("fandisk").mesh->mesh().X;
 }
 
 const SmoothingSubject& ClaimBench::subject(std::string_view name) {
@@ -58,13 +159,12 @@ double ClaimBench::uniform_limit(std::string_view name) {
 }
 
 double ClaimBench::raw_step(std::string_view name, double lambda) {
-    const ReportMesh& m = mesh(name);
-    return m.original ? lambda : lambda / m.entry->critical * subject(name).critical;
+    return is_itself(name) ? lambda : lambda / mesh(name).entry->critical * subject(name).critical;
 }
 
 double ClaimBench::raw_length(std::string_view name, double length, int power) {
     const ReportMesh& m = mesh(name);
-    return m.original ? length : length * std::pow(m.mesh->prepared->preflight.mean_edge / m.entry->mean_edge, power);
+    return is_itself(name) ? length : length * std::pow(m.mesh->prepared->preflight.mean_edge / m.entry->mean_edge, power);
 }
 
 const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {

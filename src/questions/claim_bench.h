@@ -2,15 +2,16 @@
 /// What claims are measured with: each mesh, operator, run, spectrum is worked out once, whichever claims need it.
 #pragma once
 
-#include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "geometry/laplacian_smoothing.h"
+#include "questions/claim.h"
 #include "questions/cotangent_study.h"
 #include "questions/denoising_study.h"
 #include "questions/ground_truth.h"
@@ -21,9 +22,11 @@
 
 namespace meshfolio {
 
-/// Why a claim about the size of a step says nothing of another mesh.
-inline constexpr std::string_view about_the_original =
-    "the claim is about the size of a step on the original mesh, which no data folder has; on another mesh the number means nothing";
+/// What may be measured of what a claim is about.
+struct Measurable {
+    MeshNames meshes;
+    std::string why_not;   // empty: it may
+};
 
 /// A smoothing run from the mesh itself.
 struct RunKey {
@@ -56,9 +59,15 @@ public:
     /// @throws MeshError where the mesh has more vertices than this run has time for
     const ReportMesh& mesh(std::string_view name);
     /// "bunny and creature in place of cow.off": for texts.
-    std::string called(std::initializer_list<std::string_view> names);
-    /// Is the largest stable step that of the original? Then a claim about the size of a step is about this mesh too.
-    bool has_limit_of_original(std::string_view name);
+    std::string called(const MeshNames& names);
+    /// Is it the very mesh that the name means? One with known measures is, if counts, mean edge and λ_crit agree to 10⁻⁴, whatever its
+    /// file is called; another is, if a data folder has the assignment's file.
+    bool is_itself(std::string_view name);
+    bool has(std::string_view name, Property property);
+    /// By the rule in claim.h.
+    Measurable measurable(const About& about);
+    /// The surface under the noise, vertex by vertex, where it is known: of the bundled noisy meshes alone.
+    std::optional<Positions> clean_form(std::string_view noisy);
 
     const SmoothingSubject& subject(std::string_view name);
     /// λ_crit of the uniform operator.
@@ -93,6 +102,7 @@ public:
     std::vector<report::Plot> plots;   // that claims refer to, in the order they were made
 
 private:
+    bool in_scope(std::string_view name, About::Scope scope);
     std::vector<double> errors_along(const std::shared_ptr<const LibraryMesh>& source, const NoisyKey& key);
 
     const MeshLibrary& library_;

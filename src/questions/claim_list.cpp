@@ -36,7 +36,13 @@ JudgedClaim judged(const Claim& claim, ClaimBench& bench) {
         result.measurement.undecidable = "a quick run does not measure it";
     } else {
         try {
-            result.measurement = claim.measure(bench);
+            const Measurable about = bench.measurable(claim.about);
+            if (about.why_not.empty()) {
+                result.measurement = claim.measure(bench, about.meshes);
+                result.measurement.meshes = bench.called(about.meshes);
+            } else {
+                result.measurement.undecidable = about.why_not;
+            }
         } catch (const MeshError& error) {   // too large, without an operator
             result.measurement = unmeasured(error);
         } catch (const SolverError& error) {

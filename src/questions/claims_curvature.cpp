@@ -41,32 +41,32 @@ Measurement over_samplings(ClaimBench& bench, double (*value)(ClaimBench&, const
     return m;
 }
 
-Measurement uniform_inaccurate(ClaimBench& bench) {
+Measurement uniform_inaccurate(ClaimBench& bench, const MeshNames&) {
     Measurement m = over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return 100 * uniform_error(b, s); });
     m.remark = report::text("Already multiplied by 4/h², without which it is not even a curvature but a length.");
     return m;
 }
 
-Measurement deficit_beats_uniform(ClaimBench& bench) {
+Measurement deficit_beats_uniform(ClaimBench& bench, const MeshNames&) {
     return over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return deficit_error(b, s) / uniform_error(b, s); });
 }
 
-Measurement cotangent_beats_uniform(ClaimBench& bench) {
+Measurement cotangent_beats_uniform(ClaimBench& bench, const MeshNames&) {
     return over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return cotangent_error(b, s) / uniform_error(b, s); });
 }
 
-Measurement cotangent_beats_both(ClaimBench& bench) {
+Measurement cotangent_beats_both(ClaimBench& bench, const MeshNames&) {
     return over_samplings(
         bench, [](ClaimBench& b, const Sampling& s) { return cotangent_error(b, s) / std::min(uniform_error(b, s), deficit_error(b, s)); });
 }
 
-Measurement cotangent_beats_deficit(ClaimBench& bench) {
+Measurement cotangent_beats_deficit(ClaimBench& bench, const MeshNames&) {
     Measurement m = over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return cotangent_error(b, s) / deficit_error(b, s); });
     m.remark = report::text("Each error is relative to its own quantity.");
     return m;
 }
 
-Measurement not_influenced(ClaimBench& bench) {
+Measurement not_influenced(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     for (const char* surface : {"sphere", "ellipsoid"}) {
         for (const int coarser : {1, 0}) {
@@ -85,21 +85,21 @@ Measurement not_influenced(ClaimBench& bench) {
     return m;
 }
 
-Measurement uniform_on_flat(ClaimBench& bench) {
+Measurement uniform_on_flat(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     m.cases = {{"a flat square of irregular triangles", bench.plane().uniform}};
     m.remark = report::text("The true value is 0: what is seen is how far the triangles pull a vertex to one side.");
     return m;
 }
 
-Measurement cotangent_on_flat(ClaimBench& bench) {
+Measurement cotangent_on_flat(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     m.cases = {{"a flat square of irregular triangles", bench.plane().cotangent}};
     m.remark = report::text("The uniform operator gives ", readable(bench.plane().uniform, 2), " there.");
     return m;
 }
 
-Measurement clamping_is_harmless(ClaimBench& bench) {
+Measurement clamping_is_harmless(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     m.cases = {{"a flat square of irregular triangles", bench.plane().clamped}};
     m.remark = report::text(readable_percent(bench.plane().negative_weights, 2),
@@ -111,14 +111,9 @@ Measurement clamping_is_harmless(ClaimBench& bench) {
 
 // ---- the plane of the assignment --------------------------------------------------------------------------------------------
 
-Measurement structure_on_plane(ClaimBench& bench) {
+Measurement structure_on_plane(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const CotangentComparison c = compare_operators(bench.mesh("plane").mesh);
-    m.meshes = bench.called({"plane"});
-    if (!c.subject.plane_normal) {
-        m.undecidable = "the mesh is not flat, so that curvature on it may be real";
-        return m;
-    }
     m.cases = {{"cotangent H inside", c.precision}, {"uniform H inside", c.drift}};
     if (std::max(c.precision, c.drift) < 0.01) {
         m.remark = report::text("On the boundary, where ½‖Lx‖ is no curvature, the cotangent operator gives ",
@@ -127,10 +122,9 @@ Measurement structure_on_plane(ClaimBench& bench) {
     return m;
 }
 
-Measurement less_rapid_on_plane(ClaimBench& bench) {
+Measurement less_rapid_on_plane(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const CotangentComparison c = compare_operators(bench.mesh("plane").mesh);
-    m.meshes = bench.called({"plane"});
     if (c.drift < 1e-9 && c.precision < 1e-9) {
         m.undecidable = "the mesh is flat and regular, both estimates are zero to rounding inside, and a ratio of the two says nothing";
         return m;
@@ -139,14 +133,9 @@ Measurement less_rapid_on_plane(ClaimBench& bench) {
     return m;
 }
 
-Measurement uniform_on_plane(ClaimBench& bench) {
+Measurement uniform_on_plane(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const CotangentComparison c = compare_operators(bench.mesh("plane").mesh);
-    m.meshes = bench.called({"plane"});
-    if (!c.subject.plane_normal) {
-        m.undecidable = "the mesh is not flat: the true curvature is not known";
-        return m;
-    }
     m.cases = {{"inside", c.drift}};
     if (c.drift < 0.001)
         m.remark = report::text("Its vertices lie in the middle of their neighbours, where the uniform operator is exact.");
@@ -155,7 +144,7 @@ Measurement uniform_on_plane(ClaimBench& bench) {
 
 // ---- the ellipsoid ----------------------------------------------------------------------------------------------------------
 
-Measurement parameters_of_the_tip(ClaimBench&) {
+Measurement parameters_of_the_tip(ClaimBench&, const MeshNames&) {
     Measurement m;
     const Vector3 tip(flat_ellipsoid.a, 0, 0);
     m.cases = {{"(u, v) = (0, π)", (ellipsoid_point(flat_ellipsoid, 0, M_PI) - tip).norm() / flat_ellipsoid.a}};
@@ -164,7 +153,7 @@ Measurement parameters_of_the_tip(ClaimBench&) {
     return m;
 }
 
-Measurement places_of_extrema(ClaimBench&) {
+Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
     Measurement m;
     for (const Ellipsoid& e : {tall_ellipsoid, flat_ellipsoid}) {
         m.cases.push_back({std::string(e.b < e.c ? "b < c" : "b > c") + ", " + axes_text(e),
@@ -178,6 +167,7 @@ Measurement places_of_extrema(ClaimBench&) {
 
 const std::vector<Claim>& curvature_claims() {
     using enum Rule::Relation;
+    using enum About::Scope;
     constexpr std::string_view ratio_of_errors = "the relative L2 error of the one over that of the other";
     constexpr std::string_view inside = "the largest |H| × mean edge inside";
     static const std::vector<Claim> claims{
@@ -186,6 +176,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q1",
          "Uniform mean curvature is a quite inaccurate estimate.",
+         {},
          {"the relative L2 error of uniform H", "%", at_least, 10},
          Effort::quick,
          uniform_inaccurate},
@@ -194,6 +185,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q1",
          "Irregular triangles give a flat mesh a uniform mean curvature that is not zero.",
+         {},
          {inside, "", at_least, 0.01},
          Effort::quick,
          uniform_on_flat},
@@ -202,6 +194,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q1",
          "Gaussian curvature by angle deficits is a better estimate than uniform mean curvature.",
+         {},
          {ratio_of_errors, "", at_most, 1},
          Effort::quick,
          deficit_beats_uniform},
@@ -210,6 +203,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q1",
          "The uniform operator works well on a simple mesh such as the plane.",
+         {{"plane"}, its_kind, {Property::flat}},
          {inside, "", at_most, 0.001},
          Effort::quick,
          uniform_on_plane},
@@ -218,6 +212,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q1",
          "The mean curvature of the plane shows where it bends.",
+         {{"plane"}, itself, {Property::flat}},
          {inside, "", at_least, 0.01},
          Effort::quick,
          structure_on_plane},
@@ -226,6 +221,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q2",
          "The point (a, 0, 0) has the parameters (0, π).",
+         {},
          {"the distance between that point of the ellipsoid and (a, 0, 0), over a", "", at_most, 1e-9},
          Effort::quick,
          parameters_of_the_tip},
@@ -234,6 +230,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q2",
          "The normal curvature at (a, 0, 0) is largest at 0, π and 2π and smallest at π/2 and 3π/2.",
+         {},
          {"the normal curvature at 0 over that at π/2", "", at_least, 1},
          Effort::quick,
          places_of_extrema},
@@ -242,6 +239,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q3",
          "Irregular triangulations do not influence the cotangent mean curvature.",
+         {},
          {"the relative L2 error of cotangent H on random triangles", "%", at_most, 5},
          Effort::quick,
          not_influenced},
@@ -250,6 +248,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q3",
          "Of uniform H, angle-deficit K and cotangent H, the last is the best estimate.",
+         {},
          {"the relative L2 error of cotangent H over the smaller of the other two", "", at_most, 1},
          Effort::quick,
          cotangent_beats_both},
@@ -258,6 +257,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q3",
          "Cotangent mean curvature is far better than uniform mean curvature.",
+         {},
          {ratio_of_errors, "", at_most, 0.5},
          Effort::quick,
          cotangent_beats_uniform},
@@ -266,6 +266,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q3",
          "Cotangent mean curvature is even more accurate than Gaussian curvature.",
+         {},
          {ratio_of_errors, "", at_most, 1},
          Effort::quick,
          cotangent_beats_deficit},
@@ -274,6 +275,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q3",
          "Where the surface is flat, what irregular connectivity does to the uniform operator is gone with the cotangent one.",
+         {},
          {inside, "", at_most, 1e-9},
          Effort::quick,
          cotangent_on_flat},
@@ -282,6 +284,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q3",
          "Setting negative cotangent weights to zero keeps the operator well behaved.",
+         {},
          {inside, "", at_most, 1e-9},
          Effort::quick,
          clamping_is_harmless},
@@ -290,6 +293,7 @@ const std::vector<Claim>& curvature_claims() {
          "",
          "q3",
          "On the plane, cotangent curvature changes less rapidly than uniform mean curvature.",
+         {{"plane"}, itself},
          {"the rms difference of H between neighbours, cotangent over uniform", "", at_most, 1},
          Effort::quick,
          less_rapid_on_plane},

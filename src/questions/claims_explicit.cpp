@@ -19,13 +19,8 @@ std::vector<Case> shares_of_limit(ClaimBench& bench, std::string_view name, doub
     return {{"C with the factor ½", share}, {"C without it, as the report prints it", 2 * share}};
 }
 
-Measurement bunny_limit(ClaimBench& bench) {
+Measurement bunny_limit(ClaimBench& bench, const MeshNames&) {
     Measurement m;
-    m.meshes = bench.called({"bunny"});
-    if (!bench.has_limit_of_original("bunny")) {
-        m.undecidable = about_the_original;
-        return m;
-    }
     m.cases = shares_of_limit(bench, "bunny", 2e-7);
     m.remark = report::text("The limit itself is ", readable(bench.subject("bunny").critical), " length² with ½.");
     return m;
@@ -49,10 +44,9 @@ Crossing crossing_when_rebuilt(ClaimBench& bench, std::string_view name, double 
     return crossing;
 }
 
-Measurement bunny_zigzag(ClaimBench& bench) {
+Measurement bunny_zigzag(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const double lambda = bench.raw_step("bunny", 1e-7), share = lambda / bench.subject("bunny").critical;
-    m.meshes = bench.called({"bunny"});
     m.cases = {{"the operator of the input, with ½", share}, {"the same without ½", 2 * share}};
     // Fifty steps tell: what crosses the limit does so early, and each takes an eigenvalue.
     const Crossing crossing = crossing_when_rebuilt(bench, "bunny", lambda, bench.settings().laboratory ? 100 : 50);
@@ -72,14 +66,13 @@ double reach(ClaimBench& bench, std::string_view name, const RunKey& key) {
     return (X.rowwise() - box.centre().transpose()).rowwise().norm().maxCoeff() / box.diagonal();
 }
 
-Measurement bunny_too_large(ClaimBench& bench) {
+Measurement bunny_too_large(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     for (const double lambda : {8e-7, 3e-6, 1e-5, 1e-4}) {
         const double step = bench.raw_step("bunny", lambda);
         m.cases.push_back({"λ = " + readable(lambda, 1) + ", " + readable(step / bench.subject("bunny").critical) + " limits",
                            reach(bench, "bunny", {explicit_euler, step, 100})});
     }
-    m.meshes = bench.called({"bunny"});
     m.remark = report::text("A run is stopped once a vertex is 1000 diagonals away; the larger the step, the sooner that is.");
     return m;
 }
@@ -91,7 +84,7 @@ double coarse_over_fine(ClaimBench& bench, std::string_view name, double lambda,
            roughness(s, bench.run(name, {explicit_euler, lambda / 10, 10 * steps, kind}).X);
 }
 
-Measurement small_steps(ClaimBench& bench) {
+Measurement small_steps(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const double critical = bench.subject("bunny").critical;
     double below = 0;
@@ -99,19 +92,17 @@ Measurement small_steps(ClaimBench& bench) {
         m.cases.push_back({"λ = " + plain_text(share) + " λ_crit", coarse_over_fine(bench, "bunny", share * critical, 10)});
         if (share < 1) below = std::max(below, std::abs(m.cases.back().value - 1));
     }
-    m.meshes = bench.called({"bunny"});
     m.remark =
         report::text("Ten steps are compared with a hundred of a tenth of the size. Below the limit that changes what is left by at most ",
                      readable_percent(below, 2), ".");
     return m;
 }
 
-Measurement small_uniform_steps(ClaimBench& bench) {
+Measurement small_uniform_steps(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     for (const double lambda : {0.05, 0.5, 1.0}) {
         m.cases.push_back({"uniform, λ = " + plain_text(lambda), coarse_over_fine(bench, "bunny", lambda, 10, OperatorKind::uniform)});
     }
-    m.meshes = bench.called({"bunny"});
     m.remark = report::text("0.05 beside 0.005, the report's own pair, is the first case.");
     return m;
 }
@@ -119,44 +110,38 @@ Measurement small_uniform_steps(ClaimBench& bench) {
 /// √(mean squared distance of the vertices from their mean). [length]
 double size_of(const Positions& X) { return std::sqrt((X.rowwise() - X.colwise().mean()).squaredNorm() / double(X.rows())); }
 
-Measurement cube_too_large(ClaimBench& bench) {
+Measurement cube_too_large(ClaimBench& bench, const MeshNames&) {
     Measurement m;
-    if (!bench.has_limit_of_original("cube")) {
-        m.undecidable = about_the_original;
-        return m;
-    }
     const double step = bench.raw_step("cube", 1e-3);
-    m.meshes = bench.called({"cube"});
     m.cases = {{"λ = 10⁻³", 100 * step / bench.subject("cube").critical}};
     const double size = size_of(bench.run("cube", {explicit_euler, step, 100}).X) / size_of(bench.mesh("cube").mesh->mesh().X);
     m.remark = report::text("It is no instability: the mesh shrinks steadily, to ", readable_percent(size), " of its size in 100 steps.");
     return m;
 }
 
-Measurement cube_deforms(ClaimBench& bench) {
+Measurement cube_deforms(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const double step = bench.raw_step("cube", 1e-3), before = size_of(bench.mesh("cube").mesh->mesh().X);
     for (const int t : {1, 10, 100}) {
         m.cases.push_back({std::to_string(t) + (t == 1 ? " iteration" : " iterations"),
                            100 * (1 - size_of(bench.run("cube", {explicit_euler, step, t}).X) / before)});
     }
-    m.meshes = bench.called({"cube"});
     m.remark = report::text("The report does not say how many iterations it took.");
     return m;
 }
 
-Measurement limits_differ(ClaimBench& bench) {
+Measurement limits_differ(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m;
-    const auto ratio = [&](std::string_view a, std::string_view b) {
-        const auto limit = [&](std::string_view name) {
-            const SmoothingSubject& subject = bench.subject(name);
-            return subject.critical / (subject.mean_edge * subject.mean_edge);
-        };
-        return std::max(limit(a), limit(b)) / std::min(limit(a), limit(b));
+    const auto limit = [&](std::string_view name) {   // [squared mean edges]
+        const SmoothingSubject& subject = bench.subject(name);
+        return subject.critical / (subject.mean_edge * subject.mean_edge);
     };
-    m.cases = {{"bunny and cube", ratio("bunny", "cube")}};
-    if (bench.mesh("bunny").mesh != bench.mesh("cow").mesh) m.cases.push_back({"bunny and cow", ratio("bunny", "cow")});
-    m.meshes = bench.called({"bunny", "cow", "cube"});
+    const double first = limit(meshes.front());
+    for (std::size_t i = 1; i < meshes.size(); ++i) {
+        const double other = limit(meshes[i]);
+        m.cases.push_back({bench.mesh(meshes.front()).mesh->name + " and " + bench.mesh(meshes[i]).mesh->name,
+                           std::max(first, other) / std::min(first, other)});
+    }
     m.remark = report::text(
         "λ is an area, so that size alone changes it; in squared mean edges size is taken out, and what is left is the "
         "triangulation, sometimes a single vertex of it.");
@@ -167,12 +152,14 @@ Measurement limits_differ(ClaimBench& bench) {
 
 const std::vector<Claim>& explicit_claims() {
     using enum Rule::Relation;
+    using enum About::Scope;
     static const std::vector<Claim> claims{
         {"claims_s0_bunny_limit",
          "S0",
          "",
          "q5",
          "On the bunny, explicit steps below about 2 × 10⁻⁷ are good ones.",
+         {{"bunny"}, itself},
          {"λ = 2 × 10⁻⁷ over the largest stable λ", "", at_most, 1.05},
          Effort::quick,
          bunny_limit},
@@ -181,6 +168,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "Even 100 steps of 10⁻⁷ leave zigzags on the bunny.",
+         {{"bunny"}, itself},
          {"the step over the limit of the operator in use, at its largest along the run", "", at_least, 1},
          Effort::full,
          bunny_zigzag},
@@ -189,6 +177,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "Steps of 8 × 10⁻⁷ to 10⁻⁴ break the bunny up more and more, until it cannot be recognised.",
+         {{"bunny"}, itself},
          {"the distance of the farthest vertex from the centre within 100 iterations", "× the box diagonal", at_least, 1},
          Effort::quick,
          bunny_too_large},
@@ -197,6 +186,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "For the same amount of smoothing, small steps and many iterations are better than large steps and few.",
+         {{"bunny"}},
          {"the roughness left by large steps over that left by small ones, at equal λ × iterations", "", at_least, 1.05},
          Effort::quick,
          small_steps},
@@ -205,6 +195,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "On the cube, λ = 10⁻³ is already too large a step.",
+         {{"cube"}, itself},
          {"λ over the largest stable λ", "%", at_least, 100},
          Effort::quick,
          cube_too_large},
@@ -213,6 +204,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "From λ = 10⁻³ on, smoothing deforms the cube considerably.",
+         {{"cube"}, itself},
          {"how much the mesh shrinks, by the rms distance of its vertices from their mean", "%", at_least, 10},
          Effort::quick,
          cube_deforms},
@@ -221,6 +213,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "Each object needs a step of its own.",
+         {{"bunny", "cube", "cow"}, any_mesh, {}, 2},
          {"the larger of two limits over the smaller, each in squared mean edges", "", at_least, 2},
          Effort::quick,
          limits_differ},
@@ -229,6 +222,7 @@ const std::vector<Claim>& explicit_claims() {
          "",
          "q5",
          "The best results come from very small steps and very many iterations.",
+         {{"bunny"}},
          {"the roughness left by large steps over that left by small ones, at equal λ × iterations", "", at_least, 1.05},
          Effort::full,
          small_uniform_steps},

@@ -2,7 +2,6 @@
 // one.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "number_text.h"
 #include "questions/claim_bench.h"
@@ -13,20 +12,6 @@ namespace meshfolio {
 namespace {
 
 using enum SmoothingScheme;
-
-constexpr std::string_view no_clean_original = "the clean form of the noisy mesh is not known: its file is not among the meshes here";
-
-/// The surface under the noise, vertex by vertex, where it is known: of the bundled noisy meshes alone.
-std::optional<Positions> clean_form(ClaimBench& bench, std::string_view noisy) {
-    const LibraryMesh& source = *bench.mesh(noisy).mesh;
-    if (source.input.file == "plane_noisy.obj") {
-        Positions X = source.mesh().X;   // flat; along the plane nothing is known, so that motion within it is no error
-        X.col(2).setZero();
-        return X;
-    }
-    if (source.input.file != "fandisk_noisy.obj") return {};
-    return bench.mesh("fandisk").mesh->mesh().X;
-}
 
 /// rms error [length]; of the plane, the height alone.
 double error_of(const Positions& X, const Positions& clean, bool height_only) {
@@ -55,14 +40,9 @@ const std::vector<double> explicit_steps{0.1, 0.25, 0.5, 0.75, 1.0};
 
 Measurement good_step(ClaimBench& bench, std::string_view name, double lambda) {
     Measurement m;
-    m.meshes = bench.called({name});
-    const auto clean = clean_form(bench, name);
-    if (!clean) {
-        m.undecidable = no_clean_original;
-        return m;
-    }
+    const Positions clean = bench.clean_form(name).value();   // the claim asks for it
     for (const SmoothingScheme scheme : {explicit_euler, implicit_euler}) {
-        const Sweep sweep = sweep_of(bench, name, *clean, {scheme, 0, 10, OperatorKind::uniform}, explicit_steps);
+        const Sweep sweep = sweep_of(bench, name, clean, {scheme, 0, 10, OperatorKind::uniform}, explicit_steps);
         m.cases.push_back({scheme == explicit_euler ? "explicit" : "implicit", sweep.at(lambda) / sweep.errors[sweep.best()]});
         report::extend(m.remark, m.remark.empty() ? "Best of the steps tried: " : ", ", plain_text(sweep.lambdas[sweep.best()]),
                        scheme == explicit_euler ? " explicit" : " implicit.");
@@ -70,15 +50,16 @@ Measurement good_step(ClaimBench& bench, std::string_view name, double lambda) {
     return m;
 }
 
-Measurement plane_at_one(ClaimBench& bench) { return good_step(bench, "plane_ns", 1); }
-Measurement fandisk_at_half(ClaimBench& bench) { return good_step(bench, "fandisk_ns", 0.5); }
+Measurement plane_at_one(ClaimBench& bench, const MeshNames&) { return good_step(bench, "plane_ns", 1); }
+Measurement fandisk_at_half(ClaimBench& bench, const MeshNames&) { return good_step(bench, "fandisk_ns", 0.5); }
 
 /// Best of several implicit steps with either operator, on the noisy machine part.
 struct OperatorSweeps {
     Sweep uniform, cotangent;
     double edge = 0;   // mean [length]
 };
-OperatorSweeps operator_sweeps(ClaimBench& bench, const Positions& clean) {
+OperatorSweeps operator_sweeps(ClaimBench& bench) {
+    const Positions clean = bench.clean_form("fandisk_ns").value();
     const double edge = bench.mesh("fandisk_ns").mesh->prepared->preflight.mean_edge;
     // Δ_uniform ≈ h²/4 Δ: the same diffusion with either operator.
     const std::vector<double> uniform{0.1, 0.2, 0.4, 0.8, 1.6};
@@ -90,35 +71,25 @@ OperatorSweeps operator_sweeps(ClaimBench& bench, const Positions& clean) {
     return {sweep(OperatorKind::uniform, uniform), sweep(OperatorKind::cotan, cotangent), edge};
 }
 
-Measurement with_operator_sweeps(ClaimBench& bench, void (*fill)(Measurement&, const OperatorSweeps&)) {
+Measurement uniform_needs_larger(ClaimBench& bench, const MeshNames&) {
     Measurement m;
-    m.meshes = bench.called({"fandisk_ns"});
-    if (const auto clean = clean_form(bench, "fandisk_ns")) {
-        fill(m, operator_sweeps(bench, *clean));
-    } else {
-        m.undecidable = no_clean_original;
-    }
+    const OperatorSweeps s = operator_sweeps(bench);
+    const double uniform = s.uniform.lambdas[s.uniform.best()], cotangent = s.cotangent.lambdas[s.cotangent.best()];
+    m.cases = {{"as the same diffusion, λ_uniform h̄²/4 beside λ", uniform * s.edge * s.edge / 4 / cotangent}};
+    m.remark = report::text("Best of the steps tried in three iterations: ", readable(uniform, 2), " uniform, ", readable(cotangent, 2),
+                            " length² cotangent. One has no unit, the other is an area: as bare numbers they depend on the mesh's unit of "
+                            "length and say nothing of each other.");
     return m;
 }
 
-Measurement uniform_needs_larger(ClaimBench& bench) {
-    return with_operator_sweeps(bench, [](Measurement& m, const OperatorSweeps& s) {
-        const double uniform = s.uniform.lambdas[s.uniform.best()], cotangent = s.cotangent.lambdas[s.cotangent.best()];
-        m.cases = {{"as plain numbers, in this mesh's unit of length", uniform / cotangent},
-                   {"as the same diffusion, λ_uniform h̄²/4 beside λ", uniform * s.edge * s.edge / 4 / cotangent}};
-        m.remark =
-            report::text("Best of the steps tried in three iterations: ", readable(uniform, 2), " uniform, ", readable(cotangent, 2),
-                         " length² cotangent. One has no unit, the other is an area, so that as numbers they say nothing of each other.");
-    });
-}
-
-Measurement cotangent_denoises_better(ClaimBench& bench) {
-    return with_operator_sweeps(bench, [](Measurement& m, const OperatorSweeps& s) {
-        m.cases = {{"each operator with its best step", s.cotangent.errors[s.cotangent.best()] / s.uniform.errors[s.uniform.best()]}};
-        m.remark = report::text("The noise itself is ", readable(s.uniform.noisy / s.edge, 2), " mean edges rms; the best results leave ",
-                                readable(s.uniform.errors[s.uniform.best()] / s.edge, 2), " (uniform) and ",
-                                readable(s.cotangent.errors[s.cotangent.best()] / s.edge, 2), " (cotangent).");
-    });
+Measurement cotangent_denoises_better(ClaimBench& bench, const MeshNames&) {
+    Measurement m;
+    const OperatorSweeps s = operator_sweeps(bench);
+    m.cases = {{"each operator with its best step", s.cotangent.errors[s.cotangent.best()] / s.uniform.errors[s.uniform.best()]}};
+    m.remark = report::text("The noise itself is ", readable(s.uniform.noisy / s.edge, 2), " mean edges rms; the best results leave ",
+                            readable(s.uniform.errors[s.uniform.best()] / s.edge, 2), " (uniform) and ",
+                            readable(s.cotangent.errors[s.cotangent.best()] / s.edge, 2), " (cotangent).");
+    return m;
 }
 
 /// The least error along a run.
@@ -133,14 +104,13 @@ double least_error(ClaimBench& bench, double sigma, SmoothingScheme scheme, doub
     return errors[static_cast<std::size_t>(best_of(errors))];
 }
 
-Measurement noise_needs_implicit(ClaimBench& bench) {
+Measurement noise_needs_implicit(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const double edge = bench.mesh("fandisk").mesh->prepared->preflight.mean_edge;
     for (const double share : {0.2, 0.5, 1.0}) {
         m.cases.push_back({"noise of " + plain_text(share) + " mean edges", least_error(bench, share * edge, explicit_euler, 1, 60) /
                                                                                 least_error(bench, share * edge, implicit_euler, 5, 10)});
     }
-    m.meshes = bench.called({"fandisk"});
     m.remark = report::text("Explicit steps of 1, at most 60 of them, beside implicit ones of 5, at most 10.");
     return m;
 }
@@ -149,6 +119,7 @@ Measurement noise_needs_implicit(ClaimBench& bench) {
 
 const std::vector<Claim>& fandisk_claims() {
     using enum Rule::Relation;
+    using enum About::Scope;
     constexpr std::string_view over_best = "the rms error after 10 iterations over that of the best step tried";
     static const std::vector<Claim> claims{
         {"claims_s3_plane_step",
@@ -156,6 +127,7 @@ const std::vector<Claim>& fandisk_claims() {
          "",
          "q5",
          "For the noisy plane, λ = 1 of the uniform operator is a good step.",
+         {{"plane_ns"}, its_kind, {Property::clean_form_known}},
          {over_best, "", at_most, 1.1},
          Effort::quick,
          plane_at_one},
@@ -164,6 +136,7 @@ const std::vector<Claim>& fandisk_claims() {
          "",
          "q5",
          "For the noisy fandisk, λ = 0.5 is good, as more would take its features away.",
+         {{"fandisk_ns"}, itself, {Property::clean_form_known}},
          {over_best, "", at_most, 1.1},
          Effort::full,
          fandisk_at_half},
@@ -172,6 +145,7 @@ const std::vector<Claim>& fandisk_claims() {
          "",
          "q7",
          "More noise needs λ above 1, and therefore implicit smoothing.",
+         {{"fandisk"}},
          {"the least rms error with explicit steps over that with implicit ones", "", at_least, 1.1},
          Effort::full,
          noise_needs_implicit},
@@ -180,6 +154,7 @@ const std::vector<Claim>& fandisk_claims() {
          "",
          "q7",
          "The uniform operator needs a larger λ than the cotangent one.",
+         {{"fandisk_ns"}, its_kind, {Property::clean_form_known}},
          {"the best uniform step over the best cotangent one", "", at_least, 1.5},
          Effort::full,
          uniform_needs_larger},
@@ -188,6 +163,7 @@ const std::vector<Claim>& fandisk_claims() {
          "",
          "q7",
          "The cotangent operator denoises much better than the uniform one.",
+         {{"fandisk_ns"}, its_kind, {Property::clean_form_known}},
          {"the least rms error with the cotangent operator over that with the uniform one", "", at_most, 0.9},
          Effort::full,
          cotangent_denoises_better},

@@ -13,18 +13,15 @@ namespace {
 
 using enum SmoothingScheme;
 
-Measurement largest_stable_is_best(ClaimBench& bench) {
+Measurement largest_stable_is_best(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m;
     report::Plot plot;
     plot.id = "claims_steps";
     plot.x_label = "λ/λ_crit";
     plot.y_label = "roughness left, of the input";
     plot.log_y = true;
-    const LibraryMesh* before = nullptr;
-    for (const std::string_view name : {"bunny", "cow", "plane_ns"}) {
+    for (const std::string_view name : meshes) {
         const SmoothingSubject& s = bench.subject(name);
-        if (s.source.get() == before) continue;   // one mesh stands for both
-        before = s.source.get();
         const double start = roughness(s, s.mesh().X);
         for (const int t : {10, 100}) {
             report::Series series;
@@ -46,7 +43,6 @@ Measurement largest_stable_is_best(ClaimBench& bench) {
     plot.alt = plot.caption;
     bench.plots.push_back(plot);
     m.figure = plot.id;
-    m.meshes = bench.called({"bunny", "cow", "plane_ns"});
     m.remark = report::text("At 0.99 λ_crit the fastest mode is multiplied by −0.98 in every step: where a mesh has much of it, it stays.");
     return m;
 }
@@ -58,10 +54,9 @@ double second_extent(const Positions& X) {
     return std::sqrt(std::max(0.0, squares[1]) / squares[2]);
 }
 
-Measurement collapses_to_a_line(ClaimBench& bench) {
+Measurement collapses_to_a_line(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m;
-    for (const std::string_view name : {"bunny", "cow"}) {
-        if (name == "cow" && bench.mesh("bunny").mesh == bench.mesh("cow").mesh) break;
+    for (const std::string_view name : meshes) {
         const SmoothingSubject& s = bench.subject(name);
         for (const double share : {1.5, 4.0}) {
             SmoothingOptions options;
@@ -71,30 +66,23 @@ Measurement collapses_to_a_line(ClaimBench& bench) {
             m.cases.push_back({s.name() + ", " + plain_text(share) + " λ_crit", 100 * second_extent(smooth(s.mesh(), options).X)});
         }
     }
-    m.meshes = bench.called({"bunny", "cow"});
     m.remark = report::text(
         "In the end the fastest mode outgrows all others, and one mode times one direction is a line; 100 iterations are not the end where "
         "a second one grows nearly as fast.");
     return m;
 }
 
-Measurement unstable_at_15(ClaimBench& bench) {
+Measurement unstable_at_15(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     m.cases = {{"uniform operator", 1.5 / bench.uniform_limit("bunny")}};
-    if (bench.has_limit_of_original("bunny"))   // an area means nothing on another mesh
+    if (bench.is_itself("bunny"))   // an area means nothing on another mesh
         m.cases.push_back({"cotangent operator, λ in the mesh's own unit", 1.5 / bench.subject("bunny").critical});
-    m.meshes = bench.called({"bunny"});
     m.remark = report::text("The uniform limit is ", readable(bench.uniform_limit("bunny"), 4), ".");
     return m;
 }
 
-Measurement good_at_0005(ClaimBench& bench) {
+Measurement good_at_0005(ClaimBench& bench, const MeshNames&) {
     Measurement m;
-    m.meshes = bench.called({"bunny"});
-    if (!bench.has_limit_of_original("bunny")) {
-        m.undecidable = about_the_original;
-        return m;
-    }
     m.cases = {{"the uniform operator", 0.005 / bench.uniform_limit("bunny")},
                {"the cotangent operator", 0.005 / bench.subject("bunny").critical}};
     m.remark = report::text(
@@ -103,11 +91,10 @@ Measurement good_at_0005(ClaimBench& bench) {
     return m;
 }
 
-Measurement distorts_beyond_one(ClaimBench& bench) {
+Measurement distorts_beyond_one(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     const double limit = bench.uniform_limit("fandisk_ns");
     for (const double lambda : {1.05, 1.2, 1.5, 2.0}) m.cases.push_back({"λ = " + plain_text(lambda), lambda / limit});
-    m.meshes = bench.called({"fandisk_ns"});
     m.remark = report::text("The uniform limit here is ", readable(limit, 4), ". From 1 to there modes overshoot, but decay.");
     return m;
 }
@@ -116,12 +103,14 @@ Measurement distorts_beyond_one(ClaimBench& bench) {
 
 const std::vector<Claim>& limit_claims() {
     using enum Rule::Relation;
+    using enum About::Scope;
     static const std::vector<Claim> claims{
         {"claims_s1_largest_stable",
          "S1",
          "",
          "q5",
          "The best explicit step is the largest that is still stable.",
+         {{"bunny", "cow", "plane_ns"}},
          {"the roughness left by 0.99 λ_crit over the least left by any smaller step tried, after equally many iterations", "", at_most,
           1.05},
          Effort::quick,
@@ -131,6 +120,7 @@ const std::vector<Claim>& limit_claims() {
          "",
          "q5",
          "Beyond the limit 100 iterations collapse the mesh to a line.",
+         {{"bunny", "cow"}},
          {"the second extent of the positions over the first, after 100 iterations", "%", at_most, 1},
          Effort::quick,
          collapses_to_a_line},
@@ -139,6 +129,7 @@ const std::vector<Claim>& limit_claims() {
          "",
          "q5",
          "λ = 1.5 is unstable.",
+         {{"bunny"}},
          {"λ over the largest stable λ", "", at_least, 1},
          Effort::full,
          unstable_at_15},
@@ -147,6 +138,7 @@ const std::vector<Claim>& limit_claims() {
          "",
          "q5",
          "On the bunny, λ = 0.005 is a good explicit step.",
+         {{"bunny"}, itself},
          {"λ over the largest stable λ", "", at_most, 1},
          Effort::quick,
          good_at_0005},
@@ -155,6 +147,7 @@ const std::vector<Claim>& limit_claims() {
          "",
          "q5",
          "With the uniform operator, λ above 1 distorts the mesh.",
+         {{"fandisk_ns"}},
          {"λ over the largest stable λ", "", at_least, 1},
          Effort::full,
          distorts_beyond_one},

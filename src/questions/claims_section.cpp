@@ -34,12 +34,16 @@ void add_method(report::Section& section) {
         {report::text(report::strong(shown(Verdict::holds)), " – every case is on the right side of the threshold;"),
          report::text(report::strong(shown(Verdict::conditional)), " – some cases are: the claim needs the condition that is named;"),
          report::text(report::strong(shown(Verdict::refuted)), " – no case is;"),
-         report::text(report::strong(shown(Verdict::undecidable)), " – on these meshes, or in this run, nothing can be said, and why.")}});
+         report::text(report::strong(shown(Verdict::undecidable)),
+                      " – what was measured here would be about something else, or this run does not measure it; the reason is given.")}});
     add_paragraph(
         section,
-        "The deciding number is the one nearest to the threshold among those that turn the scale. Where the mesh a claim is about "
-        "is not there, another stands in for it: steps are then the same multiples of its largest stable step, lengths and noise "
-        "the same multiples of its mean edge. What depends on the original itself stays undecided.");
+        "The deciding number is the one nearest to the threshold among those that turn the scale. What a claim is about is settled "
+        "before anything is measured. A claim about any mesh may be measured on another than its author used: steps are then the same "
+        "multiples of its largest stable step, lengths and noise the same multiples of its mean edge. A claim about one mesh itself, with "
+        "a step or a number of iterations or modes that belongs to its triangles, is decided by that mesh alone. A claim about a kind of "
+        "mesh is decided by that mesh or a bundled one of its kind, never by one's own. A mesh that lacks what a claim speaks of (sharp "
+        "edges, negative weights) is left out, and a claim that compares meshes needs different ones.");
 }
 
 /// By source: "S0: holds 5, refuted 2 and …".
@@ -193,10 +197,15 @@ std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged)
 
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
     const int total = static_cast<int>(judged.size());
-    const auto number = [&](Verdict verdict) { return std::to_string(count_of(judged, verdict)); };
-    return report::text("Of ", counted(total, "claim"), " of earlier reports and papers, measured again, each by a rule of its own, ",
-                        number(Verdict::holds), " hold, ", number(Verdict::conditional), " hold with a condition, ",
-                        number(Verdict::refuted), " are refuted, and ", number(Verdict::undecidable), " cannot be decided here.");
+    const auto number = [&](Verdict verdict, const char* one, const char* many) {
+        const int n = count_of(judged, verdict);
+        return std::to_string(n) + (n == 1 ? one : many);
+    };
+    return report::text("Of ", counted(total, "claim"), " of earlier reports and papers, each with a rule of its own, ",
+                        number(Verdict::holds, " holds, ", " hold, "),
+                        number(Verdict::conditional, " holds with a condition, ", " hold with a condition, "),
+                        number(Verdict::refuted, " is refuted, and ", " are refuted, and "),
+                        std::to_string(count_of(judged, Verdict::undecidable)), " cannot be decided here.");
 }
 
 Answer answer_claims(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {

@@ -66,11 +66,13 @@ void add_denoising_figure(const Reproduction& r, const NoisyExperiment& done, st
     add_figure(r.answer, std::move(figure));
 }
 
-/// The runs over whose curves the minima lie nearest to those of the report: the first run of the curve's levels.
-const NoisyRun& nearest_to_report(const NoisyExperiment& done) {
+/// On the report's own mesh the runs over whose curves the minima lie nearest to the report's: the first run of the curve's levels. The
+/// report's iterations belong to the triangles of that mesh: on a stand-in they choose nothing, and the first variant is shown.
+const NoisyRun& shown_variant(const NoisyExperiment& done) {
     const NoisyRun* nearest = &done.runs.front();
     double least = std::numeric_limits<double>::infinity();
     for (const NoisyRun& candidate : done.runs) {
+        if (done.meshes[candidate.mesh].stand_in) continue;
         double gap = 0;
         for (const NoisyRun& run : done.runs) {
             if (same_curve(run, candidate) && run.minimum_said > 0) gap += std::abs(run.best - run.minimum_said);
@@ -95,7 +97,7 @@ void add_minimum_figure(const Reproduction& r, const NoisyExperiment& done, cons
         const auto it = std::find(e.iterations.begin(), e.iterations.end(), run.minimum_said);
         const auto index = static_cast<std::size_t>(it - e.iterations.begin());
         if (index < run.snapshots.size())
-            add(run, run.snapshots[index], "t = " + std::to_string(run.minimum_said) + ", the minimum of the report");
+            add(run, run.snapshots[index], "t = " + std::to_string(run.minimum_said) + ", where the report has its minimum");
         add(run, run.best_X, "t = " + std::to_string(run.best) + ", the smallest error here");
     }
     figure.caption = done.meshes[chosen.mesh].used->input.file + " and what " + run_label(e, chosen) +
@@ -121,9 +123,11 @@ void add_error_plot(const Reproduction& r, const NoisyExperiment& done, const No
         plot.markers.push_back(
             {double(run.best), percent_of(done, run) * rms_at(run, run.best), "smallest, t = " + std::to_string(run.best)});
     }
-    plot.caption =
-        "Error against the clean " + done.meshes[chosen.mesh].name() + " over the iterations, " + run_label(e, chosen) +
-        (done.runs.size() > e.noise.size() ? ": of the variants in the table the one whose minima lie nearest to the report's." : ".");
+    plot.caption = "Error against the clean " + done.meshes[chosen.mesh].name() + " over the iterations, " + run_label(e, chosen) +
+                   (done.runs.size() <= e.noise.size() ? "."
+                    : done.meshes[chosen.mesh].stand_in
+                        ? ": the first of the variants in the table. Which of them is the report's, only its own mesh can tell."
+                        : ": of the variants in the table the one whose minima lie nearest to the report's.");
     plot.alt = plot.caption;
     r.section().blocks.emplace_back(std::move(plot));
 }
@@ -266,7 +270,7 @@ void add_noisy_reproduction(const Reproduction& r, const NoisyExperiment& done) 
     add_opening(r, done.meshes);
     const bool curve = r.experiment.kind == ExperimentKind::error_curve;
     if (curve) {
-        const NoisyRun& chosen = nearest_to_report(done);
+        const NoisyRun& chosen = shown_variant(done);
         add_error_plot(r, done, chosen);
         add_minimum_figure(r, done, chosen);
     }

@@ -15,9 +15,10 @@ struct StandIn {
     std::string_view name;   // "bunny"
     std::string_view file;   // looked for in the data folders: "bunny.off"
     std::string_view role;   // of the mesh in its place
-    /// Of the original, so that steps and noise given in its units can be brought to another mesh.
+    /// Of the original: known by them, and what is given in its units can be brought to another mesh.
     double critical = 0;    // λ_crit, ½-cotangent operator with barycentric areas [length²]
     double mean_edge = 0;   // [length]
+    int vertices = 0, triangles = 0;
 };
 std::span<const StandIn> stand_in_list();
 
@@ -27,8 +28,9 @@ struct ReportMesh {
     bool original = false;            // the very mesh that is spoken of
     bool own = false;                 // the user's, which takes every place
     const StandIn* entry = nullptr;   // null for the roles of the assignment
+    std::string_view asked = {};      // what the name means: "bunny.off", "curvatures/plane.obj", or a bundled file
 
-    /// "bunny", or "creature in place of bunny.off".
+    /// "bunny", or "creature in place of bunny.off"; of the user's own mesh, its name.
     std::string called() const;
     report::Input input() const;
 };

@@ -101,6 +101,26 @@ class From(unittest.TestCase):
         _, process = self.again(source=folder / "failed" / "results.json", expected=1)
         self.assertIn("q2 failed", process.stderr)
 
+    def test_an_undecided_check_is_told_and_is_no_failure(self):
+        copy = self.copy()
+        results = json.loads((copy / "results.json").read_text())
+        check = results["questions"][0]["checks"][0]
+        check.update(status="undecided", passed=None, measured=None, note="rounding is larger than the margin")
+        (copy / "results.json").write_text(json.dumps(results))
+        target, process = self.again(source=copy / "results.json")
+        self.assertIn("meshfolio: 1 check undecided, which is no failure", process.stderr)
+        self.assertNotIn("check failed", process.stderr)
+        total = sum(len(s["checks"]) for s in results["questions"] + results["supporting"])
+        score = f"{total - 1} of {total} checks passed, 1 undecided"
+        self.assertIn(score, (target / "report.md").read_text())
+        page = (target / "index.html").read_text()
+        self.assertIn(f"<b>{total - 1}</b> of {total} checks passed, 1 undecided", page)
+        self.assertIn("rounding is larger than the margin", page)
+        check.update(status="failed", passed=False)
+        (copy / "results.json").write_text(json.dumps(results))
+        _, process = self.again(source=copy / "results.json", expected=1)
+        self.assertIn("check failed", process.stderr)
+
     def test_nothing_can_be_computed(self):
         _, process = self.again("--only", "q2", expected=2)
         self.assertIn("--only cannot be given with --from", process.stderr)

@@ -263,6 +263,21 @@ class Refusals(Reported):
         self.edit_results(out, lambda r: r["questions"].pop(3))
         self.refuse(1, "q4 is missing", out)
 
+    def test_failed_and_undecided_checks_are_told_apart_and_do_not_stand_in_the_way(self):
+        out = self.copy()
+
+        def change(results):
+            first, second, third = results["questions"][0]["checks"][:3]
+            first.update(status="undecided", passed=None, note="rounding")
+            second.update(status="failed", passed=False)
+            third.update(status="failed", passed=False)
+
+        self.edit_results(out, change)
+        process = self.submit(out)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertIn("warning: q1: 1 check undecided, as the report says", process.stderr)
+        self.assertIn("warning: q1: 2 checks failed, as the report says", process.stderr)
+
     def test_a_report_of_some_questions(self):
         out = temporary_folder(self) / "out"
         run("report", "--quick", "--size", 64, "--only", "q2", "--pdf", "off", "--out", out)

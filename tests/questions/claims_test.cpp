@@ -7,12 +7,14 @@
 
 #include "geometry/curvature.h"
 #include "geometry/mesh_laws.h"
+#include "mesh/mesh_files.h"
 #include "mesh/sample_shapes.h"
 #include "questions/claim_bench.h"
 #include "questions/claim_list.h"
 #include "questions/claims_section.h"
 #include "questions/study_laws.h"
 #include "shared_meshes.h"
+#include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
@@ -38,15 +40,15 @@ Measurement energy_after(ClaimBench& bench, double share) {
     m.cases = {{"sphere", roughness(s, X) / roughness(s, s.mesh().X)}};
     return m;
 }
-Measurement below_the_limit(ClaimBench& bench) { return energy_after(bench, 0.5); }
-Measurement beyond_the_limit(ClaimBench& bench) { return energy_after(bench, 1.5); }
-Measurement total_curvature(ClaimBench& bench) {
+Measurement below_the_limit(ClaimBench& bench, const MeshNames&) { return energy_after(bench, 0.5); }
+Measurement beyond_the_limit(ClaimBench& bench, const MeshNames&) { return energy_after(bench, 1.5); }
+Measurement total_curvature(ClaimBench& bench, const MeshNames&) {
     const LibraryMesh& torus = *bench.mesh("torus").mesh;
     Measurement m;
     m.cases = {{"torus", angle_deficit(torus.mesh(), torus.prepared->topology).sum() / (2 * M_PI)}};
     return m;
 }
-Measurement sphere_curvature_measured(ClaimBench& bench) {
+Measurement sphere_curvature_measured(ClaimBench& bench, const MeshNames&) {
     const LibraryMesh& sphere = *bench.mesh("sphere").mesh;
     const Vector H = cotangent_mean_curvature(sphere.mesh(), sphere.prepared->topology, bench.subject("sphere").laplacian);
     Measurement m;
@@ -54,11 +56,13 @@ Measurement sphere_curvature_measured(ClaimBench& bench) {
     return m;
 }
 
-Claim planted(const Rule& rule, Measurement (*measure)(ClaimBench&)) {
-    return {"claims_planted", "test", "", "q5", "planted", rule, Effort::quick, measure};
+using Measure = Measurement (*)(ClaimBench&, const MeshNames&);
+
+Claim planted(const Rule& rule, Measure measure, const About& about = {}) {
+    return {"claims_planted", "test", "", "q5", "planted", about, rule, Effort::quick, measure};
 }
 
-Verdict judged_verdict(const Rule& rule, Measurement (*measure)(ClaimBench&)) {
+Verdict judged_verdict(const Rule& rule, Measure measure) {
     const MeshLibrary library({}, {});
     const QuestionSettings settings = quick_settings();
     ClaimBench bench(library, settings);
@@ -168,6 +172,162 @@ TEST(ClaimList, EveryClaimIsComplete) {
     EXPECT_GE(sources.size(), 8u) << "four reports, and papers";
 }
 
+// ---- what a claim is about ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// How many meshes it was given: decides every claim that reaches it.
+Measurement meshes_given(ClaimBench&, const MeshNames& meshes) {
+    Measurement m;
+    m.cases = {{"meshes", double(meshes.size())}};
+    return m;
+}
+
+Decision decision_on(const MeshLibrary& library, const About& about) {
+    const QuestionSettings settings = quick_settings();
+    ClaimBench bench(library, settings);
+    return judged(planted({"meshes measured", "", at_least, 1}, meshes_given, about), bench).decision;
+}
+
+const Claim& claim_named(std::string_view id) {
+    const auto& claims = claim_list();
+    const auto it = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id == id; });
+    if (it == claims.end()) throw std::logic_error("no claim " + std::string(id));
+    return *it;
+}
+
+Decision decision_of(std::string_view id, const MeshLibrary& library, const QuestionSettings& settings = {}) {
+    ClaimBench bench(library, settings);
+    return judged(claim_named(id), bench).decision;
+}
+
+/// Is it about one mesh or a kind of mesh by its words alone, or does it compare several? Written without a look at About.
+bool names_what_a_mesh_is(const Claim& claim) {
+    const std::string words(claim.words);
+    const auto says = [&](const char* part) { return words.find(part) != std::string::npos; };
+    return says("bunny") || says("cube") || says("cow") || says("fandisk") || says("plane") || says("Hands") || says("armadillo") ||
+           says("Each object");
+}
+
+/// A closed surface of several bumps, and triangles of all shapes.
+TriangleMesh blob() {
+    TriangleMesh mesh = icosphere(2);
+    for (Eigen::Index i = 0; i < mesh.X.rows(); ++i) {
+        const Eigen::RowVector3d p = mesh.X.row(i);
+        mesh.X.row(i) *= 1 + 0.4 * std::sin(3 * p[0] + 1) * std::cos(4 * p[1]) + 0.2 * std::sin(5 * p[2]);
+    }
+    return mesh;
+}
+TriangleMesh large_box() {
+    TriangleMesh mesh = cube_mesh(6);
+    mesh.X *= 7;
+    return mesh;
+}
+
+}   // namespace
+
+TEST(ClaimAbout, AClaimThatNamesAMeshIsNotAboutAnyMesh) {
+    int naming = 0;
+    for (const Claim& claim : claim_list()) {
+        if (!names_what_a_mesh_is(claim)) continue;
+        ++naming;
+        EXPECT_FALSE(claim.about.meshes.empty()) << claim.id;
+        EXPECT_TRUE(claim.about.scope != About::Scope::any_mesh || claim.about.compared > 1) << claim.id;
+    }
+    EXPECT_GE(naming, 15);
+}
+
+TEST(ClaimAbout, OneMeshInEveryRoleDecidesNothingAboutAnother) {
+    for (const auto& [mesh, name] :
+         {std::pair{large_box(), "about_box"}, std::pair{blob(), "about_blob"}, std::pair{grid_mesh(13, 14, 2, 1), "about_patch"}}) {
+        const MeshLibrary library = library_of(mesh, name);
+        const QuestionSettings settings;   // a full run: a quick one leaves most claims out
+        ClaimBench bench(library, settings);
+        int general = 0;
+        for (const Claim& claim : claim_list()) {
+            if (claim.about.meshes.empty()) continue;   // made by the program: the same on every mesh
+            const JudgedClaim result = judged(claim, bench);
+            const bool elsewhere = names_what_a_mesh_is(claim) || claim.about.scope != About::Scope::any_mesh || claim.about.compared > 1;
+            if (elsewhere) {
+                EXPECT_EQ(result.decision.verdict, Verdict::undecidable) << claim.id << " on " << name;
+                EXPECT_NE(result.decision.why, "the quantity is not defined on this mesh") << claim.id << ": that is found out before";
+            } else {
+                general += result.decision.verdict != Verdict::undecidable ? 1 : 0;
+            }
+            EXPECT_EQ(result.decision.verdict == Verdict::undecidable, !result.decision.why.empty()) << claim.id;
+        }
+        EXPECT_GE(general, 15) << name << ": claims about any mesh are still decided";
+    }
+}
+
+TEST(ClaimAbout, BundledMeshesDecideGeneralClaimsAndTheirKindsButNoOtherMeshItself) {
+    const MeshLibrary library({}, {});
+    const QuestionSettings settings = quick_settings();
+    ClaimBench bench(library, settings);
+    for (const Claim& claim : claim_list()) {
+        if (claim.about.scope != About::Scope::itself) continue;
+        EXPECT_EQ(judged(claim, bench).decision.verdict, Verdict::undecidable) << claim.id;
+    }
+    for (const char* id : {"claims_s0_limits_differ", "claims_s3_plane_uniform", "claims_s3_plane_step", "claims_s1_any_step"})
+        EXPECT_NE(judged(claim_named(id), bench).decision.verdict, Verdict::undecidable) << id;
+}
+
+TEST(ClaimAbout, AMeshIsNotComparedWithItself) {
+    const About two{{"bunny", "cube", "cow"}, About::Scope::any_mesh, {}, 2};
+    EXPECT_EQ(decision_on(MeshLibrary({}, {}), two).verdict, Verdict::holds);
+    const Decision own = decision_on(library_of(blob(), "about_alone"), two);
+    EXPECT_EQ(own.verdict, Verdict::undecidable);
+    EXPECT_EQ(own.why, "it compares different meshes with each other, and one takes the place of all");
+    // One mesh under two names and in two formats.
+    const testing_tools::TemporaryFolder folder;
+    write_mesh(folder.path() / "bunny.off", blob());
+    write_mesh(folder.path() / "cow.off", blob());
+    EXPECT_EQ(decision_on(MeshLibrary({folder.path()}, {}), {{"bunny", "cow"}, About::Scope::any_mesh, {}, 2}).verdict,
+              Verdict::undecidable);
+    EXPECT_EQ(decision_on(MeshLibrary({folder.path()}, {}), two).verdict, Verdict::holds) << "the cube is another";
+}
+
+TEST(ClaimAbout, AMeshIsKnownByItsMeasuresAndNotByItsName) {
+    const testing_tools::TemporaryFolder folder;
+    write_mesh(folder.path() / "bunny.off", blob());
+    const Decision impostor = decision_on(MeshLibrary({folder.path()}, {}), {{"bunny"}, About::Scope::itself});
+    EXPECT_EQ(impostor.verdict, Verdict::undecidable);
+    EXPECT_EQ(impostor.why, "it is about bunny.off itself, and what bunny does in its place says nothing of that");
+    TriangleMesh cube{Positions(8, 3), Faces(12, 3)};   // which way the sides are halved counts, too: the bundled one is another
+    cube.X << -0.5, -0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, 0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5, 0.5, -0.5,
+        -0.5;
+    cube.F << 0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5, 4, 5, 6, 6, 5, 7, 6, 7, 0, 0, 7, 1, 1, 7, 3, 3, 7, 5, 6, 0, 4, 4, 0, 2;
+    const About the_cube{{"cube"}, About::Scope::itself};
+    EXPECT_EQ(decision_on(MeshLibrary({}, {}), the_cube).verdict, Verdict::undecidable);
+    EXPECT_EQ(decision_on(library_of(cube, "about_unit_cube"), the_cube).verdict, Verdict::holds) << "one's own copy of it";
+    cube.X *= 1.01;
+    EXPECT_EQ(decision_on(library_of(cube, "about_other_cube"), the_cube).verdict, Verdict::undecidable);
+}
+
+TEST(ClaimAbout, AMeshWithoutThePropertyIsLeftOut) {
+    const auto why = [](const TriangleMesh& mesh, const std::string& name, Property property) {
+        return decision_on(library_of(mesh, name), {{"bunny"}, About::Scope::any_mesh, {property}}).why;
+    };
+    const TriangleMesh patch = grid_mesh(6, 5, 2, 1), sphere = icosphere(2);
+    EXPECT_EQ(why(patch, "about_a", Property::flat), "");
+    EXPECT_EQ(why(sphere, "about_b", Property::flat), "about_b is not flat");
+    EXPECT_EQ(why(patch, "about_c", Property::not_flat), "about_c is flat");
+    EXPECT_EQ(why(patch, "about_d", Property::closed), "about_d is open and encloses no volume");
+    EXPECT_EQ(why(sphere, "about_e", Property::closed), "");
+    EXPECT_EQ(why(sphere, "about_f", Property::sharp_edged), "about_f has no sharp edges that stand out from smooth faces");
+    EXPECT_EQ(why(large_box(), "about_g", Property::sharp_edged), "");
+    EXPECT_EQ(why(sphere, "about_h", Property::negative_weights), "about_h has no negative cotangent weight");
+    EXPECT_EQ(why(blob(), "about_i", Property::negative_weights), "");
+    EXPECT_EQ(why(icosphere(0), "about_j", Property::unequal_areas), "about_j has vertices of equal areas");
+    EXPECT_EQ(why(patch, "about_k", Property::unequal_areas), "");
+    EXPECT_EQ(why(patch, "about_l", Property::above_150_vertices), "about_l has no more than 150 vertices");
+    EXPECT_EQ(why(sphere, "about_m", Property::above_150_vertices), "");
+    EXPECT_EQ(why(patch, "plane_noisy", Property::clean_form_known), "plane_noisy has noise under which the surface is not known")
+        << "whatever one's own file is called";
+    EXPECT_EQ(decision_of("claims_s3_clamp_stable", library_of(sphere, "about_n")).verdict, Verdict::undecidable)
+        << "clamping what is not there says nothing";
+}
+
 TEST(ClaimsSection, BundledMeshes) {
     const Answer answer = answer_claims(MeshLibrary({}, {}), quick_settings(), no_progress);
     expect_well_formed(answer);
@@ -212,10 +372,7 @@ JudgedClaim judged_on_originals(std::string_view id) {
     const MeshLibrary library({mesh_folder / "coursework", mesh_folder / "classic"}, {});
     const QuestionSettings settings;
     ClaimBench bench(library, settings);
-    const auto& claims = claim_list();
-    const auto it = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id == id; });
-    if (it == claims.end()) throw std::logic_error("no claim " + std::string(id));
-    return judged(*it, bench);
+    return judged(claim_named(id), bench);
 }
 
 bool originals_are_there() { return std::filesystem::exists(mesh_folder / "classic" / "bunny.off"); }
@@ -235,6 +392,8 @@ TEST(ClaimsOnOriginals, ConstantsOfTheOriginals) {
         ASSERT_TRUE(found.original) << entry.name;
         EXPECT_NEAR(found.mesh->prepared->preflight.mean_edge / entry.mean_edge, 1, 1e-5) << entry.name;
         EXPECT_NEAR(smoothing_subject(found.mesh).critical / entry.critical, 1, 1e-5) << entry.name;
+        EXPECT_EQ(found.mesh->prepared->preflight.vertices_in_use, entry.vertices) << entry.name;
+        EXPECT_EQ(found.mesh->prepared->preflight.triangles, entry.triangles) << entry.name;
     }
 }
 
