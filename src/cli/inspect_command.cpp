@@ -21,27 +21,23 @@ struct Inspection {
     PreparedMesh prepared;
     MeshFacts facts;
     std::optional<StabilityCertificate> stability;   // nothing when it could not be computed
+    std::optional<double> floored;   // λ_crit if triangles without area kept a stiffness; nothing where there are none [length²]
 
     double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };
 
 Inspection inspection_of(const std::string& file, OperatorKind kind) {
-    ProgressDisplay display(stderr_is_terminal());
-    display.step("reading");
     Inspection inspection;
     inspection.prepared = load_mesh(file);
-    display.advance(0.2);
-    display.step("counts and defects");
+    const TriangleMesh& mesh = inspection.prepared.mesh;
+    std::optional<Stage> stage;
+    const auto progress = [&](std::string_view what) { stage.emplace(std::string(what)); };
+    progress("counts and defects");
     inspection.facts = mesh_facts(inspection.prepared);
-    double fraction = 0.4;
-    const auto progress = [&](std::string_view what) {
-        display.step(what);
-        display.advance(fraction);
-        fraction += 0.2;
-    };
     try {
-        const LaplaceBeltrami laplacian = laplace_operator(inspection.prepared.mesh, kind);
-        inspection.stability = stability_certificate(laplacian, {.assembly = assembly_of(kind), .progress = progress});
+        inspection.stability = stability_certificate(laplace_operator(mesh, kind), {.assembly = assembly_of(kind), .progress = progress});
+        if (kind == OperatorKind::cotan && inspection.facts.counts.zero_area_faces > 0)
+            inspection.floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(mesh)));
     } catch (const SolverError& error) {
         warn(file + ": largest stable step not computed: " + error.what());
     }
@@ -114,6 +110,10 @@ std::string told(const Inspection& inspection) {
         line("Gauss-Bonnet", "sum of deficits / 2 pi = " + plain_text(inspection.deficits_over_2pi(), 12) +
                                  (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
     if (inspection.stability) text += told(*inspection.stability);
+    if (inspection.floored) {
+        text += line("with zero-area faces", plain_text(*inspection.floored, 8) +
+                                                 " if their cotangents counted, cut off at 1e12; flip edges, or take --operator idt");
+    }
     return text + consequences(inspection.facts);
 }
 
@@ -193,6 +193,7 @@ ordered_json as_json(const Inspection& inspection) {
                       {"coordinate_rounding", inspection.facts.coordinate_rounding},
                       {"defects", consequences_json(inspection.facts)}};
     add_stability(json, inspection.stability);
+    json["lambda_crit_with_zero_area_faces"] = inspection.floored ? ordered_json(*inspection.floored) : ordered_json();
     json["warnings"] = ordered_json::array();
     for (const MeshWarning& warning : inspection.prepared.warnings)
         json["warnings"].push_back({{"line", warning.line}, {"message", printable(warning.message)}});

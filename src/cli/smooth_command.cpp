@@ -70,8 +70,7 @@ void warn_of_indefinite(const SmoothFlags& options, const SmoothingOptions& smoo
 double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, const PreparedMesh& prepared) {
     const StepUnit unit = step_unit_named(options.unit);
     const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
-    ProgressDisplay display(stderr_is_terminal());
-    display.step("largest stable step");
+    const Stage stage("largest stable step");
     const bool needs_limit = is_explicit || unit == StepUnit::tau || options.lambda.empty();
     const double critical = needs_limit ? largest_stable_step(largest_eigenvalue(laplace_operator(prepared.mesh, smoothing.laplacian))) : 0;
     if (options.lambda.empty()) {
