@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "errors.h"
@@ -163,7 +164,7 @@ public:
             if (&element == parts_.vertices) {
                 read_vertices(element);
             } else if (&element == parts_.faces) {
-                read_faces(element);
+                parts_.are_strips ? read_strips(element) : read_faces(element);
             } else {
                 skip_element(element);
             }
@@ -220,16 +221,62 @@ private:
 
     void read_corners(long long face, const PlyProperty& property) {
         const long long corners = list_length(property);
-        for (long long k = 0; k < corners; ++k) {
-            const long long index = body_.integer(property.type);
-            if (index < 0 || index >= parts_.vertices->count) {
-                fail(body_.line(),
-                     "face " + std::to_string(face) + ": index " + std::to_string(index) + " out of range (" +
-                         std::to_string(parts_.vertices->count) + " vertices)",
-                     "indices are whole numbers from 0");
-            }
-            polygons_.add_corner(static_cast<int>(index));
+        for (long long k = 0; k < corners; ++k) polygons_.add_corner(checked_index(body_.integer(property.type), "face ", face));
+    }
+
+    int checked_index(long long index, const char* what, long long number) const {
+        if (index < 0 || index >= parts_.vertices->count) {
+            fail(body_.line(),
+                 what + std::to_string(number) + ": index " + std::to_string(index) + " out of range (" +
+                     std::to_string(parts_.vertices->count) + " vertices)",
+                 "indices are whole numbers from 0");
         }
+        return static_cast<int>(index);
+    }
+
+    void read_strips(const PlyElement& element) {
+        for (long long i = 0; i < element.count; ++i) {
+            body_.begin_row(element);
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                if (parts_.is_corners(element, p)) {
+                    read_strip_list(i, element.properties[p]);
+                } else {
+                    skip_value(element.properties[p]);
+                }
+            }
+            body_.end_row(element);
+        }
+    }
+
+    /// Strips one after the other, each ended by −1 or by the end of the list. Corner k ≥ 2 of a strip makes a triangle with the two before
+    /// it; every second one is turned, so that all of a strip face the same side.
+    void read_strip_list(long long row, const PlyProperty& property) {
+        const long long items = list_length(property);
+        std::array<int, 3> last{};   // corners of the strip
+        long long corners = 0;       // of the strip so far
+        for (long long k = 0; k < items; ++k) {
+            const long long index = body_.integer(property.type);
+            if (index == -1) {
+                end_strip(last, corners);
+                corners = 0;
+                continue;
+            }
+            last = {last[1], last[2], checked_index(index, "tristrips ", row)};
+            if (++corners < 3) continue;
+            const bool turned = corners % 2 == 0;
+            add_polygon(std::array{last[turned ? 1 : 0], last[turned ? 0 : 1], last[2]});
+        }
+        end_strip(last, corners);
+    }
+
+    /// Too short a strip is told as a face of so few corners.
+    void end_strip(const std::array<int, 3>& last, long long corners) {
+        if (corners == 1 || corners == 2) add_polygon({last.data() + 3 - corners, static_cast<std::size_t>(corners)});
+    }
+
+    void add_polygon(std::span<const int> corners) {
+        for (const int v : corners) polygons_.add_corner(v);
+        polygons_.end_polygon(body_.line());
     }
 
     long long list_length(const PlyProperty& property) {
@@ -266,6 +313,9 @@ LoadedMesh parse_ply(std::string_view bytes, const std::string& file) {
     bytes = without_bom(bytes);
     const PlyHeader header = parse_ply_header(bytes, file);
     const PlyMeshParts parts = mesh_parts(header, file);
+    if (parts.ignored != nullptr) {
+        warnings.add(parts.ignored->line, "tristrips beside faces ignored", "elements of tristrips beside faces ignored");
+    }
     if (std::optional<PlyTriangles> all_at_once = read_triangle_rows(bytes, header, parts)) {
         warn_of_bytes_left(bytes.size() - all_at_once->end, warnings);
         return {std::move(all_at_once->mesh), file, {}, warnings.warnings()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "errors.h"
@@ -72,6 +73,7 @@ private:
     }
 
     void read_format(std::string_view rest) {
+        if (has_format_) fail(lines_.number(), "a second format line", second_remedy);
         const std::string_view name = take_word(rest);
         const std::string_view version = take_word(rest);
         if (version != "1.0") fail(lines_.number(), "PLY version " + in_quotes(version) + " is not supported", "the version is 1.0");
@@ -95,6 +97,8 @@ private:
             fail(lines_.number(), "impossible count " + in_quotes(word) + " of element " + in_quotes(name),
                  "counts are whole numbers from 0 to " + std::to_string(std::numeric_limits<int>::max()));
         }
+        if (!elements_.emplace(name).second) fail(lines_.number(), "element " + in_quotes(name) + " a second time", second_remedy);
+        properties_.clear();
         header_.elements.push_back({std::string(name), *count, lines_.number(), {}});
     }
 
@@ -112,7 +116,12 @@ private:
         property.type = type_named(word);
         property.name = take_word(rest);
         if (property.name.empty()) fail(lines_.number(), "property without a name", "the header may be damaged");
-        header_.elements.back().properties.push_back(std::move(property));
+        PlyElement& element = header_.elements.back();
+        if (!properties_.insert(property.name).second) {
+            fail(lines_.number(), "property " + in_quotes(property.name) + " of element " + in_quotes(element.name) + " a second time",
+                 second_remedy);
+        }
+        element.properties.push_back(std::move(property));
     }
 
     PlyType type_named(std::string_view word) const {
@@ -140,10 +149,13 @@ private:
         }
     }
 
+    static constexpr char second_remedy[] = "which of the two holds cannot be known; export the mesh again";
+
     std::string_view bytes_;
     LineScanner lines_;
     const std::string& file_;
     bool has_format_ = false;
+    std::set<std::string> elements_, properties_;   // names met; properties are those of the last element
     PlyHeader header_;
 };
 

@@ -119,14 +119,15 @@ PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file) {
         if (property.is_list) fail(file, property.line, std::string("property '") + name + "' is a list", "it must be one number");
         parts.axis[static_cast<std::size_t>(*name - 'x')] = *p;
     }
-    parts.faces = element_named(header, "face");
-    if (parts.faces == nullptr) {
-        const bool strips = element_named(header, "tristrips") != nullptr;
-        fail(file, 0, strips ? "no faces (tristrips are not supported)" : "no face element", "export the mesh as polygons");
-    }
+    const PlyElement* const faces = element_named(header, "face");
+    const PlyElement* const strips = element_named(header, "tristrips");
+    parts.are_strips = strips != nullptr && (faces == nullptr || faces->count == 0);
+    parts.faces = parts.are_strips ? strips : faces;
+    parts.ignored = parts.are_strips ? nullptr : strips;
+    if (parts.faces == nullptr) fail(file, 0, "no face element", "export the mesh as polygons");
     const auto indices = property_named(*parts.faces, "vertex_indices"), index = property_named(*parts.faces, "vertex_index");
     if (!indices && !index) {
-        fail(file, parts.faces->line, "element face has no property 'vertex_indices'", "export the mesh as polygons");
+        fail(file, parts.faces->line, "element " + parts.faces->name + " has no property 'vertex_indices'", "export the mesh as polygons");
     }
     parts.corners = std::max(indices.value_or(0), index.value_or(0));
     const PlyProperty& corners = parts.faces->properties[parts.corners];
@@ -137,7 +138,7 @@ PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file) {
 
 std::optional<PlyTriangles> read_triangle_rows(std::string_view bytes, const PlyHeader& header, const PlyMeshParts& parts) {
     constexpr auto ours = std::endian::native == std::endian::big ? PlyHeader::Format::big_endian : PlyHeader::Format::little_endian;
-    if (header.format != ours || parts.faces->count == 0 || parts.faces->count > most_triangles) return std::nullopt;
+    if (header.format != ours || parts.are_strips || parts.faces->count == 0 || parts.faces->count > most_triangles) return std::nullopt;
     Rows points{}, triangles{};
     std::size_t at = header.size;
     for (const PlyElement& element : header.elements) {

@@ -15,9 +15,11 @@ namespace meshfolio {
 /// The elements and properties that make up the mesh.
 struct PlyMeshParts {
     const PlyElement* vertices;
-    const PlyElement* faces;
+    const PlyElement* faces;           // or `tristrips`, where there are no faces
     std::array<std::size_t, 3> axis;   // which property of a vertex is x, y, z
     std::size_t corners;               // which property of a face is the list of its corners
+    bool are_strips;                   // a row of `faces` holds strips of triangles, ended by −1
+    const PlyElement* ignored;         // strips beside faces; null without
 
     bool is_corners(const PlyElement& element, std::size_t property) const { return &element == faces && property == corners; }
 };

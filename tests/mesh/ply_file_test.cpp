@@ -155,12 +155,103 @@ TEST(PlyFile, RefusesBadHeaders) {
     EXPECT_TRUE(refused(with("element vertex 4", "property int x"), "m.ply:3", "outside an element"));
     EXPECT_TRUE(refused(with("float z", "float w"), "m.ply", "no property 'z'"));
     EXPECT_TRUE(refused(with("element vertex", "element vortex"), "m.ply", "no vertex element"));
-    EXPECT_TRUE(refused(with("element face", "element tristrips"), "m.ply", "tristrips"));
+    EXPECT_TRUE(refused(with("element face", "element edge"), "m.ply", "no face element"));
     EXPECT_TRUE(refused(with("vertex_indices", "corners"), "m.ply:7", "vertex_indices"));
     EXPECT_TRUE(refused(with("list uchar", "list float"), "m.ply:8", "integer type"));
     EXPECT_TRUE(refused(with("uchar int", "uchar float"), "m.ply:8", "integer type"));
     EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement ver", "m.ply:3", "impossible count"));
     EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 4\n", "m.ply", "end_header"));
+}
+
+// Which of the two holds cannot be known: readers differ.
+TEST(PlyFile, RefusesWhatTheHeaderSaysTwice) {
+    const auto with = [](const std::string& from, const std::string& to) { return replaced(ascii_header, from, to) + ascii_body; };
+    EXPECT_TRUE(refused(with("element v", "format ascii 1.0\nelement v"), "m.ply:3", "second format"));
+    EXPECT_TRUE(refused(with("element f", "format binary_big_endian 1.0\nelement f"), "m.ply:7", "second format"));
+    EXPECT_TRUE(refused(with("float z\n", "float z\nproperty float x\n"), "m.ply:7", "property 'x' of element 'vertex' a second time"));
+    EXPECT_TRUE(refused(with("float z\n", "float z\nproperty list uchar int z\n"), "m.ply:7", "property 'z'"));
+    EXPECT_TRUE(refused(with("end_header", "property list uchar int vertex_indices\nend_header"), "m.ply:9", "a second time"));
+    EXPECT_TRUE(refused(with("element f", "element vertex 4\nproperty float x\nelement f"), "m.ply:7", "element 'vertex' a second time"));
+    EXPECT_TRUE(refused(with("end_header", "element face 1\nproperty list uchar int vertex_indices\nend_header"), "m.ply:9",
+                        "element 'face' a second time"));
+    expect_tetrahedron(replaced(ascii_header, "end_header", "element odd 0\nproperty float x\nend_header") + ascii_body);
+}
+
+namespace {
+
+/// A file of tristrips: `rows` of them, the vertices of the tetrahedron.
+std::string strips_file(const std::vector<std::vector<int>>& rows, const std::string& format, const std::string& more = "") {
+    const bool big = format == "binary_big_endian";
+    std::string text;
+    Bytes bytes(big);
+    for (int v = 0; v < 4; ++v) {
+        for (int k = 0; k < 3; ++k) {
+            const auto x = static_cast<float>(tetrahedron().X(v, k));
+            bytes.add(x);
+            text += std::to_string(x) + (k < 2 ? " " : "\n");
+        }
+    }
+    for (const std::vector<int>& row : rows) {
+        bytes.add(static_cast<std::int32_t>(row.size()));
+        text += std::to_string(row.size());
+        for (const int v : row) {
+            bytes.add(static_cast<std::int32_t>(v));
+            text += " " + std::to_string(v);
+        }
+        text += "\n";
+    }
+    return "ply\nformat " + format + " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + more +
+           "element tristrips " + std::to_string(rows.size()) + "\nproperty list int int vertex_indices\nend_header\n" +
+           (format == "ascii" ? text : bytes.text());
+}
+
+const std::vector<std::string> formats{"ascii", "binary_little_endian", "binary_big_endian"};
+
+Faces strip_faces(const std::vector<std::vector<int>>& rows, const std::string& format) {
+    return parse_ply(strips_file(rows, format), "m.ply").mesh.F;
+}
+
+}   // namespace
+
+// Every second triangle is turned, −1 begins anew; the tetrahedron is one strip.
+TEST(PlyFile, Tristrips) {
+    const Faces whole = (Faces(4, 3) << 0, 1, 2, 2, 1, 3, 2, 3, 0, 0, 3, 1).finished();
+    for (const std::string& format : formats) {
+        EXPECT_EQ(strip_faces({{0, 1, 2, 3, 0, 1, -1}}, format), whole) << format;
+        EXPECT_EQ(strip_faces({{0, 1, 2, 3, 0, 1}}, format), whole) << format;
+        EXPECT_EQ(strip_faces({{0, 1, 2, 3, -1, 2, 3, 0, 1}}, format), whole) << format << ": the turn begins anew";
+        EXPECT_EQ(strip_faces({{-1, 0, 1, 2, 3, -1, -1}, {}, {2, 3, 0, 1}}, format), whole) << format << ": empty strips and rows";
+        EXPECT_EQ(warnings_of(parse_ply(strips_file({{0, 1, 2, 3, 0, 1, -1}}, format), "m.ply")), "");
+    }
+    EXPECT_EQ(parse_ply(strips_file({{0, 1, 2, 3}}, "ascii"), "m.ply").face_lines, (std::vector<long>{14, 14}));
+}
+
+TEST(PlyFile, TristripsAreJudgedAsFaces) {
+    for (const std::string& format : formats) {
+        const std::string line = format == "ascii" ? "14" : "0";
+        EXPECT_EQ(warnings_of(parse_ply(strips_file({{0, 1, -1, 2, -1, 0, 2, 1}}, format), "m.ply")),
+                  line + ": 2 faces with fewer than 3 vertices ignored\n");
+        const std::string where = format == "ascii" ? "m.ply:14" : "m.ply";
+        EXPECT_TRUE(refused(strips_file({{0, 1, 4}}, format), where, "tristrips 0: index 4 out of range (4 vertices)"));
+        EXPECT_TRUE(refused(strips_file({{0, 1, 2}, {0, 1, 2, -2}}, format), format == "ascii" ? "m.ply:15" : "m.ply",
+                            "tristrips 1: index -2 out of range"));
+        EXPECT_TRUE(refused(strips_file({{0, 1, -1}}, format), "m.ply", "no triangles"));
+        const std::string whole = strips_file({{0, 1, 2, 3, 0, 1, -1}}, format);
+        for (std::size_t size = 1; size + 2 < whole.size(); ++size) EXPECT_NE(refusal(whole.substr(0, size), "m.ply"), "accepted") << size;
+        EXPECT_TRUE(refused(replaced(whole, "tristrips 1", "tristrips 2000000000"), "m.ply:7", "impossible count"));
+        EXPECT_TRUE(refused(replaced(whole, "vertex_indices", "corners"), "m.ply:7", "tristrips has no property 'vertex_indices'"));
+    }
+    EXPECT_TRUE(refused(replaced(strips_file({{0, 1, 2}}, "ascii"), "3 0 1 2", "2000000000 0 1 2"), "m.ply:14", "too few"));
+    EXPECT_TRUE(refused(replaced(strips_file({{0, 1, 2}}, "ascii"), "3 0 1 2", "-3 0 1 2"), "m.ply:14", "list of -3"));
+}
+
+// The same surface twice, as a rule.
+TEST(PlyFile, TristripsBesideFacesAreIgnored) {
+    const std::string header =
+        replaced(ascii_header, "end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header");
+    expect_tetrahedron(header + ascii_body + "4 0 1 2 3\n", "9: tristrips beside faces ignored\n");
+    const std::string none = strips_file({{0, 1, 2, 3, 0, 1}}, "ascii", "element face 0\nproperty list uchar int vertex_indices\n");
+    EXPECT_EQ(parse_ply(none, "m.ply").mesh.F.rows(), 4);
 }
 
 TEST(PlyFile, RefusesImpossibleCountsBeforeAllocating) {
