@@ -62,6 +62,12 @@ void tell(std::string_view message) {
     ::_exit(128 + signal);
 }
 
+pthread_t ending_thread;   // waits in wait_for_the_end()
+
+/// A library may have started threads of its own before main(), which do not block these signals and may be the ones that get them
+/// (OpenBLAS for several threads does so).
+void hand_on(int signal) { pthread_kill(ending_thread, signal); }
+
 /// Some destructors of the packages allocate and may not throw.
 [[noreturn]] void end_after_uncaught() {
     try {
@@ -103,7 +109,15 @@ void prepare_process() {
     const sigset_t signals = ending_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     try {
-        std::thread(wait_for_the_end, signals).detach();
+        std::thread waiting(wait_for_the_end, signals);
+        ending_thread = waiting.native_handle();
+        waiting.detach();
+        struct sigaction action {};
+        action.sa_handler = hand_on;
+        action.sa_flags = SA_RESTART;
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+            if (sigismember(&signals, signal) == 1) ::sigaction(signal, &action, nullptr);
+        }
     } catch (const std::system_error&) {   // no room for a thread: signals then end the process the plain way
         pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     }

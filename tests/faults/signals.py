@@ -25,6 +25,12 @@ mv "$PIDS.part" "$PIDS"
 wait
 """
 
+THREAD_BEFORE_MAIN = """#include <pthread.h>
+#include <unistd.h>
+static void* wait_for_ever(void* nothing) { for (;;) pause(); return nothing; }
+__attribute__((constructor)) static void begin(void) { pthread_t thread; pthread_create(&thread, 0, wait_for_ever, 0); }
+"""
+
 
 def is_alive(pid):
     try:
@@ -137,6 +143,22 @@ class Signals(Faults):
             self.assertIn(end.code, (CODES[which], 0, -which))
             self.assertEqual([p.name for p in self.place.iterdir()], ["x.ply"])
             self.assertTrue(end.code == 0 or result.read_bytes() == b"old" or "finished before" in end.err)
+
+    @unittest.skipUnless(shutil.which("c++"), "no compiler for a library that begins a thread")
+    def test_a_thread_that_a_library_began(self):
+        """Begun before main(), it blocks no signal, as those of OpenBLAS for several threads."""
+        source, library = self.folder / "thread.c", self.folder / "thread.so"
+        source.write_text(THREAD_BEFORE_MAIN)
+        subprocess.run(["c++", "-x", "c", "-shared", "-fPIC", "-pthread", "-o", library, source], check=True)
+        mesh, result = self.mesh("torus", "--subdivide", 1), self.place / "x.ply"
+        words = ["smooth", mesh, "-o", result, "--lambda", "1e-4", "--iterations", 1000000]
+        for which, code in CODES.items():
+            process = self.start(*words, env={**self.environment, "LD_PRELOAD": str(library)})
+            time.sleep(1)
+            process.send_signal(which)
+            end = self.end(process)
+            self.assertEqual((end.code, list(self.place.iterdir())), (code, []), end.err)
+            self.assertIn("meshfolio: interrupted", end.err)
 
     def test_a_hangup_that_nohup_ignores(self):
         new = self.report_tree(64)
