@@ -50,18 +50,26 @@ struct SpectrumFlags {
 
 constexpr int largest_k = 100000;
 
+std::string told(Proof proof) { return proof == Proof::proved ? "proved" : proof == Proof::refuted ? "REFUTED" : "cannot be proved here"; }
+
 /// One line for people.
 std::string told(const SpectrumCertificate& c) {
     const auto within = [](const std::string& what, double measured, double limit) {
         return what + " " + plain_text(measured, 2) + (measured <= limit ? " (at most " : " (ABOVE ") + plain_text(limit, 2) + "), ";
     };
-    return "certificate: " + std::string(c.holds() ? "" : "FAILED: ") + within("residual", c.residual, c.residual_limit) +
+    const bool failed = c.verdict() == Proof::refuted;
+    const int cut = c.pairs - c.found_below;
+    const std::string residual = c.residual_undecided() ? "residual " + plain_text(c.residual, 2) + " (rounding may leave " +
+                                                              plain_text(c.residual_rounding, 2) + "), "
+                                                        : within("residual", c.residual, c.residual_limit);
+    return "certificate: " + std::string(failed ? "FAILED: " : "") + residual +
            within("orthonormality", c.orthonormality_error, SpectrumCertificate::orthonormality_limit) +
-           within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "below " + plain_text(c.shift, 6) + ": " +
-           (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) + " counted by inertia, " +
-           std::to_string(c.found_below) + " found" +
-           (c.counted_above > c.pairs ? ", " + std::to_string(c.counted_above) + " up to the end of the cluster that k cuts" : "") +
-           "; zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " + std::to_string(c.expected_zeros);
+           within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "none missing below " + plain_text(c.shift, 6) + ": " +
+           told(c.complete) + " (" + (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) +
+           " counted by inertia, " + std::to_string(c.found_below) + " found" +
+           (cut > 0 ? ", " + std::to_string(cut) + " more in the last cluster, just above" : "") + "; rounding " + plain_text(c.delta, 2) +
+           ", gap " + plain_text(c.gap, 2) + "); zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " +
+           std::to_string(c.expected_zeros);
 }
 
 void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,
@@ -100,7 +108,7 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
         print_to(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     }
     files.publish();
-    return certificate.holds() ? ExitCode::ok : ExitCode::failed;
+    return certificate.verdict() == Proof::refuted ? ExitCode::failed : ExitCode::ok;
 }
 
 }   // namespace
@@ -117,7 +125,8 @@ Command spectrum_command(CLI::App& parent) {
     app->add_option("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
     app->add_option("--out", options->out, "folder for <mesh>_k<k>.ply");
     app->footer(
-        "Prints a certificate of the eigenpairs on stderr; exit code 1 when it fails.\n"
+        "Prints a certificate of the eigenpairs on stderr: that none is missing is proved, refuted, or cannot be proved here because\n"
+        "rounding of the count exceeds the gap. Exit code 1 when something is refuted or beyond its limit.\n"
         "Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
     return {app, [options] { return run_spectrum(*options); }};
 }

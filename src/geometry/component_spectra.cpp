@@ -2,14 +2,12 @@
 
 #include <tbb/task_arena.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "errors.h"
-#include "geometry/inertia.h"
 #include "geometry/spectrum_memory.h"
 #include "mesh/parallel_tasks.h"
 
@@ -217,28 +215,21 @@ Merged solve_and_merge(std::vector<Part>& parts, int k, PartSolver& solver) {
     }
 }
 
-std::optional<int> inertia_of_small(const Part& part, double sigma) {
-    const DenseMatrix A = DenseMatrix(part.A) - sigma * DenseMatrix(part.M.asDiagonal());
-    const Eigen::LDLT<DenseMatrix> ldlt(A);
-    if (ldlt.info() != Eigen::Success) return {};
-    return static_cast<int>((ldlt.vectorD().array() < 0).count());
-}
-
 /// Eigenvalues of a part below a σ of the whole. They are counted at a place of the same gap of that part where rounding matters least: on
-/// a speck, σ itself may not be told from 0. Nothing found lies between, so that more counted would be more missed.
+/// a speck, σ itself may not be told from 0. Nothing found lies between, so that more counted would be more missed. Nothing where rounding
+/// may have changed the count.
 std::optional<int> inertia_of(const Part& part, double sigma) {
     const Vector& mu = part.modes.pairs.mu;
     const int below = part.found_below(sigma);
     const double low = std::max(sigma * part.area, below > 0 ? mu[below - 1] : 0.0);
     const double high = below < mu.size() ? mu[below] : gap_behind(mu, below).high;
     if (!(high > low)) return below == part.size() ? std::optional(below) : std::nullopt;   // above all there are
-    if (part.size() <= no_room) return inertia_of_small(part, 0.5 * (low + high));
-    const auto inertia = inertia_between(part.A, part.M, low, high);
+    const auto inertia = trusted_between(part.A, part.M, {low, high});
     return inertia ? std::optional(inertia->below) : std::nullopt;
 }
 
 InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap) {
-    const double sigma = 0.5 * (gap.low + gap.high);
+    const double sigma = gap.middle();
     std::vector<std::optional<int>> counts(parts.size());
     for_each_task(parts.size(), [&](std::size_t p) { counts[p] = inertia_of(parts[p], sigma); });
     InertiaCount sum{sigma, 0, 0};
@@ -273,6 +264,7 @@ Modes modes_of_components(const SparseMatrix& A, const Vector& M, const Componen
     Modes modes;
     modes.pairs = first_of(spectrum.entries, parts, A.rows(), k);
     modes.inertia = count_inertia(parts, spectrum.gap);
+    modes.gap_middle = spectrum.gap.middle();
     modes.dense = A.rows() <= options.dense_below;
     for (const Part& part : parts) {
         modes.times += part.modes.times;

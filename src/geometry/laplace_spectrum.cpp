@@ -46,6 +46,7 @@ Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const Spec
     spectrum.inertia_count = modes.inertia.counted;
     spectrum.found_below = modes.inertia.found;
     spectrum.inertia_shift = modes.inertia.sigma / total;
+    spectrum.gap_middle = modes.gap_middle / total;
     spectrum.slices = modes.slices;
     spectrum.repairs = modes.repairs;
     spectrum.times = modes.times;

@@ -32,18 +32,21 @@ struct Spectrum {
     Vector residuals;           // ‖−Cφ − μMφ‖ / (μ‖Mφ‖); for the zero modes ‖Cφ‖ of the component scaled to area 1
     bool dense = false;         // which solver ran for the whole; small components always go the dense way
     /// Negative pivots of −C − σM for one σ above μ_k (or between μ_k and the next known eigenvalue), and how many eigenvalues found
-    /// lie below that σ: equal when none was missed. −1, −1 when not computed.
+    /// lie below that σ: equal when none was missed. −1, −1 when not computed, or when rounding may have changed the count.
     int inertia_count = -1, found_below = -1;
     double inertia_shift = 0;   // that σ [1/length²]
+    /// In the middle of the first clear gap known behind μ_k, where a count tells most; 0: none is known. A hint, no claim. [1/length²]
+    double gap_middle = 0;
 
     int slices = 0, repairs = 0;   // of the spectrum; how often something missed was looked for again
     SpectrumTimes times;
 };
 
 /// k is cut to the number of vertices with mass. Dense for small meshes. Otherwise shift-invert block Lanczos: one slice with σ slightly
-/// below 0 for few pairs, several side by side for many, their limits found and every one of them proved complete by inertia counts.
+/// below 0 for few pairs, several side by side for many, their limits found by inertia counts, against which what was found is held.
 /// Components are solved each alone, and every vector lives on one of them. Memory is estimated first.
-/// @throws MeshError if k < 1; SolverError if the memory would not suffice or pairs that inertia counts are not found
+/// @throws MeshError if k < 1; SolverError if the memory would not suffice or pairs are not found that a count of inertia, beyond its
+/// rounding, says are there
 Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const SpectrumOptions& options = {});
 
 /// ‖ΦᵀMΦ − I‖, largest entry.

@@ -1,6 +1,10 @@
 #include "geometry/ldlt_analysis.h"
 
+#include <cmath>
+#include <limits>
+
 #include "geometry/factor_implementation.h"
+#include "geometry/ldlt_rounding.h"
 
 namespace meshfolio {
 
@@ -11,6 +15,11 @@ using Implementation = SparseFactor::Implementation;
 SparseMatrix shifted(SparseMatrix A, double sigma) {
     for (int j = 0; j < A.cols(); ++j) A.coeffRef(j, j) -= sigma;
     return A;
+}
+
+/// Of A − σI from the matrix factored, in the 2-norm.
+double distance_of(const Implementation& L, double sigma) {
+    return backward_error(L, Vector::Ones(L.rows)) + std::numeric_limits<double>::epsilon() * std::abs(sigma);
 }
 
 }   // namespace
@@ -31,10 +40,14 @@ LdltPanels LdltAnalysis::factor(double sigma) const {
     const auto L = factored(sigma);
     LdltPanels panels = panels_of(*L);
     const Vector pivots = L->pivots();
+    panels.delta = distance_of(*L, sigma);
     panels.growth = (pivots.array() / (A_.diagonal().array() - sigma)).abs().maxCoeff();
     return panels;
 }
 
-int LdltAnalysis::count_below(double sigma) const { return factored(sigma)->negative; }
+Inertia LdltAnalysis::count_below(double sigma) const {
+    const auto L = factored(sigma);
+    return {sigma, L->negative, distance_of(*L, sigma)};
+}
 
 }   // namespace meshfolio

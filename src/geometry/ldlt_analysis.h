@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "geometry/inertia.h"
 #include "geometry/ldlt_panels.h"
 #include "geometry/sparse_factor.h"
 
@@ -24,7 +25,7 @@ public:
     LdltPanels factor(double sigma) const;
     /// Eigenvalues of A below σ, by Sylvester's law of inertia.
     /// @throws SolverError as `factor`
-    int count_below(double sigma) const;
+    Inertia count_below(double sigma) const;
 
 private:
     std::unique_ptr<SparseFactor::Implementation> factored(double sigma) const;

@@ -20,6 +20,7 @@ struct LdltPanels {
     std::vector<double> values;
     Vector pivots;            // D
     double growth = 1;        // largest |pivot| over the diagonal entry it came from: what rounding is enlarged by
+    double delta = 0;         // LDLᵀ is that of a matrix at most so far off, in the 2-norm (ldlt_rounding.h)
     std::vector<int> order;   // row order[i] of the matrix is eliminated as the i-th
 
     int panels() const { return static_cast<int>(first.size()) - 1; }

@@ -9,7 +9,6 @@
 
 #include "geometry/dirichlet_energy.h"
 #include "geometry/mesh_error.h"
-#include "geometry/sparse_factor.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -61,14 +60,19 @@ double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C) {
 
 double mass_over_area(const TriangleMesh& mesh, const Vector& M) { return M.sum() / surface_area(mesh); }
 
-/// −C is shifted by a little of the identity, so that its zero eigenvalues count as positive and rounding decides nothing.
-int negative_eigenvalues(const SparseMatrix& C) {
-    const double largest = C.diagonal().cwiseAbs().maxCoeff();
-    if (!(largest > 0)) return 0;
-    SparseMatrix identity(C.rows(), C.cols());
-    identity.setIdentity();
-    const SparseMatrix shifted = -C / largest + 1e-10 * identity;
-    return SparseFactor::ldlt(shifted).negative_pivots();
+Inertia negative_eigenvalues(const SparseMatrix& C) {
+    constexpr double sigma = -1e-10;   // so that zero eigenvalues count as positive
+    const Vector diagonal = C.diagonal().cwiseAbs();
+    const double largest = diagonal.maxCoeff();
+    if (!(largest > 0)) return {sigma, 0, 0};
+    const double unit = std::ldexp(1.0, std::ilogb(largest));   // a power of two: exact
+    const Vector D = (diagonal.array() > 0).select(diagonal, largest) / unit;
+    return inertia_at(-C / unit, D, sigma);
+}
+
+Proof semidefinite(const Inertia& negative) {
+    if (!(negative.delta < -negative.sigma)) return Proof::undecided;
+    return negative.below == 0 ? Proof::proved : Proof::refuted;
 }
 
 int repeated_half_edges(const Faces& F) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/cotangent_laplacian.h"
+#include "geometry/inertia.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -25,10 +26,12 @@ double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C);
 /// ΣM over the surface area: 1.
 double mass_over_area(const TriangleMesh& mesh, const Vector& M);
 
-/// Eigenvalues of −C below −1e-10 of its largest diagonal entry, counted by the pivots of an LDLᵀ: none where −C is positive
-/// semidefinite. Masses > 0 would not change the count (Sylvester), so none are needed.
+/// Eigenvalues of −Cx = νDx below σ = −1e-10, D its diagonal, with the rounding of the count: none where −C is positive semidefinite, which
+/// other weights > 0 would not change (Sylvester). Rows whose diagonal entry is 0 get its largest for D.
 /// @throws SolverError if a pivot is lost in rounding
-int negative_eigenvalues(const SparseMatrix& C);
+Inertia negative_eigenvalues(const SparseMatrix& C);
+/// refuted: −C has an eigenvalue < 0; proved: it has none below −2e-10 D.
+Proof semidefinite(const Inertia& negative);
 
 /// Half-edges that run the same way as an earlier one: none where all triangles are oriented alike and edges have at most two.
 int repeated_half_edges(const Faces& F);

@@ -64,7 +64,7 @@ bool is_flat(const TriangleMesh& mesh, const MeshTopology& topology, int v) {
 OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology, Assembly assembly) {
     OperatorScores scores;
     scores.asymmetry = asymmetry(laplacian.C);
-    scores.negative_eigenvalues = negative_eigenvalues(laplacian.C);
+    scores.negative = negative_eigenvalues(laplacian.C);
     score_weights(scores, laplacian.C, topology);
     scores.without_mass = vertices_without_mass(laplacian.M, topology);
     scores.critical = scores.lowest = undefined;

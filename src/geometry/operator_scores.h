@@ -3,19 +3,20 @@
 #pragma once
 
 #include "geometry/definiteness.h"
+#include "geometry/inertia.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
 
 struct OperatorScores {
-    double asymmetry = 0;           // as the law of the same name: max |C − Cᵀ|/max |C|
-    int negative_eigenvalues = 0;   // of −C, beyond rounding (mesh_laws.h)
-    int weights = 0;                // pairs of vertices joined by C
-    int negative_inside = 0;        // of them, with a weight below −1e-9 of the largest and an end that is not on the boundary
-    int negative_boundary = 0;      // the same with both ends on the boundary
-    double smallest_weight = 0;     // smallest C_ij off the diagonal
-    int without_mass = 0;           // vertices in use with M ≤ 0, which leave no L = M⁻¹C
-    double lowest = 0;              // proved bound of μ_min/μ_max: above it where indefinite, below it elsewhere; NaN without mass
+    double asymmetry = 0;         // as the law of the same name: max |C − Cᵀ|/max |C|
+    Inertia negative;             // eigenvalues of −C below 0, with their rounding (mesh_laws.h)
+    int weights = 0;              // pairs of vertices joined by C
+    int negative_inside = 0;      // of them, with a weight below −1e-9 of the largest and an end that is not on the boundary
+    int negative_boundary = 0;    // the same with both ends on the boundary
+    double smallest_weight = 0;   // smallest C_ij off the diagonal
+    int without_mass = 0;         // vertices in use with M ≤ 0, which leave no L = M⁻¹C
+    double lowest = 0;            // proved bound of μ_min/μ_max: above it where indefinite, below it elsewhere; NaN without mass
     Definiteness::Verdict verdict = Definiteness::Verdict::undecided;   // on −C
     double critical = 0;   // λ_crit = 2/μ_max, the limit unless −C is indefinite; NaN where vertices are without mass [length²]
 };

@@ -13,9 +13,8 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 InertiaProof counted(const SpectrumProblem& problem, double sigma) {
-    InertiaProof proof{sigma, 0, 0};
-    proof.counted = count_near(problem.analysis, proof.sigma);
-    return proof;
+    const Inertia inertia = count_near(problem.analysis, sigma);
+    return {inertia.sigma, inertia.below, 0, inertia.delta, true};
 }
 
 /// σ where the counts, taken as a polygon, reach `count`.
@@ -62,7 +61,7 @@ std::vector<InertiaProof> bracket_from_above(const SpectrumProblem& problem, int
     const double weyl = std::min(4 * pi * (wanted + 10), 0.9 * top);   // N(μ) ≈ μ / 4π at area 1
     InertiaProof low, high;
     run_tasks([&] { low = counted(problem, 0.96 * weyl); }, [&] { high = counted(problem, 1.04 * weyl); });
-    std::vector<InertiaProof> counts = {{0, problem.zeros.count(), 0}};
+    std::vector<InertiaProof> counts = {{0, problem.zeros.count()}};
     insert(counts, low);
     insert(counts, high);
     for (int i = 0; i < most_counts; ++i) {

@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "geometry/factor_implementation.h"
+#include "geometry/ldlt_rounding.h"
 #include "number_text.h"
 
 namespace meshfolio {
@@ -113,6 +114,11 @@ DenseMatrix SparseFactor::solve(const DenseMatrix& B) const {
 }
 
 int SparseFactor::negative_pivots() const { return implementation_->kind == FactorKind::ldlt ? implementation_->negative : 0; }
+
+double SparseFactor::backward_error(const Vector& W) const {
+    if (implementation_->kind != FactorKind::ldlt) throw SolverError("backward_error: not of an LDLᵀ");
+    return meshfolio::backward_error(*implementation_, W);
+}
 
 long long SparseFactor::nonzeros() const { return implementation_->nonzeros(); }
 

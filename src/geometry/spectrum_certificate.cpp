@@ -1,12 +1,16 @@
 #include "geometry/spectrum_certificate.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 
 #include "errors.h"
-#include "geometry/inertia.h"
 #include "geometry/special_values.h"
+#include "geometry/triangle_shape.h"
 #include "geometry/vertices_with_mass.h"
 #include "mesh/disjoint_sets.h"
 
@@ -21,11 +25,13 @@ void check_sizes(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, con
                     std::to_string(spectrum.eigenvectors.cols()) + " eigenvectors for a mesh of " + std::to_string(n) + " vertices");
 }
 
-/// Components of the triangles in which some vertex has a mass.
+/// Components of the triangles with an area in which some vertex has a mass. Triangles without area hold nothing together.
 int components_with_mass(const TriangleMesh& mesh, const Vector& M) {
     DisjointSets sets;
     sets.reset(mesh.vertex_count());
+    const double scale = unit_scale(mesh);
     for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
+        if (triangle_shape(mesh, t, scale).degenerate()) continue;
         sets.join(mesh.F(t, 0), mesh.F(t, 1));
         sets.join(mesh.F(t, 1), mesh.F(t, 2));
     }
@@ -40,13 +46,15 @@ int components_with_mass(const TriangleMesh& mesh, const Vector& M) {
     return components;
 }
 
-/// The operator in units where ΣM and its median row are 1, with the spectrum of the whole mesh on its vertices.
+/// The operator times powers of two, which is exact, that bring ΣM and its median row near 1; with the spectrum on its vertices.
 struct UnitProblem {
     SparseMatrix A;
     Vector M, mu;
-    DenseMatrix Phi;      // ΦᵀMΦ = I
-    double mu_unit = 0;   // μ₀ = median A_ii / ΣM [1/length²]
-    Vector row_unit;      // of the component of each row, in units of μ₀: all 1 if there is one
+    DenseMatrix Phi;
+    DenseMatrix gram;   // ΦᵀMΦ, I where they are orthonormal
+    double unit = 0;    // of eigenvalues, a power of two [1/length²]
+    double mu0 = 0;     // median A_ii / ΣM
+    Vector row_mu0;     // of the component of each row
 };
 
 double median(Vector values) {
@@ -55,10 +63,12 @@ double median(Vector values) {
     return *middle;
 }
 
+/// 4^p next to a positive number: its root is exact, too.
+double power_of_four_near(double value) { return value > 0 ? std::ldexp(1.0, 2 * (std::ilogb(value) / 2)) : 1; }
+
 /// median A_ii / ΣM of the component of each row.
 Vector units_of_components(const SparseMatrix& A, const Vector& M) {
     const Components components = components_of(A);
-    if (components.count == 1) return Vector::Ones(M.size());
     std::vector<std::vector<double>> diagonal(static_cast<std::size_t>(components.count));
     Vector mass = Vector::Zero(components.count);
     const Vector A_ii = A.diagonal();
@@ -78,32 +88,56 @@ Vector units_of_components(const SparseMatrix& A, const Vector& M) {
 
 UnitProblem unit_problem(const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
     OperatorWithMass whole = operator_with_mass(laplacian);
-    const double total = whole.M.sum(), row = median(whole.A.diagonal()), unit = row > 0 ? row : 1;
-    UnitProblem problem{whole.A / unit,
-                        whole.M / total,
-                        spectrum.eigenvalues * (total / unit),
-                        std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all),
-                        unit / total,
-                        {}};
-    problem.row_unit = units_of_components(problem.A, problem.M);
+    const double total = power_of_four_near(whole.M.sum()), row = power_of_four_near(median(whole.A.diagonal()));
+    UnitProblem problem{whole.A / row, whole.M / total, spectrum.eigenvalues / (row / total), {}, {}, row / total, 0, {}};
+    problem.Phi = std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all);
+    problem.gram = problem.Phi.transpose() * (problem.M.asDiagonal() * problem.Phi);
+    const double middle = median(problem.A.diagonal());
+    problem.mu0 = (middle > 0 ? middle : 1) / problem.M.sum();
+    problem.row_mu0 = units_of_components(problem.A, problem.M);
     return problem;
 }
 
-void measure_residuals(const UnitProblem& problem, SpectrumCertificate& certificate) {
+/// ‖Aφ − μMφ‖_{M⁻¹} for each pair.
+struct Residuals {
+    Vector computed, bound;   // as it comes out; at most, with the rounding of its own computation
+};
+
+Residuals residuals_of(const UnitProblem& problem) {
+    constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+    const SparseMatrix sizes = problem.A.cwiseAbs();
+    Vector roundings(problem.M.size());   // of row i: a product and a sum for each entry, and some more
+    for (int i = 0; i < sizes.cols(); ++i) roundings[i] = sizes.outerIndexPtr()[i + 1] - sizes.outerIndexPtr()[i] + 6;
+    const Vector root = problem.M.cwiseSqrt();
+    Residuals residuals{Vector(problem.mu.size()), Vector(problem.mu.size())};
+    tbb::parallel_for(Eigen::Index{0}, problem.mu.size(), [&](Eigen::Index j) {
+        const Vector phi = problem.Phi.col(j), MPhi = problem.M.cwiseProduct(phi);
+        Vector r = problem.A.selfadjointView<Eigen::Lower>() * phi;
+        r -= problem.mu[j] * MPhi;
+        Vector size = sizes.selfadjointView<Eigen::Lower>() * phi.cwiseAbs();
+        size += std::abs(problem.mu[j]) * MPhi.cwiseAbs();
+        residuals.computed[j] = r.cwiseQuotient(root).norm();
+        residuals.bound[j] = (r.cwiseAbs() + u * roundings.cwiseProduct(size)).cwiseQuotient(root).norm();
+    });
+    return residuals;
+}
+
+void measure_residuals(const UnitProblem& problem, const Residuals& residuals, SpectrumCertificate& certificate) {
     const double largest_row = problem.A.diagonal().cwiseQuotient(problem.M).maxCoeff();
     double worst = -1;
     for (Eigen::Index j = 0; j < problem.mu.size(); ++j) {
-        const Vector MPhi = problem.M.cwiseProduct(problem.Phi.col(j));
-        const Vector weight = MPhi.cwiseProduct(problem.Phi.col(j));
-        const double own_unit = weight.dot(problem.row_unit) / weight.sum();   // NaN where Φ is not finite
-        const double size = std::max({problem.mu[j], 1.0, std::isfinite(own_unit) ? own_unit : 1.0});
-        const double ratio = (problem.A * problem.Phi.col(j) - problem.mu[j] * MPhi).norm() / (size * MPhi.norm());
+        const Vector weight = problem.M.cwiseProduct(problem.Phi.col(j).cwiseAbs2());
+        const double own_unit = weight.dot(problem.row_mu0) / weight.sum();   // NaN where Φ is not finite
+        const double size = std::max({problem.mu[j], problem.mu0, std::isfinite(own_unit) ? own_unit : problem.mu0});
+        const double ratio = residuals.computed[j] / (size * std::sqrt(weight.sum()));
         const double residual = std::isfinite(ratio) ? ratio : infinity;
-        const double limit = std::clamp(100 * std::numeric_limits<double>::epsilon() * largest_row / size, 1e-8, 1e-3);
+        const double rounding = 100 * std::numeric_limits<double>::epsilon() * largest_row / size;
+        const double limit = std::clamp(rounding, 1e-8, 1e-3);
         if (residual / limit <= worst) continue;
         worst = residual / limit;
         certificate.residual = residual;
         certificate.residual_limit = limit;
+        certificate.residual_rounding = rounding;
     }
 }
 
@@ -121,38 +155,104 @@ double parseval_gap(const LaplaceBeltrami& laplacian, const Spectrum& spectrum, 
     return std::isfinite(gap) ? gap : infinity;
 }
 
-/// The inertia at the first shift beside `mu` whose pivots can be trusted, or −1.
-int counted_beside(const UnitProblem& problem, double mu, double side, double& sigma) {
-    for (const double distance : {1e-6, 2e-6, 4e-6}) {
-        sigma = mu + side * distance * std::max(mu, 0.1);
-        try {
-            return inertia_below(problem.A, problem.M, sigma);
-        } catch (const SolverError&) {   // a pivot lost in rounding: σ is moved a little
-        }
-    }
-    return -1;
-}
-
 /// Eigenvalues nearer than this, relatively, are one cluster: rounding may turn its members about.
 constexpr double clear_gap = 1e-5;
 
-double first_of_last_cluster(const Vector& ascending) {
-    Eigen::Index i = ascending.size() - 1;
-    while (i > 0 && ascending[i] - ascending[i - 1] <= clear_gap * ascending[i]) --i;
-    return ascending[i];
+/// The pairs as the proof sees them, θ ascending.
+class FoundValues {
+public:
+    FoundValues(const UnitProblem& problem, const Residuals& residuals)
+        : theta_(problem.mu), rho_squared_(residuals.bound.size()), least_size_(0.1 * problem.mu0) {
+        std::vector<Eigen::Index> order(static_cast<std::size_t>(theta_.size()));
+        std::iota(order.begin(), order.end(), Eigen::Index{0});
+        std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return problem.mu[a] < problem.mu[b]; });
+        theta_ = problem.mu(order);
+        rho_squared_ = residuals.bound(order).cwiseAbs2();
+        const auto k = static_cast<double>(theta_.size()), n = static_cast<double>(problem.M.size());
+        const DenseMatrix F = problem.gram - DenseMatrix::Identity(theta_.size(), theta_.size());
+        const double rounding = std::numeric_limits<double>::epsilon() / 2 * (n + 4) * problem.gram.cwiseAbs().maxCoeff();
+        eta_ = F.norm() + k * rounding;
+    }
+
+    const Vector& theta() const { return theta_; }
+    Eigen::Index count() const { return theta_.size(); }
+    double last() const { return theta_[count() - 1]; }
+    int below(double sigma) const { return static_cast<int>((theta_.array() < sigma).count()); }
+    /// Eigenvalues are told apart in units of this.
+    double size(double mu) const { return std::max(mu, least_size_); }
+
+    /// u: at least f eigenvalues are ≤ u.
+    double upper_bound(int f) const {
+        if (f == 0) return -infinity;
+        if (!(eta_ < 0.5)) return infinity;
+        const double rho = std::sqrt(rho_squared_.head(f).sum());
+        const double largest = theta_[f - 1] + eta_ * theta_.head(f).cwiseAbs().maxCoeff() + (1 + eta_) * rho;
+        const double u = largest / (largest > 0 ? 1 - eta_ : 1 + eta_);
+        return u + 16 * std::numeric_limits<double>::epsilon() * std::abs(u);
+    }
+    /// Distance of σ from u and from the next value found.
+    double gap_at(double sigma) const {
+        const int f = below(sigma);
+        return std::min(sigma - upper_bound(f), f < count() ? theta_[f] - sigma : infinity);
+    }
+    /// The first of those that a clear gap does not part from the last.
+    int first_of_last_cluster() const {
+        Eigen::Index i = count() - 1;
+        while (i > 0 && theta_[i] - theta_[i - 1] <= clear_gap * theta_[i]) --i;
+        return static_cast<int>(i);
+    }
+
+private:
+    Vector theta_, rho_squared_;
+    double eta_ = 0, least_size_;
+};
+
+std::optional<Inertia> inertia_beside(const UnitProblem& problem, double sigma, double gap) {
+    return inertia_between(problem.A, problem.M, sigma - gap, sigma + gap);
 }
 
-void count_inertia(const UnitProblem& problem, SpectrumCertificate& certificate) {
-    Vector mu = problem.mu;
-    if (!mu.allFinite()) return;
-    std::sort(mu.begin(), mu.end());
-    const auto found_below = [&](double sigma) { return static_cast<int>((mu.array() < sigma).count()); };
-    double sigma = 0;
-    certificate.pairs = static_cast<int>(mu.size());
-    certificate.counted_above = certificate.counted_below = counted_beside(problem, mu[mu.size() - 1], 1, sigma);
-    if (certificate.counted_above != mu.size()) certificate.counted_below = counted_beside(problem, first_of_last_cluster(mu), -1, sigma);
-    certificate.found_below = found_below(sigma);
-    certificate.shift = sigma * problem.mu_unit;
+/// Behind the last value: where the solver knows a gap, else ever nearer until no more than those found are counted.
+std::optional<Inertia> counted_behind(const UnitProblem& problem, const FoundValues& found, double hint) {
+    const double u = found.upper_bound(static_cast<int>(found.count())), last = std::isfinite(u) ? std::max(u, found.last()) : found.last();
+    if (hint > last) return inertia_beside(problem, hint, 0.9 * (hint - last));
+    std::optional<Inertia> inertia;
+    const double spacing = found.size(found.last()) / static_cast<double>(found.count());   // by Weyl's law
+    for (const double share : {0.3, 0.01, 3e-4}) {
+        inertia = inertia_beside(problem, last + 0.5 * share * spacing, 0.45 * share * spacing);
+        if (!inertia || inertia->below <= found.count()) break;
+    }
+    return inertia;
+}
+
+/// Just below the last cluster, by as little as rounding lets: what hides between is not seen.
+std::optional<Inertia> counted_before_last(const UnitProblem& problem, const FoundValues& found, double delta) {
+    const int f = found.first_of_last_cluster();
+    const double first = found.theta()[f], size = found.size(first), u = found.upper_bound(f);
+    const double width = std::min(std::clamp(4 * delta, 2e-6 * size, 1e-3 * size), first - u);
+    if (!(width > 0)) return {};
+    return inertia_between(problem.A, problem.M, first - width, first);
+}
+
+void count_inertia(const UnitProblem& problem, const Residuals& residuals, double hint, SpectrumCertificate& certificate) {
+    certificate.pairs = static_cast<int>(problem.mu.size());
+    if (!problem.mu.allFinite()) return;
+    const FoundValues found(problem, residuals);
+    auto inertia = counted_behind(problem, found, hint / problem.unit);
+    if (inertia && inertia->below > found.count()) {
+        if (const auto before = counted_before_last(problem, found, inertia->delta)) inertia = before;
+    }
+    if (!inertia) return;
+    const double gap = std::max(0.0, found.gap_at(inertia->sigma));   // 0 where it is not a number
+    certificate.shift = inertia->sigma * problem.unit;
+    certificate.delta = inertia->delta * problem.unit;
+    certificate.gap = gap * problem.unit;
+    certificate.counted_below = inertia->below;
+    certificate.found_below = found.below(inertia->sigma);
+    const bool beyond_all = certificate.found_below == certificate.pairs;
+    const Proof agree = agreement(*inertia, found.theta());
+    if (agree == Proof::proved && inertia->delta < gap) certificate.complete = Proof::proved;
+    // More beyond the last value are no contradiction: they may be larger.
+    if (agree == Proof::refuted && !(beyond_all && inertia->below > certificate.pairs)) certificate.complete = Proof::refuted;
 }
 
 double smallest_step_up(const Vector& mu) {
@@ -166,22 +266,38 @@ double smallest_step_up(const Vector& mu) {
 SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
     check_sizes(mesh, laplacian, spectrum);
     const UnitProblem problem = unit_problem(laplacian, spectrum);
+    const Residuals residuals = residuals_of(problem);
     SpectrumCertificate certificate;
-    measure_residuals(problem, certificate);
-    const bool finite = spectrum.eigenvectors.allFinite();   // a maximum may pass over a NaN
-    certificate.orthonormality_error = finite ? orthonormality_error(spectrum, laplacian.M) : infinity;
+    measure_residuals(problem, residuals, certificate);
+    const bool finite = problem.gram.allFinite();   // a maximum may pass over a NaN
+    const DenseMatrix identity = DenseMatrix::Identity(problem.gram.rows(), problem.gram.cols());
+    certificate.orthonormality_error = finite ? (problem.gram - identity).cwiseAbs().maxCoeff() : infinity;
     certificate.parseval_gap = parseval_gap(laplacian, spectrum, mesh.X);
-    count_inertia(problem, certificate);
-    certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= 1e-9).count());
+    count_inertia(problem, residuals, spectrum.gap_middle, certificate);
+    certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= 1e-9 * problem.mu0).count());
     certificate.expected_zeros = std::min(components_with_mass(mesh, laplacian.M), static_cast<int>(problem.mu.size()));
     certificate.smallest_step_up = smallest_step_up(problem.mu);
     return certificate;
 }
 
-int eigenvalues_below(const LaplaceBeltrami& laplacian, double sigma) {
+Proof SpectrumCertificate::verdict() const {
+    const bool within = (residual <= residual_limit || residual_undecided()) && orthonormality_error <= orthonormality_limit &&
+                        parseval_gap <= parseval_limit && zero_eigenvalues == expected_zeros && smallest_step_up >= -step_down_limit;
+    if (!within) return Proof::refuted;
+    return complete == Proof::proved && residual_undecided() ? Proof::undecided : complete;
+}
+
+Inertia eigenvalues_below(const LaplaceBeltrami& laplacian, double sigma) {
     const OperatorWithMass whole = operator_with_mass(laplacian);
-    const double area = whole.M.sum();
-    return inertia_below(whole.A, whole.M / area, sigma * area);
+    const double total = power_of_four_near(whole.M.sum());
+    const Inertia inertia = inertia_at(whole.A, whole.M / total, sigma * total);
+    return {sigma, inertia.below, inertia.delta / total};
+}
+
+Proof agreement(const Inertia& inertia, const Vector& values) {
+    const double nearest = (values.array() - inertia.sigma).abs().minCoeff();
+    if (!(inertia.delta < nearest)) return Proof::undecided;
+    return inertia.below == (values.array() < inertia.sigma).count() ? Proof::proved : Proof::refuted;
 }
 
 }   // namespace meshfolio

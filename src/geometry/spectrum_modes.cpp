@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "errors.h"
-#include "geometry/inertia.h"
 #include "geometry/sparse_factor.h"
 #include "geometry/spectrum_memory.h"
 #include "geometry/zero_modes.h"
@@ -35,9 +34,9 @@ SymmetricPairs first_pairs(const ZeroModes& zero_modes, SymmetricPairs others, i
 
 Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
     const SymmetricPairs all = dense_pairs(A, M);
-    Modes modes{{all.mu.head(k), all.Y.leftCols(k)}, {}, true, {}, 0, 0};
     const Gap gap = gap_behind(all.mu, k);
-    if (const auto inertia = inertia_between(A, M, gap.low, gap.high))
+    Modes modes{{all.mu.head(k), all.Y.leftCols(k)}, {}, gap.middle(), true, {}, 0, 0};
+    if (const auto inertia = trusted_between(A, M, gap))
         modes.inertia = {inertia->sigma, inertia->below, entries_below(all.mu, inertia->sigma)};
     return modes;
 }
@@ -109,7 +108,8 @@ Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const Spectrum
     SlicedPairs found = find_by_slices(problem, others, slice_options);
     const InertiaProof last = found.proofs.back();
     Modes modes;
-    modes.inertia = {last.sigma, last.counted, last.found};
+    if (last.trusted) modes.inertia = {last.sigma, last.counted, last.found};
+    modes.gap_middle = found.gap_middle;
     modes.times = found.times;
     modes.slices = found.slices;
     modes.repairs = found.repairs;
@@ -136,6 +136,12 @@ Gap gap_behind(const Vector& mu, int k) {
     }
     const double largest = mu[mu.size() - 1];
     return largest > 0 ? Gap{largest, 1.002 * largest} : Gap{0, 2};
+}
+
+std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap) {
+    const auto inertia = inertia_between(A, M, gap.low, gap.high);
+    const bool trusted = inertia && inertia->delta < std::min(inertia->sigma - gap.low, gap.high - inertia->sigma);
+    return trusted ? inertia : std::nullopt;
 }
 
 SymmetricPairs dense_pairs(const SparseMatrix& A, const Vector& M) {

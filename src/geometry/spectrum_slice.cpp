@@ -65,18 +65,22 @@ LdltPanels factor_within(const LdltAnalysis& analysis, const SliceGoal& goal, do
 LdltPanels factor_below_zero(const LdltAnalysis& analysis, double& sigma) {
     constexpr int most_attempts = 5;
     std::string reason;
+    bool refuted = false;
     for (int i = 0; i < most_attempts; ++i) {
         try {
             LdltPanels factor = analysis.factor(sigma);
             if (factor.negative_pivots() == 0) return factor;
             const int negative = factor.negative_pivots();
             reason = std::to_string(negative) + (negative == 1 ? " eigenvalue is negative" : " eigenvalues are negative");
+            refuted = factor.delta < -sigma;
+            if (!refuted) reason += " by a count that rounding may have changed";
         } catch (const SolverError& error) {   // a pivot lost in rounding
             reason = error.what();
+            refuted = false;
         }
         sigma *= 10;
     }
-    throw SolverError("−C is not positive semidefinite: " + reason,
+    throw SolverError((refuted ? "−C is not positive semidefinite: " : "−C cannot be shown to be positive semidefinite: ") + reason,
                       "repair triangles of zero area, and sum the opposite cotangents of an edge instead of averaging them");
 }
 
@@ -136,7 +140,7 @@ SparseMatrix SpectrumProblem::B_in_order() const {
     return permuted;
 }
 
-int count_near(const LdltAnalysis& analysis, double& sigma) {
+Inertia count_near(const LdltAnalysis& analysis, double sigma) {
     return with_nudges(sigma, [&](double s) { return analysis.count_below(s); });
 }
 
@@ -149,6 +153,7 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     const LdltPanels factor =
         goal.sigma < 0 ? factor_below_zero(problem.analysis, slice.goal.sigma) : factor_within(problem.analysis, goal, slice.goal.sigma);
     slice.counted = factor.negative_pivots();
+    slice.delta = factor.delta;
     slice.times.factor = seconds() - start;
     if (goal.low <= 0 && locked.empty()) slice.goal.below_sigma = slice.counted - (goal.sigma > 0 ? problem.zeros.count() : 0);
 

@@ -44,6 +44,7 @@ struct Slice {
     SliceGoal goal;
     bool complete = false;
     int counted = 0;               // eigenvalues below σ, by inertia
+    double delta = 0;              // rounding of that count
     Vector mu;                     // ascending
     std::vector<EightColumns> X;   // the pairs' vectors in groups of eight, in the order of elimination
     double begin = 0, cut = 0;     // its own pairs: those above the cut of the slice before, up to the gap above the last
@@ -58,7 +59,7 @@ using StepReport = std::function<void(double)>;
 Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const std::vector<const EightColumns*>& locked,
                   const StepReport& report);
 
-/// Inertia at σ or, where a pivot is lost in rounding, a little above: `sigma` is moved.
-int count_near(const LdltAnalysis& analysis, double& sigma);
+/// Inertia at σ or, where a pivot is lost in rounding, a little beside it.
+Inertia count_near(const LdltAnalysis& analysis, double sigma);
 
 }   // namespace meshfolio

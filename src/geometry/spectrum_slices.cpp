@@ -13,6 +13,7 @@
 #include "errors.h"
 #include "geometry/slice_limits.h"
 #include "geometry/slice_overlaps.h"
+#include "geometry/special_values.h"
 #include "mesh/first_failure.h"
 
 namespace meshfolio {
@@ -72,7 +73,7 @@ public:
             goals.clear();
             for (Slice& slice : solved) {
                 times_ += slice.times;
-                note_proof(slice.goal.sigma, slice.counted);
+                note_proof({slice.goal.sigma, slice.counted, slice.delta});
                 if (slice.complete) {
                     slices_.push_back(std::move(slice));
                 } else {
@@ -119,12 +120,12 @@ public:
     bool solve_alone(const SliceGoal& goal) {
         Slice slice = std::move(solve_round({goal}, {}).front());
         times_ += slice.times;
-        note_proof(slice.goal.sigma, slice.counted);
+        note_proof({slice.goal.sigma, slice.counted, slice.delta});
         if (slice.complete) slices_.push_back(std::move(slice));
         return !slices_.empty();
     }
 
-    void note_proof(double sigma, int counted) { proofs_.push_back({sigma, counted, 0}); }
+    void note_proof(const Inertia& inertia) { proofs_.push_back({inertia.sigma, inertia.below, 0, inertia.delta, true}); }
     double highest_cut() const { return slices_.back().cut; }
 
     SlicedPairs pairs(int k);
@@ -178,13 +179,19 @@ private:
         for (const Slice& slice : extra_) all_of(slice);
     }
 
+    double nearest_to(double sigma) const {
+        double distance = problem_.zeros.count() > 0 ? std::abs(sigma) : infinity;
+        for_each_pair([&](double mu, const EightColumns&, int) { distance = std::min(distance, std::abs(mu - sigma)); });
+        return distance;
+    }
+
     int found_below(double sigma) const {
         int found = sigma > 0 ? problem_.zeros.count() : 0;
         for_each_pair([&](double mu, const EightColumns&, int) { found += mu < sigma; });
         return found;
     }
 
-    /// Slices that reach between two proofs which do not agree with what was found.
+    /// Slices that reach between two proofs which do not agree with what was found. Counts that rounding may have changed are passed over.
     std::set<std::size_t> missing() {
         std::sort(proofs_.begin(), proofs_.end(), [](const InertiaProof& a, const InertiaProof& b) { return a.sigma < b.sigma; });
         std::set<std::size_t> wanting;
@@ -192,6 +199,8 @@ private:
         int missed_below = 0;
         for (InertiaProof& proof : proofs_) {
             proof.found = found_below(proof.sigma);
+            proof.trusted = proof.delta < nearest_to(proof.sigma);
+            if (!proof.trusted) continue;
             const int missed = proof.counted - proof.found;
             if (missed != missed_below) {
                 for (std::size_t i = 0; i < slices_.size(); ++i) {
@@ -206,7 +215,7 @@ private:
 
     std::string what_is_missing() const {
         for (const InertiaProof& proof : proofs_) {
-            if (proof.counted == proof.found) continue;
+            if (!proof.trusted || proof.counted == proof.found) continue;
             return "the smallest eigenpairs did not converge: inertia counts " + std::to_string(proof.counted) +
                    " eigenvalues below a shift, " + std::to_string(proof.found) + " were found";
         }
@@ -241,6 +250,13 @@ SlicedPairs SliceSet::pairs(int k) {
     if (static_cast<int>(all.size()) < k) throw SolverError(what_is_missing());
 
     SlicedPairs result;
+    result.gap_middle = std::isfinite(highest_cut()) ? highest_cut() : 0;
+    for (auto i = static_cast<std::size_t>(k); i < all.size(); ++i) {
+        const double before = i > 0 ? all[i - 1].mu : 0;
+        if (all[i].mu - before <= clear_gap * all[i].mu) continue;
+        result.gap_middle = 0.5 * (before + all[i].mu);
+        break;
+    }
     result.slices = static_cast<int>(slices_.size());
     result.mu.resize(k);
     std::vector<EightColumns> packed;
@@ -279,11 +295,11 @@ SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOpt
     SliceSet set(problem, options);
     const int zeros = problem.zeros.count();
     if (k <= options.one_slice_up_to && set.solve_alone(one_goal(problem, k, options))) {
-        double above = std::isfinite(set.highest_cut()) ? set.highest_cut() : above_all(problem.B);
-        set.note_proof(above, count_near(problem.analysis, above));
+        const double above = std::isfinite(set.highest_cut()) ? set.highest_cut() : above_all(problem.B);
+        set.note_proof(count_near(problem.analysis, above));
     } else {
         const std::vector<InertiaProof> counts = bracket_from_above(problem, zeros + k);
-        set.note_proof(counts.back().sigma, counts.back().counted);
+        set.note_proof({counts.back().sigma, counts.back().counted, counts.back().delta});
         set.solve(slice_goals(problem, counts, options));
     }
     set.repair();

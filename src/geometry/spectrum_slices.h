@@ -1,6 +1,6 @@
 /// @file
 /// The k smallest eigenpairs of −Cφ = μMφ slice by slice (Ericsson & Ruhe 1980; Grimes, Lewis & Simon 1994; on surfaces Vallet &
-/// Lévy 2008), with the inertia of every shift to prove that none was missed. Private to the layer.
+/// Lévy 2008), with the inertia of every shift to show where some were missed. Private to the layer.
 #pragma once
 
 #include "geometry/spectrum_slice.h"
@@ -20,6 +20,8 @@ struct InertiaProof {
     double sigma = 0;
     int counted = 0;   // eigenvalues below σ, zero modes included
     int found = 0;
+    double delta = 0;      // rounding of the count
+    bool trusted = true;   // no value found lies within δ of σ: else the count says nothing of what is missing
 };
 
 struct SlicedPairs {
@@ -28,6 +30,7 @@ struct SlicedPairs {
     std::vector<InertiaProof> proofs;   // ascending; the last above all pairs
     SpectrumTimes times;
     int slices = 0, repairs = 0;
+    double gap_middle = 0;   // of the first clear gap behind them; 0: not known
 };
 
 /// @param k  pairs besides the zero modes

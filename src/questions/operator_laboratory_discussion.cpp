@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_laws.h"
 #include "number_text.h"
 #include "questions/section_tools.h"
 
@@ -49,7 +50,7 @@ std::string names_of_labs(const std::vector<LaboratoryMesh>& labs) {
 
 /// Which operators have no negative weight on any mesh, and what the default has.
 void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& labs) {
-    std::vector<std::string> clean, indefinite, counts;
+    std::vector<std::string> clean, indefinite, open, counts;
     bool any_negative = false;
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i) {
         const auto all = [&](auto holds) {
@@ -60,9 +61,11 @@ void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& la
         else
             any_negative = true;
         for (const LaboratoryMesh& lab : labs) {
-            const int below = lab.trials[i].scores.negative_eigenvalues;
-            if (below > 0)
-                indefinite.push_back("“" + laboratory_operators()[i].title() + "” (" + std::to_string(below) + " on " + lab.name() + ")");
+            const Inertia& negative = lab.trials[i].scores.negative;
+            const std::string title = "“" + laboratory_operators()[i].title() + "” (";
+            const Proof proof = semidefinite(negative);
+            if (proof == Proof::refuted) indefinite.push_back(title + std::to_string(negative.below) + " on " + lab.name() + ")");
+            if (proof == Proof::undecided) open.push_back(title + lab.name() + ")");
         }
     }
     for (const LaboratoryMesh& lab : labs) {
@@ -78,6 +81,9 @@ void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& la
     if (!indefinite.empty())
         report::extend(text, "An eigenvalue of ", math("−C"), " below 0, with which even implicit smoothing may grow, was found with ",
                        listed(indefinite), ".");
+    else if (!open.empty())
+        report::extend(text, "No ", math("−C"), " is shown to have an eigenvalue below 0; rounding forbids to prove it of ", listed(open),
+                       ".");
     else if (any_negative)
         report::extend(text, "None of the negative weights here makes an operator indefinite: no ", math("−C"),
                        " of these meshes has an eigenvalue below 0.");

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_laws.h"
 #include "number_text.h"
+#include "questions/law_checks.h"
 #include "questions/operator_laboratory_discussion.h"
 #include "questions/section_tools.h"
 #include "questions/study_list.h"
@@ -57,7 +59,7 @@ void add_mesh_table(report::Section& section, const LaboratoryMesh& lab) {
                      {"H changes by", "%", 3}};
     for (std::size_t i = 0; i < lab.trials.size(); ++i) {
         const OperatorTrial& t = lab.trials[i];
-        table.rows.push_back({laboratory_operators()[i].title(), t.scores.asymmetry, double(t.scores.negative_eigenvalues),
+        table.rows.push_back({laboratory_operators()[i].title(), t.scores.asymmetry, double(t.scores.negative.below),
                               double(t.scores.negative_inside), double(t.scores.negative_boundary), t.scores.smallest_weight,
                               stability_word(t.scores), cell_of(t.scores.critical), cell_of(t.critical_ratio),
                               cell_of(100 * t.spectrum_shift), cell_of(100 * t.H_change)});
@@ -138,8 +140,11 @@ void add_mesh_checks(report::Section& section, const LaboratoryMesh& lab) {
     section.checks.push_back(check_at_most("largest |C − Cᵀ| of all operators over the largest |C|" + on, 0, asymmetry, 1e-14));
     for (const OperatorKind kind : {OperatorKind::cotan, OperatorKind::uniform, OperatorKind::cotan_no_half, OperatorKind::clamped,
                                     OperatorKind::edge_normalised, OperatorKind::idt, OperatorKind::tufted}) {
-        section.checks.push_back(check_near("eigenvalues of −C below 0, " + std::string(operator_entry(kind).name) + on, 0,
-                                            lab.trial(kind).scores.negative_eigenvalues, 0));
+        const Inertia& negative = lab.trial(kind).scores.negative;
+        const report::Check check =
+            check_near("eigenvalues of −C below 0, " + std::string(operator_entry(kind).name) + on, 0, negative.below, 0);
+        const bool decided = semidefinite(negative) != Proof::undecided;
+        section.checks.push_back(decided ? check : report::undecided(check, cannot_be_proved(negative.delta, -negative.sigma)));
     }
     const OperatorScores& tufted = lab.trial(OperatorKind::tufted).scores;
     section.checks.push_back(

@@ -23,7 +23,7 @@ struct Specimen {
     LaplaceBeltrami laplacian;
     Vector angle_deficits;   // [rad]
     Spectrum spectrum;
-    double complete_shift = 0;   // all eigenvalues below this σ are claimed to be in the spectrum [1/length²]
+    double complete_shift = 0;   // all eigenvalues below this σ are claimed to be in the spectrum, none near it [1/length²]
     int modes_known = 0;         // how many
     double stable_shift = 0;     // claimed to lie above μ_max [1/length²]
 };
@@ -46,9 +46,9 @@ std::vector<PlantedFault> planted_faults();
 /// What the checks said with a fault.
 struct FaultTrial {
     std::string fault;
-    report::Check sound, faulty;             // the named check, without and with it
+    report::Check sound, faulty;             // the named check, without and with it; undecided is not caught
     std::vector<std::string> also_seen_by;   // names of other checks that passed without it and fail with it
-    bool caught() const { return sound.passed() && !faulty.passed(); }
+    bool caught() const { return sound.passed() && faulty.failed(); }
 };
 /// @param sound_checks  checks_of(specimen)
 /// @throws std::logic_error if no check has the name

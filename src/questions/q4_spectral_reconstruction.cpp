@@ -165,11 +165,12 @@ void add_method(report::Section& section) {
     add_formula(section, "spectral_reconstruction", "q4_eq_reconstruction");
     add_paragraph(section, "and its error for every k follows from the coefficients alone:");
     add_formula(section, "parseval", "q4_eq_parseval");
-    add_paragraph(
-        section,
-        "The largest k is solved once; every smaller k is a prefix of it. Completeness is proved, not assumed: by Sylvester's law the "
-        "negative pivots of a factorisation of ",
-        math("−C − σM"), " count the eigenvalues below σ.");
+    add_paragraph(section,
+                  "The largest k is solved once; every smaller k is a prefix of it. Completeness is not assumed: by Sylvester's law the "
+                  "negative pivots of a factorisation of ",
+                  math("−C − σM"),
+                  " count the eigenvalues below σ. They prove it where the rounding of that count is smaller than the gap in which "
+                  "σ lies; the checks say where it is not.");
     add_paragraph(section, "Between analysis and synthesis each coefficient may be multiplied by a gain ", ref("vallet_levy_2008"),
                   ", with the detail beyond the K known modes carried along:");
     add_formula(section, "spectral_filter", "q4_eq_filter");
@@ -252,7 +253,7 @@ Answer answer_q4(const MeshLibrary& library, const QuestionSettings& settings, c
     section.parameters["area form"] = "barycentric";
     section.extent =
         "Reconstructed " + listed(done) +
-        "; error for every k; completeness of the spectrum proved by inertia; frequency bands, low-pass without modes and mistaken "
+        "; error for every k; completeness of the spectrum checked by inertia; frequency bands, low-pass without modes and mistaken "
         "ways beside the right one; output meshes included";
     return answer;
 }

@@ -45,7 +45,9 @@ TEST_P(LdltOfEachLibrary, SolvesWithEveryShiftOfOneAnalysis) {
             const DenseMatrix rest = A * in_order - sigma * in_order - right;
             EXPECT_LT(rest.norm(), 1e-10 * in_order.norm()) << sigma;
             EXPECT_EQ(factor.negative_pivots(), SparseFactor::ldlt(A - sigma * identity).negative_pivots());
-            EXPECT_EQ(analysis.count_below(sigma), factor.negative_pivots());
+            EXPECT_EQ(analysis.count_below(sigma).below, factor.negative_pivots());
+            EXPECT_EQ(analysis.count_below(sigma).delta, factor.delta);
+            EXPECT_LT(factor.delta, 1e-10);
             EXPECT_GE(factor.growth, 0.5);
         }
     }
@@ -59,7 +61,7 @@ TEST_P(LdltOfEachLibrary, AShiftOnAnEigenvalueIsRefused) {
     A.insert(3, 3) = 4;
     A.makeCompressed();
     const LdltAnalysis analysis(A, GetParam());
-    EXPECT_EQ(analysis.count_below(2.5), 2);
+    EXPECT_EQ(analysis.count_below(2.5).below, 2);
     EXPECT_THROW(analysis.factor(2), SolverError);
 }
 

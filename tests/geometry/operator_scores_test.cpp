@@ -28,7 +28,7 @@ TEST(OperatorScores, AgreeWithDenseMatrices) {
         const DenseMatrix C(laplacian.C);
         const double largest = C.cwiseAbs().maxCoeff();
         const Vector eigenvalues = Eigen::SelfAdjointEigenSolver<DenseMatrix>(-C).eigenvalues();
-        EXPECT_EQ(scores.negative_eigenvalues, (eigenvalues.array() < -1e-9 * largest).count()) << entry.name;
+        EXPECT_EQ(scores.negative.below, (eigenvalues.array() < -1e-9 * largest).count()) << entry.name;
         EXPECT_LT(scores.asymmetry, 1e-15) << entry.name;
         double smallest = INFINITY;
         int negative = 0, at_boundary = 0, weights = 0;
@@ -60,7 +60,7 @@ TEST(OperatorScores, SeeWhatIsWrong) {
     DenseMatrix lopsided = C;
     lopsided(0, 1) += 1;
     EXPECT_GT(operator_scores({sparse(lopsided), good.M}, topology).asymmetry, 1e-3);
-    EXPECT_EQ(operator_scores({sparse(-C), good.M}, topology).negative_eigenvalues, mesh.vertex_count() - 1) << "the sign of C";
+    EXPECT_EQ(operator_scores({sparse(-C), good.M}, topology).negative.below, mesh.vertex_count() - 1) << "the sign of C";
     Vector M = good.M;
     M[3] = -1;
     const OperatorScores scores = operator_scores({good.C, M}, topology);

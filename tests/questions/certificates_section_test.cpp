@@ -54,6 +54,7 @@ TEST(CertificatesSection, TheTableOfSpectraHasWhatWasMeasured) {
     EXPECT_EQ(numbers(table, "k"), std::vector<double>{9});
     EXPECT_EQ(numbers(table, "counted"), std::vector<double>{9});   // 1 + 3 + 5: no cluster is cut
     EXPECT_EQ(numbers(table, "found"), std::vector<double>{9});
-    EXPECT_EQ(std::get<std::string>(cells(table, "verdict")[0]), "complete");
-    EXPECT_NEAR(numbers(table, "σ")[0], 6, 0.1);   // just above l(l + 1) = 6
+    EXPECT_EQ(std::get<std::string>(cells(table, "verdict")[0]), "proved");
+    EXPECT_NEAR(numbers(table, "σ")[0], 9, 0.2);   // in the middle between l(l + 1) = 6 and 12
+    EXPECT_LT(numbers(table, "δ")[0], 1e-3 * numbers(table, "gap")[0]);
 }

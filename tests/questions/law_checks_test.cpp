@@ -19,7 +19,10 @@ bool has(const std::vector<report::Check>& checks, const std::string& name) {
 
 SpectrumCertificate good_certificate() {
     SpectrumCertificate c;
-    c.pairs = c.counted_above = c.counted_below = c.found_below = 7;
+    c.pairs = c.counted_below = c.found_below = 7;
+    c.complete = Proof::proved;
+    c.delta = 1e-12;
+    c.gap = 1;
     c.zero_eigenvalues = c.expected_zeros = 1;
     return c;
 }
@@ -31,25 +34,37 @@ TEST(LawChecks, ACertificateHoldsExactlyWhereItsChecksPass) {
         const auto checks = spectrum_checks(c, " on x");
         return std::all_of(checks.begin(), checks.end(), [](const report::Check& check) { return check.passed(); });
     };
+    const auto any_fails = [](const SpectrumCertificate& c) {
+        const auto checks = spectrum_checks(c, " on x");
+        return std::any_of(checks.begin(), checks.end(), [](const report::Check& check) { return check.failed(); });
+    };
     EXPECT_TRUE(good_certificate().holds() && all_pass(good_certificate()));
     const double infinity = std::numeric_limits<double>::infinity();
     for (void (*damage)(SpectrumCertificate&) :
          {+[](SpectrumCertificate& c) { c.residual = 2e-8; }, +[](SpectrumCertificate& c) { c.orthonormality_error = 1e-8; },
-          +[](SpectrumCertificate& c) { c.parseval_gap = 1e-8; }, +[](SpectrumCertificate& c) { c.counted_below = 8; },
-          +[](SpectrumCertificate& c) { c.counted_below = -1; }, +[](SpectrumCertificate& c) { c.zero_eigenvalues = 2; },
-          +[](SpectrumCertificate& c) { c.smallest_step_up = -1e-6; }, +[](SpectrumCertificate& c) { c.counted_above = 6; },
-          +[](SpectrumCertificate& c) { c.counted_above = -1; }}) {
+          +[](SpectrumCertificate& c) { c.parseval_gap = 1e-8; },
+          +[](SpectrumCertificate& c) { c.counted_below = 8, c.complete = Proof::refuted; },
+          +[](SpectrumCertificate& c) { c.zero_eigenvalues = 2; }, +[](SpectrumCertificate& c) { c.smallest_step_up = -1e-6; }}) {
         SpectrumCertificate c = good_certificate();
         damage(c);
-        EXPECT_FALSE(c.holds());
-        EXPECT_FALSE(all_pass(c));
+        EXPECT_EQ(c.verdict(), Proof::refuted);
+        EXPECT_TRUE(any_fails(c));
     }
-    SpectrumCertificate cut = good_certificate();   // k cuts a cluster: the proof is that below it none is missing, and beyond it enough
-    cut.counted_above = 9;
+    for (void (*open)(SpectrumCertificate&) :
+         {+[](SpectrumCertificate& c) { c.counted_below = -1, c.complete = Proof::undecided; },
+          +[](SpectrumCertificate& c) { c.counted_below = 9, c.delta = 2, c.complete = Proof::undecided; },
+          +[](SpectrumCertificate& c) { c.residual = 2e-3, c.residual_limit = 1e-3, c.residual_rounding = 1; }}) {
+        SpectrumCertificate c = good_certificate();
+        open(c);
+        EXPECT_EQ(c.verdict(), Proof::undecided);
+        EXPECT_FALSE(all_pass(c) || any_fails(c));
+        c.parseval_gap = 1;
+        EXPECT_EQ(c.verdict(), Proof::refuted);
+        EXPECT_TRUE(any_fails(c));
+    }
+    SpectrumCertificate cut = good_certificate();   // k cuts a cluster: the proof is that below it none is missing
     cut.counted_below = cut.found_below = 5;
     EXPECT_TRUE(cut.holds() && all_pass(cut));
-    cut.counted_below = 6;
-    EXPECT_FALSE(cut.holds() || all_pass(cut));
     SpectrumCertificate broken = good_certificate();
     broken.residual = broken.parseval_gap = infinity;
     EXPECT_FALSE(broken.holds() || all_pass(broken));
