@@ -84,6 +84,35 @@ class Determinism(Faults):
             for change in ({}, {"environment": {"MALLOC_PERTURB_": "165", "TZ": "Asia/Kolkata"}}, {"environment": self.german() or {}}):
                 self.require_same(expected, self.made(name, words=words, **change), name)
 
+    def large_mesh(self):
+        """103,092 vertices, so that factors are supernodal and call BLAS: two creatures side by side, irregular enough for threads to meet."""
+        path, points, faces = self.folder / "large.obj", [], []
+        for shift, subdivide in ((0, 2), (10, 0)):
+            end = self.run_program("sample", "creature", "--subdivide", subdivide, "-o", path)
+            self.assertEqual(end.code, 0, end.err)
+            first = len(points)
+            for kind, *words in filter(None, map(str.split, path.read_text().splitlines())):
+                if kind == "v":
+                    points.append(f"v {float(words[0]) + shift!r} {words[1]} {words[2]}")
+                elif kind == "f":
+                    faces.append("f " + " ".join(str(int(w.split("/")[0]) + first) for w in words))
+        path.write_text("\n".join(points + faces) + "\n")
+        self.assertGreater(len(points), 100000)
+        return path
+
+    def test_above_100000_vertices(self):
+        mesh, settings = self.large_mesh(), self.folder / "large.toml"
+        settings.write_text("".join(f'[[question]]\nid = "{id}"\nmesh = "{mesh.name}"\nlambda = [1e-5, 1e-4, 1e-3, 1e-2]\niterations = [1]\n{more}\n'
+                                    for id, more in (("q6", ""), ("q7", "noise = [0.001, 0.002, 0.004]"))))
+
+        def words(out, threads):
+            return ["report", "--config", settings, "--quick", "--only", "q6,q7", "--pdf", "off", "--no-cache", "--no-timings", "--size", 64,
+                    "--threads", threads, "--out", out]
+
+        expected = self.made("a", words=words)
+        for threads in (2, 4):
+            self.require_same(expected, self.made("a", words=words, threads=threads), f"{threads} threads")
+
     def test_the_order_of_folders(self):
         """Files made in another order are listed in another order."""
         outs = []
