@@ -83,8 +83,8 @@ std::string_view words_of(Property property, bool lacking) {
             return lacking ? "is flat" : "is not flat";
         case Property::closed:
             return lacking ? "is open and encloses no volume" : "is closed";
-        case Property::sharp_edged:
-            return lacking ? "has no sharp edges that stand out from smooth faces" : "has sharp edges";
+        case Property::flat_with_edges:
+            return lacking ? "has no flat parts with sharp edges between them" : "has flat parts with sharp edges between them";
         case Property::negative_weights:
             return lacking ? "has no negative cotangent weight" : "has negative cotangent weights";
         case Property::unequal_areas:

@@ -57,7 +57,7 @@ enum class Property {
     flat,                 // all vertices lie in one plane
     not_flat,             // else noise has no normal direction, and there are no features
     closed,               // no boundary: encloses a volume
-    sharp_edged,          // as MeshClass has it
+    flat_with_edges,      // sharp-edged as MeshClass has it, and half of the other edges lie between faces that meet at less than 2°
     negative_weights,     // some cotangent weight is below 0
     unequal_areas,        // the areas of the vertices differ, by 1 % or more
     clean_form_known,     // the surface under the noise is known, vertex by vertex

@@ -81,8 +81,10 @@ bool ClaimBench::has(std::string_view name, Property property) {
             return !common_plane_normal(prepared.mesh).has_value();
         case Property::closed:
             return prepared.preflight.closed();
-        case Property::sharp_edged:
-            return mesh_character(prepared.mesh, prepared.topology).kind() == MeshClass::sharp_edged;
+        case Property::flat_with_edges: {
+            const MeshCharacter character = mesh_character(prepared.mesh, prepared.topology);
+            return character.kind() == MeshClass::sharp_edged && character.typical_angle < 2;
+        }
         case Property::negative_weights:
             return has_negative_weights(subject(name).laplacian.C);
         case Property::unequal_areas: {
@@ -103,24 +105,27 @@ Measurable ClaimBench::measurable(const About& about) {
     const auto refuse = [&](const std::string& reason) {
         if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) reasons.push_back(reason);
     };
-    for (const std::string_view name : about.meshes) {
+    const auto counted_already = [&](std::string_view name) {
+        return std::any_of(result.meshes.begin(), result.meshes.end(),
+                           [&](std::string_view before) { return same_mesh(mesh(before).mesh->mesh(), mesh(name).mesh->mesh()); });
+    };
+    const auto enter = [&](std::string_view name) {
         const std::string& here = mesh(name).mesh->name;
+        const auto lacking = [&](Property property) { return !has(name, property); };
         if (!in_scope(name, about.scope)) {
-            const bool itself = about.scope == About::Scope::itself;
-            refuse("it is about " + std::string(mesh(name).asked) + (itself ? " itself" : "") + ", and what " + here +
-                   " does in its place says nothing of that");
-            continue;
+            return refuse("it is about " + std::string(mesh(name).asked) + (about.scope == About::Scope::itself ? " itself" : "") +
+                          ", and what " + here + " does in its place says nothing of that");
         }
-        const auto lacks =
-            std::find_if(about.properties.begin(), about.properties.end(), [&](Property property) { return !has(name, property); });
-        if (lacks != about.properties.end()) {
-            refuse(here + " " + std::string(words_of(*lacks, true)));
-            continue;
+        const auto lacks = std::find_if(about.properties.begin(), about.properties.end(), lacking);
+        if (lacks != about.properties.end()) return refuse(here + " " + std::string(words_of(*lacks, true)));
+        if (!counted_already(name)) result.meshes.push_back(name);
+    };
+    for (const std::string_view name : about.meshes) {
+        try {
+            enter(name);
+        } catch (const MeshError& error) {   // too large, without an operator
+            refuse(error.what());
         }
-        const bool again = std::any_of(result.meshes.begin(), result.meshes.end(), [&](std::string_view before) {
-            return same_mesh(mesh(before).mesh->mesh(), mesh(name).mesh->mesh());
-        });
-        if (!again) result.meshes.push_back(name);
     }
     const std::size_t needed = about.meshes.empty() ? 0 : about.compared;
     if (result.meshes.size() >= needed) return result;

@@ -314,8 +314,9 @@ TEST(ClaimAbout, AMeshWithoutThePropertyIsLeftOut) {
     EXPECT_EQ(why(patch, "about_c", Property::not_flat), "about_c is flat");
     EXPECT_EQ(why(patch, "about_d", Property::closed), "about_d is open and encloses no volume");
     EXPECT_EQ(why(sphere, "about_e", Property::closed), "");
-    EXPECT_EQ(why(sphere, "about_f", Property::sharp_edged), "about_f has no sharp edges that stand out from smooth faces");
-    EXPECT_EQ(why(large_box(), "about_g", Property::sharp_edged), "");
+    EXPECT_EQ(why(sphere, "about_f", Property::flat_with_edges), "about_f has no flat parts with sharp edges between them");
+    EXPECT_EQ(why(large_box(), "about_g", Property::flat_with_edges), "");
+    EXPECT_NE(why(blob(), "about_r", Property::flat_with_edges), "") << "sharp here and there, and flat nowhere";
     EXPECT_EQ(why(sphere, "about_h", Property::negative_weights), "about_h has no negative cotangent weight");
     EXPECT_EQ(why(blob(), "about_i", Property::negative_weights), "");
     EXPECT_EQ(why(icosphere(0), "about_j", Property::unequal_areas), "about_j has vertices of equal areas");
