@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "geometry/eigenvalue_enclosure.h"
+#include "geometry/special_values.h"
 
 namespace meshfolio {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();   // twice the unit roundoff: room for terms of second order
-constexpr double negligible = 1e-10;                                 // ν over max A_ii/M_i
+constexpr double negligible = 1e-10;   // ν over max A_ii/M_i
 
 /// What Gershgorin and the sum over triangles need of A = −C.
 struct Rows {

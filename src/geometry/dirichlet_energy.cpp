@@ -4,13 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/special_values.h"
 #include "mesh/parallel.h"
 
 namespace meshfolio {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// ½ Σ_{i<j} C_ij |x_i − x_j|², and the bound of what rounding has changed of it.
 struct EvaluatedEnergy {

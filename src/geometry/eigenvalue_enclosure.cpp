@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "errors.h"
+#include "geometry/special_values.h"
 #include "geometry/stability.h"
 
 namespace meshfolio {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();   // twice the unit roundoff: room for terms of second order
 
 /// The vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, orthonormal in M.
 Vector shift_invert_lanczos(const SparseFactor& factor, const Vector& M, const Vector& y) {
