@@ -51,8 +51,8 @@ double edge_concentration(const Positions& N, const Incidence& by_edge, const in
             sum += saliency;
         }
     }
-    constexpr double epsilon = 1e-9;   // a flat patch has no edge to speak of
-    return largest / (epsilon + sum);
+    constexpr double negligible = 1e-9;   // a flat patch has no edge to speak of
+    return largest / (negligible + sum);
 }
 
 PatchNormals patch_normals(const TriangleMesh& mesh, const FaceRings& rings, const Positions& N) {
