@@ -129,7 +129,7 @@ Measurable ClaimBench::measurable(const About& about) {
     }
     const std::size_t needed = about.meshes.empty() ? 0 : about.compared;
     if (result.meshes.size() >= needed) return result;
-    if (needed > 1) refuse("it compares different meshes with each other, and one takes the place of all");
+    if (needed > 1 && reasons.empty()) refuse("it compares different meshes with each other, and one takes the place of all");
     result.why_not = listed(reasons);
     return result;
 }
