@@ -39,7 +39,7 @@ nlohmann::ordered_json blas_in_words() {
     for (const std::string& file : blas.files) files += (files.empty() ? "" : ", ") + printable(file);
     return {{"library", files},
             {"configuration", blas.configuration.empty() ? "unknown" : printable(blas.configuration)},
-            {"concurrent calls", blas.is_safe ? "safe" : "locked"}};
+            {"concurrency", blas.is_safe ? "safe" : "locked"}};
 }
 
 void add_pdf(nlohmann::ordered_json& json) {

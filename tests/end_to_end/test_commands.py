@@ -506,6 +506,12 @@ class ListAndDoctor(InFolder):
         self.assertGreaterEqual(found['threads'], 1)
         for library in ('Eigen', 'oneTBB'):
             self.assertRegex(found['libraries'][library], r'^\d+\.\d+')
+        if 'CHOLMOD' in found['libraries']:
+            self.assertRegex(found['blas']['library'], 'blas')
+            self.assertIn(found['blas']['concurrency'], ('safe', 'locked'))
+            if 'SINGLE_THREADED' in found['blas']['configuration'] and 'USE_LOCKING' not in found['blas']['configuration']:
+                self.assertEqual(found['blas']['concurrency'], 'locked')
+            self.assertRegex(self.succeed('doctor'), r'BLAS, concurrency +(safe|locked)\n')
         self.assertIn('fonts', self.succeed('doctor'))
         without = json.loads(self.succeed('doctor', '--json', PATH=self.folder, HOME=self.folder))
         self.assertIsNone(without['pdf_engine'])
