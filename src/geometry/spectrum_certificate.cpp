@@ -213,10 +213,10 @@ std::optional<Inertia> inertia_beside(const UnitProblem& problem, double sigma, 
 
 /// Behind the last value: where the solver knows a gap, else ever nearer until no more than those found are counted.
 std::optional<Inertia> counted_behind(const UnitProblem& problem, const FoundValues& found, double hint) {
-    const double u = found.upper_bound(static_cast<int>(found.count())), last = std::isfinite(u) ? std::max(u, found.last()) : found.last();
+    const double last = found.last();
     if (hint > last) return inertia_beside(problem, hint, 0.9 * (hint - last));
     std::optional<Inertia> inertia;
-    const double spacing = found.size(found.last()) / static_cast<double>(found.count());   // by Weyl's law
+    const double spacing = found.size(last) / static_cast<double>(found.count());   // by Weyl's law
     for (const double share : {0.3, 0.01, 3e-4}) {
         inertia = inertia_beside(problem, last + 0.5 * share * spacing, 0.45 * share * spacing);
         if (!inertia || inertia->below <= found.count()) break;

@@ -1,6 +1,6 @@
 /// @file
-/// Proof that eigenpairs are right and that none is missing, measured on the operator and the mesh alone: nothing that the solver says
-/// about its own work is used, but for a hint where to count.
+/// Whether eigenpairs are right and none is missing: proved, refuted, or not to be proved here. All is measured on the operator and the
+/// mesh alone; of what the solver says about its own work, only a hint where to count is used.
 ///
 /// What is proved. A = −C by its lower triangle and M are taken as stored, every double an exact number; μ_1 ≤ μ_2 ≤ … are the exact
 /// eigenvalues of Aφ = μMφ. Of the pairs (θ_j, φ_j) found, θ ascending, f have θ_j < σ.

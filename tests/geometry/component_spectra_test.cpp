@@ -129,8 +129,10 @@ TEST(ComponentSpectra, OfASquareBesideASmallOneAreCertified) {
         for (const int k : {20, 120}) {
             const Spectrum spectrum = smallest_eigenpairs(laplacian, k);
             const SpectrumCertificate c = certify_spectrum(mesh, laplacian, spectrum);
-            EXPECT_TRUE(c.holds()) << scale << ", " << k << ": residual " << c.residual << ", limit " << c.residual_limit << ", "
-                                   << c.counted_below << " counted, " << c.found_below << " found, zeros " << c.zero_eigenvalues;
+            // On a speck of 1e-14 of the area the constant is a mode of 0 ± ε A_ii/M_ii only, which is more than the gap.
+            const Proof expected = scale < 1e-6 ? Proof::undecided : Proof::proved;
+            EXPECT_EQ(c.verdict(), expected) << scale << ", " << k << ": residual " << c.residual << ", limit " << c.residual_limit << ", "
+                                             << c.counted_below << " counted, " << c.found_below << " found, zeros " << c.zero_eigenvalues;
             EXPECT_EQ(spectrum.inertia_count, spectrum.found_below);
         }
     }

@@ -222,7 +222,7 @@ TEST(Inertia, NoCertificateProvesWhatIsNotSo) {
     }
     EXPECT_GE(proved, 100);
     EXPECT_GE(refuted, 50);
-    EXPECT_GE(undecided, 100);
+    EXPECT_GE(undecided, 30);
     EXPECT_GE(miscounted, 10) << "every count is right: choose harder shifts";
     RecordProperty("proved", proved);
     RecordProperty("refuted", refuted);
