@@ -74,8 +74,8 @@ std::string told(const StabilityCertificate& proved) {
     if (d.indefinite()) {
         return line("largest stable lambda",
                     "none: the operator is indefinite, " + interval + ", at vertex " + std::to_string(d.bottom.vertex)) +
-               line("proved", "at " + plain_text(limit, 4) + " (2/mu_max) that mode grows by " + plain_text(d.growth(limit) - 1, 3) +
-                                  " of itself in each step, at half of it by half as much");
+               line("proved", "a step multiplies that mode by 1 + " + plain_text(rounded_down(-d.mu_high, 4), 4) + " lambda or more: by " +
+                                  plain_text(rounded_down(d.growth(limit), 6), 6) + " at " + plain_text(limit, 4) + " (2/mu_max)");
     }
     if (!d.semidefinite()) {
         return line("largest stable lambda", "at most " + plain_text(limit, 8) + ", set at vertex " + std::to_string(proved.top.vertex)) +

@@ -40,14 +40,16 @@ SmoothingOptions smoothing_options(const SmoothFlags& options) {
 }
 
 /// Before the run: an operator with eigenvalues below 0 has no stable step.
-void warn_of_indefinite(const SmoothFlags& options, const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
+/// @return whether it has, which is proved
+bool warn_of_indefinite(const SmoothFlags& options, const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
     const LaplaceBeltrami laplacian = laplace_operator(mesh, smoothing.laplacian);
     const Definiteness found = definiteness(laplacian, assembly_of(smoothing.laplacian));
-    if (found.semidefinite()) return;
+    if (found.semidefinite()) return false;
     const std::string about = "--operator " + options.laplacian + " on this mesh ";
     if (!found.indefinite()) {
-        return warn(about + "cannot be proved free of growing modes: its smallest eigenvalue lies between " +
-                    plain_text(rounded_down(found.mu_low, 3), 3) + " and " + plain_text(rounded_up(found.mu_high, 3), 3));
+        warn(about + "cannot be proved free of growing modes: its smallest eigenvalue lies between " +
+             plain_text(rounded_down(found.mu_low, 3), 3) + " and " + plain_text(rounded_up(found.mu_high, 3), 3));
+        return false;
     }
     std::string text = about + "is indefinite: smallest eigenvalue " + plain_text(rounded_up(found.mu_high, 4), 4) +
                        " or less, at vertex " + std::to_string(found.bottom.vertex);
@@ -64,6 +66,7 @@ void warn_of_indefinite(const SmoothFlags& options, const SmoothingOptions& smoo
                     : "; M - lambda C is not positive definite";
     }
     warn(text + "; take --operator cotan or idt");
+    return true;
 }
 
 /// The step in model units. The largest stable one is computed only where it is needed.
@@ -102,9 +105,10 @@ void tell_about_limit(const SmoothingOptions& smoothing, const Smoothed& result)
 ExitCode run_smooth(const SmoothFlags& options) {
     SmoothingOptions smoothing = smoothing_options(options);
     const PreparedMesh prepared = load_mesh(options.mesh);
+    bool indefinite = false;
     const Smoothed result = about_mesh(options.mesh, [&] {
         smoothing.lambda = step_of(options, smoothing, prepared);
-        warn_of_indefinite(options, smoothing, prepared.mesh);
+        indefinite = warn_of_indefinite(options, smoothing, prepared.mesh);
         return smooth(prepared.mesh, smoothing);
     });
     if (result.solver == LinearSolver::conjugate_gradients) {
@@ -120,8 +124,8 @@ ExitCode run_smooth(const SmoothFlags& options) {
     }
     if (!result.blew_up) return ExitCode::ok;
     complain(options.mesh + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
-             std::to_string(result.blow_up_vertex) + "; " + options.output +
-             " has the last finite positions; take a smaller --lambda or --scheme implicit");
+             std::to_string(result.blow_up_vertex) + "; " + options.output + " has the last finite positions; take " +
+             (indefinite ? "--operator cotan or idt" : "a smaller --lambda or --scheme implicit"));
     return ExitCode::failed;
 }
 

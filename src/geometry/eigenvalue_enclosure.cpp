@@ -15,6 +15,17 @@ namespace meshfolio {
 
 namespace {
 
+/// Σ |S_ij| y_i y_j.
+double magnitude_of(const SparseMatrix& S, const Vector& y) {
+    double sum = 0;
+    for (Eigen::Index j = 0; j < S.cols(); ++j) {
+        double column = 0;
+        for (SparseMatrix::InnerIterator entry(S, j); entry; ++entry) column += std::abs(entry.value()) * y[entry.row()];
+        sum += column * y[j];
+    }
+    return sum;
+}
+
 /// The vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, orthonormal in M.
 Vector shift_invert_lanczos(const SparseFactor& factor, const Vector& M, const Vector& y) {
     constexpr int most_steps = 12;
@@ -52,10 +63,10 @@ public:
         result_.high = options.high;
         result_.low = -std::numeric_limits<double>::infinity();
         result_.quotient = result_.low;
-        Eigen::Index stiffest = 0;
-        S.diagonal().cwiseQuotient(M).maxCoeff(&stiffest);
-        take(Vector::Unit(M.size(), stiffest));   // never below half the bound of Gershgorin when weights are ≥ 0
         if (start.size() == M.size() && start.allFinite() && start.squaredNorm() > 0) take(start.normalized());
+        Eigen::Index stiffest = 0;
+        const double single = S.diagonal().cwiseQuotient(M).maxCoeff(&stiffest);   // with weights ≥ 0, half the bound of Gershgorin or more
+        if (!(result_.quotient > single)) take(Vector::Unit(M.size(), stiffest));
     }
 
     /// σ = quotient + δ·scale; it follows the quotient down until δ is half the width.
@@ -154,7 +165,7 @@ double rounding_of(const SparseFactor& factor, const SparseMatrix& S, const Vect
 Quotient rayleigh_quotient(const SparseMatrix& S, const Vector& M, const Vector& y) {
     const Vector size = y.cwiseAbs();
     const double mass = y.dot(M.cwiseProduct(y));
-    const double value = y.dot(S * y) / mass, magnitude = size.dot(S.cwiseAbs() * size) / mass;
+    const double value = y.dot(S * y) / mass, magnitude = magnitude_of(S, size) / mass;
     Eigen::Index longest = 0;
     for (Eigen::Index j = 0; j < S.cols(); ++j) longest = std::max<Eigen::Index>(longest, S.outerIndexPtr()[j + 1] - S.outerIndexPtr()[j]);
     const double rounding = epsilon * static_cast<double>(y.size() + longest + 4) * (magnitude + std::abs(value));

@@ -88,8 +88,14 @@ private:
     double beta_ = 0;
 };
 
-/// The Ritz vector Σ sⱼvⱼ, by going through the recurrence once more.
-Vector ritz_vector(const SparseMatrix& B, const Vector& start, const Tridiagonal& T, const std::vector<double>& s) {
+/// The Ritz vector Σ sⱼvⱼ from the vectors kept or, where they are too many to keep, by going through the recurrence once more.
+Vector ritz_vector(const SparseMatrix& B, const Vector& start, const Tridiagonal& T, const std::vector<double>& s,
+                   const std::vector<Vector>& kept) {
+    if (kept.size() == T.size()) {
+        Vector y = s[0] * kept[0];
+        for (std::size_t j = 1; j < T.size(); ++j) y += s[j] * kept[j];
+        return y.normalized();
+    }
     Recurrence recurrence(B, start);
     Vector y = s[0] * recurrence.v();
     for (std::size_t j = 1; j < T.size(); ++j) {
@@ -114,7 +120,10 @@ TopPair top_by_lanczos(const SparseMatrix& B, const Vector& start, const TopLanc
     TopPair top;
     double largest = 0;   // entry of T
     int look = 24;
+    constexpr std::size_t most_kept = std::size_t(1) << 23;   // numbers, 64 MiB
+    std::vector<Vector> kept;
     for (int steps = 1;; ++steps) {
+        if ((kept.size() + 1) * static_cast<std::size_t>(start.size()) <= most_kept) kept.push_back(recurrence.v());
         T.diagonal.push_back(recurrence.multiply());
         const double beta = recurrence.take_off(T.diagonal.back());
         largest = std::max({largest, std::abs(T.diagonal.back()), beta});
@@ -131,7 +140,7 @@ TopPair top_by_lanczos(const SparseMatrix& B, const Vector& start, const TopLanc
         T.beside.push_back(beta);
         recurrence.go_on(beta);
     }
-    top.y = ritz_vector(B, start, T, T.top_eigenvector(top.value));
+    top.y = ritz_vector(B, start, T, T.top_eigenvector(top.value), kept);
     return top;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The largest eigenvalue of a sparse symmetric matrix by plain Lanczos: one recurrence, no restart, no reorthogonalisation, three vectors.
+/// The largest eigenvalue of a sparse symmetric matrix by plain Lanczos: one recurrence, no restart, no reorthogonalisation.
 /// Lost orthogonality brings copies of eigenvalues but never one above the largest (Paige 1980). Private to the layer.
 #pragma once
 
@@ -16,7 +16,7 @@ struct TopPair {
 
 struct TopLanczos {
     double tolerance = 1e-13;   // of the change at which to stop
-    int most_steps = 250;       // products with the matrix, and as many again for the vector
+    int most_steps = 250;       // products with the matrix, and as many again for the vector of a large one
 };
 
 /// @param start  any vector that is not 0; every eigenvector should have a part in it
