@@ -156,7 +156,7 @@ double parseval_gap(const LaplaceBeltrami& laplacian, const Spectrum& spectrum, 
 }
 
 /// Eigenvalues nearer than this, relatively, are one cluster: rounding may turn its members about.
-constexpr double clear_gap = 1e-5;
+constexpr double cluster_gap = 1e-5;
 
 /// The pairs as the proof sees them, θ ascending.
 class FoundValues {
@@ -198,7 +198,7 @@ public:
     /// The first of those that a clear gap does not part from the last.
     int first_of_last_cluster() const {
         Eigen::Index i = count() - 1;
-        while (i > 0 && theta_[i] - theta_[i - 1] <= clear_gap * theta_[i]) --i;
+        while (i > 0 && theta_[i] - theta_[i - 1] <= cluster_gap * theta_[i]) --i;
         return static_cast<int>(i);
     }
 
