@@ -25,7 +25,7 @@ double dense_smallest(const LaplaceBeltrami& laplacian) {
 }
 
 /// A ring whose vertices are joined to their neighbours with weight 1 and to those next to them with −b. Masses m.
-LaplaceBeltrami ring(int n, double b, double m) {
+LaplaceBeltrami ring_operator(int n, double b, double m) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < n; ++i) {
         for (const auto& [step, weight] : {std::pair{1, 1.0}, {2, -b}}) {
@@ -75,7 +75,7 @@ TEST(Definiteness, AFamilyWithItsClosedForm) {
         for (const double m : {1.0, 1e-9, 1e9}) {
             for (const double b : {0.26, 0.3, 0.5, 2.0}) {
                 const double mu = smallest_of_ring(n, b, m);
-                const Definiteness found = definiteness(ring(n, b, m));
+                const Definiteness found = definiteness(ring_operator(n, b, m));
                 EXPECT_LE(found.mu_low, mu * (1 - 1e-12)) << n << ' ' << b;
                 EXPECT_GE(found.mu_high, mu * (1 + 1e-12)) << n << ' ' << b;
                 EXPECT_EQ(found.indefinite(), mu < 0) << n << ' ' << b;
@@ -85,7 +85,7 @@ TEST(Definiteness, AFamilyWithItsClosedForm) {
                 }
             }
             for (const double b : {0.0, 0.1, 0.2}) {
-                const Definiteness found = definiteness(ring(n, b, m));
+                const Definiteness found = definiteness(ring_operator(n, b, m));
                 EXPECT_TRUE(found.semidefinite()) << n << ' ' << b;
                 EXPECT_EQ(found.evidence, b == 0 ? Evidence::weights : Evidence::factor);
                 EXPECT_LE(found.mu_low, 0);
@@ -97,7 +97,7 @@ TEST(Definiteness, AFamilyWithItsClosedForm) {
 
 // 1 + λ|μ_min|, however small λ.
 TEST(Definiteness, TheLowestModeGrowsAsPredicted) {
-    for (const LaplaceBeltrami& laplacian : {ring(50, 0.3, 1), ring(400, 0.5, 0.01)}) {
+    for (const LaplaceBeltrami& laplacian : {ring_operator(50, 0.3, 1), ring_operator(400, 0.5, 0.01)}) {
         const StabilityCertificate certificate = stability_certificate(laplacian);
         for (const double share : {1e-3, 0.5, 0.9}) {
             const double lambda = share * 2 / certificate.mu_high;
@@ -180,7 +180,7 @@ TEST(Definiteness, RowsThatSumTooLowAreSeen) {
 
 TEST(Definiteness, CannotBeToldWhereTheNegativePartIsRounding) {
     const double b = 0.25 + 1e-13;   // μ_min of the ring is −1e-15 or so
-    const Definiteness found = definiteness(ring(400, b, 1));
+    const Definiteness found = definiteness(ring_operator(400, b, 1));
     EXPECT_FALSE(found.indefinite());
     EXPECT_LE(found.mu_low, smallest_of_ring(400, b, 1));
     EXPECT_GT(found.mu_low, -1e-6);
