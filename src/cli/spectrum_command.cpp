@@ -69,7 +69,7 @@ std::string told(const SpectrumCertificate& c) {
            " counted by inertia, " + std::to_string(c.found_below) + " found" +
            (cut > 0 ? ", " + std::to_string(cut) + " more in the last cluster, just above" : "") + "; rounding " + plain_text(c.delta, 2) +
            ", gap " + plain_text(c.gap, 2) + "); zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " +
-           std::to_string(c.expected_zeros);
+           std::to_string(c.components);
 }
 
 void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,

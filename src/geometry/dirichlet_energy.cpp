@@ -52,6 +52,8 @@ double largest_row(const LaplaceBeltrami& laplacian) {
 
 double dirichlet_energy(const SparseMatrix& C, const Positions& X) { return evaluated_energy<double>(C, X).value; }
 
+double energy_rounding(const SparseMatrix& C, const Positions& X) { return evaluated_energy<double>(C, X).rounding; }
+
 EnergyWatch::EnergyWatch(const LaplaceBeltrami& laplacian, SmoothingScheme scheme, double lambda, const Positions& start)
     : laplacian_(laplacian), scheme_(scheme), lambda_(lambda), stiffness_(std::min(1 / lambda, largest_row(laplacian))), before_(start) {
     enter(start);

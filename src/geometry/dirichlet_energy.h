@@ -10,6 +10,8 @@ namespace meshfolio {
 
 /// [length²] with cotangent weights: the area where X are the positions that C was made from.
 double dirichlet_energy(const SparseMatrix& C, const Positions& X);
+/// How far rounding, of the weights and of the sum, may have moved it: much where needles make large terms of both signs. [length²]
+double energy_rounding(const SparseMatrix& C, const Positions& X);
 
 /// Neither an explicit step with λ ≤ λ_crit nor an implicit one can raise the energy of a semidefinite operator. What is computed is
 /// X' + d, with d from rounding, so that E rises by at most 2√(E D) + D, where D = E(d):

@@ -90,6 +90,13 @@ public:
         }
     }
 
+    /// Solves with the factor just above μ turn y towards its vector: each by the gap to the next eigenvalue over the distance of σ.
+    void polish() {
+        constexpr int most_solves = 3;
+        if (!factor_) return;
+        for (int i = 0; i < most_solves; ++i) take(factor_->solve(Vector(M_.cwiseProduct(result_.y))).normalized(), 1e-12);
+    }
+
     const Enclosure& result() const { return result_; }
 
 private:
@@ -129,10 +136,11 @@ private:
         return true;
     }
 
-    void take(const Vector& y) {
+    /// @param slack  a quotient smaller by no more than this share, which is rounding, is taken too
+    void take(const Vector& y, double slack = 0) {
         const Quotient quotient = rayleigh_quotient(S_, M_, y);
         result_.low = std::max(result_.low, quotient.low);
-        if (!(quotient.value > result_.quotient)) return;
+        if (!(quotient.value > result_.quotient - slack * scale())) return;
         result_.quotient = quotient.value;
         result_.y = y;
     }
@@ -176,6 +184,7 @@ Enclosure enclose_largest(const SparseMatrix& S, const Vector& M, const Vector& 
     Closing closing(S, M, start, options);
     try {
         closing.close(options.width, options.missing);
+        closing.polish();
     } catch (const std::bad_alloc&) {
         // A factor does not fit into memory: what is proved by then stands.
     }

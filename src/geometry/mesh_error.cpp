@@ -11,6 +11,7 @@
 #include "geometry/closest_point.h"
 #include "geometry/triangle_shape.h"
 #include "geometry/vertex_areas.h"
+#include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -64,7 +65,7 @@ void compare_normals(const TriangleMesh& a, const TriangleMesh& b, MeshDifferenc
     int compared = 0;
     for (Eigen::Index t = 0; t < normals_a.rows(); ++t) {
         const Vector3 n = normals_a.row(t), m = normals_b.row(t);
-        if (n.isZero(0) || m.isZero(0)) continue;
+        if (n.isZero(0) || m.isZero(0) || kind_of(a, static_cast<int>(t)) == TriangleKind::zero_area) continue;
         const double angle = std::atan2(n.cross(m).norm(), n.dot(m));
         difference.mean_normal_angle += angle;
         difference.mean_squared_normal_angle += angle * angle;

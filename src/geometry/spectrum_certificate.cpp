@@ -275,7 +275,8 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     certificate.parseval_gap = parseval_gap(laplacian, spectrum, mesh.X);
     count_inertia(problem, residuals, spectrum.gap_middle, certificate);
     certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= 1e-9 * problem.mu0).count());
-    certificate.expected_zeros = std::min(components_with_mass(mesh, laplacian.M), static_cast<int>(problem.mu.size()));
+    certificate.components = components_with_mass(mesh, laplacian.M);
+    certificate.expected_zeros = std::min(certificate.components, static_cast<int>(problem.mu.size()));
     certificate.smallest_step_up = smallest_step_up(problem.mu);
     return certificate;
 }

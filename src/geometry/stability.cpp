@@ -19,7 +19,7 @@ constexpr int dense_up_to = 200;
 TopPair dense_top(const SparseMatrix& B) {
     const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(B)};
     if (solver.info() != Eigen::Success) throw SolverError("largest eigenvalue: the dense eigensolver did not converge");
-    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1), 0};
+    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1), 0, 0};
 }
 
 }   // namespace
@@ -57,7 +57,7 @@ LargestEigenvalue top_mode(const OperatorWithMass& whole, double mu, Vector phi)
     return top;
 }
 
-TopEstimate top_estimate(const OperatorWithMass& whole, double tolerance, int most_steps, const Vector& start) {
+TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search, const Vector& start) {
     const double total = whole.M.sum();
     const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
     const SparseMatrix B = symmetric_form(whole.A, M);
@@ -67,25 +67,24 @@ TopEstimate top_estimate(const OperatorWithMass& whole, double tolerance, int mo
         // Started from an eigenvector alone, Lanczos would have nowhere to go.
         if (warm.allFinite() && warm.squaredNorm() > 0) y = warm.normalized() + 0.1 * y;
     }
-    const TopPair pair = whole.size() <= dense_up_to ? dense_top(B) : top_by_lanczos(B, y, {tolerance, most_steps});
+    const TopPair pair =
+        whole.size() <= dense_up_to ? dense_top(B) : top_by_lanczos(B, y, {search.change, search.residual, search.most_steps});
     if (!std::isfinite(pair.value)) throw SolverError("largest eigenvalue: the operator has weights that are not finite");
-    return {pair.value / total, pair.y.cwiseQuotient(M.cwiseSqrt()), pair.change};
+    return {pair.value / total, pair.y.cwiseQuotient(M.cwiseSqrt()), pair.change, pair.residual};
 }
 
 LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) {
     const OperatorWithMass whole = operator_with_mass(laplacian);
-    constexpr double tolerance = 1e-13;
-    const TopEstimate estimate = top_estimate(whole, tolerance);
-    if (estimate.change <= tolerance) return top_mode(whole, estimate.mu, estimate.phi);
+    constexpr TopSearch search{.residual = 1e-11};
+    const TopEstimate estimate = top_estimate(whole, search);
+    if (estimate.change <= search.change && estimate.residual <= search.residual) return top_mode(whole, estimate.mu, estimate.phi);
     const Enclosure enclosure =
         enclose_largest(whole.A, whole.M, estimate.phi, {.high = gershgorin_bound(whole.A, whole.M), .missing = estimate.change});
     return top_mode(whole, enclosure.quotient, enclosure.y);
 }
 
 LargestEigenvalue largest_eigenvalue_nearly(const OperatorWithMass& whole, const Vector& start) {
-    constexpr double tolerance = 1e-9;
-    constexpr int most_steps = 300;
-    const TopEstimate estimate = top_estimate(whole, tolerance, most_steps, start);
+    const TopEstimate estimate = top_estimate(whole, {.change = 1e-9, .most_steps = 300}, start);
     return top_mode(whole, estimate.mu, estimate.phi);
 }
 

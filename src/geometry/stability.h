@@ -16,8 +16,9 @@ struct LargestEigenvalue {
     double support = 0;       // (Σ Mφ²)²/Σ(Mφ²)²: how many vertices share the mode
 };
 
-/// By plain Lanczos to 1e-13 where that comes to an end soon, as on most meshes; else as the stability certificate finds it, to 1e-8 or to
-/// what rounding leaves. The same with any number of threads.
+/// By plain Lanczos, value to 1e-13 and mode to 1e-11, where that comes to an end soon, as on most meshes; else as the stability
+/// certificate finds it, the value to 1e-8 or to what rounding leaves, the mode by solves with the factor just above. The same with any
+/// number of threads.
 /// @throws MeshError as operator_with_mass; SolverError if weights are not finite
 LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian);
 /// Without any factorisation, to 1e-9 on most meshes: for operators that come one after the other. Where eigenvalues crowd at the top, too
@@ -27,11 +28,16 @@ LargestEigenvalue largest_eigenvalue_nearly(const OperatorWithMass& whole, const
 
 /// What plain Lanczos knows of the top among the vertices with mass: where both begin, and the certificate too.
 struct TopEstimate {
-    double mu = 0;       // [1/length²]
-    Vector phi;          // not normalised
-    double change = 0;   // how much the last third of the steps raised μ, relative: about what may still be missing
+    double mu = 0;         // [1/length²]
+    Vector phi;            // not normalised
+    double change = 0;     // how much the last third of the steps raised μ, relative: about what may still be missing
+    double residual = 0;   // of the vector, relative
 };
-TopEstimate top_estimate(const OperatorWithMass& whole, double tolerance = 1e-13, int most_steps = 250, const Vector& start = {});
+struct TopSearch {
+    double change = 1e-13, residual = 1;   // at which to stop
+    int most_steps = 250;
+};
+TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search = {}, const Vector& start = {});
 
 /// max_i Σ_j |A_ij|/M_i ≥ every eigenvalue of M⁻¹A (Gershgorin), its own rounding included: guaranteed, and O(entries).
 double gershgorin_bound(const SparseMatrix& A, const Vector& M);

@@ -30,9 +30,7 @@ StabilityCertificate certificate_from(const LaplaceBeltrami& laplacian, Operator
     certificate.failed = enclosure.failed;
     certificate.factor_nonzeros = enclosure.factor_nonzeros;
     whole.M *= unit;
-    const bool held =
-        enclosure.factorisations == 1 && !certificate.refuted() && certificate.mu_low <= guess.value && guess.value <= certificate.mu_high;
-    certificate.top = held ? guess : top_mode(whole, enclosure.quotient / unit, enclosure.y);
+    certificate.top = top_mode(whole, enclosure.quotient / unit, enclosure.y);
     certificate.top.upper_bound = bound / unit;   // that of a guess is not trusted either
     tell("proof that no eigenvalue is below 0");
     certificate.bottom = definiteness(laplacian, options.assembly);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace meshfolio {
@@ -23,6 +24,11 @@ struct Tridiagonal {
     }
     double largest_eigenvalue() const;
     std::vector<double> top_eigenvector(double theta) const;
+    /// Its last entry, where it has the length 1.
+    double last_of_top_eigenvector(double theta) const {
+        const std::vector<double> s = top_eigenvector(theta);
+        return std::abs(s.back()) / std::sqrt(std::inner_product(s.begin(), s.end(), s.begin(), 0.0));
+    }
 };
 
 /// By bisection to the last bit, from the circles of Gershgorin.
@@ -135,7 +141,8 @@ TopPair top_by_lanczos(const SparseMatrix& B, const Vector& start, const TopLanc
             top.change = filled ? 0 : std::max(0.0, (top.value - before) / std::abs(top.value));
             seen.push_back({steps, top.value});
             look = steps + 8 + steps / 10;
-            if (top.change <= options.tolerance || steps == options.most_steps) break;
+            top.residual = filled ? 0 : beta * T.last_of_top_eigenvector(top.value) / std::abs(top.value);
+            if ((top.change <= options.tolerance && top.residual <= options.residual) || steps == options.most_steps) break;
         }
         T.beside.push_back(beta);
         recurrence.go_on(beta);

@@ -91,10 +91,10 @@ std::string_view words_of(Property property, bool lacking) {
             return lacking ? "has vertices of equal areas" : "has vertices of different areas";
         case Property::clean_form_known:
             return lacking ? "has noise under which the surface is not known" : "has noise over a known surface";
-        case Property::above_150_vertices:
+        case Property::above_1500_vertices:
             break;
     }
-    return lacking ? "has no more than 150 vertices" : "has more than 150 vertices";
+    return lacking ? "has no more than 1500 vertices" : "has more than 1500 vertices";
 }
 
 std::string with_unit(double value, const Rule& rule) {

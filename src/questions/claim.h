@@ -54,14 +54,14 @@ using MeshNames = std::vector<std::string_view>;
 
 /// A property without which a mesh says nothing of a claim.
 enum class Property {
-    flat,                 // all vertices lie in one plane
-    not_flat,             // else noise has no normal direction, and there are no features
-    closed,               // no boundary: encloses a volume
-    flat_with_edges,      // sharp-edged as MeshClass has it, and half of the other edges lie between faces that meet at less than 2°
-    negative_weights,     // some cotangent weight is below 0
-    unequal_areas,        // the areas of the vertices differ, by 1 % or more
-    clean_form_known,     // the surface under the noise is known, vertex by vertex
-    above_150_vertices,   // so that 150 modes are not all of them
+    flat,                  // all vertices lie in one plane
+    not_flat,              // else noise has no normal direction, and there are no features
+    closed,                // no boundary: encloses a volume
+    flat_with_edges,       // sharp-edged as MeshClass has it, and half of the other edges lie between faces that meet at less than 2°
+    negative_weights,      // some cotangent weight is below 0
+    unequal_areas,         // the areas of the vertices differ, by 1 % or more
+    clean_form_known,      // the surface under the noise is known, vertex by vertex
+    above_1500_vertices,   // so that 150 modes are few of them
 };
 /// "is flat", "has no negative cotangent weight": what is said of a mesh that has the property, or lacks it.
 std::string_view words_of(Property property, bool lacking);

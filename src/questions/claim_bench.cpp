@@ -93,10 +93,10 @@ bool ClaimBench::has(std::string_view name, Property property) {
         }
         case Property::clean_form_known:
             return clean_form(name).has_value();
-        case Property::above_150_vertices:
+        case Property::above_1500_vertices:
             break;
     }
-    return prepared.preflight.vertices_in_use > 150;
+    return prepared.preflight.vertices_in_use > 1500;
 }
 
 Measurable ClaimBench::measurable(const About& about) {

@@ -85,9 +85,9 @@ report::Text how_large(const Studies& studies) {
 /// What smoothing with the recommended step does to energy, place, volume and faces.
 report::Text effect_of(const ExplicitStudy& study, const SmoothingRun& run) {
     report::Text t =
-        report::text(" On ", study.name(), " λ = ", step_label(study.subject, run.lambda), " takes the Dirichlet energy to ",
-                     readable_percent(run.energy.back()), " in ", counted(run.result.iterations, "iteration"),
-                     " and moves the vertices by ", readable_percent(run.moved.rms / study.subject.diagonal), " of the box diagonal (rms)");
+        report::text(" On ", study.name(), " λ = ", step_label(study.subject, run.lambda), " lowers the Dirichlet energy ",
+                     energy_fall(run.energy.back()), " in ", counted(run.result.iterations, "iteration"), " and moves the vertices by ",
+                     readable_percent(run.moved.rms / study.subject.diagonal), " of the box diagonal (rms)");
     if (const int kept = iterations_keeping_volume(run, 0.95); kept >= 0) {
         report::extend(t, ", but leaves only ", readable_percent(run.volume_ratio, 4), " of the volume: for 95\u202f% of it stop after ",
                        counted(kept, "iteration"));
@@ -186,7 +186,7 @@ report::Text what_energy_hides(const std::vector<const ExplicitStudy*>& beyond) 
     for (const ExplicitStudy* study : beyond) {
         const SmoothingRun& run = study->runs[static_cast<std::size_t>(first_beyond(*study))];
         if (run.energy.back() >= run.energy.front()) continue;
-        hidden.push_back({"to " + readable_percent(run.energy.back()) + " on " + study->name(),
+        hidden.push_back({energy_fall(run.energy.back()) + " on " + study->name(),
                           "at " + in_limits(*study, run.lambda) + " in " + counted(run.result.iterations, "iteration")});
     }
     if (hidden.empty()) return {};

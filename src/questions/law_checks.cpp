@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "errors.h"
+#include "geometry/dirichlet_energy.h"
 #include "geometry/mesh_laws.h"
 #include "mesh/triangle_measures.h"
 #include "number_text.h"
@@ -55,17 +56,20 @@ std::vector<report::Check> spectrum_checks(const SpectrumCertificate& c, const s
             check_at_most(law::orthonormal + on, SpectrumCertificate::orthonormality_limit, c.orthonormality_error, 0, note),
             check_at_most(law::parseval + on, SpectrumCertificate::parseval_limit, c.parseval_gap, 0, note),
             complete_check(c, on, note),
-            check_near(law::zeros + on, c.expected_zeros, c.zero_eigenvalues, 0),
+            check_near(law::zeros + on, c.expected_zeros, c.zero_eigenvalues, 0,
+                       c.components > c.pairs ? "k is less than the components, which are " + std::to_string(c.components) : ""),
             check_at_most(law::ascending + on, SpectrumCertificate::step_down_limit, std::max(0.0, -c.smallest_step_up))};
 }
 
-std::vector<report::Check> operator_checks(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const std::string& on, int floored) {
+std::vector<report::Check> operator_checks(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const std::string& on,
+                                           int without_area) {
     std::vector<report::Check> checks{check_at_most(law::symmetric + on, 1e-14, asymmetry(laplacian.C)),
                                       check_at_most(law::row_sums + on, 1e-12, row_sum_error(laplacian.C)),
                                       check_near(law::mass + on, 1, mass_over_area(mesh, laplacian.M), 1e-10),
                                       semidefinite_check(laplacian.C, on)};
-    if (floored == 0) {
-        checks.push_back(check_near(law::energy + on, 1, energy_over_area(mesh, laplacian.C), 1e-9));
+    if (without_area == 0) {
+        checks.push_back(report::within_rounding(check_near(law::energy + on, 1, energy_over_area(mesh, laplacian.C), 1e-9),
+                                                 energy_rounding(laplacian.C, mesh.X) / surface_area(mesh)));
         checks.push_back(check_at_most(law::first_variation + on, 1e-8, first_variation_error(mesh, laplacian.C)));
     }
     return checks;

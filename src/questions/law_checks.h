@@ -42,10 +42,10 @@ std::string cannot_be_proved(double rounding, double gap);
 /// Completeness and definiteness are undecided where rounding of a count exceeds its gap.
 std::vector<report::Check> spectrum_checks(const SpectrumCertificate& certificate, const std::string& on, const std::string& note = "");
 
-/// Of C and M as the cotangent operator of this mesh, unclamped. Where cotangents had to be floored (`floored` > 0) C is no longer the
-/// first variation of the area: energy and first variation are left out.
+/// Of C and M as the cotangent operator of this mesh, unclamped. Triangles without area have no normal, and so the area no gradient there:
+/// energy and first variation are left out.
 std::vector<report::Check> operator_checks(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const std::string& on,
-                                           int floored = 0);
+                                           int without_area = 0);
 
 /// What a surface claims to be, and so must satisfy.
 struct SurfaceClaims {

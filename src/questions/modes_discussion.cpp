@@ -92,39 +92,51 @@ report::Text cost_words(const ModeStudy& study) {
     return t;
 }
 
-/// "between 5 % and 12 % of the energy", "at 5 % of the energy"; empty where there is no border on any mesh.
-std::string border(const std::vector<ModeStudy>& studies, std::size_t which, int& without) {
+/// Where one way of smoothing becomes the cheaper one, over all meshes.
+struct Border {
+    std::string where;   // "between 5 % and 12 % of the energy", "at 5 % of the energy"; empty where there is no border on any mesh
+    int never = 0, everywhere = 0;   // meshes on which it is nowhere, and at every energy looked at, the cheaper one
+};
+Border border(const std::vector<ModeStudy>& studies, std::size_t which) {
+    Border found;
     double least = INFINITY, most = 0;
     for (const ModeStudy& study : studies) {
-        if (!study.crossings[which]) {
-            ++without;
-            continue;
+        const auto& crossing = study.crossings[which];
+        if (!crossing) {
+            ++found.never;
+        } else if (crossing->energy >= study.curve.front().energy) {
+            ++found.everywhere;
+        } else {
+            least = std::min(least, crossing->energy);
+            most = std::max(most, crossing->energy);
         }
-        least = std::min(least, study.crossings[which]->energy);
-        most = std::max(most, study.crossings[which]->energy);
     }
-    if (!(most > 0)) return "";
+    if (!(most > 0)) return found;
     const std::string low = readable_percent(least, 2), high = readable_percent(most, 2);
-    return (low == high ? "at " + low : "between " + low + " and " + high) + " of the energy";
+    found.where = (low == high ? "at " + low : "between " + low + " and " + high) + " of the energy";
+    return found;
 }
 
 report::Text rule_words(const std::vector<ModeStudy>& studies) {
-    int without = 0, without_accurate = 0;
-    const std::string one = border(studies, 0, without), accurate = border(studies, std::size(implicit_steps), without_accurate);
-    if (one.empty()) {
+    const Border one = border(studies, 0), accurate = border(studies, std::size(implicit_steps));
+    if (one.where.empty() && one.everywhere == 0) {
         return report::text(
             "Here, then, implicit smoothing does not pay for a single result; it pays where one factorisation serves many "
             "right-hand sides, or where no step may be too large.");
     }
+    if (one.where.empty()) {
+        return report::text("Here, then, a single implicit step is cheaper than explicit smoothing at every energy looked at",
+                            one.never > 0 ? ", where it is at all." : ".");
+    }
     report::Text t = report::text(
         "So the answer is neither yes nor no. Explicit smoothing is the cheaper one for light smoothing, implicit "
         "smoothing for strong smoothing; the border lies ",
-        one, " for a single implicit step", without > 0 ? ", where there is one," : "");
-    if (accurate.empty()) {
+        one.where, " for a single implicit step", one.never + one.everywhere > 0 ? ", where there is one," : "");
+    if (accurate.where.empty()) {
         report::extend(t, ", and with an error of at most ", readable_percent(implicit_accuracy, 1), " there is none.");
     } else {
-        report::extend(t, " and ", accurate, " for an error of at most ", readable_percent(implicit_accuracy, 1),
-                       without_accurate > 0 ? ", where there is one." : ".");
+        report::extend(t, " and ", accurate.where, " for an error of at most ", readable_percent(implicit_accuracy, 1),
+                       accurate.never + accurate.everywhere > 0 ? ", where there is one." : ".");
     }
     return t;
 }

@@ -65,7 +65,9 @@ void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& la
             const std::string title = "“" + laboratory_operators()[i].title() + "” (";
             const Proof proof = semidefinite(negative);
             if (proof == Proof::refuted) indefinite.push_back(title + std::to_string(negative.below) + " on " + lab.name() + ")");
-            if (proof == Proof::undecided) open.push_back(title + lab.name() + ")");
+            const OperatorScores& scores = lab.trials[i].scores;
+            const bool untold = scores.without_mass == 0 && scores.verdict == Definiteness::Verdict::undecided;
+            if (proof == Proof::undecided || (proof == Proof::proved && untold)) open.push_back(title + lab.name() + ")");
         }
     }
     for (const LaboratoryMesh& lab : labs) {

@@ -112,6 +112,9 @@ report::Text noisy_words(const Studies& studies) {
     } else if (late.low >= 0) {
         report::extend(t, "The measured minimum comes up to ", counted(static_cast<int>(late.high), "iteration"),
                        " later than it expects. ");
+    } else if (late.high <= 0) {
+        report::extend(t, "The measured minimum comes up to ", counted(-static_cast<int>(late.low), "iteration"),
+                       " earlier than it expects. ");
     } else {
         report::extend(t, "The measured minimum comes between ", counted(-static_cast<int>(late.low), "iteration"), " earlier and ",
                        std::to_string(static_cast<int>(late.high)), " later than it expects. ");

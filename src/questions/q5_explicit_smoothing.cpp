@@ -40,12 +40,6 @@ void add_sweep_figure(Answer& answer, const ExplicitStudy& study) {
     add_smoothing_figure(answer, study.subject, id_of("q5", study.name(), "before"), std::move(figure));
 }
 
-/// "to 87 % of the input's"; "by no more than 0.036 %", where a share left would read as all of it.
-std::string fall_of(double energy_left) {
-    if (energy_left < 0.99) return "to " + readable(100 * energy_left) + "\u202f% of the input's";
-    return "by no more than " + readable(100 * (1 - energy_left)) + "\u202f%";
-}
-
 /// What the recommended step does to the mesh.
 void add_before_after(Answer& answer, const ExplicitStudy& study, const std::string& colormap) {
     if (study.best < 0) return;
@@ -57,7 +51,7 @@ void add_before_after(Answer& answer, const ExplicitStudy& study, const std::str
     figure.subtitle = "explicit, λ = " + step_label(study.subject, run.lambda);
     figure.caption = study.name() + " before and after " + times +
                      " with the recommended step, λ = " + step_label(study.subject, run.lambda) + ": the Dirichlet energy falls " +
-                     fall_of(run.energy.back()) + ", and the normals turn by " + readable(run.moved.mean_normal_angle * 180 / M_PI) +
+                     energy_fall(run.energy.back()) + ", and the normals turn by " + readable(run.moved.mean_normal_angle * 180 / M_PI) +
                      "° on average" +
                      (std::isnan(run.volume_ratio) ? "." : "; " + readable(100 * run.volume_ratio) + "\u202f% of the volume is left.");
     figure.before = panel_of(*study.subject.source, figure.id + "_input", "before");

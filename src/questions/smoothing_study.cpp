@@ -124,6 +124,8 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
 }
 
+std::string energy_fall(double left) { return left < 0.99 ? "to " + readable_percent(left) : "by " + readable_percent(1 - left, 2); }
+
 std::string step_label(const SmoothingSubject& subject, double lambda) {
     return readable(lambda) + " = " + plain_text(lambda / subject.critical, 3) + "\u202fλ_crit";
 }

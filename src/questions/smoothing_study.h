@@ -79,6 +79,9 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
 /// figures are coloured by. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 
+/// What an energy falls by when this share of it is left: "to 87 %"; "by 0.036 %" where the share left would read as all of it.
+std::string energy_fall(double left);
+
 /// λ for people: "0.0123 = 0.5 λ_crit".
 std::string step_label(const SmoothingSubject& subject, double lambda);
 /// λ for file names: "lambda0.0123".

@@ -43,6 +43,13 @@ Check undecided(Check check, std::string why) {
     return check;
 }
 
+Check within_rounding(Check check, double rounding) {
+    const double over = check.measured - check.expected;
+    const double off = check.kind == Check::Kind::near ? std::abs(over) : check.kind == Check::Kind::at_most ? over : -over;
+    if (!check.failed() || !(off - check.tolerance <= rounding)) return check;
+    return undecided(std::move(check), "rounding alone may move it by " + plain_text(rounding, 2));
+}
+
 Score& Score::operator+=(const Score& other) {
     passed += other.passed;
     failed += other.failed;
@@ -58,6 +65,7 @@ Score score_of(const std::vector<Check>& checks) {
 
 std::string words_of(const Score& score) {
     return std::to_string(score.passed) + " of " + std::to_string(score.total()) + " checks passed" +
+           (score.failed > 0 ? ", " + std::to_string(score.failed) + " failed" : "") +
            (score.undecided > 0 ? ", " + std::to_string(score.undecided) + " undecided" : "");
 }
 

@@ -183,6 +183,9 @@ Check check_at_least(std::string name, double limit, double measured, double tol
 /// The same check, which decides nothing, for a reason.
 Check undecided(Check check, std::string why);
 
+/// A check that failed, but by no more than rounding may have moved its number, decides nothing. The others stay as they are.
+Check within_rounding(Check check, double rounding);
+
 /// How many checks passed, failed, and decided nothing.
 struct Score {
     std::size_t passed = 0, failed = 0, undecided = 0;
@@ -190,7 +193,7 @@ struct Score {
     Score& operator+=(const Score& other);
 };
 Score score_of(const std::vector<Check>& checks);
-/// "457 of 458 checks passed, 1 undecided".
+/// "456 of 458 checks passed, 1 failed, 1 undecided".
 std::string words_of(const Score& score);
 
 /// A result worth the first page.

@@ -53,6 +53,7 @@ json check_view(const Check& check) {
 /// Counts of checks, as the opening table and the headings print them.
 json score_view(const Score& score) {
     return {{"passed_count", std::to_string(score.passed)},
+            {"failed_count", std::to_string(score.failed)},
             {"undecided_count", std::to_string(score.undecided)},
             {"total_count", std::to_string(score.total())},
             {"has_checks", score.total() > 0},

@@ -321,8 +321,8 @@ TEST(ClaimAbout, AMeshWithoutThePropertyIsLeftOut) {
     EXPECT_EQ(why(blob(), "about_i", Property::negative_weights), "");
     EXPECT_EQ(why(icosphere(0), "about_j", Property::unequal_areas), "about_j has vertices of equal areas");
     EXPECT_EQ(why(patch, "about_k", Property::unequal_areas), "");
-    EXPECT_EQ(why(patch, "about_l", Property::above_150_vertices), "about_l has no more than 150 vertices");
-    EXPECT_EQ(why(sphere, "about_m", Property::above_150_vertices), "");
+    EXPECT_EQ(why(patch, "about_l", Property::above_1500_vertices), "about_l has no more than 1500 vertices");
+    EXPECT_EQ(why(icosphere(4), "about_m", Property::above_1500_vertices), "");
     EXPECT_EQ(why(patch, "plane_noisy", Property::clean_form_known), "plane_noisy has noise under which the surface is not known")
         << "whatever one's own file is called";
     EXPECT_EQ(decision_of("claims_s3_clamp_stable", library_of(sphere, "about_n")).verdict, Verdict::undecidable)

@@ -7,6 +7,16 @@
 namespace meshfolio::report {
 namespace {
 
+TEST(Check, WhatRoundingMayHaveMovedDecidesNothing) {
+    const Check off = check_near("", 1, 1.2, 0.1);
+    EXPECT_EQ(within_rounding(off, 0.11).status, Check::Status::undecided);
+    EXPECT_TRUE(within_rounding(off, 0.09).failed());
+    EXPECT_TRUE(within_rounding(check_at_most("", 1, 1.2, 0), 0.1).failed());
+    EXPECT_EQ(within_rounding(check_at_least("", 1, 0.9, 0), 0.2).status, Check::Status::undecided);
+    EXPECT_TRUE(within_rounding(check_near("", 1, 1.05, 0.1), 1).passed()) << "what passes is not taken back";
+    EXPECT_TRUE(within_rounding(check_near("", 1, std::nan(""), 0.1), 1).failed());
+}
+
 TEST(Check, NearIsWithinTheTolerance) {
     EXPECT_TRUE(check_near("", 1, 1.09, 0.1).passed());
     EXPECT_TRUE(check_near("", 1, 1, 0).passed());
@@ -46,7 +56,7 @@ TEST(Check, ScoresCountTheThreeStatesApart) {
     EXPECT_EQ(score.passed, 2u);
     EXPECT_EQ(score.failed, 1u);
     EXPECT_EQ(score.undecided, 2u);
-    EXPECT_EQ(words_of(score), "2 of 5 checks passed, 2 undecided");
+    EXPECT_EQ(words_of(score), "2 of 5 checks passed, 1 failed, 2 undecided");
     score += score_of({passes});
     EXPECT_EQ(score.total(), 6u);
     EXPECT_EQ(words_of(score_of({passes})), "1 of 1 checks passed");
