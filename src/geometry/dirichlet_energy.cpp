@@ -64,7 +64,9 @@ void EnergyWatch::look(const Positions& X) {
     const double evaluation_before = evaluation_, energy_before = energy_.back();
     enter(X);
     const double D = energy_of_rounding(X);
-    rounding_.push_back(evaluation_before + evaluation_ + 2 * std::sqrt(std::max(energy_before, 0.0) * D) + D);
+    const double of_a_point =
+        epsilon * epsilon * energy_.front();   // where the mesh has collapsed, positions are known to ε of what it was
+    rounding_.push_back(evaluation_before + evaluation_ + 2 * std::sqrt(std::max(energy_before, 0.0) * D) + D + of_a_point);
     before_ = X;
 }
 
