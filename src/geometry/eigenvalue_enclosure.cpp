@@ -1,11 +1,10 @@
 #include "geometry/eigenvalue_enclosure.h"
 
-#include <Eigen/Eigenvalues>
+#include <Spectra/SymEigsSolver.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
-#include <vector>
 
 #include "errors.h"
 #include "geometry/special_values.h"
@@ -26,33 +25,32 @@ double magnitude_of(const SparseMatrix& S, const Vector& y) {
     return sum;
 }
 
-/// The vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, orthonormal in M.
+/// y ↦ M^½ (σM − S)⁻¹ M^½ y, as Spectra asks for it.
+struct ShiftInverse {
+    using Scalar = double;
+    const SparseFactor& factor;
+    const Vector& root_mass;
+
+    Eigen::Index rows() const { return root_mass.size(); }
+    Eigen::Index cols() const { return root_mass.size(); }
+    void perform_op(const double* in, double* out) const {
+        const Eigen::Map<const Vector> y(in, rows());
+        Eigen::Map<Vector>(out, rows()) = root_mass.cwiseProduct(factor.solve(Vector(root_mass.cwiseProduct(y))));
+    }
+};
+
+/// The vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, whatever its residual.
 Vector shift_invert_lanczos(const SparseFactor& factor, const Vector& M, const Vector& y) {
-    constexpr int most_steps = 12;
-    std::vector<Vector> Q{y / std::sqrt(y.dot(M.cwiseProduct(y)))};
-    std::vector<double> alpha, beta;
-    while (true) {
-        Vector u = factor.solve(Vector(M.cwiseProduct(Q.back())));
-        alpha.push_back(u.dot(M.cwiseProduct(Q.back())));
-        for (int repeat = 0; repeat < 2; ++repeat) {
-            const Vector Mu = M.cwiseProduct(u);
-            for (const Vector& q : Q) u -= q.dot(Mu) * q;
-        }
-        beta.push_back(std::sqrt(u.dot(M.cwiseProduct(u))));
-        const auto steps = static_cast<int>(alpha.size());
-        if (steps == most_steps || steps == y.size() || !(beta.back() > 1e-12 * std::abs(alpha.front()))) break;
-        Q.emplace_back(u / beta.back());
-    }
-    const auto steps = static_cast<Eigen::Index>(alpha.size());
-    DenseMatrix T = DenseMatrix::Zero(steps, steps);
-    for (Eigen::Index i = 0; i < steps; ++i) {
-        T(i, i) = alpha[static_cast<std::size_t>(i)];
-        if (i > 0) T(i, i - 1) = T(i - 1, i) = beta[static_cast<std::size_t>(i - 1)];
-    }
-    const Vector s = Eigen::SelfAdjointEigenSolver<DenseMatrix>(T).eigenvectors().rightCols(1);
-    Vector top = Vector::Zero(y.size());
-    for (Eigen::Index i = 0; i < steps; ++i) top += s[i] * Q[static_cast<std::size_t>(i)];
-    return top;
+    constexpr Eigen::Index most_steps = 12;
+    constexpr double any_residual = 1;
+    if (M.size() < 2) return y;
+    const Vector root_mass = M.cwiseSqrt(), start = root_mass.cwiseProduct(y);
+    ShiftInverse inverse{factor, root_mass};
+    Spectra::SymEigsSolver<ShiftInverse> lanczos(inverse, 1, std::min(most_steps, M.size()));
+    lanczos.init(start.data());
+    lanczos.compute(Spectra::SortRule::LargestAlge, 1, any_residual);
+    if (lanczos.info() != Spectra::CompInfo::Successful) return y;
+    return Vector(lanczos.eigenvectors(1)).cwiseQuotient(root_mass);
 }
 
 /// Closes in on μ from both sides.
