@@ -88,6 +88,14 @@ double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, co
     return step;
 }
 
+/// An iteration of Taubin's multiplies a mode by (1 − λμ)(1 − mμ): beyond 1 at the top, the highest modes grow.
+void warn_of_taubin(const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
+    const LaplaceBeltrami laplacian = laplace_operator(mesh, smoothing.laplacian);
+    const double top = largest_eigenvalue(laplacian).value, back = taubin_mu_of(laplacian, smoothing);
+    const double growth = std::abs((1 - smoothing.lambda * top) * (1 - back * top));
+    if (growth > 1) warn("each iteration multiplies the highest mode by " + plain_text(growth, 4) + "; take a smaller --lambda");
+}
+
 /// What became of the limit of a run whose operator was rebuilt, or whose steps were cut.
 void tell_about_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
     if (result.crossing_iteration > 0) {
@@ -98,7 +106,7 @@ void tell_about_limit(const SmoothingOptions& smoothing, const Smoothed& result)
     if (!(smoothing.adaptive > 0)) return;
     const double asked = smoothing.lambda * smoothing.iterations;
     if (result.time < asked * (1 - 1e-12)) {
-        warn("steps were cut to stay stable: diffusion time " + plain_text(result.time) + " of " + plain_text(asked) + " reached");
+        warn("steps were cut below 2/mu_max: diffusion time " + plain_text(result.time) + " of " + plain_text(asked) + " reached");
     }
 }
 
@@ -109,6 +117,7 @@ ExitCode run_smooth(const SmoothFlags& options) {
     const Smoothed result = about_mesh(options.mesh, [&] {
         smoothing.lambda = step_of(options, smoothing, prepared);
         indefinite = warn_of_indefinite(options, smoothing, prepared.mesh);
+        if (smoothing.scheme == SmoothingScheme::taubin) warn_of_taubin(smoothing, prepared.mesh);
         return smooth(prepared.mesh, smoothing);
     });
     if (result.solver == LinearSolver::conjugate_gradients) {
@@ -125,7 +134,9 @@ ExitCode run_smooth(const SmoothFlags& options) {
     if (!result.blew_up) return ExitCode::ok;
     complain(options.mesh + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
              std::to_string(result.blow_up_vertex) + "; " + options.output + " has the last finite positions; take " +
-             (indefinite ? "--operator cotan or idt" : "a smaller --lambda or --scheme implicit"));
+             (indefinite                                            ? "--operator cotan or idt"
+              : smoothing.scheme == SmoothingScheme::implicit_euler ? "a smaller --lambda"
+                                                                    : "a smaller --lambda or --scheme implicit"));
     return ExitCode::failed;
 }
 

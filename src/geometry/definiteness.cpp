@@ -11,7 +11,7 @@ namespace meshfolio {
 
 namespace {
 
-constexpr double negligible = 1e-10;   // ν over max A_ii/M_i
+constexpr double negligible = 1e-10;   // ν over max A_ii/M_i of the same component
 
 /// What Gershgorin and the sum over triangles need of A = −C.
 struct Rows {
@@ -119,6 +119,19 @@ Enclosure enclose_bottom(const OperatorWithMass& whole, double nu, double stiffe
                            {.high = nu, .least_scale = 1e-9 * stiffest, .width = width, .missing = estimate.change});
 }
 
+/// max A_jj/M_j over the component of each row: a speck, whose eigenvalues are huge, excuses nothing on the rest.
+Vector stiffest_of_components(const OperatorWithMass& whole) {
+    const Components components = components_of(whole.A);
+    const Vector stiffness = whole.A.diagonal().cwiseQuotient(whole.M);
+    Vector largest = Vector::Zero(components.count), of_rows(whole.size());
+    for (int i = 0; i < whole.size(); ++i) {
+        double& size = largest[components.label[static_cast<std::size_t>(i)]];
+        size = std::max(size, stiffness[i]);
+    }
+    for (int i = 0; i < whole.size(); ++i) of_rows[i] = largest[components.label[static_cast<std::size_t>(i)]];
+    return of_rows;
+}
+
 }   // namespace
 
 Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly) {
@@ -128,36 +141,35 @@ Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly) {
     const double unit = std::exp2(std::round(std::log2(whole.M.mean())));   // a power of two: scaling by it is exact
     whole.M /= unit;
     const Rows rows = rows_of(whole.A);
-    const double stiffest = whole.A.diagonal().cwiseQuotient(whole.M).maxCoeff();
-    const auto over_mass = [&](const Vector& numbers) { return numbers.cwiseQuotient(whole.M).maxCoeff() * (1 + 4 * epsilon); };
+    const Vector stiffest = stiffest_of_components(whole);
 
     Definiteness found;
     found.mu_high = rayleigh_quotient(whole.A, whole.M, Vector::Ones(whole.size())).high / unit;
-    double nu = std::numeric_limits<double>::infinity();
-    const auto at_least = [&](double bound, Evidence evidence) {
-        if (bound < nu) found.evidence = evidence;
-        nu = std::min(nu, bound);
+    double nu = infinity;
+    const auto at_least = [&](const Vector& of_rows, Evidence evidence) {
+        const Vector bound = of_rows.cwiseQuotient(whole.M) * (1 + 4 * epsilon);
+        if (bound.maxCoeff() < nu) found.evidence = evidence;
+        nu = std::min(nu, bound.maxCoeff());
         found.mu_low = -nu / unit;
-        if (nu <= negligible * stiffest) found.verdict = Verdict::semidefinite;
+        if ((bound.array() <= negligible * stiffest.array()).all()) found.verdict = Verdict::semidefinite;
         return found.semidefinite();
     };
-    if (at_least(over_mass(2 * rows.negative + rows.excess), Evidence::weights)) return found;
+    if (at_least(2 * rows.negative + rows.excess, Evidence::weights)) return found;
     const bool triangles = assembly == Assembly::triangles && stands_alone(laplacian);
-    if (triangles &&
-        at_least(over_mass(epsilon * (rows.entries.array() + 8).matrix().cwiseProduct(rows.around) + rows.excess), Evidence::triangles))
+    if (triangles && at_least(epsilon * (rows.entries.array() + 8).matrix().cwiseProduct(rows.around) + rows.excess, Evidence::triangles))
         return found;
-    if (grounded_is_definite(whole, rows, found.factorisations) && at_least(over_mass(rows.excess), Evidence::factor)) return found;
+    if (grounded_is_definite(whole, rows, found.factorisations) && at_least(rows.excess, Evidence::factor)) return found;
 
-    const Enclosure bottom = enclose_bottom(whole, nu, stiffest);
+    const Enclosure bottom = enclose_bottom(whole, nu, stiffest.maxCoeff());
     found.factorisations += bottom.factorisations;
     found.mu_low = -bottom.high / unit;
     found.mu_high = std::min(found.mu_high, -bottom.low / unit);
     whole.M *= unit;
     found.bottom = top_mode(whole, bottom.quotient / unit, bottom.y);
     // Where C is known to be a sum over triangles, what lies below 0 can only be its rounding.
-    const bool proved = found.mu_high < 0 && !triangles;
-    if (proved) found.verdict = Verdict::indefinite;
-    found.evidence = proved ? Evidence::vector : Evidence::none;
+    const bool proved = found.mu_high < 0 && !triangles, nothing_below = bottom.high <= negligible * stiffest.minCoeff();
+    if (proved || nothing_below) found.verdict = proved ? Verdict::indefinite : Verdict::semidefinite;
+    found.evidence = proved ? Evidence::vector : nothing_below ? Evidence::factor : Evidence::none;
     return found;
 }
 

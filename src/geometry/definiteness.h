@@ -10,8 +10,9 @@
 ///              ν = max_i (ε (t_i + 8) Σ_j −C_jj + max(ΣC_i, 0))/M_i, t_i the entries of row i; no triangle may be there twice.
 ///   factor     rows sum to 0 up to rounding, and −C without one vertex of each component is positive definite: xᵀCx does not change when
 ///              a constant is added. Cholesky of it less δM runs to its end, δ its own rounding (eigenvalue_enclosure.h).
-/// In all three the rounding of the row sums as stored is part of ν. "Semidefinite" is said where ν ≤ 1e-10 max_i −C_ii/M_i: a million
-/// steps at the limit 2/μ_max then raise no mode by more than 2e-4 of itself. "Indefinite" is said where a vector proves μ_min < 0.
+/// In all three the rounding of the row sums as stored is part of ν. "Semidefinite" is said where ν ≤ 1e-10 max_i −C_ii/M_i, on
+/// each component by its own: a million steps at the limit 2/μ_max then raise no mode by more than 2e-4 of itself. "Indefinite" is said
+/// where a vector proves μ_min < 0.
 #pragma once
 
 #include <algorithm>

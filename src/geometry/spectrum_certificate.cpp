@@ -25,13 +25,13 @@ void check_sizes(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, con
                     std::to_string(spectrum.eigenvectors.cols()) + " eigenvectors for a mesh of " + std::to_string(n) + " vertices");
 }
 
-/// Components of the triangles with an area in which some vertex has a mass. Triangles without area hold nothing together.
-int components_with_mass(const TriangleMesh& mesh, const Vector& M) {
+/// Components of the triangles, or of those with an area, in which some vertex has a mass.
+int components_with_mass(const TriangleMesh& mesh, const Vector& M, bool with_area) {
     DisjointSets sets;
     sets.reset(mesh.vertex_count());
     const double scale = unit_scale(mesh);
     for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
-        if (triangle_shape(mesh, t, scale).degenerate()) continue;
+        if (with_area && triangle_shape(mesh, t, scale).degenerate()) continue;
         sets.join(mesh.F(t, 0), mesh.F(t, 1));
         sets.join(mesh.F(t, 1), mesh.F(t, 2));
     }
@@ -275,7 +275,9 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     certificate.parseval_gap = parseval_gap(laplacian, spectrum, mesh.X);
     count_inertia(problem, residuals, spectrum.gap_middle, certificate);
     certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= 1e-9 * problem.mu0).count());
-    certificate.components = components_with_mass(mesh, laplacian.M);
+    // Triangles without area hold nothing together for cotangents, but for weights that see no lengths, and flips may give them some.
+    certificate.components = std::clamp(certificate.zero_eigenvalues, components_with_mass(mesh, laplacian.M, false),
+                                        components_with_mass(mesh, laplacian.M, true));
     certificate.expected_zeros = std::min(certificate.components, static_cast<int>(problem.mu.size()));
     certificate.smallest_step_up = smallest_step_up(problem.mu);
     return certificate;

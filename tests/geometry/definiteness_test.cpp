@@ -200,6 +200,27 @@ TEST(Definiteness, TheCamelWithTheMeanOverOppositeVertices) {
     EXPECT_EQ(run.blow_up_vertex, certificate.bottom.bottom.vertex);
 }
 
+// The speck's eigenvalues are 10¹² times those of the ring beside it: what is rounding there is none here.
+TEST(Definiteness, ASpeckExcusesNothingBesideIt) {
+    const LaplaceBeltrami ring = ring_operator(12, 0.5, 1), speck = ring_operator(12, 0, 1e-12);
+    LaplaceBeltrami both{SparseMatrix(24, 24), Vector(24)};
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const auto& [part, offset] : {std::pair{&ring, 0}, std::pair{&speck, 12}}) {
+        for (int j = 0; j < 12; ++j) {
+            for (SparseMatrix::InnerIterator entry(part->C, j); entry; ++entry)
+                entries.emplace_back(offset + static_cast<int>(entry.row()), offset + j, entry.value());
+        }
+        both.M.segment(offset, 12) = part->M;
+    }
+    both.C.setFromTriplets(entries.begin(), entries.end());
+    const Definiteness alone = definiteness(ring), found = definiteness(both);
+    ASSERT_TRUE(alone.indefinite());
+    EXPECT_TRUE(found.indefinite());
+    EXPECT_LT(found.bottom.vertex, 12);
+    EXPECT_NEAR(found.mu_high / alone.mu_high, 1, 1e-2);
+    EXPECT_TRUE(definiteness(speck).semidefinite());
+}
+
 TEST(Definiteness, RefusesMeshesWithoutArea) {
     EXPECT_THROW(definiteness({SparseMatrix(0, 0), Vector(0)}), MeshError);
     EXPECT_THROW(definiteness({SparseMatrix(3, 3), Vector::Zero(3)}), MeshError);
