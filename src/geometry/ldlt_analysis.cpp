@@ -19,7 +19,7 @@ SparseMatrix shifted(SparseMatrix A, double sigma) {
 
 /// Of A − σI from the matrix factored, in the 2-norm.
 double distance_of(const Implementation& L, double sigma) {
-    return backward_error(L, Vector::Ones(L.rows)) + std::numeric_limits<double>::epsilon() * std::abs(sigma);
+    return backward_error(L, Vector::Ones(L.rows), 1) + std::numeric_limits<double>::epsilon() * std::abs(sigma);
 }
 
 }   // namespace

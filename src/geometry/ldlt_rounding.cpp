@@ -39,8 +39,7 @@ Vector sum_of_sizes(const Implementation& L, const Vector& D, const Vector& x) {
 
 }   // namespace
 
-double backward_error(const Implementation& L, const Vector& W) {
-    constexpr int passes = 3;
+double backward_error(const Implementation& L, const Vector& W, int passes) {
     constexpr double u = std::numeric_limits<double>::epsilon() / 2, underflow = std::numeric_limits<double>::min();
     const std::vector<int> order = L.order();
     const Vector D = L.pivots()(order), weight = W(order), roundings = roundings_of_rows(L);

@@ -11,7 +11,7 @@ namespace meshfolio {
 
 namespace {
 
-constexpr int width = EightColumns::width;
+constexpr int lanes = EightColumns::width;
 using Small = EightColumns::Small;
 
 /// Overlaps smaller than this are left: the sum of k rounding errors.
@@ -21,12 +21,12 @@ constexpr double negligible = 1e-13;
 std::vector<Small> overlaps(const std::vector<EightColumns>& X, int g, int k) {
     std::vector<const double*> blocks;
     for (int i = 0; i <= g; ++i) blocks.push_back(X[static_cast<std::size_t>(i)].data());
-    EightColumns products(static_cast<Eigen::Index>(width * blocks.size()));
+    EightColumns products(static_cast<Eigen::Index>(lanes * blocks.size()));
     std::fill_n(products.data(), 64 * blocks.size(), 0.0);
     add_products(blocks, X[static_cast<std::size_t>(g)].data(), 0, X[0].rows(), products.data());
     std::vector<Small> E;
     for (std::size_t i = 0; i < blocks.size(); ++i) E.push_back(Eigen::Map<const Small>(products.data() + 64 * i));
-    for (int c = 0; c < std::min(width, k - width * g); ++c) E.back()(c, c) -= 1;
+    for (int c = 0; c < std::min(lanes, k - lanes * g); ++c) E.back()(c, c) -= 1;
     return E;
 }
 
@@ -51,7 +51,7 @@ double make_orthonormal(std::vector<EightColumns>& X, int k) {
         std::vector<const double*> none;
         for (const EightColumns& group : X) {
             old.emplace_back(rows);
-            std::copy_n(group.row(first), width * rows, old.back().data());
+            std::copy_n(group.row(first), lanes * rows, old.back().data());
         }
         for (int g = 0; g < groups; ++g) {
             for (int i = 0; i <= g; ++i) {

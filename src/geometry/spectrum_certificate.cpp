@@ -178,6 +178,7 @@ public:
     Eigen::Index count() const { return theta_.size(); }
     double last() const { return theta_[count() - 1]; }
     int below(double sigma) const { return static_cast<int>((theta_.array() < sigma).count()); }
+    double residual(int j) const { return std::sqrt(rho_squared_[j]); }
     /// Eigenvalues are told apart in units of this.
     double size(double mu) const { return std::max(mu, least_size_); }
 
@@ -194,6 +195,10 @@ public:
     double gap_at(double sigma) const {
         const int f = below(sigma);
         return std::min(sigma - upper_bound(f), f < count() ? theta_[f] - sigma : infinity);
+    }
+    /// No value found has its eigenvalue, which lies within its residual, nearer to σ.
+    double distance_from(double sigma) const {
+        return ((theta_.array() - sigma).abs() - rho_squared_.array().sqrt() / std::sqrt(1 - std::min(eta_, 0.5))).minCoeff();
     }
     /// The first of those that a clear gap does not part from the last.
     int first_of_last_cluster() const {
@@ -228,7 +233,7 @@ std::optional<Inertia> counted_behind(const UnitProblem& problem, const FoundVal
 std::optional<Inertia> counted_before_last(const UnitProblem& problem, const FoundValues& found, double delta) {
     const int f = found.first_of_last_cluster();
     const double first = found.theta()[f], size = found.size(first), u = found.upper_bound(f);
-    const double width = std::min(std::clamp(4 * delta, 2e-6 * size, 1e-3 * size), first - u);
+    const double width = std::min(std::clamp(4 * (delta + found.residual(f)), 2e-6 * size, 1e-3 * size), first - u);
     if (!(width > 0)) return {};
     return inertia_between(problem.A, problem.M, first - width, first);
 }
@@ -252,7 +257,8 @@ void count_inertia(const UnitProblem& problem, const Residuals& residuals, doubl
     const Proof agree = agreement(*inertia, found.theta());
     if (agree == Proof::proved && inertia->delta < gap) certificate.complete = Proof::proved;
     // More beyond the last value are no contradiction: they may be larger.
-    if (agree == Proof::refuted && !(beyond_all && inertia->below > certificate.pairs)) certificate.complete = Proof::refuted;
+    const bool clear = inertia->delta < found.distance_from(inertia->sigma), more_beyond = beyond_all && inertia->below > certificate.pairs;
+    if (agree == Proof::refuted && clear && !more_beyond) certificate.complete = Proof::refuted;
 }
 
 double smallest_step_up(const Vector& mu) {

@@ -10,7 +10,7 @@
 ///  - At most c eigenvalues are < σ − δ, and at least c are < σ + δ: c is the inertia of an LDLᵀ with rounding bound δ (inertia.h).
 ///  - So c = f and u < σ − δ leave exactly f eigenvalues below σ − δ, and those found are they: none is missing. By Kahan's theorem for
 ///    f orthonormal vectors each found value is within ρ, to first order, of its own eigenvalue. No gap is taken from elsewhere.
-///  - If no value found lies within δ of σ, then c ≠ f refutes that exactly those found lie below σ.
+///  - If no value found, its residual included, lies within δ of σ, then c ≠ f refutes that exactly those found lie below σ.
 /// σ lies in the middle of the gap behind the last value found. Where more lie below that σ, k may cut a cluster, or the last gap hides
 /// another eigenvalue: then σ is put just below the last cluster of those found, at most 0.1 % below it. Proved then is what lies below
 /// σ; the members found of that last cluster lie between σ − δ and their own upper bound.

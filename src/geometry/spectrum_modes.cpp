@@ -41,11 +41,11 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
     return modes;
 }
 
-/// Largest relative residual over what it should be: 5e-9, or what rounding of the largest rows leaves. Above 1 where needles raise ‖B‖
-/// so far that the rounding of the basis counts, which Ritz values do not show.
-double excess_of_residuals(const SpectrumProblem& problem, const Vector& M, const SymmetricPairs& pairs) {
+/// Largest ‖By − μy‖/μ, the relative residual in the M⁻¹ norm, over what it should be: 5e-9, or what rounding of the largest rows leaves.
+/// Above 1 where needles raise ‖B‖ so far that the rounding of the basis counts, which Ritz values do not show.
+double excess_of_residuals(const SpectrumProblem& problem, const SymmetricPairs& pairs) {
     const double rounding = 50 * std::numeric_limits<double>::epsilon() * problem.B.diagonal().maxCoeff();
-    const Vector residuals = relative_residuals(problem.B, M.cwiseSqrt(), pairs);
+    const Vector residuals = relative_residuals(problem.B, Vector::Ones(problem.size()), pairs);
     double excess = 0;
     for (int j = 0; j < pairs.count(); ++j) excess = std::max(excess, residuals[j] / std::clamp(rounding / pairs.mu[j], 5e-9, 5e-4));
     return excess;
@@ -77,11 +77,11 @@ SymmetricPairs damped(const SparseMatrix& A, const SpectrumProblem& problem, con
 /// The same pairs, damped where that makes their largest residual smaller.
 SymmetricPairs with_small_residuals(const SparseMatrix& A, const SpectrumProblem& problem, const Vector& M, SymmetricPairs pairs) {
     constexpr int most_steps = 3;
-    double excess = excess_of_residuals(problem, M, pairs);
+    double excess = excess_of_residuals(problem, pairs);
     for (int step = 0; step < most_steps && excess > 1; ++step) {
         try {
             SymmetricPairs better = damped(A, problem, M, pairs);
-            const double after = excess_of_residuals(problem, M, better);
+            const double after = excess_of_residuals(problem, better);
             if (!(after < excess)) break;
             excess = after;
             pairs = std::move(better);

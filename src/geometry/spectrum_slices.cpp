@@ -20,7 +20,7 @@ namespace meshfolio {
 
 namespace {
 
-constexpr int width = EightColumns::width;
+constexpr int lanes = EightColumns::width;
 
 /// Shares of all slices added up; called from several threads, tells one at a time and never less than before.
 class SharedProgress {
@@ -172,7 +172,7 @@ private:
         const auto all_of = [&](const Slice& slice) {
             for (Eigen::Index j = 0; j < slice.mu.size(); ++j) {
                 const bool own = slice.mu[j] > slice.begin && slice.mu[j] <= slice.cut;
-                if (own) visit(slice.mu[j], slice.X[static_cast<std::size_t>(j / width)], static_cast<int>(j % width));
+                if (own) visit(slice.mu[j], slice.X[static_cast<std::size_t>(j / lanes)], static_cast<int>(j % lanes));
             }
         };
         for (const Slice& slice : slices_) all_of(slice);
@@ -260,11 +260,11 @@ SlicedPairs SliceSet::pairs(int k) {
     result.slices = static_cast<int>(slices_.size());
     result.mu.resize(k);
     std::vector<EightColumns> packed;
-    const int groups = (k + width - 1) / width;
+    const int groups = (k + lanes - 1) / lanes;
     for (int g = 0; g < groups; ++g) {
         EightColumns& X = packed.emplace_back(problem_.size());
-        for (int c = 0; c < width; ++c) {
-            const int place = width * g + c;
+        for (int c = 0; c < lanes; ++c) {
+            const int place = lanes * g + c;
             const auto j = static_cast<std::size_t>(place);
             const bool used = place < k;
             if (used) result.mu[place] = all[j].mu;
@@ -279,8 +279,8 @@ SlicedPairs SliceSet::pairs(int k) {
     const std::vector<int>& order = problem_.analysis.order();
     tbb::parallel_for(0, groups, [&](int g) {
         const EightColumns X = std::move(packed[static_cast<std::size_t>(g)]);
-        for (int c = 0; c < std::min(width, k - width * g); ++c) {
-            for (Eigen::Index i = 0; i < X.rows(); ++i) result.Y(order[static_cast<std::size_t>(i)], width * g + c) = X.row(i)[c];
+        for (int c = 0; c < std::min(lanes, k - lanes * g); ++c) {
+            for (Eigen::Index i = 0; i < X.rows(); ++i) result.Y(order[static_cast<std::size_t>(i)], lanes * g + c) = X.row(i)[c];
         }
     });
     result.proofs = proofs_;
