@@ -20,6 +20,22 @@ constexpr SmoothingScheme both_schemes[] = {SmoothingScheme::explicit_euler, Smo
 
 }   // namespace
 
+TEST(EnergyCheck, PassesFailsOrDecidesNothing) {
+    SmoothingRun run;
+    run.energy = {1, 0.9, 0.9 + 1e-9};
+    run.energy_rounding = {0, 1e-13, 1e-13};
+    EXPECT_TRUE(energy_check("", run).failed()) << "a rise of a billionth";
+    run.energy_rounding[2] = 2e-9;
+    EXPECT_EQ(energy_check("", run).status, report::Check::Status::undecided) << "that rounding could have made";
+    run.energy_rounding[1] = 1e-8;
+    run.energy = {1, 0.9, 0.8};
+    EXPECT_EQ(energy_check("", run).status, report::Check::Status::undecided) << "or could hide";
+    run.energy_rounding = {0, 1e-13, 1e-13};
+    EXPECT_TRUE(energy_check("", run).passed());
+    run.result.blew_up = true;
+    EXPECT_TRUE(energy_check("", run).failed());
+}
+
 TEST(SmoothingStudy, NoStepLeavesTheMesh) {
     const SmoothingSubject subject = ball();
     for (const auto& step : {explicit_step, implicit_step}) {
