@@ -75,7 +75,7 @@ TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search,
 
 LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) {
     const OperatorWithMass whole = operator_with_mass(laplacian);
-    constexpr TopSearch search{.residual = 1e-11};
+    constexpr TopSearch search{.residual = 1e-13};
     const TopEstimate estimate = top_estimate(whole, search);
     if (estimate.change <= search.change && estimate.residual <= search.residual) return top_mode(whole, estimate.mu, estimate.phi);
     const Enclosure enclosure =

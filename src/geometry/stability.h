@@ -16,7 +16,7 @@ struct LargestEigenvalue {
     double support = 0;       // (Σ Mφ²)²/Σ(Mφ²)²: how many vertices share the mode
 };
 
-/// By plain Lanczos, value to 1e-13 and mode to 1e-11, where that comes to an end soon, as on most meshes; else as the stability
+/// By plain Lanczos, value and mode to 1e-13, where that comes to an end soon, as on most meshes; else as the stability
 /// certificate finds it, the value to 1e-8 or to what rounding leaves, the mode by solves with the factor just above. The same with any
 /// number of threads.
 /// @throws MeshError as operator_with_mass; SolverError if weights are not finite
