@@ -250,7 +250,7 @@ class Spectrum(InFolder):
         self.assertEqual(code, 0)
         self.assertEqual(len(table(out)), 8)
         self.assertIn('warning', err)
-        self.assertRegex(err, r'(?m)^meshfolio: certificate: residual .* 8 counted by inertia, 8 found; rounding .*zero eigenvalues 1, components 1$')
+        self.assertRegex(err, r'(?m)^meshfolio: certificate: residual .*8 counted by inertia, 8 found; rounding .*zero eigenvalues 1, components 1$')
 
     def test_no_output_is_lost_in_another_one(self):
         mesh = self.sample('cube')
