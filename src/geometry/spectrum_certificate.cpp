@@ -229,11 +229,11 @@ std::optional<Inertia> counted_behind(const UnitProblem& problem, const FoundVal
     return inertia;
 }
 
-/// Just below the last cluster, by as little as rounding lets: what hides between is not seen.
+/// Just below the last cluster, by as little as rounding lets, which is larger near an eigenvalue: what hides between is not seen.
 std::optional<Inertia> counted_before_last(const UnitProblem& problem, const FoundValues& found, double delta) {
     const int f = found.first_of_last_cluster();
     const double first = found.theta()[f], size = found.size(first), u = found.upper_bound(f);
-    const double width = std::min(std::clamp(4 * (delta + found.residual(f)), 2e-6 * size, 1e-3 * size), first - u);
+    const double width = std::min(std::clamp(100 * (delta + found.residual(f)), 2e-6 * size, 1e-3 * size), first - u);
     if (!(width > 0)) return {};
     return inertia_between(problem.A, problem.M, first - width, first);
 }
