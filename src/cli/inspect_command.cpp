@@ -40,8 +40,7 @@ Inspection inspection_of(const std::string& file, OperatorKind kind) {
             inspection.floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(mesh)));
     } catch (const SolverError& error) {
         warn(file + ": largest stable step not computed: " + error.what());
-    } catch (
-        const MeshError& error) {   // every triangle is a line beside its length; where there is no area at all, nothing can be counted
+    } catch (const MeshError& error) {   // no triangle has a stiffness; without any area the mesh is refused
         if (!(inspection.facts.counts.area > 0)) throw;
         warn(file + ": largest stable step not computed: " + error.what());
     }

@@ -167,8 +167,7 @@ void add_discussion(report::Section& section, const std::vector<Certified>& mesh
                        ref("certificates_spectra"), "). ");
     }
     if (!refuted.empty()) report::extend(text, "It is refuted on ", listed(refuted), ": the failed checks below say what is wrong. ");
-    if (!open.empty())
-        report::extend(text, "It cannot be proved here on ", listed(open), ": rounding may move the count by more than its gap.");
+    if (!open.empty()) report::extend(text, "It cannot be proved here on ", listed(open), ": rounding may move σ by more than its gap.");
     section.blocks.push_back(report::Paragraph{std::move(text)});
 
     std::vector<std::string> missed, alone;

@@ -48,7 +48,7 @@ double volume_in_box(const TriangleMesh& mesh) {
 }   // namespace
 
 std::string cannot_be_proved(double rounding, double gap) {
-    return "it cannot be proved here: rounding may move the count by " + readable(rounding, 2) + ", the gap is " + readable(gap, 2);
+    return "it cannot be proved here: rounding may move σ by " + readable(rounding, 2) + ", the gap is " + readable(gap, 2);
 }
 
 std::vector<report::Check> spectrum_checks(const SpectrumCertificate& c, const std::string& on, const std::string& note) {
