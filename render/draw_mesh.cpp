@@ -19,15 +19,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "marks.h"
-#include "outline.h"
-#include "projection.h"
-#include "rasterizer.h"
-#include "scene.h"
-#include "shading.h"
-#include "tile_lists.h"
-#include "view_picture.h"
-#include "wide_triangle.h"
+#include "raster/rasterizer.h"
+#include "raster/tile_lists.h"
+#include "raster/wide_triangle.h"
+#include "scene/outline.h"
+#include "scene/projection.h"
+#include "scene/scene.h"
+#include "scene/view_picture.h"
+#include "shading/marks.h"
+#include "shading/shading.h"
 
 namespace render {
 

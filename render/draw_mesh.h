@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "camera.h"
-#include "colormap.h"
-#include "image.h"
+#include "color/colormap.h"
+#include "scene/camera.h"
+#include "scene/image.h"
 
 namespace render {
 

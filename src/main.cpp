@@ -1,8 +1,8 @@
 #include "cli/cli.h"
-#include "cli/console.h"
 #include "cli/signals.h"
+#include "run/console.h"
 
 int main(int argc, char** argv) {
     meshfolio::cli::prepare_process();
-    return meshfolio::cli::close_standard_output(meshfolio::cli::run(argc, argv));
+    return meshfolio::run::close_standard_output(meshfolio::cli::run(argc, argv));
 }

@@ -1,9 +1,9 @@
 #include <memory>
 
-#include "cli/cache_folder.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "number_text.h"
+#include "run/cache_folder.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 

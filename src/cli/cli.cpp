@@ -8,12 +8,12 @@
 #include <system_error>
 #include <vector>
 
+#include "base/nearest_word.h"
 #include "build_info.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "cli/progress.h"
-#include "cli/settings_file.h"
-#include "nearest_word.h"
+#include "run/console.h"
+#include "run/progress.h"
+#include "run/settings/settings_file.h"
 
 namespace meshfolio::cli {
 

@@ -5,9 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "errors.h"
+#include "base/errors.h"
+
+namespace meshfolio::run {}
 
 namespace meshfolio::cli {
+
+using namespace run;   // what the commands share with `report`
 
 struct Command {
     CLI::App* app;                   // its options; parsed() tells whether it was asked for

@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "geometry/mesh_error.h"
-#include "mesh/mesh_files.h"
-#include "number_text.h"
+#include "geometry/measures/mesh_error.h"
+#include "mesh/io/mesh_files.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 

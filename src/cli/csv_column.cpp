@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "errors.h"
-#include "in_quotes.h"
-#include "mesh/polygon_list.h"
-#include "mesh/text_scanner.h"
-#include "number_text.h"
+#include "base/errors.h"
+#include "base/in_quotes.h"
+#include "base/number_text.h"
+#include "mesh/io/polygon_list.h"
+#include "mesh/io/text_scanner.h"
 
 namespace meshfolio::cli {
 

@@ -4,13 +4,13 @@
 #include <tuple>
 #include <vector>
 
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "geometry/curvature.h"
-#include "geometry/jet_fit.h"
-#include "geometry/laplace_operator.h"
-#include "geometry/mesh_operators.h"
-#include "number_text.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/curvature/jet_fit.h"
+#include "geometry/operators/laplace_operator.h"
+#include "geometry/operators/mesh_operators.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 

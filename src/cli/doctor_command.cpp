@@ -6,14 +6,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/cache_folder.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "cli/provenance.h"
-#include "geometry/blas_turn.h"
-#include "number_text.h"
-#include "report/page_viewer.h"
-#include "report/pdf_engine.h"
+#include "geometry/linear/blas_turn.h"
+#include "report/page/page_viewer.h"
+#include "report/pdf/pdf_engine.h"
+#include "run/cache_folder.h"
+#include "run/console.h"
+#include "run/provenance.h"
 
 namespace meshfolio::cli {
 

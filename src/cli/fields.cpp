@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/in_quotes.h"
+#include "base/nearest_word.h"
 #include "cli/csv_column.h"
-#include "errors.h"
-#include "file_bytes.h"
-#include "geometry/curvature.h"
-#include "geometry/laplace_operator.h"
-#include "in_quotes.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/operators/laplace_operator.h"
 #include "mesh/triangle_measures.h"
-#include "nearest_word.h"
 
 namespace meshfolio::cli {
 

@@ -3,13 +3,13 @@
 #include <numbers>
 #include <optional>
 
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "cli/progress.h"
-#include "geometry/laplace_operator.h"
-#include "geometry/stability_certificate.h"
-#include "number_text.h"
-#include "questions/mesh_defects.h"
+#include "geometry/operators/laplace_operator.h"
+#include "geometry/smoothing/stability_certificate.h"
+#include "questions/preflight/defects.h"
+#include "run/console.h"
+#include "run/progress.h"
 
 namespace meshfolio::cli {
 
@@ -59,9 +59,10 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 /// What was found, which questions it affects and what was done.
 std::string consequences(const MeshFacts& facts) {
     std::string text;
-    for (const auto& [defect, count] : defects_of(facts)) {
-        text += "  " + std::to_string(count) + " x " + std::string(defect->name) + "\n    affects " + affected_for_people(*defect) + ": " +
-                std::string(defect->breaks) + "\n    done: " + std::string(defect->done) + "\n";
+    for (const auto& [defect, count] : preflight::defects_of(facts)) {
+        text += "  " + std::to_string(count) + " x " + std::string(defect->name) + "\n    affects " +
+                preflight::affected_for_people(*defect) + ": " + std::string(defect->breaks) + "\n    done: " + std::string(defect->done) +
+                "\n";
     }
     return text.empty() ? "nothing found that affects a question\n" : "found\n" + text;
 }
@@ -122,11 +123,11 @@ std::string told(const Inspection& inspection) {
 
 ordered_json consequences_json(const MeshFacts& facts) {
     ordered_json list = ordered_json::array();
-    for (const auto& [defect, count] : defects_of(facts)) {
+    for (const auto& [defect, count] : preflight::defects_of(facts)) {
         list.push_back({{"defect", defect->key},
                         {"name", defect->name},
                         {"count", count},
-                        {"affects", affected_questions(*defect)},
+                        {"affects", preflight::affected_questions(*defect)},
                         {"breaks", defect->breaks},
                         {"done", defect->done}});
     }

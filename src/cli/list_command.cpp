@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "colormap.h"
-#include "mesh/sample_shapes.h"
-#include "questions/question.h"
+#include "color/colormap.h"
+#include "mesh/samples/sample_shapes.h"
+#include "questions/core/chapter.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 
@@ -17,10 +17,9 @@ nlohmann::ordered_json everything() {
                                 {"meshes", nlohmann::ordered_json::array()},
                                 {"colormaps", nlohmann::ordered_json::array()},
                                 {"samples", nlohmann::ordered_json::array()}};
-    for (const auto& [kind, list] : {std::pair{"questions", question_list()}, std::pair{"supporting", supporting_list()}}) {
-        for (const Question& q : list)
-            json[kind].push_back({{"name", q.id}, {"description", std::string(q.title) + ": " + std::string(q.asked)}});
-    }
+    for (const Chapter* chapter : chapter_list())
+        json[chapter->is_question() ? "questions" : "supporting"].push_back(
+            {{"name", chapter->id}, {"description", std::string(chapter->title) + ": " + std::string(chapter->asked)}});
     for (const MeshRole& role : mesh_role_list()) {
         json["meshes"].push_back(
             {{"name", role.role},

@@ -2,12 +2,12 @@
 #include <limits>
 #include <memory>
 
-#include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "mesh/polygon_list.h"
+#include "mesh/io/polygon_list.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
+#include "run/arguments.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 

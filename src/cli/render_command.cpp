@@ -5,21 +5,21 @@
 #include <optional>
 #include <utility>
 
-#include "cli/arguments.h"
+#include "base/number_text.h"
+#include "base/parallel_tasks.h"
 #include "cli/commands.h"
-#include "cli/console.h"
 #include "cli/fields.h"
-#include "contact_sheet.h"
 #include "draw_mesh.h"
-#include "mesh/parallel_tasks.h"
-#include "mesh/polygon_list.h"
-#include "number_text.h"
-#include "output/file_group.h"
-#include "output/folder_system.h"
-#include "output/label_view.h"
-#include "output/surface_of.h"
-#include "output/write_glb.h"
-#include "png.h"
+#include "mesh/io/polygon_list.h"
+#include "output/draw/label_view.h"
+#include "output/draw/surface_of.h"
+#include "output/draw/write_glb.h"
+#include "output/publish/file_group.h"
+#include "output/publish/folder_system.h"
+#include "png/png.h"
+#include "run/arguments.h"
+#include "run/console.h"
+#include "sheet/contact_sheet.h"
 
 namespace meshfolio::cli {
 

@@ -1,9 +1,9 @@
 #include <memory>
 
-#include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "mesh/sample_shapes.h"
+#include "mesh/samples/sample_shapes.h"
+#include "run/arguments.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 

@@ -15,9 +15,9 @@
 #include <system_error>
 #include <thread>
 
-#include "errors.h"
-#include "output/publish.h"
-#include "report/child_process.h"
+#include "base/errors.h"
+#include "output/publish/publish.h"
+#include "report/pdf/child_process.h"
 
 namespace meshfolio::cli {
 

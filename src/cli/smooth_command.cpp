@@ -1,14 +1,14 @@
 #include <memory>
 
-#include "cli/arguments.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "cli/progress.h"
-#include "geometry/definiteness.h"
-#include "geometry/laplacian_smoothing.h"
-#include "geometry/stability.h"
+#include "geometry/operators/definiteness.h"
+#include "geometry/smoothing/laplacian_smoothing.h"
+#include "geometry/smoothing/stability.h"
 #include "mesh/triangle_measures.h"
-#include "number_text.h"
+#include "run/arguments.h"
+#include "run/console.h"
+#include "run/progress.h"
 
 namespace meshfolio::cli {
 

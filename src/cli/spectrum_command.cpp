@@ -3,16 +3,16 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/arguments.h"
+#include "base/in_quotes.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "geometry/laplace_operator.h"
-#include "geometry/spectral_reconstruction.h"
-#include "geometry/spectrum_certificate.h"
-#include "in_quotes.h"
-#include "mesh/mesh_files.h"
-#include "number_text.h"
-#include "output/folder_system.h"
+#include "geometry/operators/laplace_operator.h"
+#include "geometry/spectrum/spectral_reconstruction.h"
+#include "geometry/spectrum/spectrum_certificate.h"
+#include "mesh/io/mesh_files.h"
+#include "output/publish/folder_system.h"
+#include "run/arguments.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 

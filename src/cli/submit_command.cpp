@@ -1,9 +1,9 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "cli/own_source.h"
-#include "questions/question.h"
+#include "questions/core/chapter.h"
+#include "run/console.h"
+#include "run/own_source.h"
 #include "submission/submission.h"
 
 namespace meshfolio::cli {
@@ -24,7 +24,8 @@ std::string megabytes(std::size_t bytes) {
 ExitCode run_submit(SubmitFlags options) {
     options.submission.pdf = !options.without_pdf;
     options.submission.images = !options.without_images;
-    for (const Question& question : question_list()) options.submission.questions.emplace_back(question.id);
+    for (const Chapter* chapter : chapter_list())
+        if (chapter->is_question()) options.submission.questions.emplace_back(chapter->id);
     const submission::ReportFolder report = submission::read_report(options.out);
     const submission::Submission submission = submission::pack(report, own_source(), options.submission);
     const std::string note = submission::publish(report, submission);

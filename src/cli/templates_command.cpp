@@ -2,11 +2,11 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "output/file_group.h"
-#include "output/folder_system.h"
-#include "report/template_tags.h"
+#include "output/publish/file_group.h"
+#include "output/publish/folder_system.h"
+#include "report/page/template_tags.h"
 #include "report/writers.h"
+#include "run/console.h"
 
 namespace meshfolio::cli {
 

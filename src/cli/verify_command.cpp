@@ -3,17 +3,18 @@
 #include <memory>
 #include <vector>
 
-#include "cli/arguments.h"
+#include "base/file_bytes.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
-#include "cli/progress.h"
-#include "cli/provenance.h"
-#include "cli/report_files.h"
-#include "file_bytes.h"
-#include "number_text.h"
-#include "output/publish.h"
-#include "questions/ground_truth.h"
-#include "questions/question.h"
+#include "output/publish/publish.h"
+#include "questions/bench/ground_truth.h"
+#include "questions/core/chapter.h"
+#include "questions/truth/parts.h"
+#include "run/arguments.h"
+#include "run/console.h"
+#include "run/progress.h"
+#include "run/provenance.h"
+#include "run/report_files.h"
 
 namespace meshfolio::cli {
 
@@ -44,7 +45,7 @@ void write_report(const VerifyFlags& options, const GroundTruth& truth, const st
     document.provenance = provenance_of({{"quick", options.quick ? "yes" : "no"}}, seed_of(options));
     document.sections = sections;
     write_report_files(document, {}, report::Templates(), {.timings = false, .plot_files = true}, {}, {}, publication.folder());
-    write_file(publication.folder() / "tables" / "truth_all.csv", report::write_csv(ground_truth_table(truth)));
+    write_file(publication.folder() / "tables" / "truth_all.csv", report::write_csv(truth::ground_truth_table(truth)));
     const std::string note = publication.publish();
     if (!note.empty()) warn(note);
 }
@@ -53,7 +54,7 @@ void write_report(const VerifyFlags& options, const GroundTruth& truth, const st
 report::Section certificates(const VerifyFlags& options, const Progress& progress) {
     QuestionSettings settings;
     settings.quick = options.quick;
-    return answer_certificates(MeshLibrary({}, {}), settings, progress).section;
+    return chapter_of_id("certificates").answer(MeshLibrary({}, {}), settings, progress).section;
 }
 
 ExitCode run_verify(const VerifyFlags& options) {
@@ -63,7 +64,7 @@ ExitCode run_verify(const VerifyFlags& options) {
         ProgressDisplay display(stderr_is_terminal());
         const Progress progress = [&](std::string_view step) { display.step(std::string(step)); };
         truth = ground_truth(seed_of(options), options.quick, progress);
-        sections = {ground_truth_section(truth), certificates(options, progress)};
+        sections = {truth::ground_truth_section(truth), certificates(options, progress)};
     }
     if (!options.out.empty()) write_report(options, truth, sections);
     std::string lines;

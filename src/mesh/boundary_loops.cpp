@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/at.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -10,8 +11,6 @@ namespace {
 struct BoundaryEdge {
     int from, to;   // as its triangle runs through it
 };
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The boundary edges, sorted by their ends, each running as in its one triangle.
 std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh, const std::vector<Edge>& edges) {

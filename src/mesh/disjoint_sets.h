@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/at.h"
+
 namespace meshfolio {
 
 /// Disjoint sets of the integers below n; the smallest member stands for its set.
@@ -52,8 +54,6 @@ public:
     int found(int i) const { return parent_[at(i)]; }
 
 private:
-    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
     std::atomic_ref<int> parent(int i) { return std::atomic_ref<int>(parent_[at(i)]); }
     int find_concurrently(int i) {
         for (;;) {

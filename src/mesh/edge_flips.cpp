@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "errors.h"
+#include "base/errors.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <vector>
 
-#include "large_pages.h"
+#include "base/at.h"
+#include "base/large_pages.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The range of indices of one of several parts of about equal length.
 struct Part {

@@ -7,11 +7,12 @@
 #include <tuple>
 #include <utility>
 
-#include "errors.h"
+#include "base/at.h"
+#include "base/errors.h"
+#include "base/parallel.h"
+#include "base/prefetch.h"
+#include "mesh/io/polygon_list.h"
 #include "mesh/orientation.h"
-#include "mesh/parallel.h"
-#include "mesh/polygon_list.h"
-#include "mesh/prefetch.h"
 #include "mesh/repeated_points.h"
 #include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
@@ -19,8 +20,6 @@
 namespace meshfolio {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void check_coordinates(const LoadedMesh& loaded) {
     const TriangleMesh& mesh = loaded.mesh;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesh_files.h"
+#include "mesh/io/mesh_files.h"
 #include "mesh/mesh_topology.h"
 #include "mesh/triangle_mesh.h"
 

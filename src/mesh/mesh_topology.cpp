@@ -5,17 +5,16 @@
 #include <string>
 #include <utility>
 
-#include "errors.h"
-#include "large_pages.h"
+#include "base/at.h"
+#include "base/errors.h"
+#include "base/large_pages.h"
+#include "base/parallel.h"
 #include "mesh/disjoint_sets.h"
-#include "mesh/parallel.h"
 #include "mesh/vertex_fans.h"
 
 namespace meshfolio {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void check_faces(const TriangleMesh& mesh) {
     const auto is_sound = [&](int t) {

@@ -6,14 +6,13 @@
 #include <cmath>
 #include <tuple>
 
-#include "mesh/parallel.h"
-#include "mesh/prefetch.h"
+#include "base/at.h"
+#include "base/parallel.h"
+#include "base/prefetch.h"
 
 namespace meshfolio {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr int nobody = -1, several = -2;   // in place of the one neighbour across an edge
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <vector>
 
-#include "mesh/parallel.h"
+#include "base/parallel.h"
 #include "mesh/point_table.h"
 
 namespace meshfolio {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/parallel.h"
-#include "mesh/prefetch.h"
+#include "base/parallel.h"
+#include "base/prefetch.h"
 
 namespace meshfolio {
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "errors.h"
+#include "base/errors.h"
 
 namespace meshfolio {
 

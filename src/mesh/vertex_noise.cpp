@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "errors.h"
+#include "base/errors.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {

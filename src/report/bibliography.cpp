@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "errors.h"
+#include "base/errors.h"
 
 namespace meshfolio::report {
 

@@ -1,6 +1,6 @@
 #include "report/brief_number.h"
 
-#include "number_text.h"
+#include "base/number_text.h"
 
 namespace meshfolio::report {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "number_text.h"
+#include "base/number_text.h"
 
 namespace meshfolio::report {
 

@@ -132,7 +132,7 @@ struct Map {
     bool operator==(const Map&) const = default;
 };
 
-/// A drawn figure; the pictures themselves are made from the request of the same id (src/output/figure_request.h).
+/// A drawn figure; the pictures themselves are made from the request of the same id (src/output/draw/figure_request.h).
 struct Figure {
     std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
     std::string caption;
@@ -215,7 +215,7 @@ struct Input {
 
 struct CodeReference {
     std::string function;   // "uniform_laplacian"
-    std::string file;       // "src/geometry/uniform_laplacian.cpp"
+    std::string file;       // "src/geometry/operators/uniform_laplacian.cpp"
     std::string purpose;    // "Δ with uniform weights"
     int line = 0;           // of the function in src.txt; 0: not cited (yet)
     bool operator==(const CodeReference&) const = default;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "errors.h"
+#include "base/errors.h"
 
 namespace meshfolio::report {
 

@@ -9,22 +9,22 @@ namespace meshfolio::report {
 namespace {
 
 /// "q4" of "q4" and of "q4_eq_parseval"; empty for what no question owns.
-std::string question_of(const std::string& id) {
+std::string_view question_of(std::string_view id) {
     if (id.size() < 2 || id[0] != 'q') return "";
     const std::size_t end = id.find_first_not_of("0123456789", 1);
-    if (end == 1 || (end != std::string::npos && id[end] != '_')) return "";
+    if (end == 1 || (end != std::string_view::npos && id[end] != '_')) return "";
     return id.substr(0, end);
 }
 
 }   // namespace
 
-bool is_question(const Section& section) { return !section.id.empty() && question_of(section.id) == section.id; }
+bool is_question(std::string_view section_id) { return !section_id.empty() && question_of(section_id) == section_id; }
 
 std::vector<std::string> section_numbers(const Document& document) {
     std::vector<std::string> numbers;
     char letter = 'A';
     for (const Section& section : document.sections)
-        numbers.push_back(is_question(section) ? section.id.substr(1) : std::string(1, letter++));
+        numbers.push_back(is_question(section.id) ? section.id.substr(1) : std::string(1, letter++));
     return numbers;
 }
 
@@ -33,7 +33,7 @@ Numbering::Numbering(const Document& document, const std::vector<Work>& works) {
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         const Section& section = document.sections[s];
         status_[section.id] = section.status;
-        add(section.id, is_question(section) ? "Question " : "Section ", numbers[s]);
+        add(section.id, is_question(section.id) ? "Question " : "Section ", numbers[s]);
         int figures = 0, tables = 0, equations = 0, entries = 0;
         const auto next = [&](int& count) { return numbers[s] + "." + std::to_string(++count); };
         for (const Block& block : section.blocks) {
@@ -70,7 +70,7 @@ void Numbering::leave_out(const std::string& id) {
 /// The section whose blocks are called "<section>_…"; questions also where the document lacks them.
 std::string Numbering::owner_of(const std::string& id) const {
     const std::string prefix = id.substr(0, id.find('_'));
-    return status_.contains(prefix) ? prefix : question_of(id);
+    return status_.contains(prefix) ? prefix : std::string(question_of(id));
 }
 
 Reference Numbering::resolve(const std::string& id) const {

@@ -41,7 +41,7 @@ private:
 };
 
 /// "q4" and the like; other sections support the answers.
-bool is_question(const Section& section);
+bool is_question(std::string_view section_id);
 /// "1" for the section "q1"; letters for sections that are no question.
 std::vector<std::string> section_numbers(const Document& document);
 

@@ -1,7 +1,7 @@
 // RFC 4180 with LF line ends.
 #include <cmath>
 
-#include "number_text.h"
+#include "base/number_text.h"
 #include "report/escape.h"
 #include "report/writers.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "report/document.h"
-#include "report/page_viewer.h"
+#include "report/page/page_viewer.h"
 
 namespace meshfolio::report {
 

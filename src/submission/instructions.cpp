@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/escape.h"
-#include "report/template_render.h"
+#include "report/page/template_render.h"
 #include "report/writers.h"
 
 namespace meshfolio::submission {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "errors.h"
+#include "base/errors.h"
 #include "submission/submission_error.h"
 
 namespace meshfolio::submission {
@@ -12,7 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* renew = "make the report again with meshfolio report";
 constexpr std::size_t longest_author = 200;   // bytes, as in the settings
 
 std::string name_in(const ReportFolder& report, const char* file) { return (report.path / file).string(); }
@@ -44,8 +43,7 @@ void require_citations(const json& results, const std::string& file, const Sourc
                 const int line = listing.line_of(function, source);
                 const std::string cited =
                     section.at("id").get<std::string>() + " cites " + printable(function) + " of " + printable(source);
-                if (line == 0)
-                    throw SubmissionError(file, cited + ", which src.txt does not define", "correct src/questions/cited_code.cpp");
+                if (line == 0) throw SubmissionError(file, cited + ", which src.txt does not define", "correct its chapter.cpp");
                 if (code.value("line", 0) != line)
                     throw SubmissionError(file, cited + " at another line than " + std::to_string(line), renew);
             }

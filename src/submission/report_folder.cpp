@@ -2,11 +2,12 @@
 
 #include <vector>
 
-#include "errors.h"
-#include "file_bytes.h"
-#include "output/file_sums.h"
-#include "output/publish.h"
-#include "sha256.h"
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/sha256.h"
+#include "output/publish/file_sums.h"
+#include "output/publish/publish.h"
+#include "submission/submission_error.h"
 #include "submission/suspicious_file.h"
 
 namespace meshfolio::submission {
@@ -14,8 +15,6 @@ namespace meshfolio::submission {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* renew = "make the report again with meshfolio report";
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& problem, const std::string& remedy, long line = 0) {
     throw InputError({file.string(), line}, problem, remedy);

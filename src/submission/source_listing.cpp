@@ -29,7 +29,7 @@ const std::vector<Part>& parts() {
         {"The report and its writers", {"src/report/"}},
         {"Drawing and publishing", {"src/output/"}},
         {"The submission", {"src/submission/"}},
-        {"The command line", {"src/main.cpp", "src/cli/"}},
+        {"The command line", {"src/main.cpp", "src/cli/", "src/run/"}},
         {"The base of all", {"src/"}},
         {"The renderer", {"render/"}},
         {"Templates", {"templates/"}},

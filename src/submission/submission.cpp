@@ -4,11 +4,11 @@
 #include <map>
 #include <stdexcept>
 
-#include "errors.h"
-#include "file_bytes.h"
-#include "output/folder_system.h"
-#include "output/publish.h"
-#include "sha256.h"
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/sha256.h"
+#include "output/publish/folder_system.h"
+#include "output/publish/publish.h"
 #include "submission/instructions.h"
 #include "submission/source_tree.h"
 #include "submission/suspicious_file.h"

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "errors.h"
+#include "base/errors.h"
 
 namespace meshfolio::submission {
+
+inline constexpr const char* renew = "make the report again with meshfolio report";
 
 /// A report that is not fit to be handed in: a question or a citation is missing.
 class SubmissionError : public Error {

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "errors.h"
+#include "base/errors.h"
 
 namespace meshfolio::submission {
 

@@ -1,9 +1,9 @@
-#include "file_bytes.h"
+#include "base/file_bytes.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "errors.h"
+#include "base/errors.h"
 
 using namespace meshfolio;
 namespace fs = std::filesystem;

@@ -5,9 +5,12 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
-#include "file_bytes.h"
+#include "base/file_bytes.h"
+#include "layer_sources.h"
 #include "source_dir.h"
 
 using namespace meshfolio;
@@ -17,15 +20,17 @@ namespace {
 
 const fs::path source = MESHFOLIO_SOURCE_DIR;
 
-/// Layer → what of ours it may include besides itself and the base (errors, file_bytes, number_text).
+/// Layer → what of ours it may include besides itself.
 const std::map<std::string, std::set<std::string>> allowed{
-    {"mesh", {}},
-    {"geometry", {"mesh"}},
-    {"report", {}},
-    {"output", {"report", "mesh", "render"}},
-    {"submission", {"output", "report"}},
-    {"questions", {"output", "report", "geometry", "mesh"}},
-    {"cli", {"submission", "questions", "output", "report", "geometry", "mesh", "render"}},
+    {"base", {}},
+    {"mesh", {"base"}},
+    {"geometry", {"base", "mesh"}},
+    {"report", {"base"}},
+    {"output", {"base", "report", "mesh", "render"}},
+    {"submission", {"base", "output", "report"}},
+    {"questions", {"base", "output", "report", "geometry", "mesh"}},
+    {"run", {"base", "submission", "questions", "output", "report", "geometry", "mesh", "render"}},
+    {"cli", {"base", "run", "submission", "questions", "output", "report", "geometry", "mesh", "render"}},
 };
 
 std::set<std::string> included_by(const fs::path& file) {
@@ -36,34 +41,75 @@ std::set<std::string> included_by(const fs::path& file) {
     return headers;
 }
 
-bool is_source(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
+std::vector<fs::path> sources_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") files.push_back(entry.path());
+    return files;
+}
+
+/// "questions/core/chapter.h" → {"questions", "core", "chapter.h"}.
+std::vector<std::string> parts_of(const fs::path& path) { return {path.begin(), path.end()}; }
 
 }   // namespace
 
 TEST(Layers, EachIncludesOnlyWhatLiesBelow) {
     for (const auto& [layer, below] : allowed) {
-        for (const auto& entry : fs::directory_iterator(source / "src" / layer)) {
-            if (!is_source(entry.path())) continue;
-            for (const std::string& header : included_by(entry.path())) {
-                const std::size_t slash = header.find('/');
-                if (slash == std::string::npos) {
-                    // The base, the renderer's headers (on the path of those who may have them), or something generated.
-                    const bool of_renderer = fs::exists(source / "render" / header) && !fs::exists(source / "src" / header);
-                    EXPECT_TRUE(!of_renderer || below.contains("render")) << entry.path() << " includes " << header;
-                    continue;
-                }
-                const std::string owner = header.substr(0, slash);
-                EXPECT_TRUE(owner == layer || below.contains(owner)) << entry.path() << " includes " << header;
+        for (const fs::path& file : sources_below(source / "src" / layer)) {
+            for (const std::string& header : included_by(file)) {
+                const bool ours = fs::exists(source / "src" / header), of_renderer = !ours && fs::exists(source / "render" / header);
+                const std::string owner = ours ? parts_of(header).front() : of_renderer ? "render" : layer;   // else generated
+                EXPECT_TRUE(owner == layer || below.contains(owner)) << file << " includes " << header;
             }
         }
     }
 }
 
-TEST(Layers, TheRendererKnowsNothingOfUs) {
-    for (const auto& entry : fs::directory_iterator(source / "render")) {
-        if (!is_source(entry.path())) continue;
-        for (const std::string& header : included_by(entry.path())) {
-            EXPECT_FALSE(fs::exists(source / "src" / header)) << entry.path() << " includes " << header;
+TEST(Layers, EveryFolderOfTheSourceIsALayer) {
+    for (const auto& entry : fs::directory_iterator(source / "src"))
+        EXPECT_TRUE(!entry.is_directory() || allowed.contains(entry.path().filename().string())) << entry.path();
+}
+
+TEST(Layers, ChaptersDoNotKnowEachOther) {
+    for (const fs::path& file : sources_below(source / "src/questions")) {
+        const std::string chapter = parts_of(file.lexically_relative(source / "src/questions")).front();
+        for (const std::string& header : included_by(file)) {
+            if (!header.starts_with("questions/")) continue;
+            const std::string other = parts_of(header)[1];
+            EXPECT_TRUE(other == chapter || other == "core" || (other == "bench" && chapter != "core")) << file << " includes " << header;
         }
     }
+}
+
+TEST(Layers, TheSpectralEngineIsCalledByItsFolderAlone) {
+    const fs::path spectrum = source / "src/geometry/spectrum";
+    for (const fs::path& file : sources_below(source / "src")) {
+        if (file.string().starts_with(spectrum.string())) continue;
+        for (const std::string& header : included_by(file))
+            EXPECT_FALSE(header.starts_with("geometry/spectrum/engine/")) << file << " includes " << header;
+    }
+}
+
+TEST(Layers, TheRendererKnowsNothingOfUs) {
+    for (const fs::path& file : sources_below(source / "render"))
+        for (const std::string& header : included_by(file))
+            EXPECT_FALSE(fs::exists(source / "src" / header)) << file << " includes " << header;
+}
+
+TEST(Layers, EverySourceBelongsToOneTarget) {
+    std::map<fs::path, int> targets;
+    std::istringstream listed(MESHFOLIO_LAYER_SOURCES);
+    for (std::string path; std::getline(listed, path, ';');) ++targets[path];
+    for (const char* folder : {"src", "render"})
+        for (const fs::path& file : sources_below(source / folder))
+            if (file.extension() == ".cpp" && file != source / "src/main.cpp") {   // that is the program
+                EXPECT_EQ(targets[file], 1) << file;
+            }
+}
+
+TEST(Layers, NoFolderHasMoreThanFortyFiles) {
+    std::map<fs::path, int> files;
+    for (const char* folder : {"src", "render"})
+        for (const fs::path& file : sources_below(source / folder)) ++files[file.parent_path()];
+    for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder;
 }

@@ -1,9 +1,9 @@
-#include "sha256.h"
+#include "base/sha256.h"
 
 #include <gtest/gtest.h>
 
-#include "errors.h"
-#include "file_bytes.h"
+#include "base/errors.h"
+#include "base/file_bytes.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;

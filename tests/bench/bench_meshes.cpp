@@ -1,10 +1,10 @@
-#include "bench_meshes.h"
+#include "bench/bench_meshes.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 
-#include "mesh/mesh_files.h"
+#include "mesh/io/mesh_files.h"
 
 namespace bench {
 

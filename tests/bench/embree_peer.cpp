@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "bench_meshes.h"
+#include "bench/bench_meshes.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <exception>
 #include <fstream>
 
-#include "bench_meshes.h"
+#include "bench/bench_meshes.h"
 
 namespace {
 

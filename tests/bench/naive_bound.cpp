@@ -9,7 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "bench_meshes.h"
+#include "bench/bench_meshes.h"
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "bench_meshes.h"
-#include "geometry/curvature.h"
-#include "geometry/mesh_operators.h"
-#include "large_pages.h"
-#include "mesh/parallel.h"
+#include "base/large_pages.h"
+#include "base/parallel.h"
+#include "bench/bench_meshes.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/operators/mesh_operators.h"
 
 namespace {
 

@@ -2,9 +2,9 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
-#include "bench_meshes.h"
-#include "peak_memory.h"
-#include "png.h"
+#include "bench/bench_meshes.h"
+#include "bench/peak_memory.h"
+#include "png/png.h"
 
 namespace {
 

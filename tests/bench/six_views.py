@@ -9,7 +9,7 @@ import time
 PYTHON = "/usr/bin/python3"  # the one python3-vtk9 is for
 SIDE = 1024  # pixels
 FILL = 0.92  # share of the picture taken by the largest extent
-# name, from, up: as render/camera.h
+# name, from, up: as render/scene/camera.h
 VIEWS = [("+x", (1, 0, 0), (0, 1, 0)), ("-x", (-1, 0, 0), (0, 1, 0)), ("+y", (0, 1, 0), (0, 0, -1)),
          ("-y", (0, -1, 0), (0, 0, 1)), ("+z", (0, 0, 1), (0, 1, 0)), ("-z", (0, 0, -1), (0, 1, 0))]
 

@@ -4,12 +4,12 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "bench_meshes.h"
-#include "geometry/diffusion_step.h"
-#include "geometry/implicit_solver.h"
-#include "geometry/laplacian_smoothing.h"
-#include "geometry/position_rows.h"
-#include "geometry/spatial_order.h"
+#include "bench/bench_meshes.h"
+#include "geometry/measures/spatial_order.h"
+#include "geometry/smoothing/diffusion_step.h"
+#include "geometry/smoothing/implicit_solver.h"
+#include "geometry/smoothing/laplacian_smoothing.h"
+#include "geometry/smoothing/position_rows.h"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <exception>
 #include <fstream>
 
-#include "bench_meshes.h"
-#include "geometry/laplace_spectrum.h"
-#include "peak_memory.h"
+#include "bench/bench_meshes.h"
+#include "bench/peak_memory.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 
 using namespace meshfolio;
 

@@ -286,7 +286,7 @@ class Refusals(Reported):
     def test_a_citation_that_does_not_resolve(self):
         out = self.copy()
         self.edit_results(out, lambda r: r["questions"][0]["code"][0].update(function="nowhere"))
-        self.refuse(1, "q1 cites nowhere of src/geometry/uniform_laplacian.cpp, which src.txt does not define", out)
+        self.refuse(1, "q1 cites nowhere of src/geometry/operators/uniform_laplacian.cpp, which src.txt does not define", out)
 
     def test_a_citation_of_another_line(self):
         out = self.copy()

@@ -46,7 +46,7 @@ class Space(Faults):
             self.assertEqual(self.beside(), [], call.line)
 
     @needs_strace
-    @unittest.skipUnless(WHOLE, "with --whole only: tests/mesh/parallel_tasks_test.cpp asks for the same in little time")
+    @unittest.skipUnless(WHOLE, "with --whole only: tests/base/parallel_tasks_test.cpp asks for the same in little time")
     def test_a_failing_call_while_other_threads_work(self):
         """strace counts for each thread: which file has the number differs from run to run, and where none has it all is well."""
         old, _ = self.with_old_and_new()

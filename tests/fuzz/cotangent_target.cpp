@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "fuzz/fuzz_input.h"
-#include "geometry/cotangent_laplacian.h"
+#include "geometry/operators/cotangent_laplacian.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "errors.h"
+#include "base/errors.h"
 #include "fuzz/fuzz_input.h"
-#include "mesh/mesh_files.h"
+#include "mesh/io/mesh_files.h"
 
 namespace meshfolio::fuzzing {
 

@@ -1,6 +1,6 @@
 // Pictures: any bytes are no PNG, or a picture that is the same after being written and read again.
 #include "fuzz/fuzz_input.h"
-#include "png.h"
+#include "png/png.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using meshfolio::fuzzing::require;

@@ -1,6 +1,6 @@
 // One triangle of any size and place covers just the samples that exact arithmetic says, by the fast path and the wide one.
 #include "fuzz/fuzz_input.h"
-#include "render/coverage_reference.h"
+#include "render/raster/coverage_reference.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace render_tests;

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "errors.h"
-#include "file_bytes.h"
+#include "base/errors.h"
+#include "base/file_bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
 

@@ -1,7 +1,7 @@
 // results.json: any bytes are refused with one line, or are a document that is the same after being written and read again.
-#include "errors.h"
+#include "base/errors.h"
 #include "fuzz/fuzz_input.h"
-#include "report/read_json.h"
+#include "report/json/read_json.h"
 #include "report/writers.h"
 
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "errors.h"
+#include "base/errors.h"
 #include "fuzz/fuzz_input.h"
 #include "report/escape.h"
-#include "report/template_render.h"
+#include "report/page/template_render.h"
 
 namespace {
 

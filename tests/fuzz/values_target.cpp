@@ -2,10 +2,10 @@
 #include <bit>
 #include <cmath>
 
+#include "base/errors.h"
+#include "base/number_text.h"
 #include "cli/csv_column.h"
-#include "errors.h"
 #include "fuzz/fuzz_input.h"
-#include "number_text.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace meshfolio;

@@ -11,8 +11,8 @@
 #include <numeric>
 #include <vector>
 
-#include "geometry/intrinsic_triangles.h"
-#include "mesh/sample_shapes.h"
+#include "geometry/operators/intrinsic_triangles.h"
+#include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "file_bytes.h"
+#include "base/file_bytes.h"
 #include "shared_meshes.h"
 #include "source_dir.h"
 

@@ -7,16 +7,16 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/curvature.h"
-#include "geometry/laplace_spectrum.h"
-#include "geometry/mesh_operators.h"
+#include "base/sha256.h"
+#include "geometry/curvature/curvature.h"
 #include "geometry/operator_test_meshes.h"
+#include "geometry/operators/mesh_operators.h"
+#include "geometry/operators/uniform_laplacian.h"
 #include "geometry/reference_tables.h"
-#include "geometry/stability.h"
-#include "geometry/uniform_laplacian.h"
+#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/mesh_checks.h"
 #include "mesh/triangle_measures.h"
-#include "sha256.h"
 #include "source_dir.h"
 
 namespace meshfolio {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/curvature.h"
-#include "geometry/dirichlet_energy.h"
-#include "geometry/mesh_error.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/measures/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
+#include "geometry/operators/dirichlet_energy.h"
 #include "mesh/mesh_checks.h"
 #include "shared_meshes.h"
 

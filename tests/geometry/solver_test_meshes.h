@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <string>
 
-#include "geometry/cotangent_laplacian.h"
 #include "geometry/operator_test_meshes.h"
-#include "geometry/stability.h"
-#include "mesh/mesh_files.h"
+#include "geometry/operators/cotangent_laplacian.h"
+#include "geometry/smoothing/stability.h"
+#include "mesh/io/mesh_files.h"
 #include "shared_meshes.h"
 
 namespace meshfolio::testing {

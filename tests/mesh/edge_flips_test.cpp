@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "errors.h"
+#include "base/errors.h"
 #include "mesh/mesh_topology.h"
-#include "mesh/sample_shapes.h"
+#include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 

@@ -8,10 +8,10 @@
 #include <random>
 #include <set>
 
-#include "errors.h"
+#include "base/errors.h"
+#include "mesh/io/rejections.h"
 #include "mesh/orientation.h"
 #include "mesh/random_triangles.h"
-#include "mesh/rejections.h"
 #include "mesh/repeated_points.h"
 #include "mesh/small_meshes.h"
 #include "mesh/triangle_measures.h"

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "errors.h"
+#include "base/errors.h"
 #include "mesh/random_triangles.h"
 #include "mesh/small_meshes.h"
 

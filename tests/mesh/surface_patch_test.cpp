@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "errors.h"
-#include "mesh/sample_shapes.h"
+#include "base/errors.h"
+#include "mesh/samples/sample_shapes.h"
 
 using namespace meshfolio;
 

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "mesh/parallel.h"
+#include "base/parallel.h"
 #include "mesh/small_meshes.h"
 
 using namespace meshfolio;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "errors.h"
-#include "mesh/sample_shapes.h"
+#include "base/errors.h"
+#include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 
 using namespace meshfolio;

@@ -10,11 +10,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "outline.h"
-#include "projection.h"
+#include "color/srgb.h"
 #include "render/shapes.h"
-#include "scene.h"
-#include "srgb.h"
+#include "scene/outline.h"
+#include "scene/projection.h"
+#include "scene/scene.h"
 
 namespace {
 

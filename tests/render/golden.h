@@ -18,9 +18,9 @@
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb/stb_image.h>
 
-#include "contact_sheet.h"
-#include "picture_difference.h"
-#include "png.h"
+#include "png/png.h"
+#include "scene/picture_difference.h"
+#include "sheet/contact_sheet.h"
 
 namespace render_tests {
 

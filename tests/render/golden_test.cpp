@@ -7,8 +7,8 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 
-#include "golden.h"
-#include "shapes.h"
+#include "render/golden.h"
+#include "render/shapes.h"
 #include "source_dir.h"
 #include "temporary_folder.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "contact_sheet.h"
+#include "sheet/contact_sheet.h"
 
 namespace render_tests {
 

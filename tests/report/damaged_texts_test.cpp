@@ -3,13 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/errors.h"
 #include "damaged_bytes.h"
-#include "errors.h"
 #include "report/escape.h"
-#include "report/json_line.h"
-#include "report/read_json.h"
+#include "report/json/json_line.h"
+#include "report/json/read_json.h"
+#include "report/page/template_render.h"
 #include "report/sample_document.h"
-#include "report/template_render.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
 

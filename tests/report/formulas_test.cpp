@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "file_bytes.h"
+#include "base/file_bytes.h"
 #include "report/bibliography.h"
 #include "report/test_tools.h"
 #include "source_dir.h"

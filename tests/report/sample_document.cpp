@@ -109,8 +109,8 @@ Section answered() {
     s.inputs = {{"plane", "curvatures/plane.obj", "plane.obj", true, std::string(64, 'a'), 121, 200},
                 {"sphere", "", "sphere.ply", false, std::string(64, 'b'), 40962, 81920}};
     s.parameters = {{"area form", "barycentric"}, {"clip", "2 %"}};
-    s.code = {{"uniform_laplacian", "src/geometry/uniform_laplacian.cpp", "Δ with uniform weights", 420},
-              {"angle_deficit", "src/geometry/curvature.cpp", "cited, but not found in src.txt"}};
+    s.code = {{"uniform_laplacian", "src/geometry/operators/uniform_laplacian.cpp", "Δ with uniform weights", 420},
+              {"angle_deficit", "src/geometry/curvature/curvature.cpp", "cited, but not found in src.txt"}};
     s.blocks = {Heading{"Method"},
                 Paragraph{text("Plain, ", strong("strong"), ", ", emphasis("emphasis"), ", ", code("answer_q1"), ", ",
                                math("λ_crit = 2/μ_max, x^{2}, Δx"), "; see ", ref("q1_eq"), ", ", ref("q1_plane_h"), ", ", ref("q1_errors"),

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "file_bytes.h"
+#include "base/file_bytes.h"
 #include "source_dir.h"
 #include "submission/source_tree.h"
 

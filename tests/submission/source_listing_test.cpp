@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "file_bytes.h"
+#include "base/file_bytes.h"
 #include "source_dir.h"
 #include "submission/citations.h"
 
@@ -119,8 +119,9 @@ TEST(SourceListing, TheOrderOfTheFilesDoesNotMatter) {
 TEST(SourceTree, HoldsEachFileOnceAndTheMeshesToo) {
     std::set<std::string> paths;
     for (const SourceFile& file : source_tree()) EXPECT_TRUE(paths.insert(file.path).second) << file.path;
-    for (const char* path : {"CMakeLists.txt", "build-report", "LICENSE", "data/cube.obj", "data/report.toml", "data/reports/s0.toml",
-                             "render/image.cpp", "src/main.cpp", "templates/report.html", "tests/setup.sh", "src/submission/NOTICES.md"})
+    for (const char* path :
+         {"CMakeLists.txt", "build-report", "LICENSE", "data/cube.obj", "data/report.toml", "data/reports/s0.toml",
+          "render/scene/image.cpp", "src/main.cpp", "templates/report.html", "tests/setup.sh", "src/submission/NOTICES.md"})
         EXPECT_TRUE(paths.contains(path)) << path;
     for (const std::string& path : paths) EXPECT_FALSE(path.starts_with("build/") || path.starts_with("/")) << path;
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "file_bytes.h"
+#include "base/file_bytes.h"
 
 namespace meshfolio::submission {
 

@@ -1,0 +1,134 @@
+#include "color/colormap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "color/cielab.h"
+
+namespace render {
+
+namespace {
+
+/// A map is given by a few colours, equally spaced; between them runs a Catmull–Rom spline in CIELAB.
+struct Definition {
+    std::string_view name, kind, description;
+    std::vector<std::uint32_t> colors;   // 0xRRGGBB; those of a cyclic map do not repeat the first
+
+    bool is_cyclic() const { return kind == "cyclic"; }
+};
+
+/// viridis and magma: ten colours of the maps of van der Walt and Smith (2015, CC0); cividis: of Nuñez, Anderton and Renslow
+/// (2018). parula-like, diverging and grey: drawn up here in CIELAB, with equal steps of lightness. cyclic: a closed curve in CIELAB
+/// (three harmonics) found by climbing towards equal steps of CIEDE2000, equal lightness of t and 1 − t, and the largest distance
+/// between any two places in normal and each kind of colour-blind sight.
+const std::vector<Definition>& definitions() {
+    static const std::vector<Definition> table{
+        {"viridis",
+         "sequential",
+         "dark violet, green, yellow; perceptually uniform, safe for colour-blind readers",
+         {0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b, 0xfde725}},
+        {"parula-like",
+         "sequential",
+         "blue, teal, yellow; for comparison with earlier reports",
+         {0x253195, 0x004db8, 0x0269c5, 0x1187c3, 0x19a5b8, 0x50bc95, 0xaec86a, 0xf2d14f, 0xf6f138}},
+        {"diverging",
+         "diverging",
+         "blue, white, red, of equal lightness on both sides; for signed values centred on zero",
+         {0x004c9e, 0x0368c1, 0x4b88d6, 0x80a8e3, 0xadc5ea, 0xd5dfef, 0xeeeeee, 0xefdad1, 0xe9b9a8, 0xde937f, 0xcc6a59, 0xb4413d,
+          0x93232b}},
+        {"magma",
+         "sequential",
+         "black, purple, orange, cream; perceptually uniform",
+         {0x000004, 0x180f3d, 0x440f76, 0x721f81, 0x9e2f7f, 0xcd4071, 0xf1605d, 0xfd9668, 0xfeca8d, 0xfcfdbf}},
+        {"cividis",
+         "sequential",
+         "blue, grey, yellow; looks the same with red-green blindness",
+         {0x00204d, 0x00336f, 0x39486b, 0x575c6d, 0x707173, 0x8a8779, 0xa69d75, 0xc4b56c, 0xe4cf5b, 0xffea46}},
+        {"cyclic",
+         "cyclic",
+         "pale green, blue, dusk, orange and back; for angles and phases, safe for colour-blind readers",
+         {0xcde5bd, 0xb4e4d5, 0x98d7e5, 0x75bee7, 0x549cd6, 0x477bb6, 0x4f6193, 0x5f5274, 0x71495a, 0x854542, 0x9e4a2b, 0xbe5d1b, 0xde7e22,
+          0xf4a447, 0xf5c675, 0xe5db9d}},
+        {"grey", "sequential", "dark to light grey; for print without colour", {0x1f1f1f, 0x777777, 0xdadada}},
+    };
+    return table;
+}
+
+Rgba unpacked(std::uint32_t color) {
+    return {static_cast<std::uint8_t>(color >> 16), static_cast<std::uint8_t>(color >> 8), static_cast<std::uint8_t>(color), 255};
+}
+
+/// Catmull–Rom between p1 and p2; p0 and p3 are their neighbours.
+glm::dvec3 spline(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& p2, const glm::dvec3& p3, double u) {
+    return p1 + 0.5 * u * (p2 - p0 + u * (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3 + u * (3.0 * (p1 - p2) + p3 - p0)));
+}
+
+/// The given colours in CIELAB with one more at either end: the neighbours round the circle, or straight on.
+std::vector<glm::dvec3> control_points(const Definition& d) {
+    std::vector<glm::dvec3> lab;
+    lab.reserve(d.colors.size() + 3);
+    for (const std::uint32_t c : d.colors) lab.push_back(lab_of(unpacked(c)));
+    if (d.is_cyclic()) {
+        const glm::dvec3 first = lab[0], second = lab[1], last = lab.back();
+        lab.insert(lab.begin(), last);
+        lab.insert(lab.end(), {first, second});
+    } else {
+        lab.insert(lab.begin(), 2.0 * lab[0] - lab[1]);
+        lab.push_back(2.0 * lab.back() - lab[lab.size() - 2]);
+    }
+    return lab;
+}
+
+std::vector<Rgba> stops_of(const Definition& d) {
+    constexpr int steps = 16;   // between two given colours: below what can be told apart
+    const std::vector<glm::dvec3> lab = control_points(d);
+    std::vector<Rgba> stops;
+    for (std::size_t i = 1; i + 2 < lab.size(); ++i)
+        for (int s = 0; s < steps; ++s) stops.push_back(rgba_of_lab(spline(lab[i - 1], lab[i], lab[i + 1], lab[i + 2], double(s) / steps)));
+    stops.push_back(unpacked(d.is_cyclic() ? d.colors.front() : d.colors.back()));
+    return stops;
+}
+
+struct Maps {
+    std::vector<std::vector<Rgba>> stops;
+    std::vector<Colormap> list;
+
+    Maps() {
+        for (const Definition& d : definitions()) stops.push_back(stops_of(d));
+        for (std::size_t i = 0; i < stops.size(); ++i)
+            list.push_back({definitions()[i].name, definitions()[i].kind, definitions()[i].description, stops[i]});
+    }
+};
+
+std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double u) { return static_cast<std::uint8_t>(std::lrint(a + u * (b - a))); }
+
+}   // namespace
+
+std::span<const Colormap> colormap_list() {
+    static const Maps maps;
+    return maps.list;
+}
+
+const Colormap& colormap_named(const std::string& name) {
+    std::string known;
+    for (const Colormap& map : colormap_list()) {
+        if (map.name == name) return map;
+        known += (known.empty() ? "" : ", ") + std::string(map.name);
+    }
+    throw std::invalid_argument("unknown colour map '" + name + "'; known are " + known);
+}
+
+Rgba color_at(const Colormap& map, double t) {
+    const double last = static_cast<double>(map.stops.size() - 1);
+    const double at = std::isnan(t) ? 0 : std::clamp(t, 0.0, 1.0) * last;
+    const auto i = static_cast<std::size_t>(at);
+    if (i + 1 >= map.stops.size()) return map.stops.back();
+    const Rgba a = map.stops[i], b = map.stops[i + 1];
+    const double u = at - static_cast<double>(i);
+    return {mixed(a.r, b.r, u), mixed(a.g, b.g, u), mixed(a.b, b.b, u), mixed(a.a, b.a, u)};
+}
+
+}   // namespace render

@@ -1,0 +1,55 @@
+/// @file
+/// 8-bit sRGB to linear light and back (IEC 61966-2-1). Averages of colours are taken in linear light.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "scene/image.h"
+
+namespace render {
+
+/// Linear light with the colour multiplied by its alpha, so that sums and averages are right.
+struct LinearColor {
+    float r = 0, g = 0, b = 0, a = 0;
+
+    LinearColor& operator+=(const LinearColor& c) {
+        r += c.r, g += c.g, b += c.b, a += c.a;
+        return *this;
+    }
+    friend LinearColor operator*(float s, const LinearColor& c) { return {s * c.r, s * c.g, s * c.b, s * c.a}; }
+};
+
+/// Both directions by table.
+struct SrgbTables {
+    static constexpr int steps = 16384;   // fine enough that neighbouring dark channels stay apart
+    std::array<float, 256> linear;
+    std::array<std::uint8_t, steps + 1 + 3> channel;   // at the middle of each step; padded, to be read in words
+
+    SrgbTables();
+};
+
+inline const SrgbTables& srgb_tables() {
+    static const SrgbTables tables;
+    return tables;
+}
+
+/// Linear light in [0, 1] of an 8-bit sRGB channel.
+inline float linear_of(std::uint8_t channel) { return srgb_tables().linear[channel]; }
+
+/// The nearest 8-bit sRGB channel, clamped; srgb_of(linear_of(c)) == c.
+inline std::uint8_t srgb_of(float linear) {
+    return srgb_tables().channel[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * SrgbTables::steps)];
+}
+
+inline LinearColor linear_of(Rgba color) {
+    const std::array<float, 256>& linear = srgb_tables().linear;
+    if (color.a == 255) return {linear[color.r], linear[color.g], linear[color.b], 1};
+    const float a = static_cast<float>(color.a) / 255;
+    return {a * linear[color.r], a * linear[color.g], a * linear[color.b], a};
+}
+
+Rgba srgb_of(const LinearColor& color);
+
+}   // namespace render

@@ -1,0 +1,156 @@
+// A block at a time, its 16 samples being the lanes of a vector (or of two, or four). Every sample looks at the other three of its
+// pixel; the first of those that see the same triangle becomes the fragment. Nothing branches on what is seen.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/fragments.cpp"
+#include <hwy/foreach_target.h>
+
+#include "raster/fragments.h"
+#include "raster/vectors-inl.h"
+
+#ifndef RENDER_FRAGMENT_PATTERN
+#define RENDER_FRAGMENT_PATTERN
+
+namespace render {
+
+/// What lane i knows of lane i XOR k, for k from 0 to 3: the others of its pixel. With one sample a pixel, k is 0 only.
+struct Neighbours {
+    std::array<std::array<std::int32_t, block_samples>, 4> bit;   // among the samples of the pixel
+    std::array<std::array<float, block_samples>, 4> x, y;         // from the upper left corner of the block
+    std::array<std::int32_t, block_samples> pixel;                // row · tile_side + column, in the block
+    int count;
+};
+
+}   // namespace render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace render::HWY_NAMESPACE {
+
+/// What is known of the samples of a pixel that see the same triangle.
+struct Group {
+    IntVector bits;
+    FloatVector count, x, y;   // sums
+
+    HWY_INLINE void add(hn::Mask<Ints> same, const Neighbours& n, std::size_t k, std::size_t s) {
+        const Ints d;
+        const Floats f;
+        const auto same_float = hn::RebindMask(f, same);
+        bits = hn::Or(bits, hn::IfThenElseZero(same, hn::LoadU(d, n.bit[k].data() + s)));
+        count = hn::Add(count, hn::IfThenElseZero(same_float, hn::Set(f, 1)));
+        x = hn::Add(x, hn::IfThenElseZero(same_float, hn::LoadU(f, n.x[k].data() + s)));
+        y = hn::Add(y, hn::IfThenElseZero(same_float, hn::LoadU(f, n.y[k].data() + s)));
+    }
+};
+
+/// The fragments among the samples of a block from s on.
+HWY_INLINE void collect(const Neighbours& n, const std::int32_t* triangles, std::size_t s, int first_pixel, float left, float top,
+                        Fragments& fragments) {
+    const Ints d;
+    const Floats f;
+    const IntVector seen = hn::Load(d, triangles + s), own_bit = hn::LoadU(d, n.bit[0].data() + s);
+    const auto is_seen = hn::Gt(seen, hn::Set(d, no_triangle));
+    if (hn::AllFalse(d, is_seen)) return;
+    Group group{own_bit, hn::Set(f, 1), hn::LoadU(f, n.x[0].data() + s), hn::LoadU(f, n.y[0].data() + s)};
+    if (n.count == 4) {
+        group.add(hn::Eq(seen, hn::Shuffle2301(seen)), n, 1, s);
+        group.add(hn::Eq(seen, hn::Shuffle1032(seen)), n, 2, s);
+        group.add(hn::Eq(seen, hn::Shuffle0123(seen)), n, 3, s);
+    }
+    const auto is_first = hn::Eq(hn::And(group.bits, hn::Sub(own_bit, hn::Set(d, 1))), hn::Zero(d));
+    const auto kept = hn::And(is_seen, is_first);
+    const auto kept_float = hn::RebindMask(f, kept);
+    const FloatVector one_over_count = hn::Div(hn::Set(f, 1), group.count);
+    const std::size_t i = fragments.count;
+    const IntVector pixel = hn::Add(hn::LoadU(d, n.pixel.data() + s), hn::Set(d, first_pixel));
+    hn::StoreU(hn::Compress(seen, kept), d, fragments.triangle.data() + i);
+    hn::StoreU(hn::Compress(pixel, kept), d, fragments.pixel.data() + i);
+    const auto keep = [&](FloatVector v, Fragments::Column<float>& column)
+                          HWY_ATTR { hn::StoreU(hn::Compress(v, kept_float), f, column.data() + i); };
+    keep(hn::Add(hn::Set(f, left), hn::Mul(group.x, one_over_count)), fragments.x);
+    keep(hn::Sub(hn::Set(f, top), hn::Mul(group.y, one_over_count)), fragments.y);
+    keep(hn::Mul(group.count, hn::Set(f, 1.0F / static_cast<float>(n.count))), fragments.weight);
+    fragments.count += hn::CountTrue(d, kept);
+}
+
+void CollectRow(const Neighbours& n, const SampleTile& tile, int block_row, float left, float top, bool from_below, Fragments& fragments) {
+    const int side = tile.pattern().block_side;
+    for (int column = 0; column < tile.blocks_on_side(); ++column) {
+        const SampleBlock& block = tile.row(block_row)[column];
+        const std::int32_t* triangles = from_below ? block.bottom.data() : block.top.data();
+        for (std::size_t s = 0; s < block_samples; s += hn::Lanes(Ints()))
+            collect(n, triangles, s, column * side, left + static_cast<float>(column * side * subpixels), top, fragments);
+    }
+}
+
+void CollectHeights(const SampleTile& tile, int block_row, bool from_below, float* heights) {
+    const Floats f;
+    const SamplePattern& pattern = tile.pattern();
+    const int side = pattern.block_side;
+    const FloatVector scale = hn::Set(f, (from_below ? -1.0F : 1.0F) / subpixels);
+    for (int column = 0; column < tile.blocks_on_side(); ++column) {
+        const SampleBlock& block = tile.row(block_row)[column];
+        const float* depths = from_below ? block.lowest.data() : block.highest.data();
+        alignas(64) std::array<float, block_samples> nearest;
+        for (std::size_t s = 0; s < block_samples; s += hn::Lanes(f)) {
+            FloatVector height = hn::Mul(scale, hn::Load(f, depths + s));
+            if (pattern.per_pixel == 4) {
+                const FloatVector beside = hn::Shuffle2301(height), upper = hn::Max(height, beside), lower = hn::Min(height, beside);
+                const FloatVector other_upper = hn::Shuffle1032(upper), other_lower = hn::Shuffle1032(lower);
+                const FloatVector first = hn::Max(upper, other_upper);
+                const FloatVector second = hn::Max(hn::Min(upper, other_upper), hn::Max(lower, other_lower));
+                height = hn::IfThenElse(hn::Lt(second, hn::Set(f, -1e37F)), first, second);
+            }
+            hn::Store(height, f, nearest.data() + s);
+        }
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const int sample = (y * side + x) * pattern.per_pixel;
+                heights[y * tile_side + column * side + x] = nearest[static_cast<std::size_t>(sample)];
+            }
+    }
+}
+
+}   // namespace render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace render {
+
+HWY_EXPORT(CollectRow);
+HWY_EXPORT(CollectHeights);
+
+namespace {
+
+Neighbours neighbours_in(const SamplePattern& pattern) {
+    Neighbours n{};
+    n.count = pattern.per_pixel;
+    for (std::size_t i = 0; i < block_samples; ++i) {
+        const int pixel = static_cast<int>(i) / pattern.per_pixel;
+        n.pixel[i] = pixel / pattern.block_side * tile_side + pixel % pattern.block_side;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(pattern.per_pixel); ++k) {
+            const std::size_t other = i ^ k;
+            n.bit[k][i] = 1 << other % static_cast<std::size_t>(pattern.per_pixel);
+            n.x[k][i] = static_cast<float>(pattern.x[other]), n.y[k][i] = static_cast<float>(pattern.y[other]);
+        }
+    }
+    return n;
+}
+
+}   // namespace
+
+void collect_fragments(const SampleTile& tile, int block_row, int width, int height, bool from_below, Fragments& fragments) {
+    static const Neighbours of_one = neighbours_in(one_sample), of_four = neighbours_in(four_samples);
+    const SamplePattern& pattern = tile.pattern();
+    const auto left = static_cast<float>(tile.x() * subpixels - width * half_pixel);
+    const auto top = static_cast<float>(height * half_pixel - (tile.y() + block_row * pattern.block_side) * subpixels);
+    fragments.count = 0;
+    HWY_DYNAMIC_DISPATCH(CollectRow)(pattern.per_pixel == 1 ? of_one : of_four, tile, block_row, left, top, from_below, fragments);
+}
+
+void collect_heights(const SampleTile& tile, int block_row, bool from_below, std::span<float, std::size_t{tile_side} * 4> heights) {
+    HWY_DYNAMIC_DISPATCH(CollectHeights)(tile, block_row, from_below, heights.data());
+}
+
+}   // namespace render
+#endif

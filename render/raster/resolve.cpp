@@ -1,0 +1,137 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/resolve.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/resolve.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// For an opaque background, whole vectors of pixels. Gives how many were done.
+std::size_t ResolveOpaque(std::span<const LinearColor> surfaces, const LinearColor& background, Rgba* pixels) {
+    const hn::CappedTag<float, 16> f;
+    const hn::RebindToSigned<decltype(f)> d;
+    const SrgbTables& tables = srgb_tables();
+    const auto* channels = reinterpret_cast<const std::int32_t*>(tables.channel.data());
+    // Tables of bytes are read four at a time; only the first counts.
+    const auto channel = [&](auto linear) HWY_ATTR {
+        const auto clamped = hn::Min(hn::Max(linear, hn::Zero(f)), hn::Set(f, 1));
+        const auto step = hn::ConvertTo(d, hn::Mul(clamped, hn::Set(f, SrgbTables::steps)));
+        return hn::And(hn::GatherOffset(d, channels, step), hn::Set(d, 255));
+    };
+    std::size_t i = 0;
+    for (; i + hn::Lanes(f) <= surfaces.size(); i += hn::Lanes(f)) {
+        hn::Vec<decltype(f)> r, g, b, a;
+        hn::LoadInterleaved4(f, &surfaces[i].r, r, g, b, a);
+        const auto rest = hn::Sub(hn::Set(f, 1), a);
+        const auto red = channel(hn::Add(r, hn::Mul(rest, hn::Set(f, background.r))));
+        const auto green = channel(hn::Add(g, hn::Mul(rest, hn::Set(f, background.g))));
+        const auto blue = channel(hn::Add(b, hn::Mul(rest, hn::Set(f, background.b))));
+        const auto packed = hn::Or(hn::Or(red, hn::ShiftLeft<8>(green)),
+                                   hn::Or(hn::ShiftLeft<16>(blue), hn::Set(d, static_cast<std::int32_t>(0xff000000U))));
+        hn::StoreU(packed, d, reinterpret_cast<std::int32_t*>(pixels + i));
+    }
+    return i;
+}
+
+/// Whole vectors of pixels, here and below.
+std::size_t Pack(std::span<const LinearColor> surfaces, Layer* layers) {
+    const hn::CappedTag<float, 16> f;
+    const hn::RebindToSigned<decltype(f)> d;
+    const hn::Rebind<std::uint16_t, decltype(f)> u16;
+    const auto packed = [&](auto x) HWY_ATTR {
+        const auto scaled = hn::Add(hn::Mul(hn::Min(x, hn::Set(f, 1)), hn::Set(f, 65535)), hn::Set(f, 0.5F));
+        return hn::DemoteTo(u16, hn::ConvertTo(d, scaled));
+    };
+    std::size_t i = 0;
+    for (; i + hn::Lanes(f) <= surfaces.size(); i += hn::Lanes(f)) {
+        hn::Vec<decltype(f)> r, g, b, a;
+        hn::LoadInterleaved4(f, &surfaces[i].r, r, g, b, a);
+        hn::StoreInterleaved4(packed(r), packed(g), packed(b), packed(a), u16, &layers[i].r);
+    }
+    return i;
+}
+
+std::size_t Unpack(std::span<const Layer> layers, const float* openness, float strength, LinearColor* surfaces) {
+    const hn::CappedTag<float, 16> f;
+    const hn::RebindToSigned<decltype(f)> d;
+    const hn::Rebind<std::uint16_t, decltype(f)> u16;
+    const auto unpacked = [&](auto x) HWY_ATTR { return hn::ConvertTo(f, hn::PromoteTo(d, x)); };
+    const auto unit = hn::Set(f, 1.0F / 65535);
+    std::size_t i = 0;
+    for (; i + hn::Lanes(f) <= layers.size(); i += hn::Lanes(f)) {
+        hn::Vec<decltype(u16)> r, g, b, a;
+        hn::LoadInterleaved4(u16, &layers[i].r, r, g, b, a);
+        const auto shade = hn::Mul(hn::Set(f, strength), hn::Sub(hn::Set(f, 1), hn::LoadU(f, openness + i)));
+        const auto light = hn::Mul(unit, hn::Sub(hn::Set(f, 1), shade));
+        hn::StoreInterleaved4(hn::Mul(light, unpacked(r)), hn::Mul(light, unpacked(g)), hn::Mul(light, unpacked(b)),
+                              hn::Mul(unit, unpacked(a)), f, &surfaces[i].r);
+    }
+    return i;
+}
+
+}   // namespace render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace render {
+
+HWY_EXPORT(ResolveOpaque);
+HWY_EXPORT(Pack);
+HWY_EXPORT(Unpack);
+
+namespace {
+
+constexpr std::size_t most_lanes = 16;
+
+/// The rest, less than a vector, goes through a whole one, so that every pixel takes the same steps.
+template <class T>
+std::array<T, most_lanes> padded(std::span<const T> rest) {
+    std::array<T, most_lanes> whole{};
+    std::copy(rest.begin(), rest.end(), whole.begin());
+    return whole;
+}
+
+}   // namespace
+
+static_assert(std::endian::native == std::endian::little, "pixels are put together as numbers");
+
+void resolve(std::span<const LinearColor> surfaces, Rgba background, std::span<Rgba> pixels) {
+    const LinearColor ground = linear_of(background);
+    const std::size_t done = background.a == 255 ? HWY_DYNAMIC_DISPATCH(ResolveOpaque)(surfaces, ground, pixels.data()) : 0;
+    for (std::size_t i = done; i < surfaces.size(); ++i) {
+        LinearColor color = surfaces[i];
+        color += (1 - color.a) * ground;
+        pixels[i] = surfaces[i].a == 0 ? background : srgb_of(color);
+    }
+}
+
+void pack(std::span<const LinearColor> surfaces, std::span<Layer> layers) {
+    const std::size_t done = HWY_DYNAMIC_DISPATCH(Pack)(surfaces, layers.data());
+    if (done == surfaces.size()) return;
+    const auto rest = padded(surfaces.subspan(done));
+    std::array<Layer, most_lanes> packed;
+    HWY_DYNAMIC_DISPATCH(Pack)(rest, packed.data());
+    std::copy_n(packed.begin(), surfaces.size() - done, layers.begin() + static_cast<std::ptrdiff_t>(done));
+}
+
+void unpack(std::span<const Layer> layers, std::span<const float> openness, float strength, std::span<LinearColor> surfaces) {
+    const std::size_t done = HWY_DYNAMIC_DISPATCH(Unpack)(layers, openness.data(), strength, surfaces.data());
+    if (done == layers.size()) return;
+    const auto rest = padded(layers.subspan(done));
+    const auto open = padded(openness.subspan(done));
+    std::array<LinearColor, most_lanes> unpacked;
+    HWY_DYNAMIC_DISPATCH(Unpack)(rest, open.data(), strength, unpacked.data());
+    std::copy_n(unpacked.begin(), layers.size() - done, surfaces.begin() + static_cast<std::ptrdiff_t>(done));
+}
+
+}   // namespace render
+#endif

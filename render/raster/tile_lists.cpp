@@ -1,0 +1,238 @@
+// One pass over the triangles serves all projections: their corners are fetched once, as many triangles at a time as a vector has
+// lanes. Triangles come in parts that are sorted by counting, each by itself, so that the lists do not depend on the number of threads.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/tile_lists.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+
+#include "raster/tile_lists.h"
+#include "raster/vectors-inl.h"
+
+#ifndef RENDER_TILE_CODES
+#define RENDER_TILE_CODES
+
+namespace render {
+
+/// Where a triangle belongs: the number of a tile, that of a list that nobody reads (`tiles`), or this: more than one tile, or corners
+/// that the grid does not hold.
+inline constexpr std::int32_t several_tiles = -1;
+
+/// How many samples, in rows or in columns, lie up to where; and which tiles they belong to.
+struct SampleLines {
+    int first, pitch, pitch_shift, tile_shift;   // log2 of the lines of a tile
+    std::int32_t columns, rows;                  // of tiles
+};
+
+}   // namespace render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace render::HWY_NAMESPACE {
+
+/// The box round some triangles, component by component.
+struct Boxes {
+    std::array<IntVector, 3> low, high;
+    hn::Mask<Ints> is_known;   // indices in range
+
+    Boxes(const std::int32_t* triangles, const ProjectedScene& projected) {
+        const Ints d;
+        IntVector a, b, c;
+        hn::LoadInterleaved3(d, triangles, a, b, c);
+        const IntVector count = hn::Set(d, static_cast<std::int32_t>(projected.scene.vertices.size())), minus_one = hn::Set(d, -1);
+        is_known = hn::And(hn::Gt(hn::Min(a, hn::Min(b, c)), minus_one), hn::Lt(hn::Max(a, hn::Max(b, c)), count));
+        const auto* vertices = projected.vertices->at.data();
+        const auto place = [&](IntVector v) HWY_ATTR { return hn::ShiftLeft<2>(hn::IfThenElseZero(is_known, v)); };
+        const IntVector at_a = place(a), at_b = place(b), at_c = place(c);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const IntVector component = hn::Set(d, static_cast<std::int32_t>(k));
+            const IntVector pa = hn::GatherIndex(d, vertices, hn::Add(at_a, component));
+            const IntVector pb = hn::GatherIndex(d, vertices, hn::Add(at_b, component));
+            const IntVector pc = hn::GatherIndex(d, vertices, hn::Add(at_c, component));
+            low[k] = hn::Min(pa, hn::Min(pb, pc)), high[k] = hn::Max(pa, hn::Max(pb, pc));
+        }
+    }
+};
+
+/// First and last tile with a sample line in [low, high].
+struct TileSpan {
+    IntVector first, last;
+    hn::Mask<Ints> is_empty;
+
+    TileSpan(IntVector low, IntVector high, const SampleLines& lines, std::int32_t tiles) {
+        const Ints d;
+        const IntVector begin = hn::ShiftRightSame(hn::Add(low, hn::Set(d, lines.pitch - 1 - lines.first)), lines.pitch_shift);
+        const IntVector end = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, lines.first)), lines.pitch_shift);
+        first = hn::Max(hn::ShiftRightSame(begin, lines.tile_shift), hn::Zero(d));
+        last = hn::Min(hn::ShiftRightSame(end, lines.tile_shift), hn::Set(d, tiles - 1));
+        is_empty = hn::Or(hn::Gt(begin, end), hn::Gt(first, last));
+    }
+};
+
+/// One code for each of as many triangles as a vector has lanes.
+HWY_INLINE IntVector tile_codes(const Boxes& box, const ProjectedScene& projected, const SampleLines& lines) {
+    const Ints d;
+    const auto across = static_cast<std::size_t>(projected.component[0]), up = static_cast<std::size_t>(projected.component[1]);
+    const IntVector middle_x = hn::Set(d, projected.scene.width * (subpixels / 2)),
+                    middle_y = hn::Set(d, projected.scene.height * (subpixels / 2));
+    const TileSpan x(hn::Add(middle_x, box.low[across]), hn::Add(middle_x, box.high[across]), lines, lines.columns);
+    const TileSpan y(hn::Sub(middle_y, box.high[up]), hn::Sub(middle_y, box.low[up]), lines, lines.rows);
+    const IntVector tile = hn::Add(hn::Mul(y.first, hn::Set(d, lines.columns)), x.first);
+    const auto is_one = hn::And(hn::Eq(x.first, x.last), hn::Eq(y.first, y.last));
+    const IntVector nowhere = hn::Set(d, lines.columns * lines.rows), several = hn::Set(d, several_tiles);
+    const IntVector code = hn::IfThenElse(hn::Or(x.is_empty, y.is_empty), nowhere, hn::IfThenElse(is_one, tile, several));
+    const auto off_grid = hn::Lt(box.low[0], hn::Set(d, GridVertex::far_off + 1));
+    return hn::IfThenElse(box.is_known, hn::IfThenElse(off_grid, several, code), nowhere);
+}
+
+/// Corners lie anywhere in memory: asking for those of triangles further on hides the wait.
+HWY_INLINE void prefetch(const glm::ivec3* triangles, std::size_t count, const ProjectedScene& projected) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k) hwy::Prefetch(projected.vertices + static_cast<std::ptrdiff_t>(triangles[i][k]));
+}
+
+/// codes[p · stride + i] for projection p and triangle begin + i, up to `end`. Whole vectors: codes has room for 15 more.
+void FindTiles(std::span<const ProjectedScene> projections, const SampleLines& lines, std::size_t begin, std::size_t end,
+               std::int32_t* codes, std::size_t stride) {
+    const Ints d;
+    constexpr std::size_t ahead = 32;
+    const auto& triangles = projections[0].scene.surface.triangles;
+    for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
+        const std::size_t count = std::min(hn::Lanes(d), end - i);
+        std::array<glm::ivec3, block_samples> some{};   // the last ones, not to read beyond the end
+        if (i + ahead + hn::Lanes(d) <= triangles.size()) prefetch(&triangles[i + ahead], hn::Lanes(d), projections[0]);
+        if (count < hn::Lanes(d)) std::copy_n(&triangles[i], count, some.begin());
+        const std::int32_t* corners = count < hn::Lanes(d) ? &some[0].x : &triangles[i].x;
+        Boxes box(corners, projections[0]);
+        for (std::size_t p = 0; p < projections.size(); ++p) {
+            if (p > 0 && projections[p].vertices != projections[p - 1].vertices) box = Boxes(corners, projections[p]);
+            hn::StoreU(tile_codes(box, projections[p], lines), d, codes + p * stride + (i - begin));
+        }
+    }
+}
+
+}   // namespace render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <tbb/parallel_for.h>
+
+namespace render {
+
+HWY_EXPORT(FindTiles);
+
+namespace {
+
+/// Triangles of a part: many more than it has lists, so that their beginnings take little memory.
+constexpr std::size_t smallest_part = 8192, triangles_per_list = 8;
+
+/// Tiles that a triangle meets, both ends included; none when x0 > x1.
+struct TileRange {
+    std::int64_t x0 = 1, x1 = 0, y0 = 1, y1 = 0;
+};
+
+/// The tiles with a sample line in [low, high].
+std::pair<std::int64_t, std::int64_t> tiles_between(std::int64_t low, std::int64_t high, const SampleLines& lines, std::int64_t tiles) {
+    const std::int64_t begin = (low - lines.first + lines.pitch - 1) >> lines.pitch_shift, end = (high - lines.first) >> lines.pitch_shift;
+    if (begin > end) return {1, 0};
+    return {std::max<std::int64_t>(0, begin >> lines.tile_shift), std::min(tiles - 1, end >> lines.tile_shift)};
+}
+
+/// A box on the screen, both ends included.
+struct Box {
+    std::int64_t x0, x1, y0, y1;
+};
+
+Box exact_box(const Triangle2& t) {
+    const auto [x0, x1] = std::minmax({t.corner[0].x, t.corner[1].x, t.corner[2].x});
+    const auto [y0, y1] = std::minmax({t.corner[0].y, t.corner[1].y, t.corner[2].y});
+    return {x0, x1, y0, y1};
+}
+
+/// Of corners on the grid.
+Box grid_box(const ProjectedScene& projected, const glm::ivec3& t) {
+    const auto across = static_cast<std::size_t>(projected.component[0]), up = static_cast<std::size_t>(projected.component[1]);
+    const auto &a = projected.vertices[t.x].at, &b = projected.vertices[t.y].at, &c = projected.vertices[t.z].at;
+    const std::int64_t x = std::int64_t{half_pixel} * projected.scene.width, y = std::int64_t{half_pixel} * projected.scene.height;
+    return {x + std::min(a[across], std::min(b[across], c[across])), x + std::max(a[across], std::max(b[across], c[across])),
+            y - std::max(a[up], std::max(b[up], c[up])), y - std::min(a[up], std::min(b[up], c[up]))};
+}
+
+TileRange range_of(const ProjectedScene& projected, std::int32_t id, const SampleLines& lines) {
+    const glm::ivec3& t = projected.scene.surface.triangles[static_cast<std::size_t>(id)];
+    const std::int32_t lowest = std::min({projected.vertices[t.x].at[0], projected.vertices[t.y].at[0], projected.vertices[t.z].at[0]});
+    if (lowest == GridVertex::undefined) return {};
+    const Box box = lowest == GridVertex::far_off ? exact_box(projected.exact_triangle(id)) : grid_box(projected, t);
+    if (std::max(std::max(-box.x0, box.x1), std::max(-box.y0, box.y1)) > largest_coordinate) return {};
+    const auto [x0, x1] = tiles_between(box.x0, box.x1, lines, lines.columns);
+    const auto [y0, y1] = tiles_between(box.y0, box.y1, lines, lines.rows);
+    return y0 <= y1 ? TileRange{x0, x1, y0, y1} : TileRange{};
+}
+
+}   // namespace
+
+class PartSorter {
+public:
+    PartSorter(std::span<const ProjectedScene> projections, const SampleLines& lines)
+        : projections_(projections), lines_(lines), lists_(static_cast<std::size_t>(lines.columns * lines.rows) + 1) {}
+
+    TileLists::Part sorted(std::size_t begin, std::size_t end) const {
+        const std::size_t count = end - begin, stride = count + block_samples;
+        std::vector<std::int32_t> codes(projections_.size() * stride);
+        HWY_DYNAMIC_DISPATCH(FindTiles)(projections_, lines_, begin, end, codes.data(), stride);
+        TileLists::Part part;
+        part.start.assign(projections_.size() * lists_ + 2, 0);
+        const auto for_each_entry = [&](const auto& visit) {
+            for (std::size_t p = 0; p < projections_.size(); ++p)
+                for (std::size_t i = 0; i < count; ++i) {
+                    const std::int32_t code = codes[p * stride + i], id = static_cast<std::int32_t>(begin + i);
+                    if (code != several_tiles)
+                        visit(p * lists_ + static_cast<std::size_t>(code), id);
+                    else
+                        for_each_tile(range_of(projections_[p], id, lines_), [&](std::size_t tile) { visit(p * lists_ + tile, id); });
+                }
+        };
+        for_each_entry([&](std::size_t list, std::int32_t) { ++part.start[list + 2]; });
+        for (std::size_t i = 2; i < part.start.size(); ++i) part.start[i] += part.start[i - 1];
+        part.triangles.resize(part.start.back());
+        for_each_entry([&](std::size_t list, std::int32_t id) { part.triangles[part.start[list + 1]++] = id; });
+        return part;
+    }
+
+private:
+    template <class Visit>
+    void for_each_tile(const TileRange& range, const Visit& visit) const {
+        for (std::int64_t y = range.y0; y <= range.y1; ++y)
+            for (std::int64_t x = range.x0; x <= range.x1; ++x) visit(static_cast<std::size_t>(y * lines_.columns + x));
+    }
+
+    std::span<const ProjectedScene> projections_;
+    SampleLines lines_;
+    std::size_t lists_;   // of a projection: its tiles, and one for what lies nowhere
+};
+
+TileLists::TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern)
+    : columns_((projections[0].scene.width - 1) / tile_side + 1), rows_((projections[0].scene.height - 1) / tile_side + 1) {
+    static_assert(tile_side * subpixels == 1 << 14);
+    const std::size_t count = projections[0].scene.surface.triangles.size();
+    const std::size_t part_size =
+        std::max(smallest_part, triangles_per_list * projections.size() * static_cast<std::size_t>(columns_ * rows_));
+    parts_.resize((count + part_size - 1) / part_size);
+    const PartSorter sorter(projections,
+                            {pattern.first, pattern.pitch, pattern.pitch_shift(), 14 - pattern.pitch_shift(), columns_, rows_});
+    tbb::parallel_for(std::size_t{0}, parts_.size(),
+                      [&](std::size_t i) { parts_[i] = sorter.sorted(i * part_size, std::min(count, (i + 1) * part_size)); });
+}
+
+void TileLists::collect(std::size_t projection, int tile, std::vector<std::int32_t>& triangles) const {
+    triangles.clear();
+    const std::size_t list = projection * static_cast<std::size_t>(columns_ * rows_ + 1) + static_cast<std::size_t>(tile);
+    for (const Part& part : parts_)
+        triangles.insert(triangles.end(), part.triangles.begin() + part.start[list], part.triangles.begin() + part.start[list + 1]);
+}
+
+}   // namespace render
+#endif

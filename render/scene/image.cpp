@@ -1,0 +1,138 @@
+#include "scene/image.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "color/srgb.h"
+#include "rounding.h"
+
+namespace render {
+
+namespace {
+
+/// source over target (Porter and Duff 1984), in linear light.
+Rgba over(Rgba source, Rgba target) {
+    if (source.a == 255 || target.a == 0) return source;
+    if (source.a == 0) return target;
+    LinearColor result = linear_of(source);
+    result += (1 - result.a) * linear_of(target);
+    return srgb_of(result);
+}
+
+/// Which old pixels a new one covers along one axis, and by how much; the weights sum to 1.
+struct Footprint {
+    int first = 0;
+    std::vector<float> weights;
+
+    int size() const { return static_cast<int>(weights.size()); }
+};
+
+std::vector<Footprint> footprints(int old_size, int new_size) {
+    std::vector<Footprint> result(index(new_size));
+    const double scale = double(old_size) / new_size;
+    for (int i = 0; i < new_size; ++i) {
+        const double begin = i * scale, end = std::min<double>(old_size, (i + 1) * scale);
+        Footprint& f = result[index(i)];
+        f.first = static_cast<int>(begin);
+        for (int j = f.first; j < end; ++j)
+            f.weights.push_back(static_cast<float>((std::min<double>(end, j + 1) - std::max<double>(begin, j)) / (end - begin)));
+    }
+    return result;
+}
+
+std::uint32_t bits_of(Rgba color) { return std::bit_cast<std::uint32_t>(color); }
+
+bool all_equal(const Rgba* pixels, int count, Rgba color) {
+    std::uint32_t difference = 0;
+    for (int i = 0; i < count; ++i) difference |= bits_of(pixels[i]) ^ bits_of(color);
+    return difference == 0;
+}
+
+bool all_opaque(const Rgba* pixels, int count) {
+    std::uint8_t common = 255;
+    for (int i = 0; i < count; ++i) common &= pixels[i].a;
+    return common == 255;
+}
+
+/// The old rows that a new one covers, averaged column by column, in stretches: ground and flat faces are of one colour throughout, known
+/// by a look at the bytes alone.
+class AveragedRows {
+public:
+    AveragedRows(const Image& image, const Footprint& rows)
+        : light_(index(image.width)), one_color_(index((image.width + stretch - 1) / stretch)) {
+        for (int x = 0; x < image.width; x += stretch) average(image, rows, x, std::min(stretch, image.width - x));
+    }
+
+    bool one_color(const Footprint& columns) const {
+        const int at = columns.first / stretch;
+        return one_color_[index(at)] != 0 && (columns.first + columns.size() - 1) / stretch == at;
+    }
+
+    Rgba mean(const Footprint& columns) const {
+        LinearColor sum;
+        const LinearColor* light = &light_[index(columns.first)];
+        for (const float w : columns.weights) sum += w * *light++;
+        const bool opaque = sum.a > 1 - 1e-6F;   // the weights sum to 1 but for rounding
+        return opaque ? Rgba{srgb_of(sum.r), srgb_of(sum.g), srgb_of(sum.b), 255} : srgb_of(sum);
+    }
+
+private:
+    static constexpr int stretch = 32;
+
+    void average(const Image& image, const Footprint& rows, int x, int count) {
+        const Rgba color = image.at(x, rows.first);
+        bool one_color = true;
+        for (int j = 0; one_color && j < rows.size(); ++j) one_color = all_equal(&image.at(x, rows.first + j), count, color);
+        one_color_[index(x / stretch)] = one_color;
+        LinearColor* light = &light_[index(x)];
+        if (one_color) std::fill_n(light, count, linear_of(color));
+        for (int j = 0; !one_color && j < rows.size(); ++j) add(&image.at(x, rows.first + j), count, rows.weights[index(j)], light);
+    }
+
+    static void add(const Rgba* pixels, int count, float weight, LinearColor* sum) {
+        for (int i = 0; i < count; ++i) sum[i] += weight * linear_of(pixels[i]);
+    }
+
+    std::vector<LinearColor> light_;
+    std::vector<std::uint8_t> one_color_;
+};
+
+}   // namespace
+
+void paste(Image& target, const Image& source, int x, int y) {
+    const int x0 = std::max(0, -x), x1 = std::min(source.width, target.width - x);
+    const int y0 = std::max(0, -y), y1 = std::min(source.height, target.height - y);
+    for (int v = y0; v < y1 && x0 < x1; ++v) {
+        const Rgba* from = &source.at(x0, v);
+        Rgba* to = &target.at(x + x0, y + v);
+        if (all_opaque(from, x1 - x0))
+            std::copy_n(from, x1 - x0, to);
+        else
+            std::transform(from, from + (x1 - x0), to, to, over);
+    }
+}
+
+Image shrink(const Image& image, int width, int height) {
+    if (width < 1 || height < 1 || width > image.width || height > image.height)
+        throw std::invalid_argument("shrink: cannot make " + std::to_string(width) + "x" + std::to_string(height) + " of " +
+                                    std::to_string(image.width) + "x" + std::to_string(image.height));
+    if (width == image.width && height == image.height) return image;
+    const auto columns = footprints(image.width, width), lines = footprints(image.height, height);
+    Image result(width, height);
+    tbb::parallel_for(0, height, [&](int y) {
+        const Footprint& rows = lines[index(y)];
+        const AveragedRows averaged(image, rows);
+        for (int x = 0; x < width; ++x) {
+            const Footprint& cell = columns[index(x)];
+            result.at(x, y) = averaged.one_color(cell) ? image.at(cell.first, rows.first) : averaged.mean(cell);
+        }
+    });
+    return result;
+}
+
+}   // namespace render

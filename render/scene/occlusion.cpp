@@ -1,0 +1,167 @@
+// Horizons in opposite directions (Bavoil, Sainz, Dimitrov, Image-space horizon-based ambient occlusion, SIGGRAPH 2008 talks): if they
+// rise by α and β, the sky between them is π − α − β wide. Where the surface is a plane α = −β, so it does not darken itself, and no
+// normals are needed. All pixels look at the same places round them: neighbouring pixels are lanes of a vector, and what they look at
+// lies side by side.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "scene/occlusion.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <array>
+#include <cmath>
+
+#include "scene/occlusion.h"
+
+#ifndef RENDER_OCCLUSION_CONSTANTS
+#define RENDER_OCCLUSION_CONSTANTS
+namespace render {
+
+/// α + β (sum of sines) up to here is not darkened: the folds between the triangles of a coarse mesh.
+inline constexpr float least_bend = 0.2F;
+
+}   // namespace render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// sin of the angle with this tangent.
+template <class D>
+HWY_INLINE hn::Vec<D> sine(D d, hn::Vec<D> tangent) {
+    return hn::Div(tangent, hn::Sqrt(hn::Add(hn::Set(d, 1), hn::Mul(tangent, tangent))));
+}
+
+/// What stands higher than `reach` over a pixel fades: it is another part in front, not a wall of the same hollow.
+template <class D>
+HWY_INLINE hn::Vec<D> rise(D d, hn::Vec<D> from, const float* to, hn::Vec<D> twice_reach) {
+    const auto difference = hn::Sub(hn::LoadU(d, to), from);
+    return hn::Min(difference, hn::Sub(twice_reach, difference));
+}
+
+void Openness(const float* heights, std::size_t count, float reach, const Looks& looks, float* openness) {
+    const hn::CappedTag<float, 16> d;
+    const auto zero = hn::Zero(d), lowest = hn::Set(d, -1e9F), twice_reach = hn::Set(d, 2 * reach);
+    for (std::size_t x = 0; x < count; x += hn::Lanes(d)) {
+        const auto from = hn::LoadU(d, heights + x);
+        if (hn::AllTrue(d, hn::Lt(from, hn::Set(d, HeightField::nothing / 2)))) {
+            hn::StoreU(hn::Set(d, 1), d, openness + x);
+            continue;
+        }
+        auto hidden = zero;
+        for (const auto& direction : looks) {
+            auto ahead = lowest, behind = lowest;
+            for (const Look& look : direction) {
+                const auto scale = hn::Set(d, look.one_over_distance);
+                ahead = hn::Max(ahead, hn::Mul(scale, rise(d, from, heights + x + look.step, twice_reach)));
+                behind = hn::Max(behind, hn::Mul(scale, rise(d, from, heights + x - look.step, twice_reach)));
+            }
+            hidden = hn::Add(hidden, hn::Max(zero, hn::Sub(hn::Add(sine(d, ahead), sine(d, behind)), hn::Set(d, least_bend))));
+        }
+        // Squared: what reaches a hollow has been reflected off its walls less often than the sky it sees would let one think.
+        const auto sky = hn::Sub(hn::Set(d, 1), hn::Mul(hidden, hn::Set(d, 0.5F / occlusion_directions)));
+        const auto open = hn::Mul(sky, sky);
+        hn::StoreU(open, d, openness + x);
+    }
+}
+
+void Smooth(const float* heights, const float* openness, std::ptrdiff_t pitch, std::size_t count, float one_over_range, float* smoothed) {
+    const hn::CappedTag<float, 16> d;
+    const auto one = hn::Set(d, 1), falling = hn::Set(d, one_over_range);
+    for (std::size_t x = 0; x < count; x += hn::Lanes(d)) {
+        const auto height = hn::LoadU(d, heights + x);
+        auto sum = hn::Zero(d), weights = hn::Zero(d);
+        for (std::ptrdiff_t down = -2; down <= 2; down += 2)
+            for (std::ptrdiff_t across = -2; across <= 2; across += 2) {
+                const auto place = static_cast<std::ptrdiff_t>(x) + down * pitch + across;
+                const auto apart = hn::Abs(hn::Sub(hn::LoadU(d, heights + place), height));
+                const auto weight = hn::Max(hn::Zero(d), hn::Sub(one, hn::Mul(apart, falling)));
+                sum = hn::Add(sum, hn::Mul(weight, hn::LoadU(d, openness + place)));
+                weights = hn::Add(weights, weight);
+            }
+        hn::StoreU(hn::Div(sum, weights), d, smoothed + x);
+    }
+}
+
+}   // namespace render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <algorithm>
+
+namespace render {
+
+HWY_EXPORT(Openness);
+HWY_EXPORT(Smooth);
+
+namespace {
+
+constexpr double reach_share = 0.045;
+/// Looks of one direction lie on one line exactly, lest an inclined plane look bent.
+constexpr std::array<std::array<int, 2>, occlusion_directions> directions{
+    {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}}};
+/// Distances along even and odd directions, as shares of the reach.
+constexpr std::array<std::array<double, looks_of_direction>, 2> distances{{{0.12, 0.28, 0.55, 1.0}, {0.18, 0.4, 0.7, 0.9}}};
+
+Looks looks_on(const HeightField& heights) {
+    Looks looks;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const auto [x, y] = directions[i];
+        const double length = std::hypot(x, y);
+        for (std::size_t k = 0; k < looks_of_direction; ++k) {
+            const double multiple = std::max(1.0, std::floor(distances[i % 2][k] * heights.reach() / length));
+            looks[i][k] = {static_cast<std::ptrdiff_t>(multiple) * (x + y * heights.pitch()), static_cast<float>(1 / (multiple * length))};
+        }
+    }
+    return looks;
+}
+
+/// Vectors write beyond what is asked for: `find(begin, count, found)` gets room for that.
+template <class Find>
+void in_whole_vectors(std::span<float> result, const Find& find) {
+    std::array<float, 1024> found;
+    for (std::size_t begin = 0; begin < result.size(); begin += found.size()) {
+        const std::size_t count = std::min(found.size(), result.size() - begin);
+        find(begin, count, found.data());
+        std::copy_n(found.begin(), count, result.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+}
+
+}   // namespace
+
+// Sixteen pixels more to the right, because vectors read that far.
+HeightField::HeightField(int width, int height)
+    : width_(width),
+      height_(height),
+      reach_(2 + static_cast<int>(reach_share * std::min(width, height))),
+      pitch_(width + 2 * reach_ + 16),
+      heights_(static_cast<std::size_t>(pitch_ * (height + 2 * reach_)), nothing) {}
+
+void HeightField::clear() { std::fill(heights_.begin(), heights_.end(), nothing); }
+
+void HeightField::set(int x, int y, std::span<const float> heights) {
+    float* row = heights_.data() + (y + reach_) * pitch_ + reach_ + x;
+    std::transform(heights.begin(), heights.end(), row, [](float h) { return std::isinf(h) ? nothing : std::max(h, lowest); });
+}
+
+Sky::Sky(const HeightField& heights) : heights_(heights), looks_(looks_on(heights)) {}
+
+void Sky::openness(int x, int y, std::span<float> openness) const {
+    in_whole_vectors(openness, [&](std::size_t begin, std::size_t count, float* found) {
+        HWY_DYNAMIC_DISPATCH(Openness)
+        (heights_.place(x + static_cast<int>(begin), y), count, static_cast<float>(heights_.reach()), looks_, found);
+    });
+}
+
+void smooth(const HeightField& heights, const HeightField& openness, int x, int y, std::span<float> smoothed) {
+    in_whole_vectors(smoothed, [&](std::size_t begin, std::size_t count, float* found) {
+        const int from = x + static_cast<int>(begin);
+        HWY_DYNAMIC_DISPATCH(Smooth)
+        (heights.place(from, y), openness.place(from, y), heights.pitch(), count, 4.0F / static_cast<float>(heights.reach()), found);
+    });
+}
+
+}   // namespace render
+#endif

@@ -1,0 +1,181 @@
+#include "scene/scene.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "rounding.h"
+
+namespace render {
+
+namespace {
+
+/// Runs `body(begin, end)` on parts of [0, count) in parallel; parts must not share results.
+template <class Body>
+void in_parts(std::size_t count, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& part) { body(part.begin(), part.end()); });
+}
+
+glm::dvec3 in_pixels(const glm::dvec3& position, const Frame& frame) { return (position - frame.centre) * frame.pixels_per_unit; }
+
+std::array<std::int32_t, 3> snapped(const glm::dvec3& pixels) {
+    const glm::dvec3 steps = double(subpixels) * pixels, size = glm::abs(steps);
+    const double largest = std::max(size.x, std::max(size.y, size.z));
+    // Sums, because a maximum may pass over NaN.
+    if (!std::isfinite(size.x + size.y + size.z)) return {GridVertex::undefined, GridVertex::undefined, GridVertex::undefined};
+    if (largest > GridVertex::largest_near) return {GridVertex::far_off, GridVertex::far_off, GridVertex::far_off};
+    return {static_cast<std::int32_t>(std::lrint(steps.x)), static_cast<std::int32_t>(std::lrint(steps.y)),
+            static_cast<std::int32_t>(std::lrint(steps.z))};
+}
+
+/// Where `value` lies between the ends of the range. Halves and the limit keep huge and infinite values from becoming NaN.
+float map_position(double value, const ValueRange& range) {
+    constexpr double limit = 1e6;   // ranges beyond the ends, where everything has the colour of the end
+    const double width = 0.5 * range.high - 0.5 * range.low, beyond = 0.5 * value - 0.5 * range.low;
+    if (std::isnan(value)) return std::numeric_limits<float>::quiet_NaN();
+    if (width == 0) return value < range.low ? 0.0F : value > range.low ? 1.0F : 0.5F;
+    return static_cast<float>(std::clamp(beyond / width, -limit, limit));
+}
+
+/// Not normalised: twice the area long, cut down where float would overflow. 0 where it is undefined.
+glm::vec3 face_normal(const glm::ivec3& t, const Surface& surface, const Frame& frame) {
+    constexpr double longest = 1e17;   // its square is finite in float
+    const auto at = [&](int k) { return in_pixels(surface.positions[index(t[k])], frame); };
+    const glm::dvec3 a = at(0), n = glm::cross(at(1) - a, at(2) - a), size = glm::abs(n);
+    const double largest = std::max(size.x, std::max(size.y, size.z));
+    if (!std::isfinite(size.x + size.y + size.z)) return glm::vec3(0);
+    return largest > longest ? glm::vec3(n * (longest / largest)) : glm::vec3(n);
+}
+
+/// Corners lie anywhere in memory: asking for those of a triangle further on hides the wait.
+void prefetch_corners(const Surface& surface, std::size_t id, const std::vector<glm::vec4>& sums) {
+    static constexpr std::size_t ahead = 16;
+    if (id + ahead >= surface.triangles.size()) return;
+    const glm::ivec3& t = surface.triangles[id + ahead];
+    for (int k = 0; k < 3; ++k) {
+        __builtin_prefetch(surface.positions.data() + t[k]);
+        __builtin_prefetch(sums.data() + t[k], 1);
+    }
+}
+
+/// Of the mean normal, before it is normalised: 1 where the triangles at a vertex lie in a plane, cos 45° on the edge of a cube. The
+/// vertex is a crease from `crease_begin` down, wholly so at `crease_end` (cosines of 24° and 32°).
+constexpr float crease_begin = 0.914F, crease_end = 0.848F;
+float sharpness_of(float length_of_mean) { return std::clamp((crease_begin - length_of_mean) / (crease_begin - crease_end), 0.0F, 1.0F); }
+
+/// The mean over the triangles at each vertex, weighted by area. Each half of the triangles has sums of its own, added up in a fixed
+/// order, so that the result does not depend on the number of threads.
+void set_normals(Scene& scene) {
+    constexpr std::size_t halves = 2;
+    std::array<std::vector<glm::vec4>, halves> sums;   // of normals times areas, and of areas
+    const std::size_t count = scene.surface.triangles.size();
+    tbb::parallel_for(std::size_t{0}, halves, [&](std::size_t h) {
+        std::vector<glm::vec4>& sum = sums[h];
+        sum.assign(scene.vertices.size(), glm::vec4(0));
+        for (std::size_t i = h * count / halves; i < (h + 1) * count / halves; ++i) {
+            if (!scene.has_known_corners(static_cast<std::int32_t>(i))) continue;
+            prefetch_corners(scene.surface, i, sum);
+            const glm::ivec3& t = scene.surface.triangles[i];
+            const glm::vec3 n = face_normal(t, scene.surface, scene.frame);
+            const glm::vec4 part(n, glm::length(n));
+            for (int k = 0; k < 3; ++k) sum[index(t[k])] += part;
+        }
+    });
+    in_parts(scene.vertices.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::vec4 sum = sums[0][i] + sums[1][i];
+            scene.vertices[i].normal = pack_normal(glm::vec3(sum), sharpness_of(glm::length(glm::vec3(sum)) / sum.w));
+        }
+    });
+}
+
+/// Which axis of the model `axis` is; −1 for none.
+int model_axis(const glm::dvec3& axis) {
+    for (int k = 0; k < 3; ++k)
+        if (axis[k] == 1) return k;
+    return -1;
+}
+
+bool any_far_off(const std::vector<GridVertex>& vertices) {
+    std::atomic<bool> any = false;
+    in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
+        const auto is_far = [](const GridVertex& v) { return v.at[0] == GridVertex::far_off; };
+        if (std::any_of(vertices.begin() + static_cast<std::ptrdiff_t>(begin), vertices.begin() + static_cast<std::ptrdiff_t>(end), is_far))
+            any = true;
+    });
+    return any;
+}
+
+std::int64_t snapped_far(double pixels) {
+    const double steps = pixels * subpixels;
+    return std::abs(steps) < static_cast<double>(largest_coordinate) ? std::llrint(steps) : 2 * largest_coordinate;
+}
+
+}   // namespace
+
+std::uint32_t pack_normal(const glm::vec3& n, float sharpness) {
+    const glm::dvec3 wide(n);
+    const double length = glm::length(wide);
+    if (!(length > 0)) return 0;
+    const auto bits = [&](double component) { return static_cast<std::uint32_t>(std::lrint((component / length + 1) * 511)); };
+    return bits(wide.x) | bits(wide.y) << 10 | bits(wide.z) << 20 | static_cast<std::uint32_t>(std::lrint(3 * sharpness)) << 30;
+}
+
+glm::vec3 unpacked_normal(std::uint32_t packed) {
+    if (packed == 0) return glm::vec3(0);
+    const auto component = [&](int shift) { return static_cast<float>(packed >> shift & 1023) / 511 - 1; };
+    return {component(0), component(10), component(20)};
+}
+
+Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
+    : surface(drawn), frame(on), width(options.width), height(options.height), vertices(drawn.positions.size()) {
+    in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0};
+    });
+    if (options.shading) set_normals(*this);
+    map_positions.resize(surface.values.size());
+    in_parts(map_positions.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) map_positions[i] = map_position(surface.values[i], options.range);
+    });
+}
+
+ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
+    : scene(seen), axes(along), component{model_axis(axes.across), model_axis(axes.up), model_axis(axes.depth)} {
+    vertices = scene.vertices.data();
+    has_far_off = any_far_off(scene.vertices);
+    if (component[0] >= 0 && component[1] >= 0 && component[2] >= 0) return;
+    component = {0, 1, 2};
+    turned.resize(scene.vertices.size());
+    const auto along_axes = [&](const glm::dvec3& v) {
+        return glm::dvec3(glm::dot(v, axes.across), glm::dot(v, axes.up), glm::dot(v, axes.depth));
+    };
+    in_parts(turned.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            turned[i] = {snapped(along_axes(in_pixels(scene.surface.positions[i], scene.frame))),
+                         pack_normal(glm::vec3(along_axes(unpacked_normal(scene.vertices[i].normal))),
+                                     static_cast<float>(scene.vertices[i].normal >> 30) / 3)};
+    });
+    vertices = turned.data();
+    has_far_off = any_far_off(turned);
+}
+
+ScreenPoint ProjectedScene::exact_corner(int vertex) const {
+    constexpr double farthest = 1e30;   // keeps depths finite in float
+    const glm::dvec3 p = in_pixels(scene.surface.positions[index(vertex)], scene.frame);
+    return {long{half_pixel} * scene.width + snapped_far(glm::dot(p, axes.across)),
+            long{half_pixel} * scene.height - snapped_far(glm::dot(p, axes.up)),
+            std::clamp(glm::dot(p, axes.depth) * subpixels, -farthest, farthest)};
+}
+
+Triangle2 ProjectedScene::exact_triangle(std::int32_t id) const {
+    const glm::ivec3& t = scene.surface.triangles[static_cast<std::size_t>(id)];
+    return {{exact_corner(t.x), exact_corner(t.y), exact_corner(t.z)}};
+}
+
+}   // namespace render

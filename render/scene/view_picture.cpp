@@ -1,0 +1,102 @@
+#include "scene/view_picture.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+namespace render {
+
+namespace {
+
+/// How much of the light an occluded part loses; values keep more, so that they can be read off the colour bar.
+constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.75F;
+
+}   // namespace
+
+ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height), openness(options.width, options.height) {
+    if (options.occlusion) layers.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
+}
+
+void ViewBuffers::clear() {
+    heights.clear();
+    openness.clear();
+    std::fill(layers.begin(), layers.end(), Layer{});
+}
+
+ViewPicture::ViewPicture(const DrawOptions& options, const Placement& placement, bool has_values, ViewBuffers* buffers)
+    : with_occlusion_(options.occlusion),
+      occlusion_strength_(has_values ? occlusion_on_values : occlusion_on_plain),
+      placement_(placement),
+      background_(options.background),
+      image_(options.width, options.height, options.background),
+      buffers_(buffers) {}
+
+template <class T>
+void ViewPicture::mirror(std::span<T> row_of_tile) const {
+    if (placement_.mirrored_x) std::reverse(row_of_tile.begin(), row_of_tile.end());
+}
+
+void ViewPicture::add(const SampleTile& tile, int block_row, const Fragments& fragments) {
+    const int rows = tile.pattern().block_side, top = tile.y() + block_row * rows;
+    std::array<LinearColor, std::size_t{tile_side} * 4> colors{};
+    for (std::size_t i = 0; i < fragments.count; ++i) {
+        const float w = fragments.weight[i];
+        colors[static_cast<std::size_t>(fragments.pixel[i])] += {w * fragments.red[i], w * fragments.green[i], w * fragments.blue[i], w};
+    }
+    const int last_row = std::min(rows, image_.height - top), columns = std::min(tile_side, image_.width - tile.x());
+    const int left = column(tile.x(), columns);
+    for (int y = 0; y < last_row; ++y) {
+        const std::span row_colors = std::span(colors).subspan(static_cast<std::size_t>(y) * tile_side, static_cast<std::size_t>(columns));
+        mirror(row_colors);
+        if (with_occlusion_)
+            pack(row_colors, layers(left, row(top + y), columns));
+        else
+            resolve(row_colors, background_, {&image_.at(left, row(top + y)), row_colors.size()});
+    }
+    if (buffers_ != nullptr) set_heights(tile, block_row);
+}
+
+void ViewPicture::set_heights(const SampleTile& tile, int block_row) {
+    const int rows = tile.pattern().block_side, top = tile.y() + block_row * rows;
+    std::array<float, std::size_t{tile_side} * 4> found;
+    collect_heights(tile, block_row, placement_.from_below, found);
+    const int last_row = std::min(rows, image_.height - top), columns = std::min(tile_side, image_.width - tile.x());
+    for (int y = 0; y < last_row; ++y) {
+        const std::span row_heights = std::span(found).subspan(static_cast<std::size_t>(y) * tile_side, static_cast<std::size_t>(columns));
+        mirror(row_heights);
+        buffers_->heights.set(column(tile.x(), columns), row(top + y), row_heights);
+    }
+}
+
+void ViewPicture::finish() {
+    if (!with_occlusion_) return;
+    const Sky sky(buffers_->heights);
+    for_each_stretch([&](int x, int y, std::span<const Layer>) {
+        std::array<float, tile_side> open;
+        const std::span row_open = std::span(open).first(static_cast<std::size_t>(std::min(tile_side, image_.width - x)));
+        sky.openness(x, y, row_open);
+        buffers_->openness.set(x, y, row_open);
+    });
+    for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
+        std::array<float, tile_side> open;
+        std::array<LinearColor, tile_side> colors;
+        const std::span row_open = std::span(open).first(row_layers.size());
+        const std::span row_colors = std::span(colors).first(row_layers.size());
+        smooth(buffers_->heights, buffers_->openness, x, y, row_open);
+        unpack(row_layers, row_open, occlusion_strength_, row_colors);
+        resolve(row_colors, background_, {&image_.at(x, y), row_colors.size()});
+    });
+}
+
+template <class Visit>
+void ViewPicture::for_each_stretch(const Visit& visit) {
+    tbb::parallel_for(0, image_.height, [&](int y) {
+        for (int x = 0; x < image_.width; x += tile_side) {
+            const std::span row_layers = layers(x, y, std::min(tile_side, image_.width - x));
+            if (std::any_of(row_layers.begin(), row_layers.end(), [](const Layer& l) { return l.coverage > 0; })) visit(x, y, row_layers);
+        }
+    });
+}
+
+}   // namespace render

@@ -1,0 +1,64 @@
+/// @file
+/// One view while it is being drawn: fragments come in, tile by tile; a picture goes out.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "draw_mesh.h"
+#include "raster/fragments.h"
+#include "raster/resolve.h"
+#include "scene/occlusion.h"
+#include "scene/projection.h"
+
+namespace render {
+
+/// What a view needs besides its picture, with occlusion or marks: large, so the next view takes it over.
+struct ViewBuffers {
+    HeightField heights, openness;
+    std::vector<Layer> layers;   // one a pixel, with occlusion
+
+    ViewBuffers(const DrawOptions& options);
+    void clear();
+};
+
+class ViewPicture {
+public:
+    /// @param buffers  nullptr where neither occlusion nor heights are wanted
+    ViewPicture(const DrawOptions& options, const Placement& placement, bool has_values, ViewBuffers* buffers);
+
+    /// Averages the shaded fragments of a row of blocks over their pixels. Tiles are independent: threads may add them at once.
+    void add(const SampleTile& tile, int block_row, const Fragments& fragments);
+
+    /// Darkens what is occluded, where that is wanted.
+    void finish();
+
+    const Placement& placement() const { return placement_; }
+    const HeightField& heights() const { return buffers_->heights; }
+    Image& image() { return image_; }
+
+private:
+    int row(int y) const { return placement_.mirrored_y ? image_.height - 1 - y : y; }
+    /// Column of the picture where `count` columns from x on begin.
+    int column(int x, int count) const { return placement_.mirrored_x ? image_.width - x - count : x; }
+    std::span<Layer> layers(int x, int y, int count) {
+        return std::span(buffers_->layers)
+            .subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x),
+                     static_cast<std::size_t>(count));
+    }
+    /// Calls visit(x, y, layers) for stretches of rows that show something, in parallel.
+    template <class Visit>
+    void for_each_stretch(const Visit& visit);
+    template <class T>
+    void mirror(std::span<T> row_of_tile) const;
+    void set_heights(const SampleTile& tile, int block_row);
+
+    bool with_occlusion_;
+    float occlusion_strength_;
+    Placement placement_;
+    Rgba background_;
+    Image image_;
+    ViewBuffers* buffers_;
+};
+
+}   // namespace render

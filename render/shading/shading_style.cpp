@@ -1,0 +1,52 @@
+#include "shading/shading_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "color/srgb.h"
+
+namespace render {
+
+namespace {
+
+/// Fixed to the camera: key from the upper left, fill from the right, one from the viewer, slightly below.
+const std::array<glm::vec3, 3> light_directions{{glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)),
+                                                 glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)),
+                                                 glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F))}};
+
+glm::vec3 linear_rgb(Rgba color) { return {linear_of(color.r), linear_of(color.g), linear_of(color.b)}; }
+
+/// Where isolines run, in terms of map positions t: value = low + t · (high − low), lines at multiples of the spacing.
+void set_isolines(const DrawOptions& options, ShadingStyle& style) {
+    const double width = options.range.high - options.range.low;
+    if (!(options.isoline_spacing > 0) || !(width > 0) || !style.has_values) return;
+    style.isoline_scale = static_cast<float>(width / options.isoline_spacing);
+    const double lines_below = options.range.low / options.isoline_spacing;
+    style.isoline_offset = static_cast<float>(lines_below - std::floor(lines_below));
+}
+
+}   // namespace
+
+float lit(const glm::vec3& normal) {
+    float sum = ambient;
+    for (std::size_t l = 0; l < light_strength.size(); ++l)
+        sum += light_strength[l] * std::max(0.0F, (glm::dot(normal, light_directions[l]) + wrap) / (1 + wrap));
+    return std::min(sum, 1.0F);
+}
+
+Palette::Palette(const DrawOptions& options) : plain(linear_rgb(options.surface_color)), undefined(linear_rgb(options.undefined_color)) {
+    for (int i = 0; i <= steps; ++i) {
+        const glm::vec3 c = linear_rgb(color_at(*options.range.colormap, double(i) / steps));
+        red.push_back(c.r), green.push_back(c.g), blue.push_back(c.b);
+    }
+}
+
+ShadingStyle::ShadingStyle(const Scene& scene, const DrawOptions& drawn, const Palette& colors, const Placement& placement)
+    : options(drawn), palette(colors), has_values(!scene.map_positions.empty()), towards_viewer(placement.from_below ? -1.0F : 1.0F) {
+    const glm::vec3 axes(placement.mirrored_x ? -1 : 1, placement.mirrored_y ? -1 : 1, towards_viewer);
+    for (std::size_t l = 0; l < lights.size(); ++l) lights[l] = axes * light_directions[l];
+    set_isolines(options, *this);
+}
+
+}   // namespace render

@@ -1,0 +1,63 @@
+/// @file
+/// How a view is shaded: colours, lights and lines.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace render {
+
+/// Soft: each light reaches a little beyond its horizon. With the ambient part they add up to about 1 where all of them reach, so no
+/// colour of a map is driven to white, and being neutral they shift no hue.
+inline constexpr std::array<float, 3> light_strength{0.52F, 0.09F, 0.38F};
+inline constexpr float ambient = 0.02F, wrap = 0.1F;
+
+/// Twice the area (square grid steps) from which on the rounded normal of a triangle can be trusted: an eighth of a pixel wide.
+inline constexpr float trusted_area = 32 * 32;
+
+/// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar. Where the light
+/// is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be seen.
+inline constexpr float light_on_values = 0.84F, sheen_on_values = 0.018F;
+
+/// The back of plain surfaces is ochre; values keep their hue there and only darken.
+inline constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
+inline constexpr float back_darkening = 0.62F;
+
+inline constexpr glm::vec3 ink_color{0.012F, 0.012F, 0.016F};
+inline constexpr float line_half_width = 0.45F;   // pixels on either side
+inline constexpr float smallest_meshed = 9;       // pixels; lines of smaller triangles fade, lest they blacken the surface
+/// Of the colour range, per pixel: parts flatter than this have no isolines, or rounding noise on a level would draw them.
+inline constexpr float flattest_isolines = 3e-5F;
+inline constexpr float closest_isolines = 6;   // pixels; closer ones fade
+/// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
+inline constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
+
+/// How strongly a surface with this unit normal (right, up, towards the viewer) is lit, 0 to 1; neutral in colour.
+float lit(const glm::vec3& normal);
+
+/// The colours of a surface in linear light, opaque.
+struct Palette {
+    static constexpr int steps = 1024;
+
+    glm::vec3 plain, undefined;
+    std::vector<float> red, green, blue;   // the colour map at steps + 1 places
+
+    explicit Palette(const DrawOptions& options);
+};
+
+/// How one view is shaded.
+struct ShadingStyle {
+    const DrawOptions& options;
+    const Palette& palette;
+    bool has_values;
+    std::array<glm::vec3, 3> lights;               // directions along the axes of the projection
+    float towards_viewer;                          // +1 or −1 along the depth axis
+    float isoline_scale = 0, isoline_offset = 0;   // isolines where map position · scale + offset is whole; scale 0: none
+
+    ShadingStyle(const Scene& scene, const DrawOptions& options, const Palette& palette, const Placement& placement);
+};
+
+}   // namespace render

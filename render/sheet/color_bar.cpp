@@ -1,0 +1,149 @@
+#include "sheet/color_bar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rounding.h"
+#include "sheet/strokes.h"
+#include "sheet/text.h"
+#include "sheet/ticks.h"
+
+namespace render {
+
+namespace {
+
+/// Heights in em: the quantity, the histogram, the bar, the ticks with their numbers, the notes.
+constexpr double title_height = 1.5, histogram_height = 2.1, bar_height = 0.95, ticks_height = 1.75, notes_height = 1.35;
+
+bool has_notes(const ColorBar& bar) { return bar.clipped_below > 0 || bar.clipped_above > 0 || bar.has_undefined; }
+
+bool is_share(double s) { return s > 0 && std::isfinite(s); }
+bool has_histogram(const ColorBar& bar) { return std::any_of(bar.histogram.begin(), bar.histogram.end(), is_share); }
+
+int histogram_rows(const ColorBar& bar, double em) { return has_histogram(bar) ? rounded(histogram_height * em) : 0; }
+
+/// The bar proper lies in [x0, x1); tips outside of it stand for values beyond the range.
+struct Extent {
+    int x0, x1, top, bottom;
+
+    double x_of(const ValueRange& range, double value) const {
+        return x0 + (x1 - x0) * ((value / 2 - range.low / 2) / (range.high / 2 - range.low / 2));
+    }
+};
+
+void draw_tip(Image& image, const Extent& e, int base, int direction, Rgba color) {
+    const double half = 0.5 * (e.bottom - e.top), middle = e.top + half;
+    const int length = rounded(half * 1.2);
+    for (int i = 0; i < length; ++i) {
+        const double reach = half * (1 - (i + 0.5) / length);
+        const int x = direction > 0 ? base + i : base - 1 - i;
+        for (int y = std::max(0, e.top); y < std::min(e.bottom, image.height); ++y) {
+            const double coverage = std::clamp(reach + 0.5 - std::abs(y + 0.5 - middle), 0.0, 1.0);
+            if (x >= 0 && x < image.width) image.at(x, y) = inked(image.at(x, y), color, static_cast<float>(coverage));
+        }
+    }
+}
+
+void draw_colors(Image& image, const ColorBar& bar, const Extent& e) {
+    const Colormap& map = bar.range.colormap != nullptr ? *bar.range.colormap : colormap_named("viridis");
+    for (int x = e.x0; x < e.x1; ++x) fill_rectangle(image, x, e.top, x + 1, e.bottom, color_at(map, (x + 0.5 - e.x0) / (e.x1 - e.x0)));
+    if (bar.clipped_below > 0) draw_tip(image, e, e.x0, -1, color_at(map, 0));
+    if (bar.clipped_above > 0) draw_tip(image, e, e.x1, 1, color_at(map, 1));
+}
+
+/// Square root of the share at t in [0, 1], linear between the middles of the bins.
+double root_share(const std::vector<double>& histogram, double t) {
+    const auto root = [&](double bin) {
+        const double share = histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(histogram.size()) - 1))];
+        return is_share(share) ? std::sqrt(share) : 0;
+    };
+    const double at = t * static_cast<double>(histogram.size()) - 0.5, below = std::floor(at);
+    return root(below) + (at - below) * (root(below + 1) - root(below));
+}
+
+/// A profile over the colours of its values: pale below a thin line. It stands on the row `bottom`.
+void draw_histogram(Image& image, const ColorBar& bar, const Extent& e, int bottom, double height, double thickness, Rgba ink) {
+    double highest = 0;
+    for (const double share : bar.histogram)
+        if (is_share(share)) highest = std::max(highest, std::sqrt(share));
+    const Rgba pale{ink.r, ink.g, ink.b, 48}, line{ink.r, ink.g, ink.b, 144};
+    const auto reach_at = [&](double x) { return height * root_share(bar.histogram, (x - e.x0) / (e.x1 - e.x0)) / highest; };
+    for (int x = std::max(0, e.x0); x < std::min(e.x1, image.width); ++x) {
+        const double reach = reach_at(x + 0.5), steepness = std::hypot(1, reach_at(x + 1) - reach_at(x));
+        for (int y = std::max(0, bottom - static_cast<int>(height + thickness)); y < std::min(bottom, image.height); ++y) {
+            const double above = bottom - (y + 0.5) - reach;
+            Rgba& pixel = image.at(x, y);
+            pixel = inked(pixel, pale, static_cast<float>(std::clamp(0.5 - above, 0.0, 1.0)));
+            pixel = inked(pixel, line, static_cast<float>(std::clamp(thickness / 2 + 0.5 - std::abs(above) / steepness, 0.0, 1.0)));
+        }
+    }
+}
+
+/// As many ticks as stand apart, seven at most.
+std::vector<double> readable_ticks(const ColorBar& bar, const Extent& e, const TextStyle& style) {
+    for (int wanted = 7; wanted > 1; --wanted) {
+        std::vector<double> ticks = round_ticks(bar.range.low, bar.range.high, wanted);
+        const TickLabels labels = tick_labels(ticks);
+        double widest = 0;
+        for (const std::string& text : labels.text) widest = std::max(widest, text_width(text, style));
+        const double spacing = ticks.size() > 1 ? e.x_of(bar.range, ticks[1]) - e.x_of(bar.range, ticks[0]) : INFINITY;
+        if (widest + style.size < spacing) return ticks;
+    }
+    return round_ticks(bar.range.low, bar.range.high, 1);
+}
+
+std::string title_of(const ColorBar& bar, const std::string& power) {
+    const std::string unit = power.empty() ? bar.unit : "×\u202f" + power + (bar.unit.empty() ? "" : " " + bar.unit);
+    return unit.empty() ? bar.quantity : bar.quantity + "  [" + unit + "]";
+}
+
+void draw_ticks(Image& image, const ColorBar& bar, const Extent& e, const std::vector<double>& ticks, const TickLabels& labels, double em,
+                Rgba ink) {
+    const TextStyle style{0.9 * em, ink, Align::centre};
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const double x = std::clamp(std::floor(e.x_of(bar.range, ticks[i])) + 0.5, e.x0 + 0.5, e.x1 - 0.5);
+        draw_line(image, {x, e.bottom + 1}, {x, e.bottom + 0.28 * em}, std::max(1.0, em / 16), ink);
+        const double half = text_width(labels.text[i], style) / 2;
+        draw_text(image, std::clamp(x, half, std::max(half, image.width - half)), e.bottom + 1.25 * em, labels.text[i], style);
+    }
+}
+
+void draw_notes(Image& image, const ColorBar& bar, const Extent& e, double em, Rgba ink) {
+    const double baseline = e.bottom + (ticks_height + 0.95) * em, third = (e.x1 - e.x0) / 3.0 - 0.5 * em;
+    TextStyle style{0.85 * em, ink};
+    if (bar.clipped_below > 0) draw_text(image, e.x0, baseline, fit_text(share_text(bar.clipped_below) + " below", third, style), style);
+    if (bar.has_undefined) {
+        const std::string text = fit_text("undefined", third - 1.1 * em, style);
+        const double left = (e.x0 + e.x1) / 2.0 - (text_width(text, style) + 1.1 * em) / 2;
+        const int box = rounded(0.8 * em), x = rounded(left), y = rounded(baseline - 0.68 * em);
+        fill_rectangle(image, x, y, x + box, y + box, ink);
+        fill_rectangle(image, x + 1, y + 1, x + box - 1, y + box - 1,
+                       {bar.undefined_color.r, bar.undefined_color.g, bar.undefined_color.b, 255});
+        draw_text(image, left + 1.1 * em, baseline, text, style);
+    }
+    style.align = Align::right;
+    if (bar.clipped_above > 0) draw_text(image, e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
+}
+
+}   // namespace
+
+int color_bar_height(const ColorBar& bar, double em) {
+    return histogram_rows(bar, em) + rounded((title_height + bar_height + ticks_height + (has_notes(bar) ? notes_height : 0)) * em);
+}
+
+void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int width, double em, Rgba ink) {
+    const int inset = std::min(rounded(2.5 * em), width / 8);
+    const int length = std::min(width - 2 * inset, rounded(44 * em)), x0 = left + (width - length) / 2;
+    const int bar_top = top + rounded(title_height * em) + histogram_rows(bar, em);
+    const Extent e{x0, x0 + length, bar_top, bar_top + rounded(bar_height * em)};
+    const std::vector<double> ticks = readable_ticks(bar, e, {0.9 * em});
+    const TickLabels labels = tick_labels(ticks);
+    const TextStyle title{em, ink, Align::centre};
+    draw_text(image, left + width / 2.0, top + 1.0 * em, fit_text(title_of(bar, labels.power), width, title), title);
+    if (has_histogram(bar)) draw_histogram(image, bar, e, bar_top - rounded(0.1 * em), 1.75 * em, em / 16, ink);
+    draw_colors(image, bar, e);
+    draw_ticks(image, bar, e, ticks, labels, em, ink);
+    draw_notes(image, bar, e, em, ink);
+}
+
+}   // namespace render

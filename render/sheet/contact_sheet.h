@@ -1,0 +1,52 @@
+/// @file
+/// Pictures put together: title, rows of equally large views with their names, colour bar.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw_mesh.h"
+#include "scene/image.h"
+
+namespace render {
+
+/// The legend of a figure.
+struct ColorBar {
+    ValueRange range = {};
+    std::string quantity = {};   // "mean curvature H"
+    std::string unit = {};       // "1/length"; may be empty
+    double clipped_below = 0;    // share of the values outside the range, printed when > 0
+    double clipped_above = 0;
+    bool has_undefined = false;   // adds a swatch for NaN in `undefined_color`
+    Rgba undefined_color{225, 190, 231, 255};
+    /// Shares of the values in equal bins over [low, high], drawn above the bar with heights as their square roots, so that a rare
+    /// value stays visible beside a frequent one; empty: none.
+    std::vector<double> histogram = {};
+};
+
+/// Pictures of a single row that are put three in a line; more are put six in a line.
+inline constexpr int largest_block = 12;
+
+/// One line of pictures. Sheets of one row put the six views 2 × 3 (three columns, two rows: +x +y +z over −x −y −z).
+struct SheetRow {
+    std::string label = {};             // "λ = 0.01, 20 iterations"; empty: none
+    std::vector<Image> pictures = {};   // one a view, all of one size
+};
+
+struct ContactSheet {
+    std::string title = {};
+    std::string subtitle = {};                  // mesh, counts, settings
+    std::vector<std::string> view_names = {};   // over the columns (or in the cells of a single row)
+    std::vector<SheetRow> rows = {};
+    std::optional<ColorBar> color_bar = {};
+    int cell = 0;   // pixels of one view in the sheet; 0: as the pictures are
+    Rgba background{255, 255, 255, 255};
+};
+
+Image compose(const ContactSheet& sheet);
+
+/// Round ticks (1, 2, 2.5 or 5 times a power of ten) that lie in [low, high], about `wanted` of them; used by the colour bar.
+std::vector<double> round_ticks(double low, double high, int wanted);
+
+}   // namespace render

@@ -1,0 +1,243 @@
+#include "sheet/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "embedded_fonts.h"
+#include "sheet/grid_fit.h"
+#include "sheet/strokes.h"
+
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb_truetype.h>
+
+namespace render {
+
+namespace {
+
+constexpr char32_t replacement = 0xFFFD;
+
+/// Takes one character off the front of `text`; U+FFFD for each byte that is not UTF-8.
+char32_t next_character(std::string_view& text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    const std::size_t length = first < 0x80                    ? 1
+                               : first >= 0xC2 && first < 0xE0 ? 2
+                               : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4
+                                                               : 0;
+    char32_t c = length == 1 ? first : length == 0 ? replacement : first & (0x7F >> length);
+    bool valid = length > 0 && length <= text.size();
+    for (std::size_t i = 1; valid && i < length; ++i) {
+        valid = (byte(i) & 0xC0) == 0x80;
+        c = c << 6 | (byte(i) & 0x3F);
+    }
+    static constexpr std::array<char32_t, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
+    valid = valid && c >= smallest[length] && c <= 0x10FFFF && (c < 0xD800 || c > 0xDFFF);
+    text.remove_prefix(valid ? length : 1);
+    return valid ? c : replacement;
+}
+
+/// Control characters, soft hyphens, zero-width and direction marks, byte order marks: they have no picture.
+bool is_invisible(char32_t c) {
+    return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0xAD || (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
+           (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF;
+}
+
+std::vector<int> code_points(std::string_view text) {
+    std::vector<int> result;
+    while (!text.empty())
+        if (const char32_t c = next_character(text); !is_invisible(c)) result.push_back(static_cast<int>(c));
+    return result;
+}
+
+struct Font {
+    stbtt_fontinfo info;
+    FontLines lines;
+};
+
+/// Lowest and highest point of a character.
+std::pair<int, int> heights_of(const stbtt_fontinfo& font, int character) {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    stbtt_GetCodepointBox(&font, character, &x0, &y0, &x1, &y1);
+    return {y0, y1};
+}
+
+FontLines lines_of(const stbtt_fontinfo& font) {
+    FontLines lines;
+    lines.descender = heights_of(font, 'p').first;
+    lines.x_height = heights_of(font, 'x').second;
+    lines.capital = heights_of(font, 'H').second;
+    lines.ascender = heights_of(font, 'd').second;
+    lines.overshoot = -heights_of(font, 'o').first;
+    return lines;
+}
+
+Font loaded(std::string_view name) {
+    for (const auto& file : meshfolio_embedded::embedded_fonts()) {
+        Font font;
+        const auto* bytes = reinterpret_cast<const unsigned char*>(file.bytes.data());
+        if (file.name != name || stbtt_InitFont(&font.info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)) == 0) continue;
+        font.lines = lines_of(font.info);
+        return font;
+    }
+    throw std::runtime_error("text: the font " + std::string(name) + " is not embedded");
+}
+
+const Font& font_of(Weight weight) {
+    static const Font regular = loaded("DejaVuSans.ttf"), bold = loaded("DejaVuSans-Bold.ttf");
+    return weight == Weight::bold ? bold : regular;
+}
+
+/// A line of glyphs with their places from the left end, in pixels. Characters the font lacks become its box.
+struct Line {
+    const Font& font;
+    double size;
+    float scale;   // pixels per font unit
+    std::vector<int> glyphs;
+    std::vector<double> places;
+    double width = 0;
+
+    Line(std::string_view text, const TextStyle& style)
+        : font(font_of(style.weight)), size(style.size), scale(stbtt_ScaleForPixelHeight(&font.info, static_cast<float>(style.size))) {
+        for (const int c : code_points(text)) {
+            const int glyph = stbtt_FindGlyphIndex(&font.info, c);
+            if (!glyphs.empty()) width += static_cast<double>(scale) * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back(), glyph);
+            glyphs.push_back(glyph);
+            places.push_back(width);
+            int advance = 0, bearing = 0;
+            stbtt_GetGlyphHMetrics(&font.info, glyph, &advance, &bearing);
+            width += static_cast<double>(scale) * advance;
+        }
+    }
+};
+
+/// The lines and quadratic curves of a glyph, freed with it.
+struct Outline {
+    std::unique_ptr<stbtt_vertex, decltype(&std::free)> points{nullptr, std::free};
+    int count = 0;
+
+    Outline(const stbtt_fontinfo& font, int glyph) {
+        stbtt_vertex* vertices = nullptr;
+        count = stbtt_GetGlyphShape(&font, glyph, &vertices);
+        points.reset(vertices);
+    }
+    std::span<stbtt_vertex> all() const { return {points.get(), static_cast<std::size_t>(count)}; }
+};
+
+/// TrueType outlines have the ink on their right: an edge that runs to the right is a top. A curve has an edge where it ends level.
+std::vector<HorizontalEdge> horizontal_edges(const Outline& outline, int shortest) {
+    std::vector<HorizontalEdge> edges;
+    int x = 0, y = 0;
+    for (const stbtt_vertex& v : outline.all()) {
+        const int run = v.x - x;
+        const auto is_level = [&](int rise) { return 50 * std::abs(rise) <= std::abs(run); };
+        const bool level_start = is_level((v.type == STBTT_vcurve ? v.cy : v.y) - y);
+        const bool level_end = v.type == STBTT_vcurve && is_level(v.y - v.cy);
+        if (v.type != STBTT_vmove && std::abs(run) >= shortest) {
+            if (level_start) edges.push_back({double(y), run > 0});
+            if (level_end) edges.push_back({double(v.y), run > 0});
+        }
+        x = v.x, y = v.y;
+    }
+    return edges;
+}
+
+/// Fitted heights are kept in eighths of a font unit: whole units would let faint ink into the next row.
+constexpr int fine = 8;
+
+void fit_to_rows(const Outline& outline, const Font& font, double scale) {
+    const GridFit fit(font.lines, horizontal_edges(outline, static_cast<int>(0.1 * font.lines.x_height)), scale);
+    const auto fitted = [&](int y) { return static_cast<short>(std::clamp(std::lround(fine * fit(y) / scale), -32767L, 32767L)); };
+    for (stbtt_vertex& v : outline.all()) v.y = fitted(v.y), v.cy = fitted(v.cy);
+}
+
+/// Glyph coverage in [0, 1] at the pixels of a box.
+struct Coverage {
+    int x0 = 0, y0 = 0, width = 0, height = 0;   // of the box, y downwards from the baseline
+    std::vector<unsigned char> bytes;
+
+    Coverage(const Outline& outline, float scale, float shift, double size) {
+        double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+        const auto include = [&](int x, int y) {
+            left = std::min<double>(left, x), right = std::max<double>(right, x);
+            low = std::min<double>(low, y), high = std::max<double>(high, y);
+        };
+        for (const stbtt_vertex& v : outline.all()) {
+            include(v.x, v.y);
+            if (v.type == STBTT_vcurve) include(v.cx, v.cy);
+        }
+        if (!(left < right) || !(low < high)) return;
+        const auto s = static_cast<double>(scale), dx = static_cast<double>(shift);
+        x0 = static_cast<int>(std::floor(s * left + dx)), y0 = static_cast<int>(std::floor(1e-3 - s / fine * high));
+        width = static_cast<int>(std::ceil(s * right + dx)) - x0, height = static_cast<int>(std::ceil(-s / fine * low - 1e-3)) - y0;
+        bytes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        stbtt__bitmap bitmap{width, height, width, bytes.data()};
+        stbtt_Rasterize(&bitmap, 0.2F, outline.points.get(), outline.count, scale, scale / fine, shift, 0, x0, y0, 1, nullptr);
+        for (unsigned char& b : bytes) b = boosted(b, size);
+    }
+    float at(int u, int v) const {
+        return static_cast<float>(bytes[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)]) / 255;
+    }
+
+    /// A stem that lies across two columns of pixels would look paler than one that fills a column: at small sizes partial coverage
+    /// is raised, c + a c (1 − c).
+    static unsigned char boosted(unsigned char coverage, double size) {
+        const double c = coverage / 255.0, a = 0.4 * std::clamp((24 - size) / 12, 0.0, 1.0);
+        return static_cast<unsigned char>(std::lround(255 * (c + a * c * (1 - c))));
+    }
+};
+
+/// `x` is the origin of the glyph in quarters of a pixel, so that letters keep their distances.
+void draw_glyph(Image& image, const Line& line, int glyph, double x, int baseline, Rgba color) {
+    const double quarters = std::floor(4 * x + 0.5);
+    const int column = static_cast<int>(std::floor(quarters / 4));
+    const Outline outline(line.font.info, glyph);
+    fit_to_rows(outline, line.font, static_cast<double>(line.scale));
+    const Coverage ink(outline, line.scale, static_cast<float>(quarters / 4 - column), line.size);
+    for (int v = std::max(0, -(baseline + ink.y0)); v < ink.height && baseline + ink.y0 + v < image.height; ++v)
+        for (int u = std::max(0, -(column + ink.x0)); u < ink.width && column + ink.x0 + u < image.width; ++u) {
+            Rgba& pixel = image.at(column + ink.x0 + u, baseline + ink.y0 + v);
+            pixel = inked(pixel, color, ink.at(u, v));
+        }
+}
+
+}   // namespace
+
+double text_width(std::string_view text, const TextStyle& style) { return Line(text, style).width; }
+
+void draw_text(Image& image, double x, double y, std::string_view text, const TextStyle& style) {
+    const Line line(text, style);
+    const double left = style.align == Align::left ? x : style.align == Align::right ? x - line.width : x - line.width / 2;
+    for (std::size_t i = 0; i < line.glyphs.size(); ++i)
+        draw_glyph(image, line, line.glyphs[i], left + line.places[i], static_cast<int>(std::lround(y)), style.color);
+}
+
+std::string fit_text(std::string_view text, double width, const TextStyle& style) {
+    if (text_width(text, style) <= width) return std::string(text);
+    static constexpr std::string_view ellipsis = "…";
+    std::vector<std::size_t> ends{0};   // of the first 0, 1, 2 … characters
+    for (std::string_view rest = text; !rest.empty();) {
+        next_character(rest);
+        ends.push_back(text.size() - rest.size());
+    }
+    const auto shortened = [&](std::size_t count) {
+        std::string_view kept = text.substr(0, ends[count]);
+        while (kept.ends_with(' ')) kept.remove_suffix(1);
+        return std::string(kept) + std::string(ellipsis);
+    };
+    std::size_t fits = 0, too_long = ends.size();   // bisection; widths grow with the number of characters
+    while (too_long - fits > 1) {
+        const std::size_t middle = (fits + too_long) / 2;
+        (text_width(shortened(middle), style) <= width ? fits : too_long) = middle;
+    }
+    const std::string result = shortened(fits);
+    return text_width(result, style) <= width ? result : "";
+}
+
+}   // namespace render

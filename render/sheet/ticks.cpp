@@ -1,0 +1,107 @@
+#include "sheet/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "sheet/contact_sheet.h"
+
+namespace render {
+
+namespace {
+
+/// 10^e, exact for the e of ordinary numbers.
+double power_of_ten(int e) { return std::pow(10.0, e); }
+
+/// m × 10^e, rounded once.
+double scaled(double m, int e) { return e < 0 ? m / power_of_ten(-e) : m * power_of_ten(e); }
+
+struct Step {
+    double mantissa;   // 1, 2, 2.5 or 5
+    int exponent;
+
+    double value() const { return scaled(mantissa, exponent); }
+    /// Multiples of the step at the ends; an end that is itself a tick counts in spite of rounding.
+    double first(double low) const { return std::ceil(low / value() - 1e-9); }
+    double last(double high) const { return std::floor(high / value() + 1e-9); }
+};
+
+/// The step whose number of ticks comes nearest to `wanted`.
+Step best_step(double low, double high, int wanted) {
+    const int exponent = static_cast<int>(std::floor(std::log10(high - low)));
+    Step best{1, exponent};
+    double difference = std::numeric_limits<double>::infinity();
+    for (int e = exponent - 2; e <= exponent + 1; ++e)
+        for (const double mantissa : {1.0, 2.0, 2.5, 5.0}) {
+            const Step step{mantissa, e};
+            const double d = std::abs(step.last(high) - step.first(low) + 1 - wanted);
+            if (d < difference) best = step, difference = d;
+        }
+    return best;
+}
+
+std::string fixed(double x, int decimals) {
+    std::array<char, 512> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::fixed, decimals);
+    std::string text(buffer.data(), end.ptr);
+    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+    if (text.front() == '-') text.replace(0, 1, is_zero ? "" : "\u2212");
+    return text;
+}
+
+std::string superscript(int exponent) {
+    static constexpr std::array<const char*, 10> digit{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char c : std::to_string(std::abs(exponent))) text += digit[static_cast<std::size_t>(c - '0')];
+    return text;
+}
+
+/// The fewest decimals that write every value exactly, up to rounding noise.
+int decimals_needed(const std::vector<double>& values, double step) {
+    for (int d = 0; d < 17; ++d) {
+        const double unit = scaled(1, -d);
+        if (std::all_of(values.begin(), values.end(), [&](double v) { return std::abs(v - std::round(v / unit) * unit) < 1e-3 * step; }))
+            return d;
+    }
+    return 17;
+}
+
+}   // namespace
+
+std::vector<double> round_ticks(double low, double high, int wanted) {
+    if (!(low < high) || !std::isfinite(high - low) || wanted < 1) return {};
+    const Step step = best_step(low, high, wanted);
+    std::vector<double> ticks;
+    const auto last = static_cast<std::int64_t>(step.last(high));
+    for (auto i = static_cast<std::int64_t>(step.first(low)); i <= last && ticks.size() < 1000; ++i) {
+        const double tick = scaled(static_cast<double>(i) * step.mantissa, step.exponent) + 0.0;   // + 0: no −0
+        if (tick >= low && tick <= high && (ticks.empty() || tick > ticks.back())) ticks.push_back(tick);
+    }
+    return ticks;
+}
+
+TickLabels tick_labels(const std::vector<double>& ticks) {
+    TickLabels labels;
+    if (ticks.empty()) return labels;
+    const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
+    const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest) + 1e-12)) : 0;
+    const bool plain = exponent >= -3 && exponent <= 4;
+    std::vector<double> mantissas;
+    mantissas.reserve(ticks.size());
+    for (const double t : ticks) mantissas.push_back(plain ? t : scaled(t, -exponent));
+    const double step = mantissas.size() > 1 ? mantissas[1] - mantissas[0] : std::abs(mantissas[0]);
+    const int decimals = decimals_needed(mantissas, step);
+    for (const double m : mantissas) labels.text.push_back(fixed(m, decimals));
+    if (!plain) labels.power = "10" + superscript(exponent);
+    return labels;
+}
+
+std::string share_text(double share) {
+    if (share < 0.001) return "<\u202f0.1\u202f%";
+    return fixed(100 * share, share < 0.0995 ? 1 : 0) + "\u202f%";
+}
+
+}   // namespace render

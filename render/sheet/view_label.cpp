@@ -1,0 +1,113 @@
+#include "sheet/view_label.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <string>
+
+#include "color/cielab.h"
+#include "scene/camera.h"
+#include "sheet/strokes.h"
+#include "sheet/text.h"
+
+namespace render {
+
+namespace {
+
+struct Axis {
+    std::string_view name;
+    glm::dvec3 direction;
+    Rgba color;
+};
+
+using Axes = std::array<Axis, 3>;
+
+/// The usual colours, dark enough for letters on white, and light enough on black.
+constexpr Axes dark_axes{
+    {{"x", {1, 0, 0}, {190, 45, 40, 255}}, {"y", {0, 1, 0}, {40, 130, 50, 255}}, {"z", {0, 0, 1}, {40, 85, 190, 255}}}};
+constexpr Axes light_axes{
+    {{"x", {1, 0, 0}, {255, 128, 120, 255}}, {"y", {0, 1, 0}, {122, 210, 128, 255}}, {"z", {0, 0, 1}, {130, 172, 255, 255}}}};
+
+/// In keeping with the ink of the name.
+const Axes& axes_for(Rgba ink) { return lab_of(ink).x > 50 ? light_axes : dark_axes; }
+
+/// Parts of the tripod, in em.
+constexpr double letter = 0.82, arm = 1.0, letter_gap = 0.36, side = 3.2, gap = 0.2;
+
+std::string with_hyphen(std::string_view name) {
+    static constexpr std::string_view minus = "\u2212";
+    return name.starts_with(minus) ? "-" + std::string(name.substr(minus.size())) : std::string(name);
+}
+
+std::string with_minus(std::string_view name) { return name.starts_with('-') ? "\u2212" + std::string(name.substr(1)) : std::string(name); }
+
+const View* known_view(std::string_view name) {
+    const auto found = std::find_if(six_views.begin(), six_views.end(), [&](const View& v) { return v.name == with_hyphen(name); });
+    return found == six_views.end() ? nullptr : &*found;
+}
+
+void draw_letter(Image& image, glm::dvec2 middle, const Axis& axis, double em) {
+    const double size = letter * em;
+    draw_text(image, middle.x, middle.y + 0.27 * size, axis.name, {size, axis.color, Align::centre, Weight::bold});
+}
+
+void draw_arrow(Image& image, glm::dvec2 from, glm::dvec2 direction, double em, const Axis& axis) {
+    const double width = std::max(1.2, 0.085 * em), head = 0.24 * em;
+    const glm::dvec2 tip = from + arm * em * direction, across(-direction.y, direction.x);
+    draw_line(image, from, tip, width, axis.color);
+    draw_line(image, tip, tip - head * (direction + 0.62 * across), width, axis.color);
+    draw_line(image, tip, tip - head * (direction - 0.62 * across), width, axis.color);
+    draw_letter(image, tip + letter_gap * 1.25 * em * direction, axis, em);
+}
+
+/// An axis along the line of sight: a ringed dot towards the viewer, a ringed cross away from him.
+void draw_end_on(Image& image, glm::dvec2 at, bool towards, double em, const Axis& axis) {
+    const double width = std::max(1.2, 0.085 * em), radius = 0.22 * em;
+    draw_ring(image, at, radius, width, axis.color);
+    if (towards) {
+        draw_line(image, at, at, 0.2 * em, axis.color);
+    } else {
+        const double d = radius / std::sqrt(2.0);
+        draw_line(image, at - d, at + d, width, axis.color);
+        draw_line(image, at + glm::dvec2(-d, d), at + glm::dvec2(d, -d), width, axis.color);
+    }
+}
+
+/// Within a square of `side` em with its middle at `middle`.
+void draw_tripod(Image& image, glm::dvec2 middle, const View& view, const Axes& axes, double em) {
+    glm::dvec2 sum(0);
+    const auto on_screen = [&](const Axis& a) { return glm::dvec2(glm::dot(a.direction, view.right()), -glm::dot(a.direction, view.up)); };
+    for (const Axis& a : axes) sum += on_screen(a);   // the diagonal into which the two visible axes open
+    const glm::dvec2 origin = middle - 0.5 * arm * em * sum;
+    for (const Axis& a : axes) {
+        const double depth = glm::dot(a.direction, view.from);
+        if (std::abs(depth) < 0.5) {
+            draw_arrow(image, origin + 0.22 * em * on_screen(a), on_screen(a), em, a);
+        } else {
+            draw_end_on(image, origin, depth > 0, em, a);
+            draw_letter(image, origin - 0.5 * em * sum, a, em);
+        }
+    }
+}
+
+}   // namespace
+
+double view_label_width(std::string_view view, double em) {
+    const double name = text_width(with_minus(view), {em});
+    return known_view(view) != nullptr ? name + (side + gap) * em : name;
+}
+
+double view_label_height(double em) { return side * em; }
+
+void draw_view_label(Image& image, double x, double y, std::string_view view, double em, Rgba ink) {
+    double left = x - view_label_width(view, em) / 2;
+    if (const View* known = known_view(view)) {
+        draw_tripod(image, {left + side * em / 2, y}, *known, axes_for(ink), em);
+        left += (side + gap) * em;
+    }
+    draw_text(image, left, y + 0.27 * em, with_minus(view), {em, ink});
+}
+
+}   // namespace render

@@ -1,0 +1,143 @@
+#include "base/number_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace meshfolio {
+
+namespace {
+
+template <class... Format>
+std::string chars_of(double x, Format... format) {
+    std::array<char, 512> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, format...);
+    return {buffer.data(), end.ptr};
+}
+
+/// Mantissa and exponent of `x` rounded to `digits` significant digits: "1.23" and -7.
+struct Scientific {
+    std::string mantissa;
+    int exponent;
+};
+
+Scientific scientific(double x, int digits) {
+    const std::string s = chars_of(x, std::chars_format::scientific, digits - 1);
+    const std::size_t e = s.find('e');   // "…e+05": from_chars() takes no plus
+    int exponent = 0;
+    std::from_chars(s.data() + e + (s[e + 1] == '+' ? 2 : 1), s.data() + s.size(), exponent);
+    return {s.substr(0, e), exponent};
+}
+
+bool is_plain(int exponent, int digits) { return exponent >= -4 && exponent < std::max(6, digits); }
+
+/// Decimals that show `digits` significant digits of a number with this exponent.
+int decimals(int exponent, int digits) { return std::max(0, digits - 1 - exponent); }
+
+std::string with_typographic_minus(std::string s) {
+    if (!s.empty() && s.front() == '-') s.replace(0, 1, "\u2212");
+    return s;
+}
+
+/// 43243 → 43 243 with U+202F; four digits stay together.
+std::string grouped(const std::string& number) {
+    const std::size_t begin = number.front() == '-' ? 1 : 0;
+    const std::size_t whole = std::min(number.find('.'), number.size()) - begin;
+    if (whole < 5) return number;
+    std::string s = number.substr(0, begin);
+    for (std::size_t i = 0; i < whole; ++i) {
+        if (i > 0 && (whole - i) % 3 == 0) s += "\u202f";
+        s += number[begin + i];
+    }
+    return s + number.substr(begin + whole);
+}
+
+/// Takes one leading plus away, which from_chars does not know; false when another sign follows it or nothing is there.
+bool without_plus(std::string_view& text) {
+    if (!text.starts_with('+')) return !text.empty();
+    text.remove_prefix(1);
+    return !text.empty() && text.front() != '+' && text.front() != '-';
+}
+
+std::string without_trailing_zeros(std::string s) {
+    if (s.find('.') == std::string::npos) return s;
+    s.erase(s.find_last_not_of('0') + 1);
+    if (s.back() == '.') s.pop_back();
+    return s;
+}
+
+}   // namespace
+
+double rounded_down(double x, int digits) {
+    if (x == 0 || !std::isfinite(x)) return x;
+    const auto nearest = [&](double y) { return std::strtod(chars_of(y, std::chars_format::scientific, digits - 1).c_str(), nullptr); };
+    const double y = nearest(x);
+    // The last digit is that of x itself: rounded first, 0.99996 would be 1.000, whose last digit is worth ten times as much.
+    return y <= x ? y : nearest(y - std::pow(10.0, scientific(x, 17).exponent - digits + 1));
+}
+
+double rounded_up(double x, int digits) { return -rounded_down(-x, digits); }
+
+std::string exact_text(double x) { return std::isfinite(x) ? chars_of(x) : ""; }
+
+std::string readable(double x, int digits) {
+    if (std::isnan(x)) return "–";
+    if (std::isinf(x)) return x > 0 ? "∞" : "\u2212∞";
+    if (x == 0) return "0";
+    const Scientific s = scientific(x, digits);
+    if (is_plain(s.exponent, digits))
+        return with_typographic_minus(grouped(chars_of(x, std::chars_format::fixed, decimals(s.exponent, digits))));
+    return with_typographic_minus(s.mantissa) + "\u202f×\u202f" + power_of_ten(s.exponent);
+}
+
+std::string scientific_text(double x, int digits) {
+    if (!std::isfinite(x) || x == 0) return readable(x, digits);
+    const Scientific s = scientific(x, digits);
+    return with_typographic_minus(s.mantissa) + "\u202f×\u202f" + power_of_ten(s.exponent);
+}
+
+std::string power_of_ten(int exponent) {
+    static constexpr const char* superscript[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string power = exponent < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(exponent))) power += superscript[digit - '0'];
+    return power;
+}
+
+std::string plain_text(double x, int digits) {
+    if (!std::isfinite(x)) return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
+    if (x == 0) return "0";
+    const Scientific s = scientific(x, digits);
+    if (is_plain(s.exponent, digits)) return without_trailing_zeros(chars_of(x, std::chars_format::fixed, decimals(s.exponent, digits)));
+    return without_trailing_zeros(s.mantissa) + "e" + std::to_string(s.exponent);
+}
+
+std::string readable_percent(double fraction, int digits) {
+    return std::isfinite(fraction) ? readable(100 * fraction, digits) + "\u202f%" : "–";
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    if (!without_plus(text)) return {};
+    // from_chars would take "nan" and "inf"; a decimal number begins with a digit, a point, or a minus and one of these.
+    const std::size_t first = text.front() == '-' ? 1 : 0;
+    if (first >= text.size() || !((text[first] >= '0' && text[first] <= '9') || text[first] == '.')) return {};
+    double x = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (end != text.data() + text.size()) return {};
+    if (error == std::errc::result_out_of_range) {
+        // Too small is a good number (0 or a denormal), too large is not; strtod tells which. The view may lack a final NUL.
+        x = std::strtod(std::string(text).c_str(), nullptr);
+        return std::isfinite(x) ? std::optional(x) : std::nullopt;
+    }
+    return error == std::errc() ? std::optional(x) : std::nullopt;
+}
+
+std::optional<long long> parse_integer(std::string_view text) {
+    if (!without_plus(text)) return {};
+    long long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return value;
+}
+
+}   // namespace meshfolio

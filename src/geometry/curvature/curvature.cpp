@@ -1,0 +1,114 @@
+#include "geometry/curvature/curvature.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "base/errors.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/operators/corner_rings.h"
+#include "geometry/operators/triangle_shape.h"
+#include "geometry/operators/uniform_laplacian.h"
+
+namespace meshfolio {
+namespace {
+
+void require_size(const char* function, const char* what, Eigen::Index size, const TriangleMesh& mesh) {
+    if (size == mesh.X.rows()) return;
+    throw MeshError(std::string(function) + ": " + what + " of " + std::to_string(size) + " vertices for a mesh of " +
+                    std::to_string(mesh.X.rows()));
+}
+
+/// The one-ring is a closed disk around v.
+bool is_interior(const MeshTopology& topology, int v) {
+    const auto index = static_cast<std::size_t>(v);
+    return topology.vertex_faces.size(v) > 0 && !topology.on_boundary[index] && !topology.nonmanifold[index];
+}
+
+/// H from Δx = −2Hn: half the length of Δx, positive where Δx points against the normal.
+double mean_curvature_of(const Vector3& laplacian_of_x, const Vector3& normal) {
+    const double size = 0.5 * laplacian_of_x.norm();
+    return laplacian_of_x.dot(normal) > 0 ? -size : size;
+}
+
+/// Σ (x₁ − x₀) × (x₂ − x₀) over the triangles around v: along its normal.
+Vector3 normal_direction(const TriangleMesh& mesh, const Incidence& triangles, int v) {
+    Vector3 sum = Vector3::Zero();
+    for (const int* t = triangles.begin(v); t != triangles.end(v); ++t) {
+        const Vector3 x0 = mesh.X.row(mesh.F(*t, 0)), x1 = mesh.X.row(mesh.F(*t, 1)), x2 = mesh.X.row(mesh.F(*t, 2));
+        sum += (x1 - x0).cross(x2 - x0);
+    }
+    return sum;
+}
+
+/// H at interior vertices from Δx = laplacian_at(vertex), NaN elsewhere.
+template <class LaplacianAt>
+Vector mean_curvature_from(const TriangleMesh& mesh, const MeshTopology& topology, LaplacianAt laplacian_at) {
+    Vector H = Vector::Constant(mesh.X.rows(), undefined);
+    for_each_index(mesh.vertex_count(), [&](int v) {
+        if (is_interior(topology, v)) H[v] = mean_curvature_of(laplacian_at(v), normal_direction(mesh, topology.vertex_faces, v));
+    });
+    return H;
+}
+
+/// Σ_j C_ij (x_j − x_i), which is (CX)_i because rows of C sum to 0, without the rounding of far-away coordinates.
+Vector3 stiffness_times_positions(const SparseMatrix& C, const Positions& X, int i) {
+    Vector3 sum = Vector3::Zero();
+    for (SparseMatrix::InnerIterator entry(C, i); entry; ++entry) {   // C is symmetric: column i is row i
+        sum += entry.value() * (X.row(entry.row()) - X.row(i)).transpose();
+    }
+    return sum;
+}
+
+}   // namespace
+
+Vector uniform_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
+    require_size("uniform_mean_curvature", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
+    const Incidence& ring = topology.neighbours;
+    return mean_curvature_from(mesh, topology, [&](int i) -> Vector3 {
+        Vector3 sum = Vector3::Zero();
+        for (const int* j = ring.begin(i); j != ring.end(i); ++j) sum += (mesh.X.row(*j) - mesh.X.row(i)).transpose();
+        return sum / ring.size(i);
+    });
+}
+
+Vector uniform_mean_curvature_scaled(const TriangleMesh& mesh, const MeshTopology& topology) {
+    const Vector h2 = mean_squared_ring_edge(mesh, topology);
+    return (4 * uniform_mean_curvature(mesh, topology).array() / h2.array()).matrix();
+}
+
+Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const LaplaceBeltrami& laplacian) {
+    require_size("cotangent_mean_curvature", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
+    require_size("cotangent_mean_curvature", "operator", laplacian.M.size(), mesh);
+    return mean_curvature_from(mesh, topology, [&](int i) -> Vector3 {
+        if (!(laplacian.M[i] > 0)) return Vector3::Constant(undefined);
+        return stiffness_times_positions(laplacian.C, mesh.X, i) / laplacian.M[i];
+    });
+}
+
+Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
+    require_size("angle_deficit", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
+    const double scale = unit_scale(mesh, topology.vertex_faces);
+    const auto measure = [&](CornerBatch& corners) {
+        find_shapes(mesh, scale, corners);
+        find_angles(corners);
+    };
+    Vector deficit(mesh.X.rows());
+    const auto visit = [&](const Ring& ring) {
+        const double flat = topology.on_boundary[static_cast<std::size_t>(ring.vertex)] ? std::numbers::pi : 2 * std::numbers::pi;
+        deficit[ring.vertex] = ring.size > 0 ? flat - ring.sum(ring.batch.angle) : 0;
+    };
+    visit_rings(mesh, topology.vertex_faces, measure, [&] { return visit; });
+    return deficit;
+}
+
+Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas) {
+    require_size("gaussian_curvature", "areas", areas.size(), mesh);
+    Vector K = angle_deficit(mesh, topology);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        K[v] = is_interior(topology, v) && areas[v] > 0 ? K[v] / areas[v] : undefined;
+    }
+    return K;
+}
+
+}   // namespace meshfolio

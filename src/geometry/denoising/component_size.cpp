@@ -1,0 +1,90 @@
+#include "geometry/denoising/component_size.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "geometry/denoising/face_rings.h"
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Of each vertex, −1 where it has no triangle.
+std::vector<int> component_of_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
+    std::vector<int> component(static_cast<std::size_t>(mesh.vertex_count()), -1);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        for (const int v : mesh.F.row(t)) component[static_cast<std::size_t>(v)] = topology.component[static_cast<std::size_t>(t)];
+    }
+    return component;
+}
+
+std::vector<char> closed_components(const TriangleMesh& mesh, const MeshTopology& topology) {
+    std::vector<char> closed(static_cast<std::size_t>(topology.component_count), 1);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        for (const int v : mesh.F.row(t)) {
+            if (topology.on_boundary[static_cast<std::size_t>(v)])
+                closed[static_cast<std::size_t>(topology.component[static_cast<std::size_t>(t)])] = 0;
+        }
+    }
+    return closed;
+}
+
+/// Component c scaled by factor[c] about its centroid, which moves to that of `wanted`; NaN: it stays.
+Positions scaled_components(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& now, const ComponentSizes& wanted,
+                            const Vector& factor) {
+    const std::vector<int> component = component_of_vertices(mesh, topology);
+    Positions X = mesh.X;
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const int c = component[static_cast<std::size_t>(v)];
+        if (c < 0 || !std::isfinite(factor[c])) continue;
+        X.row(v) = wanted.centroid.row(c) + factor[c] * (mesh.X.row(v) - now.centroid.row(c));
+    }
+    return X;
+}
+
+}   // namespace
+
+ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& topology) {
+    const int count = topology.component_count;
+    const Vector areas = face_areas(mesh);
+    const Positions centres = face_centroids(mesh);
+    ComponentSizes sizes{Vector::Zero(count), Vector::Zero(count), Positions::Zero(count, 3)};
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        const int c = topology.component[static_cast<std::size_t>(t)];
+        sizes.area[c] += areas[t];
+        sizes.centroid.row(c) += areas[t] * centres.row(t);
+    }
+    for (int c = 0; c < count; ++c) sizes.centroid.row(c) /= sizes.area[c] > 0 ? sizes.area[c] : 1;
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        const int c = topology.component[static_cast<std::size_t>(t)];
+        const auto corner = [&](int k) -> Vector3 { return mesh.X.row(mesh.F(t, k)) - sizes.centroid.row(c); };
+        sizes.volume[c] += corner(0).dot(corner(1).cross(corner(2))) / 6;
+    }
+    const std::vector<char> closed = closed_components(mesh, topology);
+    for (int c = 0; c < count; ++c) {
+        if (!closed[static_cast<std::size_t>(c)]) sizes.volume[c] = std::numeric_limits<double>::quiet_NaN();
+    }
+    return sizes;
+}
+
+bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology) {
+    const Vector volume = component_sizes(mesh, topology).volume;
+    return volume.size() > 0 && (volume.array().abs() > 1e-12 * std::pow(bounding_box(mesh).diagonal(), 3)).all();
+}
+
+Positions with_volumes(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& wanted) {
+    const ComponentSizes now = component_sizes(mesh, topology);
+    Vector factor = wanted.volume.cwiseQuotient(now.volume);
+    for (double& f : factor) f = f > 0 ? std::cbrt(f) : std::numeric_limits<double>::quiet_NaN();
+    return scaled_components(mesh, topology, now, wanted, factor);
+}
+
+Positions with_areas(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& wanted) {
+    const ComponentSizes now = component_sizes(mesh, topology);
+    return scaled_components(mesh, topology, now, wanted, wanted.area.cwiseQuotient(now.area).cwiseSqrt());
+}
+
+}   // namespace meshfolio

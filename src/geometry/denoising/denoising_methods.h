@@ -1,0 +1,83 @@
+/// @file
+/// Methods that take noise off a mesh, by name and behind one call: a run of steps, each from one mesh to the next.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/smoothing/implicit_solver.h"
+#include "mesh/mesh_topology.h"
+
+namespace meshfolio {
+
+enum class DenoisingMethod {
+    explicit_flow,
+    implicit_flow,
+    rebuilt_flow,
+    taubin,
+    volume_rescaled,
+    conformal_flow,
+    bilateral_normals,
+    guided_normals
+};
+
+struct DenoisingEntry {
+    DenoisingMethod method;
+    std::string_view name;          // "volume-rescaled"
+    std::string_view title;         // in tables and pictures
+    std::string_view reference;     // in the bibliography
+    std::string_view description;   // one sentence
+};
+std::span<const DenoisingEntry> denoising_list();
+const DenoisingEntry& denoising_entry(DenoisingMethod method);
+/// @throws UsageError with the nearest name and all known ones
+DenoisingMethod denoising_method_named(const std::string& name);
+
+/// Does it work on face normals, so that edges may stay, rather than by diffusion?
+bool filters_normals(DenoisingMethod method);
+/// Is the method defined on the mesh? False for volume rescaling where a component encloses no volume.
+bool is_defined(DenoisingMethod method, const TriangleMesh& mesh, const MeshTopology& topology);
+
+/// What is known of a mesh before any run on it. `mesh` must outlive it.
+struct DenoisingInput {
+    const TriangleMesh& mesh;
+    const MeshTopology& topology;
+    double largest_eigenvalue = 0;   // μ_max of its cotangent operator; needed by Taubin alone [1/length²]
+};
+
+struct DenoisingOptions {
+    DenoisingMethod method = DenoisingMethod::implicit_flow;
+    /// Flows: λ [length²]. Taubin: the pass band, a share of μ_max/2, its λ being 1/μ_max. Filters of normals: σ_r, the difference of unit
+    /// normals beyond which two faces are taken to be sides of an edge.
+    double parameter = 0;
+    int steps = 1;
+    /// Filters of normals: vertex updates a step.
+    int vertex_sweeps = 10;
+    /// Called after every step with its number (from 1) and the positions; return false to stop.
+    std::function<bool(int, const Positions&)> after_step = {};
+};
+
+struct DenoisingRun {
+    Positions X;          // the last finite positions
+    int steps = 0;        // done
+    bool ended = false;   // before its time: nothing was left of the surface, or it blew up
+};
+
+/// A step of each method, from X to X':
+///   explicit          X' = X + λLX, L of the input
+///   implicit          (M − λC) X' = M X, M and C of the input
+///   rebuilt           the same with those of X
+///   taubin            X' = (I + mL)(I + λL) X, L of the input
+///   volume-rescaled   implicit, then each component scaled to the input's volume about its centroid
+///   conformal         (M − λC) X' = M X, M of X and C of the input; then each component scaled to the input's area about its centroid
+///   bilateral         the face normals of the step before filtered by themselves; then vertices moved towards them
+///   guided            the face normals of X filtered by their guide; then vertices moved towards them
+/// @param solver  for several runs: takes from it what an earlier one left, and leaves its own
+/// @throws MeshError for a parameter that is not positive and finite, for steps < 0, or where the method is not defined;
+///         SolverError if a system cannot be factored
+DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver);
+DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options);
+
+}   // namespace meshfolio

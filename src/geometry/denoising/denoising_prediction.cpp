@@ -1,0 +1,147 @@
+#include "geometry/denoising/denoising_prediction.h"
+
+#include <cmath>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "geometry/spectrum/laplace_spectrum.h"
+#include "mesh/vertex_noise.h"
+
+namespace meshfolio {
+
+namespace {
+
+void check(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options) {
+    if (!(std::isfinite(options.lambda) && options.lambda > 0)) {
+        throw MeshError("denoising_prediction: lambda = " + plain_text(options.lambda), "it must be positive and finite");
+    }
+    if (options.iterations < 0) throw MeshError("denoising_prediction: " + std::to_string(options.iterations) + " iterations");
+    if (options.probe_triples < 1) throw MeshError("denoising_prediction: " + std::to_string(options.probe_triples) + " triples of probes");
+    if (X.rows() != laplacian.M.size()) {
+        throw MeshError("denoising_prediction: " + std::to_string(X.rows()) + " positions for an operator on " +
+                        std::to_string(laplacian.M.size()) + " vertices");
+    }
+}
+
+/// About the centroid: constants are kept by every step, so they only cost digits.
+Positions centred(const Positions& X, const Vector& M) {
+    const Eigen::RowVector3d centroid = (M.transpose() * X) / M.sum();
+    return X.rowwise() - centroid;
+}
+
+ExpectedError empty_error(int iterations, double weight_sum) {
+    const Vector zeros = Vector::Zero(iterations + 1);
+    return {zeros, zeros, zeros, weight_sum};
+}
+
+DenoisingPrediction by_modes(const LaplaceBeltrami& laplacian, const Positions& X, int modes, const PredictionOptions& options) {
+    SpectrumOptions all;
+    all.dense_below = modes;
+    const Spectrum spectrum = smallest_eigenpairs(laplacian, modes, all);
+    const DenseMatrix& Phi = spectrum.eigenvectors;
+    const Vector& M = laplacian.M;
+    const DenseMatrix c = Phi.transpose() * (M.asDiagonal() * centred(X, M));
+    const DenseMatrix MPhi = M.asDiagonal() * Phi;
+    const DenseMatrix B = MPhi.transpose() * MPhi;
+    const Vector B_diagonal = B.diagonal();
+    const DenseMatrix GB = (Phi.transpose() * Phi).cwiseProduct(B);
+    const double unmoved = static_cast<double>(X.rows() - modes);   // vertices without mass
+    const Vector h = (1 + options.lambda * spectrum.eigenvalues.array()).inverse();
+
+    DenoisingPrediction prediction{empty_error(options.iterations, M.sum()), empty_error(options.iterations, static_cast<double>(X.rows())),
+                                   modes, 0};
+    Vector power = Vector::Ones(modes);   // hᵗ
+    for (int t = 0; t <= options.iterations; ++t) {
+        const DenseMatrix lost = (1 - power.array()).matrix().asDiagonal() * c;
+        prediction.mass.bias[t] = lost.squaredNorm();
+        prediction.mass.noise[t] = 3 * power.cwiseAbs2().dot(B_diagonal);
+        prediction.vertices.bias[t] = (Phi * lost).squaredNorm();
+        prediction.vertices.noise[t] = 3 * (power.dot(GB * power) + unmoved);
+        power = power.cwiseProduct(h);
+    }
+    return prediction;
+}
+
+Vector squared_rows(const Positions& X) { return X.rowwise().squaredNorm(); }
+
+/// Enters three probes z, run as coordinates, of which zᵀSᵗᵀWSᵗz is noted for each iteration.
+class ProbeSums {
+public:
+    explicit ProbeSums(int iterations) : sum_(Vector::Zero(iterations + 1)), squares_(Vector::Zero(iterations + 1)) {}
+    void enter(int t, const Positions& Z, const Vector& weights) {
+        for (int c = 0; c < 3; ++c) {
+            const double value = weights.dot(Z.col(c).cwiseAbs2());
+            sum_[t] += value;
+            squares_[t] += value * value;
+        }
+    }
+    /// 3 tr and its standard error, from so many probes.
+    void into(ExpectedError& error, int probes) const {
+        error.noise = 3 * sum_ / probes;
+        const Vector variance = (squares_ - sum_.cwiseAbs2() / probes) / (probes - 1);
+        error.noise_error = 3 * (variance.cwiseMax(0) / probes).cwiseSqrt();
+    }
+
+private:
+    Vector sum_, squares_;
+};
+
+DenoisingPrediction by_probes(const LaplaceBeltrami& laplacian, const OperatorWithMass& whole, const Positions& X,
+                              const PredictionOptions& options, ImplicitSolver& solver) {
+    const Vector& M = laplacian.M;
+    const Vector ones = Vector::Ones(X.rows());
+    DenoisingPrediction prediction{empty_error(options.iterations, M.sum()), empty_error(options.iterations, ones.sum()), 0,
+                                   3 * options.probe_triples};
+    solver.prepare(whole, options.lambda, X);
+    const Positions start = centred(X, M);
+    Positions run = start;
+    for (int t = 0; t <= options.iterations; ++t) {
+        if (t > 0) run = solver.step(run);
+        const Vector squares = squared_rows(run - start);
+        prediction.mass.bias[t] = M.dot(squares);
+        prediction.vertices.bias[t] = squares.sum();
+    }
+    ProbeSums mass(options.iterations), vertices(options.iterations);
+    for (int triple = 0; triple < options.probe_triples; ++triple) {
+        run = random_signs(X.rows(), options.seed + static_cast<std::uint64_t>(triple));
+        for (int t = 0; t <= options.iterations; ++t) {
+            if (t > 0) run = solver.step(run);
+            mass.enter(t, run, M);
+            vertices.enter(t, run, ones);
+        }
+    }
+    mass.into(prediction.mass, prediction.probes);
+    vertices.into(prediction.vertices, prediction.probes);
+    return prediction;
+}
+
+}   // namespace
+
+int ExpectedError::best(double sigma) const {
+    Eigen::Index first = 0;
+    squared(sigma).minCoeff(&first);
+    return static_cast<int>(first);
+}
+
+DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options) {
+    ImplicitSolver solver;
+    return denoising_prediction(laplacian, X, options, solver);
+}
+
+DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
+                                         ImplicitSolver& solver) {
+    check(laplacian, X, options);
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    if (whole.size() <= options.modes_up_to) return by_modes(laplacian, X, whole.size(), options);
+    return by_probes(laplacian, whole, X, options, solver);
+}
+
+Positions random_signs(Eigen::Index rows, std::uint64_t seed) {
+    NormalNumbers numbers(seed);
+    Positions signs(rows, 3);
+    for (Eigen::Index i = 0; i < signs.size(); ++i) signs.data()[i] = numbers.uniform() < 0.5 ? -1 : 1;
+    return signs;
+}
+
+}   // namespace meshfolio

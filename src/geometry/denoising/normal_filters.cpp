@@ -1,0 +1,136 @@
+#include "geometry/denoising/normal_filters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Over the pairs of triangles that share an edge; 0 where there are none.
+double mean_centroid_distance(const Positions& centroids, const Incidence& by_edge) {
+    double sum = 0;
+    for (int t = 0; t < static_cast<int>(centroids.rows()); ++t) {
+        for (const int* s = by_edge.begin(t); s != by_edge.end(t); ++s) sum += (centroids.row(*s) - centroids.row(t)).norm();
+    }
+    return by_edge.item.empty() ? 0 : sum / static_cast<double>(by_edge.item.size());
+}
+
+/// The patch of each triangle: its mean normal and how inconsistent it is.
+struct PatchNormals {
+    Positions mean;   // m × 3 unit normals
+    Vector inconsistency;
+};
+
+/// Largest difference between two normals of the patch. Triangles without a normal do not count.
+double largest_difference(const Positions& N, const int* begin, const int* end) {
+    double largest = 0;
+    for (const int* s = begin; s != end; ++s) {
+        if (N.row(*s).isZero(0)) continue;
+        for (const int* r = s + 1; r != end; ++r) {
+            if (!N.row(*r).isZero(0)) largest = std::max(largest, (N.row(*s) - N.row(*r)).squaredNorm());
+        }
+    }
+    return std::sqrt(largest);
+}
+
+/// Largest saliency of an inner edge of the patch over the sum of all.
+double edge_concentration(const Positions& N, const Incidence& by_edge, const int* begin, const int* end) {
+    double largest = 0, sum = 0;
+    for (const int* s = begin; s != end; ++s) {
+        for (const int* r = by_edge.begin(*s); r != by_edge.end(*s); ++r) {
+            if (*r <= *s || !std::binary_search(begin, end, *r)) continue;
+            const double saliency = (N.row(*s) - N.row(*r)).norm();
+            largest = std::max(largest, saliency);
+            sum += saliency;
+        }
+    }
+    constexpr double negligible = 1e-9;   // a flat patch has no edge to speak of
+    return largest / (negligible + sum);
+}
+
+PatchNormals patch_normals(const TriangleMesh& mesh, const FaceRings& rings, const Positions& N) {
+    const Vector areas = face_areas(mesh);
+    PatchNormals patches{Positions::Zero(N.rows(), 3), Vector(N.rows())};
+    for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
+        const int *begin = rings.by_vertex.begin(t), *end = rings.by_vertex.end(t);
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (const int* s = begin; s != end; ++s) sum += areas[*s] * N.row(*s);
+        if (const double length = sum.norm(); length > 0) patches.mean.row(t) = sum / length;
+        patches.inconsistency[t] = largest_difference(N, begin, end) * edge_concentration(N, rings.by_edge, begin, end);
+    }
+    return patches;
+}
+
+}   // namespace
+
+NormalKernel normal_kernel(const TriangleMesh& mesh) { return normal_kernel(mesh, face_rings(mesh)); }
+
+NormalKernel normal_kernel(const TriangleMesh& mesh, FaceRings rings) {
+    const Positions centroids = face_centroids(mesh);
+    const Vector areas = face_areas(mesh);
+    const double sigma = mean_centroid_distance(centroids, rings.by_edge);
+    NormalKernel kernel{std::move(rings), {}};
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        for (const int* s = kernel.rings.by_vertex.begin(t); s != kernel.rings.by_vertex.end(t); ++s) {
+            const double near = sigma > 0 ? (centroids.row(*s) - centroids.row(t)).norm() / sigma : 0;
+            kernel.weights.push_back(areas[*s] * std::exp(-0.5 * near * near));
+        }
+    }
+    return kernel;
+}
+
+Positions filtered_normals(const NormalKernel& kernel, const Positions& N, const Positions& guide, double sigma_r) {
+    if (!(sigma_r > 0)) throw MeshError("normal filter: sigma_r = " + plain_text(sigma_r), "it must be positive");
+    const Incidence& ring = kernel.rings.by_vertex;
+    const double per_square = -0.5 / (sigma_r * sigma_r);
+    Positions filtered = N;
+    for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (int i = ring.start[static_cast<std::size_t>(t)]; i < ring.start[static_cast<std::size_t>(t) + 1]; ++i) {
+            const int s = ring.item[static_cast<std::size_t>(i)];
+            const double range = std::exp(per_square * (guide.row(s) - guide.row(t)).squaredNorm());
+            sum += kernel.weights[static_cast<std::size_t>(i)] * range * N.row(s);
+        }
+        if (const double length = sum.norm(); length > 0) filtered.row(t) = sum / length;
+    }
+    return filtered;
+}
+
+Positions guiding_normals(const TriangleMesh& mesh, const FaceRings& rings, const Positions& N) {
+    const PatchNormals patches = patch_normals(mesh, rings, N);
+    Positions guide(N.rows(), 3);
+    for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
+        // The patches that contain t are those of the triangles around it, its own first: where none is better, nothing is shifted.
+        int best = t;
+        for (const int* s = rings.by_vertex.begin(t); s != rings.by_vertex.end(t); ++s) {
+            if (patches.inconsistency[*s] < patches.inconsistency[best] && !patches.mean.row(*s).isZero(0)) best = *s;
+        }
+        guide.row(t) = patches.mean.row(best);
+    }
+    return guide;
+}
+
+Positions moved_to_normals(const TriangleMesh& mesh, const Incidence& vertex_faces, const Positions& N, int sweeps) {
+    TriangleMesh moved = mesh;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        const Positions centroids = face_centroids(moved);
+        for (int v = 0; v < moved.vertex_count(); ++v) {
+            const Eigen::RowVector3d x = moved.X.row(v);
+            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
+                sum += N.row(*t).dot(centroids.row(*t) - x) * N.row(*t);
+            }
+            if (vertex_faces.size(v) > 0) moved.X.row(v) = x + sum / vertex_faces.size(v);
+        }
+    }
+    return moved.X;
+}
+
+}   // namespace meshfolio

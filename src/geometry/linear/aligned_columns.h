@@ -1,0 +1,48 @@
+/// @file
+/// n × 4 or n × 8 numbers, those of a row side by side in one half of a cache line or a whole one. Private to the layer.
+#pragma once
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+#include "base/large_pages.h"
+#include "geometry/linear/sparse_types.h"
+
+namespace meshfolio {
+
+template <int columns>
+class AlignedColumns {
+public:
+    static constexpr int width = columns;
+    using Small = Eigen::Matrix<double, width, width, Eigen::RowMajor>;
+
+    AlignedColumns() = default;
+    /// Not initialised.
+    explicit AlignedColumns(Eigen::Index rows) : rows_(rows), numbers_(static_cast<double*>(std::aligned_alloc(line, bytes_of(rows)))) {
+        if (rows > 0 && numbers_ == nullptr) throw std::bad_alloc();
+        prefer_large_pages(data(), bytes_of(rows));
+    }
+
+    Eigen::Index rows() const { return rows_; }
+    double* data() { return numbers_.get(); }
+    const double* data() const { return numbers_.get(); }
+    double* row(Eigen::Index i) { return numbers_.get() + width * i; }
+    const double* row(Eigen::Index i) const { return numbers_.get() + width * i; }
+
+private:
+    static constexpr std::size_t line = 64;   // bytes
+    static std::size_t bytes_of(Eigen::Index rows) {
+        return (sizeof(double) * width * static_cast<std::size_t>(rows) + line - 1) / line * line;
+    }
+    struct Free {
+        void operator()(double* p) const { std::free(p); }
+    };
+    Eigen::Index rows_ = 0;
+    std::unique_ptr<double[], Free> numbers_;
+};
+
+using FourColumns = AlignedColumns<4>;    // three coordinates and a zero
+using EightColumns = AlignedColumns<8>;   // what one step of a block method works on
+
+}   // namespace meshfolio

@@ -1,0 +1,42 @@
+#include "geometry/linear/inertia.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.h"
+#include "geometry/linear/sparse_factor.h"
+
+namespace meshfolio {
+
+Inertia inertia_at(const SparseMatrix& A, const Vector& M, double sigma) {
+    SparseMatrix diagonal(A.rows(), A.cols());
+    diagonal = (-sigma * M).asDiagonal();
+    const SparseFactor factor = SparseFactor::ldlt(A + diagonal);
+    // Forming a − σm rounds to u|a − σm|, which the factor's bound has room for, and to u|σ|m.
+    const double forming = std::numeric_limits<double>::epsilon() * std::abs(sigma);
+    return {sigma, factor.negative_pivots(), factor.backward_error(M) + forming};
+}
+
+std::optional<Inertia> inertia_between(const SparseMatrix& A, const Vector& M, double low, double high) {
+    constexpr int most_factored = 4;
+    std::optional<Inertia> best;
+    double best_margin = 0;   // distance from the nearer end, in units of δ
+    int factored = 0;
+    for (const double share : {0.5, 0.382, 0.618, 0.271, 0.733, 0.189, 0.817}) {
+        const double sigma = low + share * (high - low);
+        try {
+            const Inertia inertia = inertia_at(A, M, sigma);
+            const double margin = std::min(sigma - low, high - sigma) / inertia.delta;
+            if (!best || margin > best_margin) {
+                best = inertia;
+                best_margin = margin;
+            }
+            if (margin > 1 || ++factored == most_factored) break;
+        } catch (const SolverError&) {   // a pivot was lost in rounding
+        }
+    }
+    return best;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,234 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/linear/panel_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include "geometry/linear/panel_kernels.h"
+
+#include <hwy/highway.h>
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace meshfolio::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Lanes = hn::CappedTag<double, EightColumns::width>;
+using Numbers = hn::Vec<Lanes>;
+constexpr int width = EightColumns::width;
+
+/// Eight sums at once, of the products of one lane group with each of the eight columns of V.
+HWY_INLINE void AddProductsOfBlock(const double* V, const double* W, Eigen::Index rows, double* G) {
+    const Lanes d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int c = 0; c < width; c += lanes) {
+        Numbers g0 = hn::Load(d, G + c), g1 = hn::Load(d, G + 8 + c), g2 = hn::Load(d, G + 16 + c), g3 = hn::Load(d, G + 24 + c);
+        Numbers g4 = hn::Load(d, G + 32 + c), g5 = hn::Load(d, G + 40 + c), g6 = hn::Load(d, G + 48 + c), g7 = hn::Load(d, G + 56 + c);
+        const double *v = V, *w = W + c;
+        for (Eigen::Index r = 0; r < rows; ++r, v += width, w += width) {
+            const Numbers x = hn::Load(d, w);
+            g0 = hn::MulAdd(hn::Set(d, v[0]), x, g0);
+            g1 = hn::MulAdd(hn::Set(d, v[1]), x, g1);
+            g2 = hn::MulAdd(hn::Set(d, v[2]), x, g2);
+            g3 = hn::MulAdd(hn::Set(d, v[3]), x, g3);
+            g4 = hn::MulAdd(hn::Set(d, v[4]), x, g4);
+            g5 = hn::MulAdd(hn::Set(d, v[5]), x, g5);
+            g6 = hn::MulAdd(hn::Set(d, v[6]), x, g6);
+            g7 = hn::MulAdd(hn::Set(d, v[7]), x, g7);
+        }
+        hn::Store(g0, d, G + c);
+        hn::Store(g1, d, G + 8 + c);
+        hn::Store(g2, d, G + 16 + c);
+        hn::Store(g3, d, G + 24 + c);
+        hn::Store(g4, d, G + 32 + c);
+        hn::Store(g5, d, G + 40 + c);
+        hn::Store(g6, d, G + 48 + c);
+        hn::Store(g7, d, G + 56 + c);
+    }
+}
+
+HWY_INLINE void SubtractBlock(const double* V, const double* G, Eigen::Index rows, double* W) {
+    const Lanes d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int c = 0; c < width; c += lanes) {
+        const Numbers g0 = hn::Load(d, G + c), g1 = hn::Load(d, G + 8 + c), g2 = hn::Load(d, G + 16 + c), g3 = hn::Load(d, G + 24 + c);
+        const Numbers g4 = hn::Load(d, G + 32 + c), g5 = hn::Load(d, G + 40 + c), g6 = hn::Load(d, G + 48 + c);
+        const Numbers g7 = hn::Load(d, G + 56 + c);
+        const double* v = V;
+        double* w = W + c;
+        for (Eigen::Index r = 0; r < rows; ++r, v += width, w += width) {   // two chains of four, so that neither waits long
+            Numbers x = hn::NegMulAdd(hn::Set(d, v[0]), g0, hn::Load(d, w));
+            Numbers y = hn::Mul(hn::Set(d, v[4]), g4);
+            x = hn::NegMulAdd(hn::Set(d, v[1]), g1, x);
+            y = hn::MulAdd(hn::Set(d, v[5]), g5, y);
+            x = hn::NegMulAdd(hn::Set(d, v[2]), g2, x);
+            y = hn::MulAdd(hn::Set(d, v[6]), g6, y);
+            x = hn::NegMulAdd(hn::Set(d, v[3]), g3, x);
+            y = hn::MulAdd(hn::Set(d, v[7]), g7, y);
+            hn::Store(hn::Sub(x, y), d, w);
+        }
+    }
+}
+
+void AddProducts(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G) {
+    for (Eigen::Index r = first; r < last; r += panel_rows) {
+        const Eigen::Index rows = std::min(panel_rows, last - r);
+        for (std::size_t j = 0; j < V.size(); ++j) AddProductsOfBlock(V[j] + width * r, W + width * r, rows, G + 64 * j);
+    }
+}
+
+void SubtractCombination(Blocks V, const double* G, Eigen::Index first, Eigen::Index last, double* W) {
+    for (Eigen::Index r = first; r < last; r += panel_rows) {
+        const Eigen::Index rows = std::min(panel_rows, last - r);
+        for (std::size_t j = 0; j < V.size(); ++j) SubtractBlock(V[j] + width * r, G + 64 * j, rows, W + width * r);
+    }
+}
+
+// Offsets within a panel: 8 rows of 8 numbers at most.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
+
+void MultiplyRows(const double* T, Eigen::Index first, Eigen::Index last, double* W) {
+    const Lanes d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (double* w = W + width * first; w < W + width * last; w += width) {
+        alignas(64) double v[width];   // the row before any lane of it is written
+        for (int c = 0; c < width; c += lanes) hn::Store(hn::Load(d, w + c), d, v + c);
+        for (int c = 0; c < width; c += lanes) {
+            Numbers x = hn::Mul(hn::Set(d, v[0]), hn::Load(d, T + c));
+            Numbers y = hn::Mul(hn::Set(d, v[4]), hn::Load(d, T + 4 * width + c));
+            HWY_UNROLL(3)
+            for (int i = 1; i < 4; ++i) {
+                x = hn::MulAdd(hn::Set(d, v[i]), hn::Load(d, T + width * i + c), x);
+                y = hn::MulAdd(hn::Set(d, v[4 + i]), hn::Load(d, T + width * (4 + i) + c), y);
+            }
+            hn::Store(hn::Add(x, y), d, w + c);
+        }
+    }
+}
+
+/// X := L⁻¹ X within one panel of w columns and below it.
+template <int w, int columns>
+HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index row_count, double* X, double* top) {
+    const hn::CappedTag<double, columns> d;
+    using Row = hn::Vec<hn::CappedTag<double, columns>>;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int c = 0; c < columns; c += lanes) {
+        Row x[w];
+        HWY_UNROLL(8)
+        for (int i = 0; i < w; ++i) {
+            x[i] = hn::Load(d, top + columns * i + c);
+            for (int j = 0; j < i; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * i + j]), x[j], x[i]);
+            hn::Store(x[i], d, top + columns * i + c);
+        }
+        const double* l = values + w * w;
+        for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
+            double* const at = X + static_cast<std::ptrdiff_t>(columns) * rows[r] + c;
+            Row y = hn::Load(d, at);
+            HWY_UNROLL(8)
+            for (int i = 0; i < w; ++i) y = hn::NegMulAdd(hn::Set(d, l[i]), x[i], y);
+            hn::Store(y, d, at);
+        }
+    }
+}
+
+/// X := L⁻ᵀ D⁻¹ X within one panel, what lies below it being solved already.
+template <int w, int columns>
+HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Index row_count, const double* pivots, const double* X,
+                              double* top) {
+    const hn::CappedTag<double, columns> d;
+    using Row = hn::Vec<hn::CappedTag<double, columns>>;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int c = 0; c < columns; c += lanes) {
+        Row x[w];
+        HWY_UNROLL(8)
+        for (int i = 0; i < w; ++i) x[i] = hn::Div(hn::Load(d, top + columns * i + c), hn::Set(d, pivots[i]));
+        const double* l = values + w * w;
+        for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
+            const Row y = hn::Load(d, X + static_cast<std::ptrdiff_t>(columns) * rows[r] + c);
+            HWY_UNROLL(8)
+            for (int i = 0; i < w; ++i) x[i] = hn::NegMulAdd(hn::Set(d, l[i]), y, x[i]);
+        }
+        HWY_UNROLL(8)
+        for (int i = w - 1; i >= 0; --i) {
+            for (int j = i + 1; j < w; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * j + i]), x[j], x[i]);
+            hn::Store(x[i], d, top + columns * i + c);
+        }
+    }
+}
+
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
+
+template <class Visit>
+HWY_INLINE void WithWidth(int w, const Visit& visit) {
+    switch (w) {
+        case 1:
+            return visit(std::integral_constant<int, 1>());
+        case 2:
+            return visit(std::integral_constant<int, 2>());
+        case 3:
+            return visit(std::integral_constant<int, 3>());
+        case 4:
+            return visit(std::integral_constant<int, 4>());
+        case 5:
+            return visit(std::integral_constant<int, 5>());
+        case 6:
+            return visit(std::integral_constant<int, 6>());
+        case 7:
+            return visit(std::integral_constant<int, 7>());
+        default:
+            return visit(std::integral_constant<int, 8>());
+    }
+}
+
+template <int columns>
+HWY_INLINE void SolveColumns(const LdltPanels& factor, double* X) {
+    const auto visit = [&](int p, bool forward) HWY_ATTR {
+        const auto panel = static_cast<std::size_t>(p);
+        const int column = factor.first[panel];
+        const double* const values = factor.values.data() + factor.value_start[panel];
+        const int* const rows = factor.rows.data() + factor.row_start[panel];
+        const auto count = static_cast<Eigen::Index>(factor.row_start[panel + 1] - factor.row_start[panel]);
+        double* const top = X + static_cast<std::ptrdiff_t>(columns) * column;
+        WithWidth(factor.first[panel + 1] - column, [&](auto w) HWY_ATTR {
+            if (forward) {
+                ForwardPanel<w(), columns>(values, rows, count, X, top);
+            } else {
+                BackwardPanel<w(), columns>(values, rows, count, factor.pivots.data() + column, X, top);
+            }
+        });
+    };
+    for (int p = 0; p < factor.panels(); ++p) visit(p, true);
+    for (int p = factor.panels() - 1; p >= 0; --p) visit(p, false);
+}
+
+void SolveInPlace(const LdltPanels& factor, double* X) { SolveColumns<EightColumns::width>(factor, X); }
+void SolveFourInPlace(const LdltPanels& factor, double* X) { SolveColumns<FourColumns::width>(factor, X); }
+
+}   // namespace meshfolio::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace meshfolio {
+
+HWY_EXPORT(AddProducts);
+HWY_EXPORT(SubtractCombination);
+HWY_EXPORT(MultiplyRows);
+HWY_EXPORT(SolveInPlace);
+HWY_EXPORT(SolveFourInPlace);
+
+void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G) {
+    HWY_DYNAMIC_DISPATCH(AddProducts)(V, W, first, last, G);
+}
+
+void subtract_combination(Blocks V, const double* G, Eigen::Index first, Eigen::Index last, double* W) {
+    HWY_DYNAMIC_DISPATCH(SubtractCombination)(V, G, first, last, W);
+}
+
+void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, double* W) {
+    HWY_DYNAMIC_DISPATCH(MultiplyRows)(T, first, last, W);
+}
+
+void solve_in_place(const LdltPanels& factor, double* X) { HWY_DYNAMIC_DISPATCH(SolveInPlace)(factor, X); }
+void solve_in_place(const LdltPanels& factor, FourColumns& X) { HWY_DYNAMIC_DISPATCH(SolveFourInPlace)(factor, X.data()); }
+
+}   // namespace meshfolio
+#endif

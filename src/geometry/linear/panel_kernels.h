@@ -1,0 +1,32 @@
+/// @file
+/// Inner loops of the block Lanczos method for the vectors of this processor, chosen at run time (Highway). A column is a lane
+/// whatever the width of the vectors, so that no sum depends on it; products are added with one rounding where the processor can.
+/// Private to the layer.
+#pragma once
+
+#include <span>
+
+#include "geometry/linear/aligned_columns.h"
+#include "geometry/linear/ldlt_panels.h"
+
+namespace meshfolio {
+
+using Blocks = std::span<const double* const>;   // the first row of each n × 8 block
+
+/// The rows that are worked on together: a panel of W stays in the fastest cache while all of V streams past it.
+constexpr Eigen::Index panel_rows = 512;
+
+/// G_j += V_jᵀ W over the rows [first, last) for each block V_j. G: one 8 × 8 matrix a block, row-major.
+void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G);
+
+/// W −= Σ V_j G_j in the rows [first, last).
+void subtract_combination(Blocks V, const double* G, Eigen::Index first, Eigen::Index last, double* W);
+
+/// W := W T in the rows [first, last), T 8 × 8 and row-major.
+void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, double* W);
+
+/// X := (LDLᵀ)⁻¹ X in the order of elimination.
+void solve_in_place(const LdltPanels& factor, double* X);   // n × 8
+void solve_in_place(const LdltPanels& factor, FourColumns& X);
+
+}   // namespace meshfolio

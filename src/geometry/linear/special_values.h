@@ -1,0 +1,17 @@
+/// @file
+/// Numbers that are none: of what is not defined, and of what has no bound; and the rounding of those that are.
+#pragma once
+
+#include <limits>
+#include <numbers>
+
+namespace meshfolio {
+
+using std::numbers::pi;
+/// NaN: a dash in tables, grey in pictures.
+inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Twice the unit roundoff: in bounds of rounding, room for terms of second order.
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+}   // namespace meshfolio

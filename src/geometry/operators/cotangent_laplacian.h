@@ -1,0 +1,53 @@
+/// @file
+/// The cotangent Laplace–Beltrami operator L = M⁻¹C (Pinkall & Polthier 1993; Meyer et al. 2003).
+///   C_ij = ½(cot α_ij + cot β_ij),  C_ii = −Σ_j C_ij,  M = diag(A_i)
+/// C is symmetric negative semidefinite, Δx = −2Hn.
+///
+/// The core is intrinsic: it sees glued triangles and the cotangents of their corners, whether these come from vertex
+/// positions or from edge lengths alone (a flat torus, an intrinsic Delaunay triangulation, a tufted cover).
+#pragma once
+
+#include "geometry/linear/sparse_types.h"
+#include "geometry/operators/vertex_areas.h"
+
+namespace meshfolio {
+
+struct CotangentOptions {
+    /// How an edge with n opposite corners is weighted. `sum`: ½ Σ cot, the finite-element matrix (boundary edges get one
+    /// cotangent). `mean`: (1/n) Σ cot, the average over the opposite vertices; same on manifold interior edges, doubles
+    /// boundary weights.
+    enum class OppositeVertices { sum, mean } opposite = OppositeVertices::sum;
+    /// Negative edge weights become 0. Keeps C negative semidefinite, gives up linear precision.
+    bool clamp_negative = false;
+};
+
+/// m × 3 cotangents from positions: (u · v)/|u × v|, and 0 in triangles without area (mesh/triangle_kind.h), which bound no surface and so
+/// have no Dirichlet energy. `without_area`, when given, counts them.
+CornerValues corner_cotangents(const TriangleMesh& mesh, int* without_area = nullptr);
+/// The same from the m × 3 edge lengths of intrinsic triangles: (b² + c² − a²)/(4A) with Kahan's form of Heron's A.
+/// @throws MeshError if a length is negative or not finite
+CornerValues corner_cotangents(const CornerValues& lengths, int* without_area = nullptr);
+
+/// C, n × n, from triangles and the cotangents of their corners; every diagonal entry is stored. [dimensionless]
+/// Corners of a triangle may be the same vertex, and several edges may join the same two vertices, whose weight is then
+/// that of all their opposite corners together; an edge from a vertex to itself has no effect.
+/// @throws MeshError if the sizes do not fit or an index is not a vertex
+SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerValues& cotangents, const CotangentOptions& options = {});
+
+struct LaplaceBeltrami {
+    SparseMatrix C;   // n × n
+    Vector M;         // n lumped masses A_i; 0 at unreferenced vertices [length²]
+};
+LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric, const CotangentOptions& options = {});
+/// The same where triangles without area keep a stiffness, their cotangents cut off at 1/no_area. To show what that does to the largest
+/// stable step.
+LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric);
+/// The same of glued intrinsic triangles with m × 3 edge lengths.
+LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area = AreaForm::barycentric,
+                                 const CotangentOptions& options = {});
+
+/// The per-edge normalised variant of one earlier report (after Vallet & Lévy 2008): L_ij = (cot α + cot β)/(A_i + A_j),
+/// rows sum to 0, barycentric areas. Symmetric, not linearly precise; here to be compared with, not to be used. [1/length²]
+SparseMatrix edge_normalised_laplacian(const TriangleMesh& mesh, bool clamp_negative = true);
+
+}   // namespace meshfolio

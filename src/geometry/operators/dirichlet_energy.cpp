@@ -1,0 +1,108 @@
+#include "geometry/operators/dirichlet_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "geometry/linear/special_values.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// ½ Σ_{i<j} C_ij |x_i − x_j|², and the bound of what rounding has changed of it.
+struct EvaluatedEnergy {
+    double value = 0, rounding = 0;
+};
+
+/// The same as −½ Σ_c x_cᵀ C x_c because rows of C sum to 0, wherever X lies. A term has five roundings; it is added up in its column, and
+/// the columns in the longest mantissa there is.
+template <class Real>
+EvaluatedEnergy evaluated_energy(const SparseMatrix& C, const Positions& X) {
+    long double energy = 0, magnitude = 0;
+    int longest_column = 0;
+    for (Eigen::Index j = 0; j < C.outerSize(); ++j) {
+        Real column = 0, size = 0;
+        int entries = 0;
+        for (SparseMatrix::InnerIterator entry(C, j); entry && entry.row() < j; ++entry, ++entries) {
+            const Real term = Real(0.5) * entry.value() * (X.row(entry.row()).cast<Real>() - X.row(j).cast<Real>()).squaredNorm();
+            column += term;
+            size += std::abs(term);
+        }
+        energy += column;
+        magnitude += size;
+        longest_column = std::max(longest_column, entries);
+    }
+    const long double terms = (5 + longest_column) * static_cast<long double>(std::numeric_limits<Real>::epsilon());
+    const long double columns = static_cast<long double>(C.outerSize()) * std::numeric_limits<long double>::epsilon();
+    return {static_cast<double>(energy), static_cast<double>((terms + columns) * magnitude) + epsilon * static_cast<double>(energy)};
+}
+
+/// max_i Σ_j |C_ij|/M_i among the vertices with mass.
+double largest_row(const LaplaceBeltrami& laplacian) {
+    double largest = 0;
+    for (int i = 0; i < laplacian.C.outerSize(); ++i) {
+        if (laplacian.M[i] > 0) largest = std::max(largest, laplacian.C.col(i).cwiseAbs().sum() / laplacian.M[i]);
+    }
+    return largest;
+}
+
+}   // namespace
+
+double dirichlet_energy(const SparseMatrix& C, const Positions& X) { return evaluated_energy<double>(C, X).value; }
+
+double energy_rounding(const SparseMatrix& C, const Positions& X) { return evaluated_energy<double>(C, X).rounding; }
+
+EnergyWatch::EnergyWatch(const LaplaceBeltrami& laplacian, SmoothingScheme scheme, double lambda, const Positions& start)
+    : laplacian_(laplacian), scheme_(scheme), lambda_(lambda), stiffness_(std::min(1 / lambda, largest_row(laplacian))), before_(start) {
+    enter(start);
+    rounding_.push_back(0);
+}
+
+void EnergyWatch::look(const Positions& X) {
+    const double evaluation_before = evaluation_, energy_before = energy_.back();
+    enter(X);
+    const double D = energy_of_rounding(X);
+    const double of_a_point =
+        epsilon * epsilon * energy_.front();   // where the mesh has collapsed, positions are known to ε of what it was
+    rounding_.push_back(evaluation_before + evaluation_ + 2 * std::sqrt(std::max(energy_before, 0.0) * D) + D + of_a_point);
+    before_ = X;
+}
+
+/// Where needles make large terms of both signs cancel, the longer mantissa is taken for all.
+void EnergyWatch::enter(const Positions& X) {
+    constexpr double enough = 1e-12;
+    EvaluatedEnergy energy = evaluated_energy<double>(laplacian_.C, X);
+    if (!(energy.rounding <= enough * energy.value)) energy = evaluated_energy<long double>(laplacian_.C, X);
+    energy_.push_back(energy.value);
+    evaluation_ = energy.rounding;
+}
+
+double EnergyWatch::energy_of_rounding(const Positions& X) const {
+    constexpr double most_roundings = 1000;
+    const bool implicit = scheme_ == SmoothingScheme::implicit_euler;
+    const Positions& at = implicit ? X : before_;   // where the Laplacian is taken
+    const auto energy_at = [&](int i) {
+        const double mass = laplacian_.M[i];
+        if (!(mass > 0)) return 0.0;
+        Eigen::RowVector3d pull = Eigen::RowVector3d::Zero();   // (CX)_i
+        double size = 0, row = 0;
+        int entries = 0;
+        for (SparseMatrix::InnerIterator entry(laplacian_.C, i); entry; ++entry, ++entries) {   // C is symmetric: column i is row i
+            row += std::abs(entry.value());
+            if (entry.row() == i) continue;
+            const Eigen::RowVector3d edge = at.row(entry.row()) - at.row(i);
+            pull += entry.value() * edge;
+            size += std::abs(entry.value()) * edge.cwiseAbs().maxCoeff();
+        }
+        const Eigen::RowVector3d defect = mass * (X.row(i) - before_.row(i)) - lambda_ * pull;   // M d, or −r
+        const double made_of = mass * X.row(i).cwiseAbs().maxCoeff() + lambda_ * size;
+        const double largest = std::min(defect.cwiseAbs().maxCoeff(), most_roundings * epsilon * made_of);
+        const double r = largest + (entries + 4) * epsilon * (lambda_ * size + mass * (X.row(i) - before_.row(i)).cwiseAbs().maxCoeff());
+        return implicit ? 1.5 * stiffness_ * r * r / mass : 1.5 * row * (r / mass) * (r / mass);   // three coordinates
+    };
+    return ordered_sum(static_cast<int>(X.rows()), energy_at);
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,103 @@
+#include "geometry/operators/vertex_areas.h"
+
+#include <array>
+
+#include "base/errors.h"
+#include "base/parallel.h"
+#include "base/prefetch.h"
+#include "geometry/operators/intrinsic_input.h"
+#include "geometry/operators/triangle_shape.h"
+
+namespace meshfolio {
+namespace {
+
+using CornerAreas = std::array<double, 3>;
+
+CornerAreas barycentric_shares(const TriangleShape& triangle) {
+    const double third = triangle.area() / 3;
+    return {third, third, third};
+}
+
+/// Corner i of edges e_j, e_k: (cot θ_j |e_j|² + cot θ_k |e_k|²)/8.
+CornerAreas voronoi_shares(const TriangleShape& triangle) {
+    CornerAreas edge_part;
+    for (std::size_t k = 0; k < 3; ++k) edge_part[k] = triangle.cotangent(k) * triangle.squared_edge[k] / 8;
+    return {edge_part[1] + edge_part[2], edge_part[2] + edge_part[0], edge_part[0] + edge_part[1]};
+}
+
+/// Meyer et al. 2003, figure 4: an obtuse triangle gives half of itself to the obtuse corner, a quarter to the others.
+CornerAreas mixed_shares(const TriangleShape& triangle) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.dot[k] >= 0) continue;
+        CornerAreas shares;
+        shares.fill(triangle.area() / 4);
+        shares[k] = triangle.area() / 2;
+        return shares;
+    }
+    return voronoi_shares(triangle);
+}
+
+/// Sums over the triangles, in their order; `shape_of(t)` is triangle t in units of which `unit_area` is one [length²].
+template <class Shares, class ShapeOf>
+Vector sum_of_shares(const Faces& F, Eigen::Index vertex_count, Shares shares_of, ShapeOf shape_of, double unit_area) {
+    Vector areas = Vector::Zero(vertex_count);
+    const auto shares = [&](int t) { return shares_of(shape_of(t)); };
+    in_order(static_cast<int>(F.rows()), shares, [&](int t, const CornerAreas& share) {
+        for (int k = 0; k < 3; ++k) areas[F(t, k)] += share[static_cast<std::size_t>(k)];
+    });
+    return areas * unit_area;
+}
+
+template <class ShapeOf>
+Vector areas_from_shapes(const Faces& F, Eigen::Index vertex_count, AreaForm form, ShapeOf shape_of, double unit_area) {
+    switch (form) {
+        case AreaForm::barycentric:
+            return sum_of_shares(F, vertex_count, barycentric_shares, shape_of, unit_area);
+        case AreaForm::voronoi:
+            return sum_of_shares(F, vertex_count, voronoi_shares, shape_of, unit_area);
+        case AreaForm::mixed:
+            return sum_of_shares(F, vertex_count, mixed_shares, shape_of, unit_area);
+    }
+    throw MeshError("vertex_areas: unknown form of area");
+}
+
+}   // namespace
+
+std::string_view name_of(AreaForm form) {
+    switch (form) {
+        case AreaForm::barycentric:
+            return "barycentric";
+        case AreaForm::voronoi:
+            return "voronoi";
+        case AreaForm::mixed:
+            return "mixed";
+    }
+    return "unknown";
+}
+
+AreaForm area_form_named(const std::string& name) {
+    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
+        if (name == name_of(form)) return form;
+    }
+    throw UsageError("unknown form of area '" + printable(name) + "'", "use barycentric, voronoi or mixed");
+}
+
+Vector vertex_areas(const TriangleMesh& mesh, AreaForm form) {
+    const double scale = unit_scale(mesh);
+    const auto shape_of = [&](int t) {
+        send_for_corners(mesh, t);
+        return triangle_shape(mesh, t, scale);
+    };
+    return areas_from_shapes(mesh.F, mesh.X.rows(), form, shape_of, 1 / (scale * scale));
+}
+
+Vector vertex_areas(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm form) {
+    require_corner_values("vertex_areas", F, vertex_count, lengths);
+    require_lengths("vertex_areas", lengths);
+    const double longest = lengths.rows() > 0 ? lengths.maxCoeff() : 0;
+    const double unit = longest > 0 ? longest : 1;
+    const auto shape_of = [&](int t) { return triangle_shape(lengths(t, 0) / unit, lengths(t, 1) / unit, lengths(t, 2) / unit); };
+    return areas_from_shapes(F, vertex_count, form, shape_of, unit * unit);
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,52 @@
+#include "geometry/smoothing/diffusion_step.h"
+#include "geometry/smoothing/position_rows.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+
+namespace meshfolio {
+
+/// A is symmetric, so its column i is row i.
+DifferenceRows difference_rows(const OperatorWithMass& whole) {
+    DifferenceRows L;
+    const auto entries = static_cast<std::size_t>(whole.A.nonZeros());
+    L.start.reserve(static_cast<std::size_t>(whole.size()) + 1);
+    L.column.reserve(entries);
+    L.weight.reserve(entries);
+    L.start.push_back(0);
+    for (int i = 0; i < whole.size(); ++i) {
+        const double mass = whole.M[i];
+        for (SparseMatrix::InnerIterator entry(whole.A, i); entry; ++entry) {
+            if (entry.row() == i) continue;
+            L.column.push_back(static_cast<std::int32_t>(entry.row()));
+            L.weight.push_back(-entry.value() / mass);
+        }
+        L.start.push_back(static_cast<std::uint32_t>(L.column.size()));
+    }
+    return L;
+}
+
+ExplicitDiffusion::ExplicitDiffusion(const OperatorWithMass& whole) : vertex_(whole.vertex), L_(difference_rows(whole)) {}
+
+bool ExplicitDiffusion::step(double lambda, const FourColumns& X, FourColumns& Y, double bound) const {
+    constexpr int rows_a_task = 4096;
+    std::atomic<bool> near = true;
+    const auto body = [&](const tbb::blocked_range<int>& rows) {
+        if (!explicit_rows(L_, lambda, X.data(), rows.begin(), rows.end(), bound, Y.data())) near = false;
+    };
+    // Each thread comes back to the rows that are in its cache.
+    tbb::parallel_for(tbb::blocked_range<int>(0, L_.rows(), rows_a_task), body, tbb::static_partitioner());
+    return near;
+}
+
+Positions ExplicitDiffusion::step(double lambda, const Positions& X) const {
+    FourColumns next(L_.rows());
+    step(lambda, gathered(X, vertex_), next);
+    Positions result = X;
+    scatter(next, vertex_, result);
+    return result;
+}
+
+}   // namespace meshfolio

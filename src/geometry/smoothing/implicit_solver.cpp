@@ -1,0 +1,147 @@
+#include "geometry/smoothing/implicit_solver.h"
+
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/parallel.h"
+#include "geometry/linear/cholesky_analysis.h"
+#include "geometry/linear/panel_kernels.h"
+#include "geometry/measures/spatial_order.h"
+#include "geometry/smoothing/conjugate_gradients.h"
+#include "geometry/smoothing/position_rows.h"
+#include "geometry/spectrum/engine/spectrum_memory.h"
+
+namespace meshfolio {
+
+namespace {
+
+bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
+    return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
+           std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1, B.outerIndexPtr()) &&
+           std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
+}
+
+bool same_numbers(const OperatorWithMass& a, const OperatorWithMass& b) {
+    return std::equal(a.A.valuePtr(), a.A.valuePtr() + a.A.nonZeros(), b.A.valuePtr()) && a.M == b.M;
+}
+
+/// M − λC = M + λA.
+SparseMatrix system_of(const OperatorWithMass& whole, double lambda) {
+    SparseMatrix mass(whole.A.rows(), whole.A.cols());
+    mass = whole.M.asDiagonal();
+    return mass + lambda * whole.A;
+}
+
+}   // namespace
+
+struct ImplicitSolver::State {
+    OperatorWithMass whole;   // as it came last
+    std::vector<int> curve;   // its rows along Morton's curve
+    std::optional<CholeskyAnalysis> analysis;
+    double lambda = 0;
+    LinearSolver ready = LinearSolver::none;
+    LdltPanels factor;
+    std::optional<ConjugateGradients> gradients;
+    std::vector<int> vertex;   // of each row of the steps
+    Vector M;                  // in that order
+    int analyses = 0, factorisations = 0;
+    long long iterations = 0;
+
+    /// What would fit is known only after the symbolic analysis; one that cannot even be made does not fit either.
+    bool fits(double limit) const {
+        if (limit <= 0) limit = available_memory();
+        return analysis && (limit <= 0 || analysis->memory() <= limit);
+    }
+
+    void analyse(const SparseMatrix& system) {
+        analysis.reset();
+        ++analyses;
+        try {
+            analysis.emplace(system);
+        } catch (const SolverError&) {   // beyond the library's integers
+        } catch (const std::bad_alloc&) {
+        }
+    }
+
+    void take_rows(const OperatorWithMass& sorted, const std::vector<int>& order) {
+        vertex.resize(order.size());
+        for (std::size_t i = 0; i < order.size(); ++i) vertex[i] = sorted.vertex[static_cast<std::size_t>(order[i])];
+        M = sorted.M(order);
+    }
+};
+
+ImplicitSolver::ImplicitSolver() : state_(std::make_unique<State>()) {}
+ImplicitSolver::~ImplicitSolver() = default;
+ImplicitSolver::ImplicitSolver(ImplicitSolver&&) noexcept = default;
+ImplicitSolver& ImplicitSolver::operator=(ImplicitSolver&&) noexcept = default;
+
+void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit) {
+    State& s = *state_;
+    const bool known = s.analyses > 0 && whole.vertex == s.whole.vertex && same_pattern(whole.A, s.whole.A);
+    if (known && lambda == s.lambda && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
+        s.fits(memory_limit) == (s.ready == LinearSolver::direct)) {
+        return;
+    }
+    s.ready = LinearSolver::none;
+    s.factor = {};
+    s.gradients.reset();
+    if (!known) s.curve = morton_order(X(whole.vertex, Eigen::all));
+    s.whole = whole;
+    s.lambda = lambda;
+    const OperatorWithMass sorted = reordered(whole, s.curve);
+    const SparseMatrix system = system_of(sorted, lambda);
+    if (!known) s.analyse(system);
+    const bool direct = s.fits(memory_limit);
+    try {
+        if (direct) {
+            s.factor = s.analysis->factor(system);
+            s.take_rows(sorted, s.factor.order);
+        } else {
+            s.gradients.emplace(sorted, system, lambda);
+            s.vertex = sorted.vertex;
+        }
+    } catch (const SolverError& error) {
+        throw SolverError("M − λC cannot be factored at this lambda: " + std::string(error.what()),
+                          "take a smaller lambda, or repair triangles of zero area");
+    }
+    ++s.factorisations;
+    s.ready = direct ? LinearSolver::direct : LinearSolver::conjugate_gradients;
+}
+
+const std::vector<int>& ImplicitSolver::vertex() const { return state_->vertex; }
+
+void ImplicitSolver::step(FourColumns& X) {
+    State& s = *state_;
+    if (s.ready == LinearSolver::conjugate_gradients) {
+        s.iterations += s.gradients->solve(X);
+        return;
+    }
+    for_each_index(static_cast<int>(X.rows()), [&](int i) {
+        for (int c = 0; c < FourColumns::width; ++c) X.row(i)[c] *= s.M[i];
+    });
+    solve_in_place(s.factor, X);
+}
+
+Positions ImplicitSolver::step(const Positions& X) {
+    FourColumns rows = gathered(X, vertex());
+    step(rows);
+    Positions result = X;
+    scatter(rows, vertex(), result);
+    return result;
+}
+
+LinearSolver ImplicitSolver::solver() const { return state_->ready; }
+
+long long ImplicitSolver::factor_nonzeros() const {
+    if (state_->ready == LinearSolver::conjugate_gradients) return state_->gradients->nonzeros();
+    return state_->analysis ? state_->analysis->nonzeros() : 0;
+}
+
+int ImplicitSolver::analyses() const { return state_->analyses; }
+int ImplicitSolver::factorisations() const { return state_->factorisations; }
+long long ImplicitSolver::iterations() const { return state_->iterations; }
+
+}   // namespace meshfolio

@@ -1,0 +1,271 @@
+#include "geometry/smoothing/laplacian_smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "base/parallel.h"
+#include "geometry/measures/spatial_order.h"
+#include "geometry/smoothing/diffusion_step.h"
+#include "geometry/smoothing/limit_watch.h"
+#include "geometry/smoothing/position_rows.h"
+#include "geometry/smoothing/stability.h"
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Is no more left than the rounding of positions: a surface shrunk to a point (by 10⁻¹² in length), or one as thin as a line?
+bool collapsed(const TriangleMesh& mesh, double first_area) {
+    const double area = surface_area(mesh), diagonal = bounding_box(mesh).diagonal();
+    return !(area > 1e-24 * first_area && area > 1e-12 * diagonal * diagonal);
+}
+
+/// The units a run is computed in: about the box centre, by a power of two near the box diagonal. Scaling is exact, and
+/// coordinates far from the origin do not eat the digits of the differences between them.
+struct Frame {
+    Eigen::RowVector3d centre{0, 0, 0};
+    double unit = 1;       // [length]
+    double diagonal = 0;   // of the box [unit]
+
+    Positions inside(const Positions& X) const { return (X.rowwise() - centre) / unit; }
+    Positions outside(const Positions& X) const { return (X * unit).rowwise() + centre; }
+};
+
+Frame frame_of(const TriangleMesh& mesh) {
+    const Box box = bounding_box(mesh);
+    const double diagonal = box.diagonal();
+    if (!(diagonal > 0)) throw MeshError("smoothing: the mesh has no extent");
+    const double unit = std::exp2(std::ceil(std::log2(diagonal)));
+    return {box.centre().transpose(), unit, diagonal / unit};
+}
+
+void check(const SmoothingOptions& options) {
+    if (!std::isfinite(options.lambda) || options.lambda <= 0) {
+        throw MeshError("smoothing: lambda = " + plain_text(options.lambda), "it must be positive and finite");
+    }
+    if (options.iterations < 0) throw MeshError("smoothing: " + std::to_string(options.iterations) + " iterations");
+    if (!(options.adaptive >= 0 && options.adaptive <= 1)) {
+        throw MeshError("smoothing: adaptive = " + plain_text(options.adaptive), "it is a share of the limit, between 0 and 1");
+    }
+    if (options.scheme != SmoothingScheme::explicit_euler && (options.monitor || options.adaptive > 0)) {
+        throw MeshError("smoothing: only explicit steps have a limit to keep",
+                        "take the explicit scheme, or leave monitor and adaptive off");
+    }
+    if (!(options.blow_up_at > 0)) throw MeshError("smoothing: blow_up_at = " + plain_text(options.blow_up_at));
+    if (options.scheme == SmoothingScheme::taubin && !(std::isfinite(options.taubin_mu) && options.taubin_mu <= 0)) {
+        throw MeshError("smoothing: Taubin's mu = " + plain_text(options.taubin_mu), "it must be negative, or 0 for the pass-band");
+    }
+}
+
+/// One scheme with one operator at a time, in the units of the frame. Positions are kept as the rows of the solver at hand: spatially
+/// sorted, so that neighbours are near each other in memory.
+class Diffusion {
+public:
+    Diffusion(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& implicit)
+        : options_(options), limit_(options), implicit_(implicit) {
+        rebuild(mesh);
+    }
+
+    /// One step. @return whether all coordinates are finite and within ± `bound` after it
+    bool step(const FourColumns& X, FourColumns& next, double bound) {
+        switch (options_.scheme) {
+            case SmoothingScheme::implicit_euler:
+                std::copy_n(X.data(), FourColumns::width * X.rows(), next.data());
+                implicit_.step(next);
+                return false;   // not known
+            case SmoothingScheme::taubin:
+                explicit_->step(options_.lambda, X, between_);
+                return explicit_->step(taubin_mu_, between_, next, bound);
+            case SmoothingScheme::explicit_euler:
+                break;
+        }
+        return explicit_->step(limit_.lambda(), X, next, bound);
+    }
+    /// What one call of step() advances the time by.
+    double time_step() const {
+        if (options_.scheme == SmoothingScheme::taubin) return options_.lambda + taubin_mu_;
+        return options_.scheme == SmoothingScheme::explicit_euler ? limit_.lambda() : options_.lambda;
+    }
+    const LimitWatch& limit() const { return limit_; }
+
+    void rebuild(const TriangleMesh& mesh) {
+        const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
+        const OperatorWithMass whole = operator_with_mass(laplacian);
+        if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) {
+            taubin_mu_ = taubin_mu_of(laplacian, options_);
+        }
+        if (options_.scheme == SmoothingScheme::implicit_euler) {
+            implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit);
+            return;
+        }
+        if (whole.vertex != with_mass_) order_ = product_order(whole, mesh.X);
+        with_mass_ = whole.vertex;
+        explicit_.emplace(reordered(whole, order_));
+        if (options_.scheme == SmoothingScheme::taubin) between_ = FourColumns(whole.size());
+        limit_.look(whole);
+    }
+
+    double taubin_mu() const { return taubin_mu_; }
+    /// Vertices with mass, by rows.
+    const std::vector<int>& vertex() const {
+        return options_.scheme == SmoothingScheme::implicit_euler ? implicit_.vertex() : explicit_->vertex();
+    }
+
+private:
+    const SmoothingOptions& options_;
+    LimitWatch limit_;
+    ImplicitSolver& implicit_;
+    double taubin_mu_ = 0;
+    std::vector<int> with_mass_, order_;   // vertices, ascending, and the order of the rows
+    std::optional<ExplicitDiffusion> explicit_;
+    FourColumns between_;   // after the first of Taubin's two steps
+};
+
+void check_rows(const OperatorWithMass& whole, const Positions& X) {
+    if (X.rows() == whole.all_vertices) return;
+    throw MeshError("smoothing: " + std::to_string(X.rows()) + " positions for an operator on " + std::to_string(whole.all_vertices) +
+                    " vertices");
+}
+
+/// Enters a step of the run; its λ comes in the units of the frame.
+void enter_step(Smoothed& result, StepStability step, double step_unit) {
+    step.lambda *= step_unit;
+    result.steps.push_back(step);
+    if (result.crossing_iteration > 0 || !(step.top > 2)) return;
+    result.crossing_iteration = static_cast<int>(result.steps.size());
+    result.crossing_vertex = step.vertex;
+}
+
+/// The first vertex that is not finite, else the farthest one beyond `limit` from the origin; −1 when all is well.
+int runaway_vertex(const FourColumns& X, const std::vector<int>& vertex, double limit) {
+    int farthest = -1, not_finite = -1;
+    double largest = limit * limit;
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+        const int v = vertex[static_cast<std::size_t>(i)];
+        const double distance = Eigen::Map<const Vector3>(X.row(i)).squaredNorm();
+        if (!std::isfinite(distance)) {
+            if (not_finite < 0 || v < not_finite) not_finite = v;
+        } else if (distance > largest || (distance == largest && v < farthest)) {
+            largest = distance;
+            farthest = v;
+        }
+    }
+    return not_finite >= 0 ? not_finite : farthest;
+}
+
+/// Into the rows of the vertices with mass, in the units of the mesh.
+void scatter_outside(const FourColumns& X, const std::vector<int>& vertex, const Frame& frame, Positions& all) {
+    for_each_index(static_cast<int>(vertex.size()), [&](int i) {
+        all.row(vertex[static_cast<std::size_t>(i)]) = Eigen::Map<const Eigen::RowVector3d>(X.row(i)) * frame.unit + frame.centre;
+    });
+}
+
+bool all_finite(const FourColumns& X, const Frame& frame) {
+    Positions rows(X.rows(), 3);
+    for (Eigen::Index i = 0; i < X.rows(); ++i) rows.row(i) = Eigen::Map<const Eigen::RowVector3d>(X.row(i));
+    return frame.outside(rows).allFinite();
+}
+
+}   // namespace
+
+SmoothingScheme smoothing_scheme_named(const std::string& name) {
+    if (name == "explicit") return SmoothingScheme::explicit_euler;
+    if (name == "implicit") return SmoothingScheme::implicit_euler;
+    if (name == "taubin") return SmoothingScheme::taubin;
+    throw UsageError("unknown smoothing scheme '" + printable(name) + "'", "use explicit, implicit or taubin");
+}
+
+Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
+    ImplicitSolver solver;
+    return smooth(mesh, options, solver);
+}
+
+Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& solver) {
+    check(options);
+    const Frame frame = frame_of(mesh);
+    const double step_unit = is_dimensionless(options.laplacian) ? 1 : frame.unit * frame.unit;   // of λ
+    SmoothingOptions inside = options;
+    inside.lambda /= step_unit;
+    inside.taubin_mu /= step_unit;
+    const int analyses_before = solver.analyses(), factorisations_before = solver.factorisations();
+    const long long iterations_before = solver.iterations();
+
+    Smoothed result;
+    result.X = mesh.X;
+    TriangleMesh current{frame.inside(mesh.X), mesh.F};   // as the operator was built on it last
+    Diffusion diffusion(current, inside, solver);
+    FourColumns X = gathered(current.X, diffusion.vertex()), next(X.rows());
+    const auto positions = [&] {
+        Positions all = mesh.X;
+        scatter_outside(X, diffusion.vertex(), frame, all);
+        return all;
+    };
+    const double area = surface_area(current);
+    const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator sees no positions
+    const double limit = options.blow_up_at * frame.diagonal;
+    // Of each coordinate: then the distance is less than the limit, and its square finite.
+    const double surely_near = std::min(limit / 2, 1e153);
+
+    for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
+        if (rebuild && t > 1) {
+            scatter(X, diffusion.vertex(), current.X);
+            if (collapsed(current, area)) {
+                result.collapse_iteration = t;
+                break;
+            }
+            diffusion.rebuild(current);
+            X = gathered(current.X, diffusion.vertex());
+            next = FourColumns(X.rows());
+        }
+        if (diffusion.limit().watching()) enter_step(result, diffusion.limit().step(), step_unit);
+        const bool near = diffusion.step(X, next, surely_near);
+        if (!near) result.blow_up_vertex = runaway_vertex(next, diffusion.vertex(), limit);
+        result.blew_up = result.blow_up_vertex >= 0;
+        if (result.blew_up) result.blow_up_iteration = t;
+        if (result.blew_up && !all_finite(next, frame)) break;
+        std::swap(X, next);
+        result.iterations = t;
+        result.time += diffusion.time_step() * step_unit;
+        if (options.after_step && !options.after_step(t, positions())) break;
+    }
+    if (result.iterations > 0) result.X = positions();
+    result.taubin_mu = diffusion.taubin_mu() * step_unit;
+    if (options.scheme != SmoothingScheme::implicit_euler) return result;
+    result.solver = solver.solver();
+    result.factor_nonzeros = solver.factor_nonzeros();
+    result.analyses = solver.analyses() - analyses_before;
+    result.factorisations = solver.factorisations() - factorisations_before;
+    result.solver_iterations = solver.iterations() - iterations_before;
+    return result;
+}
+
+double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& options) {
+    if (options.taubin_mu != 0) return options.taubin_mu;
+    const double inverse = 0.5 * options.pass_band * largest_eigenvalue(laplacian).value - 1 / options.lambda;
+    if (inverse < 0) return 1 / inverse;
+    throw MeshError("smoothing: no Taubin step inflates again after lambda at pass-band " + plain_text(options.pass_band, 3),
+                    "take a smaller lambda");
+}
+
+Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    check_rows(whole, X);
+    const Eigen::RowVector3d near = X.row(whole.vertex.front());
+    return ExplicitDiffusion(whole).step(lambda, X.rowwise() - near).rowwise() + near;
+}
+
+Positions implicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    check_rows(whole, X);
+    const Eigen::RowVector3d near = X.row(whole.vertex.front());
+    ImplicitSolver solver;
+    solver.prepare(whole, lambda, X);
+    return solver.step(X.rowwise() - near).rowwise() + near;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,39 @@
+#include "geometry/smoothing/mode_growth.h"
+
+#include <cmath>
+
+#include "base/errors.h"
+#include "geometry/smoothing/diffusion_step.h"
+
+namespace meshfolio {
+
+double ModeGrowth::predicted(int t) const { return std::pow(factor_a_step, t); }
+
+ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue& top, const Positions& X, double lambda, int steps) {
+    if (X.rows() != laplacian.M.size() || top.mode.size() != X.rows()) {
+        throw MeshError("growth of a mode: " + std::to_string(X.rows()) + " positions and a mode of " + std::to_string(top.mode.size()) +
+                        " values for an operator on " + std::to_string(laplacian.M.size()) + " vertices");
+    }
+    const ExplicitDiffusion diffusion(operator_with_mass(laplacian));
+    const Vector weights = laplacian.M.cwiseProduct(top.mode);
+    const auto amplitude = [&](const Positions& Y) { return (Y.transpose() * weights).norm(); };
+    const auto energy = [&](const Positions& Y) { return -(Y.array() * (laplacian.C * Y).array()).sum(); };
+
+    // The constant part is in no mode but that of μ = 0; without it no digits are lost to it.
+    Positions Y = X.rowwise() - (X.transpose() * laplacian.M / laplacian.M.sum()).transpose();
+    const double start = amplitude(Y), energy_at_start = energy(Y);
+    if (!(start > 0)) throw MeshError("growth of a mode: the positions have none of it", "add it with seeded()");
+    ModeGrowth growth{lambda, std::abs(1 - lambda * top.value), {1}};
+    for (int t = 0; t < steps; ++t) {
+        Y = diffusion.step(lambda, Y);
+        growth.factor.push_back(amplitude(Y) / start);
+    }
+    growth.energy_ratio = energy(Y) / energy_at_start;
+    return growth;
+}
+
+Positions seeded(const Positions& X, const LargestEigenvalue& top, double height) {
+    return X + height / top.mode.cwiseAbs().maxCoeff() * top.mode * Eigen::RowVector3d::Ones();
+}
+
+}   // namespace meshfolio

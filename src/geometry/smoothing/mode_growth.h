@@ -1,0 +1,30 @@
+/// @file
+/// The law of frozen explicit smoothing, measured: t steps multiply the coefficient of an eigenmode by (1 − λμ)ᵗ.
+#pragma once
+
+#include <vector>
+
+#include "geometry/smoothing/stability.h"
+
+namespace meshfolio {
+
+struct ModeGrowth {
+    double lambda = 0;            // the step [length²]
+    double factor_a_step = 0;     // |1 − λμ|, predicted
+    std::vector<double> factor;   // measured: |⟨X, φ⟩_M| after t = 0, 1, … steps over that at the start
+    double energy_ratio = 0;      // Dirichlet energy at the end over that at the start
+
+    int steps() const { return static_cast<int>(factor.size()) - 1; }
+    double predicted(int t) const;   // |1 − λμ|ᵗ
+};
+
+/// `steps` explicit steps of λ with the operator as it is, from positions X.
+/// @param top  an eigenpair of the operator
+/// @throws MeshError if X or the mode have another number of rows than the operator, or X has none of the mode in it
+ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue& top, const Positions& X, double lambda, int steps);
+
+/// X with the mode added in each coordinate, `height` high where it is largest: a symmetric mesh has none of its top mode, and without
+/// it there would be nothing to grow. [length]
+Positions seeded(const Positions& X, const LargestEigenvalue& top, double height);
+
+}   // namespace meshfolio

@@ -1,0 +1,276 @@
+#include "geometry/spectrum/engine/component_spectra.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "base/errors.h"
+#include "base/parallel_tasks.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/spectrum/engine/spectrum_memory.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Vertices at or below which a component is always solved densely: block Lanczos has no room there.
+constexpr int no_room = 100;
+
+/// One component, in units where its own area is 1.
+struct Part {
+    std::vector<int> rows;   // of the whole operator, ascending
+    SparseMatrix A;
+    Vector M;
+    double area = 0;   // of the whole, which is 1
+    int wanted = 0;    // pairs
+    Modes modes;
+
+    int size() const { return static_cast<int>(rows.size()); }
+    bool exhausted() const { return modes.pairs.count() == size(); }
+    double value(int j) const { return modes.pairs.mu[j] / area; }   // in units of the whole
+    double last_value() const { return value(modes.pairs.count() - 1); }
+    int found_below(double sigma) const { return static_cast<int>((modes.pairs.mu.array() / area < sigma).count()); }
+};
+
+std::vector<Part> parts_of(const SparseMatrix& A, const Vector& M, const Components& components) {
+    std::vector<Part> parts(static_cast<std::size_t>(components.count));
+    std::vector<int> place(components.label.size());   // of a row within its component
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        Part& part = parts[static_cast<std::size_t>(components.label[i])];
+        place[i] = part.size();
+        part.rows.push_back(static_cast<int>(i));
+    }
+    for (Part& part : parts) {
+        part.M = M(part.rows);
+        part.area = part.M.sum();
+        part.M /= part.area;
+        part.A.resize(part.size(), part.size());
+        for (int j = 0; j < part.size(); ++j) {
+            part.A.startVec(j);
+            for (SparseMatrix::InnerIterator entry(A, part.rows[static_cast<std::size_t>(j)]); entry; ++entry) {
+                const auto row = static_cast<std::size_t>(entry.row());
+                const bool own = part.rows[static_cast<std::size_t>(place[row])] == entry.row();   // else an entry that is 0
+                if (own) part.A.insertBack(place[row], j) = entry.value();
+            }
+        }
+        part.A.finalize();
+    }
+    return parts;
+}
+
+/// What each component has below μ by Weyl's law, N(μ) ≈ area · μ / 4π, besides its constant.
+double weyl_share(const Part& part, double mu) { return std::min<double>(part.size(), 1 + part.area * mu / (4 * pi)); }
+
+/// Shares of the k smallest, and some more of each so that the end of the k smallest is seen from above.
+void set_first_shares(std::vector<Part>& parts, int k) {
+    const auto sum = [&](double mu) {
+        return std::accumulate(parts.begin(), parts.end(), 0.0, [&](double s, const Part& part) { return s + weyl_share(part, mu); });
+    };
+    double low = 0, high = 4 * pi * k;
+    while (sum(high) < k) high *= 2;   // some have fewer than Weyl's law would give them
+    for (int i = 0; i < 60; ++i) (sum(0.5 * (low + high)) < k ? low : high) = 0.5 * (low + high);
+    for (Part& part : parts) {
+        const int share = static_cast<int>(std::ceil(weyl_share(part, high)));
+        part.wanted = std::min({part.size(), k + 4, share + 4 + share / 20});
+    }
+}
+
+/// More of a component whose last eigenvalue lies below `mu`.
+void ask_for_more(Part& part, double mu) {
+    const double growth = part.last_value() > 0 ? std::clamp(mu / part.last_value(), 1.0, 3.0) : 3;
+    part.wanted = static_cast<int>(std::min<double>(part.size(), 1.05 * growth * part.wanted + 4));
+}
+
+bool goes_dense(const Part& part, const SpectrumOptions& options) { return part.size() <= std::max(no_room, options.dense_below); }
+
+void solve_densely(Part& part) {
+    const int k = part.wanted;
+    if (part.size() == 1) {
+        part.modes.pairs = {Vector::Zero(1), DenseMatrix::Ones(1, 1)};   // its entry of A may be a rounding of 0
+    } else {
+        const SymmetricPairs all = dense_pairs(part.A, part.M);
+        part.modes.pairs = {all.mu.head(k), all.Y.leftCols(k)};
+    }
+    part.modes.dense = true;
+}
+
+/// The solver of one component with what it did before added up.
+void solve_by_slices(Part& part, const SpectrumOptions& options) {
+    const SpectrumTimes times = part.modes.times;
+    const int repairs = part.modes.repairs;
+    part.modes = modes_of(part.A, part.M, part.wanted, options);
+    part.modes.times += times;
+    part.modes.repairs += repairs;
+}
+
+double bytes_held(const std::vector<Part>& parts) {
+    double bytes = 0;
+    for (const Part& part : parts) bytes += 8.0 * part.size() * part.modes.pairs.count();
+    return bytes;
+}
+
+/// What is left of the memory for solving when the k vectors of the whole mesh have their place; 0: not known.
+double memory_for_parts(Eigen::Index n, int k, const SpectrumOptions& options) {
+    const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory();
+    if (limit <= 0) return 0;
+    const double left = limit - 8.0 * static_cast<double>(n) * k;
+    if (left > 0) return left;
+    throw SolverError(
+        "the vectors of " + std::to_string(k) + " eigenpairs of " + std::to_string(n) + " vertices alone need more memory than is there",
+        "ask for fewer eigenpairs");
+}
+
+/// Solves parts and tells of it: shares of a round by the entries of their vectors, never less than before.
+class PartSolver {
+public:
+    PartSolver(std::vector<Part>& parts, const SpectrumOptions& options, double memory)
+        : parts_(parts), options_(options), memory_(memory) {}
+
+    void solve(const std::vector<Part*>& wanting) {
+        const double from = told_;
+        double work = 0, done = 0;
+        for (const Part* part : wanting) work += work_of(*part);
+        const auto tell = [&](double share) {
+            told_ = std::max(told_, from + (0.95 - from) * share);
+            if (options_.progress) options_.progress(told_);
+        };
+        std::vector<Part*> small;
+        for (Part* part : wanting) {
+            if (goes_dense(*part, options_)) small.push_back(part);
+        }
+        solve_small(small);
+        for (const Part* part : small) done += work_of(*part);
+        if (!small.empty()) tell(done / work);
+        for (Part* part : wanting) {
+            if (goes_dense(*part, options_)) continue;
+            SpectrumOptions own = options_;
+            own.progress = [&](double share) { tell((done + share * work_of(*part)) / work); };
+            if (memory_ > 0) own.memory_limit = std::max(1.0, memory_ - bytes_held(parts_));
+            solve_by_slices(*part, own);
+            done += work_of(*part);
+        }
+    }
+
+private:
+    static double work_of(const Part& part) { return double(part.size()) * part.wanted; }
+
+    void solve_small(const std::vector<Part*>& small) const {
+        tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
+        arena.execute([&] { for_each_task(small.size(), [&](std::size_t i) { solve_densely(*small[i]); }); });
+    }
+
+    std::vector<Part>& parts_;
+    const SpectrumOptions& options_;
+    double memory_;
+    double told_ = 0;
+};
+
+/// An eigenvalue of the merged spectrum: the j-th of its part.
+struct Entry {
+    double mu;
+    std::size_t part;
+    int j;
+};
+
+/// Ascending, equal ones in the order of the components.
+std::vector<Entry> merged(const std::vector<Part>& parts) {
+    std::vector<Entry> all;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        for (int j = 0; j < parts[p].modes.pairs.count(); ++j) all.push_back({parts[p].value(j), p, j});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.mu < b.mu; });
+    return all;
+}
+
+Vector values_of(const std::vector<Entry>& entries) {
+    Vector mu(static_cast<Eigen::Index>(entries.size()));
+    std::transform(entries.begin(), entries.end(), mu.begin(), [](const Entry& entry) { return entry.mu; });
+    return mu;
+}
+
+/// The merged spectrum, known without exception up to the upper end of `gap`, the first behind its k-th entry.
+struct Merged {
+    std::vector<Entry> entries;
+    Gap gap;
+};
+
+Merged solve_and_merge(std::vector<Part>& parts, int k, PartSolver& solver) {
+    std::vector<Part*> wanting;
+    for (Part& part : parts) wanting.push_back(&part);
+    for (;;) {
+        solver.solve(wanting);
+        std::vector<Entry> entries = merged(parts);
+        const Gap gap = gap_behind(values_of(entries), k);
+        wanting.clear();
+        for (Part& part : parts) {
+            if (part.exhausted() || part.last_value() >= gap.high) continue;
+            ask_for_more(part, gap.high);
+            wanting.push_back(&part);
+        }
+        if (wanting.empty()) return {std::move(entries), gap};
+    }
+}
+
+/// Eigenvalues of a part below a σ of the whole. They are counted at a place of the same gap of that part where rounding matters least: on
+/// a speck, σ itself may not be told from 0. Nothing found lies between, so that more counted would be more missed. Nothing where rounding
+/// may have changed the count.
+std::optional<int> inertia_of(const Part& part, double sigma) {
+    const Vector& mu = part.modes.pairs.mu;
+    const int below = part.found_below(sigma);
+    const double low = std::max(sigma * part.area, below > 0 ? mu[below - 1] : 0.0);
+    const double high = below < mu.size() ? mu[below] : gap_behind(mu, below).high;
+    if (!(high > low)) return below == part.size() ? std::optional(below) : std::nullopt;   // above all there are
+    const auto inertia = trusted_between(part.A, part.M, {low, high});
+    return inertia ? std::optional(inertia->below) : std::nullopt;
+}
+
+InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap) {
+    const double sigma = gap.middle();
+    std::vector<std::optional<int>> counts(parts.size());
+    for_each_task(parts.size(), [&](std::size_t p) { counts[p] = inertia_of(parts[p], sigma); });
+    InertiaCount sum{sigma, 0, 0};
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        if (!counts[p]) return {};
+        sum.counted += *counts[p];
+        sum.found += parts[p].found_below(sigma);
+    }
+    return sum;
+}
+
+SymmetricPairs first_of(const std::vector<Entry>& entries, const std::vector<Part>& parts, Eigen::Index n, int k) {
+    SymmetricPairs first{Vector(k), DenseMatrix::Zero(n, k)};
+    for (int j = 0; j < k; ++j) {
+        const Entry& entry = entries[static_cast<std::size_t>(j)];
+        const Part& part = parts[entry.part];
+        first.mu[j] = entry.mu;
+        for (int i = 0; i < part.size(); ++i) first.Y(part.rows[static_cast<std::size_t>(i)], j) = part.modes.pairs.Y(i, entry.j);
+    }
+    return first;
+}
+
+}   // namespace
+
+Modes modes_of_components(const SparseMatrix& A, const Vector& M, const Components& components, int k, const SpectrumOptions& options) {
+    const double memory = memory_for_parts(A.rows(), k, options);
+    std::vector<Part> parts = parts_of(A, M, components);
+    set_first_shares(parts, k);
+    PartSolver solver(parts, options, memory);
+    const Merged spectrum = solve_and_merge(parts, k, solver);
+
+    Modes modes;
+    modes.pairs = first_of(spectrum.entries, parts, A.rows(), k);
+    modes.inertia = count_inertia(parts, spectrum.gap);
+    modes.gap_middle = spectrum.gap.middle();
+    modes.dense = A.rows() <= options.dense_below;
+    for (const Part& part : parts) {
+        modes.times += part.modes.times;
+        modes.slices += part.modes.slices;
+        modes.repairs += part.modes.repairs;
+    }
+    return modes;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,192 @@
+#include "geometry/spectrum/engine/eigenvalue_enclosure.h"
+
+#include <Spectra/SymEigsSolver.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include "base/errors.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/smoothing/stability.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Σ |S_ij| y_i y_j.
+double magnitude_of(const SparseMatrix& S, const Vector& y) {
+    double sum = 0;
+    for (Eigen::Index j = 0; j < S.cols(); ++j) {
+        double column = 0;
+        for (SparseMatrix::InnerIterator entry(S, j); entry; ++entry) column += std::abs(entry.value()) * y[entry.row()];
+        sum += column * y[j];
+    }
+    return sum;
+}
+
+/// y ↦ M^½ (σM − S)⁻¹ M^½ y, as Spectra asks for it.
+struct ShiftInverse {
+    using Scalar = double;
+    const SparseFactor& factor;
+    const Vector& root_mass;
+
+    Eigen::Index rows() const { return root_mass.size(); }
+    Eigen::Index cols() const { return root_mass.size(); }
+    void perform_op(const double* in, double* out) const {
+        const Eigen::Map<const Vector> y(in, rows());
+        Eigen::Map<Vector>(out, rows()) = root_mass.cwiseProduct(factor.solve(Vector(root_mass.cwiseProduct(y))));
+    }
+};
+
+/// The vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, whatever its residual.
+Vector shift_invert_lanczos(const SparseFactor& factor, const Vector& M, const Vector& y) {
+    constexpr Eigen::Index most_steps = 12;
+    constexpr double any_residual = 1;
+    if (M.size() < 2) return y;
+    const Vector root_mass = M.cwiseSqrt(), start = root_mass.cwiseProduct(y);
+    ShiftInverse inverse{factor, root_mass};
+    Spectra::SymEigsSolver<ShiftInverse> lanczos(inverse, 1, std::min(most_steps, M.size()));
+    lanczos.init(start.data());
+    lanczos.compute(Spectra::SortRule::LargestAlge, 1, any_residual);
+    if (lanczos.info() != Spectra::CompInfo::Successful) return y;
+    return Vector(lanczos.eigenvectors(1)).cwiseQuotient(root_mass);
+}
+
+/// Closes in on μ from both sides.
+class Closing {
+public:
+    Closing(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options)
+        : S_(S), M_(M), least_scale_(options.least_scale) {
+        result_.high = options.high;
+        result_.low = -std::numeric_limits<double>::infinity();
+        result_.quotient = result_.low;
+        if (start.size() == M.size() && start.allFinite() && start.squaredNorm() > 0) take(start.normalized());
+        Eigen::Index stiffest = 0;
+        const double single = S.diagonal().cwiseQuotient(M).maxCoeff(&stiffest);   // with weights ≥ 0, half the bound of Gershgorin or more
+        if (!(result_.quotient > single)) take(Vector::Unit(M.size(), stiffest));
+    }
+
+    /// σ = quotient + δ·scale; it follows the quotient down until δ is half the gap.
+    void close(double gap, double missing) {
+        constexpr double far = 1e-3;
+        constexpr int most_factorisations = 60, most_turns = 200;
+        double last = 0.5 * gap, delta = missing <= 0.5 * last ? last : std::clamp(10 * missing, last, far);
+        for (int turns = 0; turns < most_turns && result_.factorisations < most_factorisations; ++turns) {
+            if (result_.high - result_.low <= gap * scale()) return;
+            const bool near = factor_ && shift_ <= result_.quotient + delta * scale();   // the factor at hand is as good
+            if (near && delta <= last) return;                                           // what is left is rounding
+            if (!near) {
+                if (!try_at(std::min(result_.quotient + delta * scale(), (1 + 1e-6) * result_.high))) {
+                    if (delta <= last && result_.failed > 4) last *= 2;   // what is left may be rounding
+                    delta = std::max(30 * delta, far * (result_.failed == 1 ? 1 : 0));
+                    continue;
+                }
+                if (delta <= last) return;
+            }
+            delta = approach(last);
+        }
+    }
+
+    /// Solves with the factor just above μ turn y towards its vector: each by the gap to the next eigenvalue over the distance of σ.
+    void polish() {
+        constexpr int most_solves = 3;
+        if (!factor_) return;
+        for (int i = 0; i < most_solves; ++i) take(factor_->solve(Vector(M_.cwiseProduct(result_.y))).normalized(), 1e-12);
+    }
+
+    const Enclosure& result() const { return result_; }
+
+private:
+    double scale() const { return std::max(result_.quotient, least_scale_); }
+    /// A little of every vector, lest y be one that is not the largest.
+    Vector mixed_in() const { return 0.02 * result_.y.norm() * irregular_direction(static_cast<int>(M_.size())); }
+
+    /// Raises the quotient with the factor at hand: solves are cheap beside the next factorisation.
+    /// @return the distance from the quotient at which to try that one
+    double approach(double last) {
+        constexpr int most_rounds = 3;
+        double expected = 0;
+        for (int round = 0; round < most_rounds; ++round) {
+            const double before = result_.quotient;
+            take(shift_invert_lanczos(*factor_, M_, round == 0 ? Vector(result_.y + mixed_in()) : result_.y));
+            const double step = (result_.quotient - before) / scale(), left = (shift_ - result_.quotient) / scale();
+            expected = std::min(left / 100, 20 * step * step / left);
+            if (expected <= last) return last;
+        }
+        return expected;
+    }
+
+    bool try_at(double sigma) {
+        ++result_.factorisations;
+        std::optional<SparseFactor> factor = factor_at(S_, M_, sigma);
+        if (!factor) {
+            ++result_.failed;
+            return false;
+        }
+        factor_ = std::move(factor);
+        shift_ = sigma;
+        result_.factor_nonzeros = std::max(result_.factor_nonzeros, factor_->nonzeros());
+        const double rounding = rounding_of(*factor_, S_, M_, sigma);
+        if (sigma + rounding > result_.high) return true;
+        result_.high = sigma + rounding;
+        result_.rounding = rounding;
+        return true;
+    }
+
+    /// @param slack  a quotient smaller by no more than this share, which is rounding, is taken too
+    void take(const Vector& y, double slack = 0) {
+        const Quotient quotient = rayleigh_quotient(S_, M_, y);
+        result_.low = std::max(result_.low, quotient.low);
+        if (!(quotient.value > result_.quotient - slack * scale())) return;
+        result_.quotient = quotient.value;
+        result_.y = y;
+    }
+
+    const SparseMatrix& S_;
+    const Vector& M_;
+    double least_scale_;
+    std::optional<SparseFactor> factor_;   // at shift_, the last σ where Cholesky ran to its end
+    double shift_ = 0;
+    Enclosure result_;
+};
+
+}   // namespace
+
+std::optional<SparseFactor> factor_at(const SparseMatrix& S, const Vector& M, double sigma) {
+    SparseMatrix mass(M.size(), M.size());
+    mass = (sigma * M).asDiagonal();
+    try {
+        return SparseFactor::cholesky(mass - S);
+    } catch (const SolverError&) {
+        return {};
+    }
+}
+
+double rounding_of(const SparseFactor& factor, const SparseMatrix& S, const Vector& M, double sigma) {
+    const double largest = sigma - S.diagonal().cwiseQuotient(M).minCoeff();
+    return epsilon * (static_cast<double>(factor.nonzeros()) + 8.0 * static_cast<double>(M.size())) * largest;
+}
+
+Quotient rayleigh_quotient(const SparseMatrix& S, const Vector& M, const Vector& y) {
+    const Vector size = y.cwiseAbs();
+    const double mass = y.dot(M.cwiseProduct(y));
+    const double value = y.dot(S * y) / mass, magnitude = magnitude_of(S, size) / mass;
+    Eigen::Index longest = 0;
+    for (Eigen::Index j = 0; j < S.cols(); ++j) longest = std::max<Eigen::Index>(longest, S.outerIndexPtr()[j + 1] - S.outerIndexPtr()[j]);
+    const double rounding = epsilon * static_cast<double>(y.size() + longest + 4) * (magnitude + std::abs(value));
+    return {value, value - rounding, value + rounding};
+}
+
+Enclosure enclose_largest(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options) {
+    Closing closing(S, M, start, options);
+    try {
+        closing.close(options.width, options.missing);
+        closing.polish();
+    } catch (const std::bad_alloc&) {
+        // A factor does not fit into memory: what is proved by then stands.
+    }
+    return closing.result();
+}
+
+}   // namespace meshfolio

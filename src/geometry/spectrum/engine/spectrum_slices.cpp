@@ -1,0 +1,309 @@
+#include "geometry/spectrum/engine/spectrum_slices.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <set>
+
+#include "base/errors.h"
+#include "base/first_failure.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/spectrum/engine/slice_limits.h"
+#include "geometry/spectrum/engine/slice_overlaps.h"
+
+namespace meshfolio {
+
+namespace {
+
+constexpr int lanes = EightColumns::width;
+
+/// Shares of all slices added up; called from several threads, tells one at a time and never less than before.
+class SharedProgress {
+public:
+    explicit SharedProgress(const std::function<void(double)>& tell) : tell_(tell) {}
+
+    void begin_round(std::size_t slices) {
+        from_ = told_;
+        shares_.assign(slices, 0.0);
+    }
+    StepReport of_slice(std::size_t i) {
+        return [this, i](double share) {
+            if (!tell_) return;
+            const std::lock_guard lock(mutex_);
+            shares_[i] = std::max(shares_[i], share);
+            const double round = std::accumulate(shares_.begin(), shares_.end(), 0.0) / static_cast<double>(shares_.size());
+            told_ = std::max(told_, from_ + (0.95 - from_) * round);
+            tell_(told_);
+        };
+    }
+
+private:
+    const std::function<void(double)>& tell_;
+    std::mutex mutex_;
+    std::vector<double> shares_;
+    double from_ = 0, told_ = 0;
+};
+
+std::vector<const EightColumns*> groups_of(const std::vector<const Slice*>& slices) {
+    std::vector<const EightColumns*> groups;
+    for (const Slice* slice : slices) {
+        for (const EightColumns& group : slice->X) groups.push_back(&group);
+    }
+    return groups;
+}
+
+/// Everything found so far, each eigenvalue in one slice only.
+class SliceSet {
+public:
+    SliceSet(const SpectrumProblem& problem, const SliceOptions& options)
+        : problem_(problem), options_(options), progress_(options.progress) {}
+
+    /// Solves all goals, halving those that are too wide for their basis.
+    void solve(std::vector<SliceGoal> goals) {
+        constexpr int most_rounds = 12;
+        for (int round = 0; !goals.empty(); ++round) {
+            if (round == most_rounds)
+                throw SolverError("the eigenvalues lie too close to each other to be sliced", "ask for fewer eigenpairs");
+            std::vector<Slice> solved = solve_round(goals, {});
+            goals.clear();
+            for (Slice& slice : solved) {
+                times_ += slice.times;
+                note_proof({slice.goal.sigma, slice.counted, slice.delta});
+                if (slice.complete) {
+                    slices_.push_back(std::move(slice));
+                } else {
+                    append_halves(slice, goals);
+                }
+            }
+        }
+        std::sort(slices_.begin(), slices_.end(), [](const Slice& a, const Slice& b) { return a.goal.low < b.goal.low; });
+        for (std::size_t i = 1; i < slices_.size(); ++i) slices_[i].begin = slices_[i - 1].cut;
+    }
+
+    /// Looks again, beside what is known, wherever inertia counts more than was found.
+    void repair() {
+        constexpr int most_repairs = 6;
+        for (; !missing().empty(); ++repairs_) {
+            if (repairs_ == most_repairs) throw SolverError(what_is_missing(), "repair the mesh's needles, or ask for fewer eigenpairs");
+            std::vector<SliceGoal> goals;
+            std::vector<std::vector<const EightColumns*>> locked;
+            const std::set<std::size_t> wanting = missing();
+            for (const std::size_t i : wanting) {
+                SliceGoal goal = slices_[i].goal;
+                goal.high = std::isfinite(slices_[i].cut) ? slices_[i].cut : goal.high;
+                goal.at_least = 0;
+                goal.expected = 0;
+                goal.below_sigma = -1;
+                goal.to_the_end = false;
+                goal.seed += 7919 * static_cast<std::uint64_t>(repairs_ + 1);
+                goals.push_back(goal);
+                locked.push_back(groups_of(neighbours(i)));
+            }
+            std::vector<Slice> solved = solve_round(goals, locked);
+            auto which = wanting.begin();
+            for (Slice& more : solved) {
+                times_ += more.times;
+                if (!more.complete) throw SolverError(what_is_missing(), "ask for fewer eigenpairs");
+                more.begin = slices_[*which].begin;
+                more.cut = slices_[*which++].cut;
+                if (!more.X.empty()) extra_.push_back(std::move(more));
+            }
+        }
+    }
+
+    /// One slice alone; false if its basis did not suffice.
+    bool solve_alone(const SliceGoal& goal) {
+        Slice slice = std::move(solve_round({goal}, {}).front());
+        times_ += slice.times;
+        note_proof({slice.goal.sigma, slice.counted, slice.delta});
+        if (slice.complete) slices_.push_back(std::move(slice));
+        return !slices_.empty();
+    }
+
+    void note_proof(const Inertia& inertia) { proofs_.push_back({inertia.sigma, inertia.below, 0, inertia.delta, true}); }
+    double highest_cut() const { return slices_.back().cut; }
+
+    SlicedPairs pairs(int k);
+
+private:
+    std::vector<Slice> solve_round(const std::vector<SliceGoal>& goals, const std::vector<std::vector<const EightColumns*>>& locked) {
+        std::vector<Slice> solved(goals.size());
+        progress_.begin_round(goals.size());
+        FirstFailure failure;
+        const auto one = [&](std::size_t i) {
+            const StepReport tell = progress_.of_slice(i);
+            const auto report = [&](double share) {
+                failure.check();
+                tell(share);
+            };
+            const std::vector<const EightColumns*> fixed = locked.empty() ? std::vector<const EightColumns*>() : locked[i];
+            failure.guard([&] { solved[i] = solve_slice(problem_, goals[i], fixed, report); });
+        };
+        if (goals.size() == 1) {
+            one(0);
+        } else {
+            tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
+            arena.execute([&] { tbb::parallel_for(std::size_t{0}, goals.size(), one, tbb::simple_partitioner()); });
+        }
+        failure.rethrow();
+        return solved;
+    }
+
+    static void append_halves(const Slice& slice, std::vector<SliceGoal>& goals) {
+        SliceGoal lower = slice.goal, upper = slice.goal;
+        lower.high = upper.low = slice.goal.sigma > 0 ? slice.goal.sigma : 0.4 * slice.goal.high;
+        if (slice.goal.low > 0) lower.sigma = 0.5 * (lower.low + lower.high);
+        upper.sigma = 0.5 * (upper.low + upper.high);
+        lower.to_the_end = false;
+        lower.below_sigma = upper.below_sigma = -1;
+        lower.parallel = upper.parallel = false;
+        goals.push_back(lower);
+        goals.push_back(upper);
+    }
+
+    /// Calls visit(mu, group, lane) for every pair.
+    template <class Visit>
+    void for_each_pair(const Visit& visit) const {
+        const auto all_of = [&](const Slice& slice) {
+            for (Eigen::Index j = 0; j < slice.mu.size(); ++j) {
+                const bool own = slice.mu[j] > slice.begin && slice.mu[j] <= slice.cut;
+                if (own) visit(slice.mu[j], slice.X[static_cast<std::size_t>(j / lanes)], static_cast<int>(j % lanes));
+            }
+        };
+        for (const Slice& slice : slices_) all_of(slice);
+        for (const Slice& slice : extra_) all_of(slice);
+    }
+
+    double nearest_to(double sigma) const {
+        double distance = problem_.zeros.count() > 0 ? std::abs(sigma) : infinity;
+        for_each_pair([&](double mu, const EightColumns&, int) { distance = std::min(distance, std::abs(mu - sigma)); });
+        return distance;
+    }
+
+    int found_below(double sigma) const {
+        int found = sigma > 0 ? problem_.zeros.count() : 0;
+        for_each_pair([&](double mu, const EightColumns&, int) { found += mu < sigma; });
+        return found;
+    }
+
+    /// Slices that reach between two proofs which do not agree with what was found. Counts that rounding may have changed are passed over.
+    std::set<std::size_t> missing() {
+        std::sort(proofs_.begin(), proofs_.end(), [](const InertiaProof& a, const InertiaProof& b) { return a.sigma < b.sigma; });
+        std::set<std::size_t> wanting;
+        double low = 0;
+        int missed_below = 0;
+        for (InertiaProof& proof : proofs_) {
+            proof.found = found_below(proof.sigma);
+            proof.trusted = proof.delta < nearest_to(proof.sigma);
+            if (!proof.trusted) continue;
+            const int missed = proof.counted - proof.found;
+            if (missed != missed_below) {
+                for (std::size_t i = 0; i < slices_.size(); ++i) {
+                    if (slices_[i].goal.low < proof.sigma && slices_[i].cut > low) wanting.insert(i);
+                }
+            }
+            missed_below = missed;
+            low = proof.sigma;
+        }
+        return wanting;
+    }
+
+    std::string what_is_missing() const {
+        for (const InertiaProof& proof : proofs_) {
+            if (!proof.trusted || proof.counted == proof.found) continue;
+            return "the smallest eigenpairs did not converge: inertia counts " + std::to_string(proof.counted) +
+                   " eigenvalues below a shift, " + std::to_string(proof.found) + " were found";
+        }
+        return "the smallest eigenpairs did not converge";
+    }
+
+    std::vector<const Slice*> neighbours(std::size_t i) const {
+        std::vector<const Slice*> near;
+        for (std::size_t j = i > 0 ? i - 1 : 0; j < std::min(slices_.size(), i + 2); ++j) near.push_back(&slices_[j]);
+        for (const Slice& slice : extra_) near.push_back(&slice);
+        return near;
+    }
+
+    const SpectrumProblem& problem_;
+    const SliceOptions& options_;
+    SharedProgress progress_;
+    std::vector<Slice> slices_, extra_;   // ascending; found by repairs
+    std::vector<InertiaProof> proofs_;
+    SpectrumTimes times_;
+    int repairs_ = 0;
+};
+
+SlicedPairs SliceSet::pairs(int k) {
+    struct Pair {
+        double mu;
+        const EightColumns* group;
+        int lane;
+    };
+    std::vector<Pair> all;
+    for_each_pair([&](double mu, const EightColumns& group, int lane) { all.push_back({mu, &group, lane}); });
+    std::stable_sort(all.begin(), all.end(), [](const Pair& a, const Pair& b) { return a.mu < b.mu; });
+    if (static_cast<int>(all.size()) < k) throw SolverError(what_is_missing());
+
+    SlicedPairs result;
+    result.gap_middle = std::isfinite(highest_cut()) ? highest_cut() : 0;
+    for (auto i = static_cast<std::size_t>(k); i < all.size(); ++i) {
+        const double before = i > 0 ? all[i - 1].mu : 0;
+        if (all[i].mu - before <= clear_gap * all[i].mu) continue;
+        result.gap_middle = 0.5 * (before + all[i].mu);
+        break;
+    }
+    result.slices = static_cast<int>(slices_.size());
+    result.mu.resize(k);
+    std::vector<EightColumns> packed;
+    const int groups = (k + lanes - 1) / lanes;
+    for (int g = 0; g < groups; ++g) {
+        EightColumns& X = packed.emplace_back(problem_.size());
+        for (int c = 0; c < lanes; ++c) {
+            const int place = lanes * g + c;
+            const auto j = static_cast<std::size_t>(place);
+            const bool used = place < k;
+            if (used) result.mu[place] = all[j].mu;
+            for (Eigen::Index i = 0; i < X.rows(); ++i) X.row(i)[c] = used ? all[j].group->row(i)[all[j].lane] : 0;
+        }
+    }
+    slices_.clear();
+    extra_.clear();
+    for (EightColumns& X : packed) problem_.zeros_in_order.project_out(X);   // what rounding has let in
+    make_orthonormal(packed, k);
+    result.Y.resize(problem_.size(), k);
+    const std::vector<int>& order = problem_.analysis.order();
+    tbb::parallel_for(0, groups, [&](int g) {
+        const EightColumns X = std::move(packed[static_cast<std::size_t>(g)]);
+        for (int c = 0; c < std::min(lanes, k - lanes * g); ++c) {
+            for (Eigen::Index i = 0; i < X.rows(); ++i) result.Y(order[static_cast<std::size_t>(i)], lanes * g + c) = X.row(i)[c];
+        }
+    });
+    result.proofs = proofs_;
+    result.times = times_;
+    result.repairs = repairs_;
+    return result;
+}
+
+}   // namespace
+
+SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOptions& options) {
+    SliceSet set(problem, options);
+    const int zeros = problem.zeros.count();
+    if (k <= options.one_slice_up_to && set.solve_alone(one_goal(problem, k, options))) {
+        const double above = std::isfinite(set.highest_cut()) ? set.highest_cut() : above_all(problem.B);
+        set.note_proof(count_near(problem.analysis, above));
+    } else {
+        const std::vector<InertiaProof> counts = bracket_from_above(problem, zeros + k);
+        set.note_proof({counts.back().sigma, counts.back().counted, counts.back().delta});
+        set.solve(slice_goals(problem, counts, options));
+    }
+    set.repair();
+    return set.pairs(k);
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,96 @@
+#include "geometry/spectrum/spectral_measure.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/errors.h"
+#include "base/parallel.h"
+#include "base/parallel_tasks.h"
+#include "geometry/operators/vertices_with_mass.h"
+
+namespace meshfolio {
+
+namespace {
+
+struct Quadrature {
+    Vector nodes, weights, fewer_nodes, fewer_weights;
+    bool exact = true;
+};
+
+/// The eigenvalues of the leading n × n block of the tridiagonal matrix, and the squared first entries of its eigenvectors.
+void nodes_and_weights(const Vector& diagonal, const Vector& beside, int n, double total, Vector& nodes, Vector& weights) {
+    const double unit = diagonal.maxCoeff();   // the solver takes numbers far below 1 for zeros
+    Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen;
+    eigen.computeFromTridiagonal(diagonal.head(n) / unit, beside.head(n - 1) / unit);
+    nodes = unit * eigen.eigenvalues().cwiseMax(0);
+    weights = total * eigen.eigenvectors().row(0).transpose().cwiseAbs2();
+}
+
+void append(Vector& all, const Vector& more) {
+    all.conservativeResize(all.size() + more.size());
+    all.tail(more.size()) = more;
+}
+
+/// Lanczos from y: Gauss quadrature for the measure of y.
+Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
+    const double norm = y.norm();
+    if (!(norm > 0)) return {};
+    DenseMatrix V(y.size(), steps);
+    Vector diagonal(steps), beside(steps);
+    V.col(0) = y / norm;
+    double largest = 0;   // entry of the tridiagonal matrix
+    int done = 0;
+    bool exact = false;
+    while (done < steps && !exact) {
+        Vector w = B * V.col(done);
+        diagonal[done] = V.col(done).dot(w);
+        const auto found = V.leftCols(done + 1);
+        for (int pass = 0; pass < 2; ++pass) w -= found * (found.transpose() * w);
+        beside[done] = w.norm();
+        largest = std::max({largest, std::abs(diagonal[done]), beside[done]});
+        exact = !(beside[done] > 1e-13 * largest);   // an invariant subspace: y has no other mode in it
+        ++done;
+        if (!exact && done < steps) V.col(done) = w / beside[done - 1];
+    }
+    Quadrature quadrature;
+    quadrature.exact = exact;
+    diagonal.conservativeResize(done);
+    nodes_and_weights(diagonal, beside, done, norm * norm, quadrature.nodes, quadrature.weights);
+    nodes_and_weights(diagonal, beside, std::max(4 * done / 5, 1), norm * norm, quadrature.fewer_nodes, quadrature.fewer_weights);
+    return quadrature;
+}
+
+}   // namespace
+
+SpectralMeasure spectral_measure(const LaplaceBeltrami& laplacian, const Positions& X, int steps) {
+    if (X.rows() != laplacian.M.size() || steps < 1) {
+        throw MeshError("spectral measure: " + std::to_string(X.rows()) + " positions and " + std::to_string(steps) +
+                        " steps for an operator on " + std::to_string(laplacian.M.size()) + " vertices");
+    }
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    const SparseMatrix B = symmetric_form(whole.A, whole.M);
+    const Vector root = whole.M.cwiseSqrt();
+    SpectralMeasure measure;
+    measure.mass = whole.M.sum();
+    // Coordinates far from the origin would leave their digits in the mean.
+    const Positions near = X(whole.vertex, Eigen::all).rowwise() - X.row(whole.vertex.front());
+    const Positions centred = near.rowwise() - (near.transpose() * whole.M / measure.mass).transpose();
+    std::array<Quadrature, 3> coordinates;
+    for_each_task(coordinates.size(), [&](std::size_t c) {
+        coordinates[c] = gauss_quadrature(B, root.cwiseProduct(centred.col(static_cast<Eigen::Index>(c))),
+                                          std::min(steps, static_cast<int>(root.size())));
+    });
+    measure.exact = true;
+    for (const Quadrature& quadrature : coordinates) {
+        append(measure.nodes, quadrature.nodes);
+        append(measure.weights, quadrature.weights);
+        append(measure.fewer_nodes, quadrature.fewer_nodes);
+        append(measure.fewer_weights, quadrature.fewer_weights);
+        measure.exact = measure.exact && quadrature.exact;
+    }
+    return measure;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,312 @@
+#include "geometry/spectrum/spectrum_certificate.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "base/errors.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/operators/triangle_shape.h"
+#include "geometry/operators/vertices_with_mass.h"
+#include "mesh/disjoint_sets.h"
+
+namespace meshfolio {
+
+namespace {
+
+void check_sizes(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
+    const Eigen::Index n = mesh.X.rows(), k = spectrum.eigenvalues.size();
+    if (laplacian.M.size() == n && spectrum.eigenvectors.rows() == n && spectrum.eigenvectors.cols() == k && k > 0) return;
+    throw MeshError("certify_spectrum: " + std::to_string(k) + " eigenvalues and " + std::to_string(spectrum.eigenvectors.rows()) + " × " +
+                    std::to_string(spectrum.eigenvectors.cols()) + " eigenvectors for a mesh of " + std::to_string(n) + " vertices");
+}
+
+/// Components of the triangles, or of those with an area, in which some vertex has a mass.
+int components_with_mass(const TriangleMesh& mesh, const Vector& M, bool with_area) {
+    DisjointSets sets;
+    sets.reset(mesh.vertex_count());
+    const double scale = unit_scale(mesh);
+    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
+        if (with_area && triangle_shape(mesh, t, scale).degenerate()) continue;
+        sets.join(mesh.F(t, 0), mesh.F(t, 1));
+        sets.join(mesh.F(t, 1), mesh.F(t, 2));
+    }
+    std::vector<char> counted(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    int components = 0;
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        if (!(M[v] > 0)) continue;
+        char& root = counted[static_cast<std::size_t>(sets.find(v))];
+        components += root == 0 ? 1 : 0;
+        root = 1;
+    }
+    return components;
+}
+
+/// The operator times powers of two, which is exact, that bring ΣM and its median row near 1; with the spectrum on its vertices.
+struct UnitProblem {
+    SparseMatrix A;
+    Vector M, mu;
+    DenseMatrix Phi;
+    DenseMatrix gram;   // ΦᵀMΦ, I where they are orthonormal
+    double unit = 0;    // of eigenvalues, a power of two [1/length²]
+    double mu0 = 0;     // median A_ii / ΣM
+    Vector row_mu0;     // of the component of each row
+};
+
+double median(Vector values) {
+    double* const middle = values.data() + values.size() / 2;
+    std::nth_element(values.data(), middle, values.data() + values.size());
+    return *middle;
+}
+
+/// 4^p next to a positive number: its root is exact, too.
+double power_of_four_near(double value) { return value > 0 ? std::ldexp(1.0, 2 * (std::ilogb(value) / 2)) : 1; }
+
+/// median A_ii / ΣM of the component of each row.
+Vector units_of_components(const SparseMatrix& A, const Vector& M) {
+    const Components components = components_of(A);
+    std::vector<std::vector<double>> diagonal(static_cast<std::size_t>(components.count));
+    Vector mass = Vector::Zero(components.count);
+    const Vector A_ii = A.diagonal();
+    for (Eigen::Index i = 0; i < M.size(); ++i) {
+        const int c = components.label[static_cast<std::size_t>(i)];
+        diagonal[static_cast<std::size_t>(c)].push_back(A_ii[i]);
+        mass[c] += M[i];
+    }
+    Vector unit(components.count), units(M.size());
+    for (int c = 0; c < components.count; ++c) {
+        const std::vector<double>& entries = diagonal[static_cast<std::size_t>(c)];
+        unit[c] = std::max(0.0, median(Eigen::Map<const Vector>(entries.data(), static_cast<Eigen::Index>(entries.size()))) / mass[c]);
+    }
+    for (Eigen::Index i = 0; i < M.size(); ++i) units[i] = unit[components.label[static_cast<std::size_t>(i)]];
+    return units;
+}
+
+UnitProblem unit_problem(const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
+    OperatorWithMass whole = operator_with_mass(laplacian);
+    const double total = power_of_four_near(whole.M.sum()), row = power_of_four_near(median(whole.A.diagonal()));
+    UnitProblem problem{whole.A / row, whole.M / total, spectrum.eigenvalues / (row / total), {}, {}, row / total, 0, {}};
+    problem.Phi = std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all);
+    problem.gram = problem.Phi.transpose() * (problem.M.asDiagonal() * problem.Phi);
+    const double middle = median(problem.A.diagonal());
+    problem.mu0 = (middle > 0 ? middle : 1) / problem.M.sum();
+    problem.row_mu0 = units_of_components(problem.A, problem.M);
+    return problem;
+}
+
+/// ‖Aφ − μMφ‖_{M⁻¹} for each pair.
+struct Residuals {
+    Vector computed, bound;   // as it comes out; at most, with the rounding of its own computation
+};
+
+Residuals residuals_of(const UnitProblem& problem) {
+    constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+    const SparseMatrix sizes = problem.A.cwiseAbs();
+    Vector roundings(problem.M.size());   // of row i: a product and a sum for each entry, and some more
+    for (int i = 0; i < sizes.cols(); ++i) roundings[i] = sizes.outerIndexPtr()[i + 1] - sizes.outerIndexPtr()[i] + 6;
+    const Vector root = problem.M.cwiseSqrt();
+    Residuals residuals{Vector(problem.mu.size()), Vector(problem.mu.size())};
+    tbb::parallel_for(Eigen::Index{0}, problem.mu.size(), [&](Eigen::Index j) {
+        const Vector phi = problem.Phi.col(j), MPhi = problem.M.cwiseProduct(phi);
+        Vector r = problem.A.selfadjointView<Eigen::Lower>() * phi;
+        r -= problem.mu[j] * MPhi;
+        Vector size = sizes.selfadjointView<Eigen::Lower>() * phi.cwiseAbs();
+        size += std::abs(problem.mu[j]) * MPhi.cwiseAbs();
+        residuals.computed[j] = r.cwiseQuotient(root).norm();
+        residuals.bound[j] = (r.cwiseAbs() + u * roundings.cwiseProduct(size)).cwiseQuotient(root).norm();
+    });
+    return residuals;
+}
+
+void measure_residuals(const UnitProblem& problem, const Residuals& residuals, SpectrumCertificate& certificate) {
+    const double largest_row = problem.A.diagonal().cwiseQuotient(problem.M).maxCoeff();
+    double worst = -1;
+    for (Eigen::Index j = 0; j < problem.mu.size(); ++j) {
+        const Vector weight = problem.M.cwiseProduct(problem.Phi.col(j).cwiseAbs2());
+        const double own_unit = weight.dot(problem.row_mu0) / weight.sum();   // NaN where Φ is not finite
+        const double size = std::max({problem.mu[j], problem.mu0, std::isfinite(own_unit) ? own_unit : problem.mu0});
+        const double ratio = residuals.computed[j] / (size * std::sqrt(weight.sum()));
+        const double residual = std::isfinite(ratio) ? ratio : infinity;
+        const double rounding = 100 * std::numeric_limits<double>::epsilon() * largest_row / size;
+        const double limit = std::clamp(rounding, 1e-8, 1e-3);
+        if (residual / limit <= worst) continue;
+        worst = residual / limit;
+        certificate.residual = residual;
+        certificate.residual_limit = limit;
+        certificate.residual_rounding = rounding;
+    }
+}
+
+double parseval_gap(const LaplaceBeltrami& laplacian, const Spectrum& spectrum, const Positions& X) {
+    const Vector& M = laplacian.M;
+    const Eigen::RowVector3d near = X.row(0);
+    const DenseMatrix offset = X.rowwise() - near;
+    const Eigen::RowVector3d mean = M.transpose() * offset / M.sum();
+    DenseMatrix x = offset.rowwise() - mean;
+    x /= x.cwiseAbs().maxCoeff();   // squares of the largest and smallest models leave the range of numbers
+    const DenseMatrix coefficients = spectrum.eigenvectors.transpose() * (M.asDiagonal() * x);
+    const DenseMatrix tail = x - spectrum.eigenvectors * coefficients;
+    const double whole = M.dot(x.rowwise().squaredNorm());
+    const double gap = std::abs(whole - coefficients.squaredNorm() - M.dot(tail.rowwise().squaredNorm())) / whole;
+    return std::isfinite(gap) ? gap : infinity;
+}
+
+/// Eigenvalues nearer than this, relatively, are one cluster: rounding may turn its members about.
+constexpr double cluster_gap = 1e-5;
+
+/// The pairs as the proof sees them, θ ascending.
+class FoundValues {
+public:
+    FoundValues(const UnitProblem& problem, const Residuals& residuals)
+        : theta_(problem.mu), rho_squared_(residuals.bound.size()), least_size_(0.1 * problem.mu0) {
+        std::vector<Eigen::Index> order(static_cast<std::size_t>(theta_.size()));
+        std::iota(order.begin(), order.end(), Eigen::Index{0});
+        std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return problem.mu[a] < problem.mu[b]; });
+        theta_ = problem.mu(order);
+        rho_squared_ = residuals.bound(order).cwiseAbs2();
+        const auto k = static_cast<double>(theta_.size()), n = static_cast<double>(problem.M.size());
+        const DenseMatrix F = problem.gram - DenseMatrix::Identity(theta_.size(), theta_.size());
+        const double rounding = std::numeric_limits<double>::epsilon() / 2 * (n + 4) * problem.gram.cwiseAbs().maxCoeff();
+        eta_ = F.norm() + k * rounding;
+    }
+
+    const Vector& theta() const { return theta_; }
+    Eigen::Index count() const { return theta_.size(); }
+    double last() const { return theta_[count() - 1]; }
+    int below(double sigma) const { return static_cast<int>((theta_.array() < sigma).count()); }
+    double residual(int j) const { return std::sqrt(rho_squared_[j]); }
+    /// Eigenvalues are told apart in units of this.
+    double size(double mu) const { return std::max(mu, least_size_); }
+
+    /// u: at least f eigenvalues are ≤ u.
+    double upper_bound(int f) const {
+        if (f == 0) return -infinity;
+        if (!(eta_ < 0.5)) return infinity;
+        const double rho = std::sqrt(rho_squared_.head(f).sum());
+        const double largest = theta_[f - 1] + eta_ * theta_.head(f).cwiseAbs().maxCoeff() + (1 + eta_) * rho;
+        const double u = largest / (largest > 0 ? 1 - eta_ : 1 + eta_);
+        return u + 16 * std::numeric_limits<double>::epsilon() * std::abs(u);
+    }
+    /// Distance of σ from u and from the next value found.
+    double gap_at(double sigma) const {
+        const int f = below(sigma);
+        return std::min(sigma - upper_bound(f), f < count() ? theta_[f] - sigma : infinity);
+    }
+    /// No value found has its eigenvalue, which lies within its residual, nearer to σ.
+    double distance_from(double sigma) const {
+        return ((theta_.array() - sigma).abs() - rho_squared_.array().sqrt() / std::sqrt(1 - std::min(eta_, 0.5))).minCoeff();
+    }
+    /// The first of those that a clear gap does not part from the last.
+    int first_of_last_cluster() const {
+        Eigen::Index i = count() - 1;
+        while (i > 0 && theta_[i] - theta_[i - 1] <= cluster_gap * theta_[i]) --i;
+        return static_cast<int>(i);
+    }
+
+private:
+    Vector theta_, rho_squared_;
+    double eta_ = 0, least_size_;
+};
+
+std::optional<Inertia> inertia_beside(const UnitProblem& problem, double sigma, double gap) {
+    return inertia_between(problem.A, problem.M, sigma - gap, sigma + gap);
+}
+
+/// Behind the last value: where the solver knows a gap, else ever nearer until no more than those found are counted.
+std::optional<Inertia> counted_behind(const UnitProblem& problem, const FoundValues& found, double hint) {
+    const double last = found.last();
+    if (hint > last) return inertia_beside(problem, hint, 0.9 * (hint - last));
+    std::optional<Inertia> inertia;
+    const double spacing = found.size(last) / static_cast<double>(found.count());   // by Weyl's law
+    for (const double share : {0.3, 0.01, 3e-4}) {
+        inertia = inertia_beside(problem, last + 0.5 * share * spacing, 0.45 * share * spacing);
+        if (!inertia || inertia->below <= found.count()) break;
+    }
+    return inertia;
+}
+
+/// Just below the last cluster, by as little as rounding lets, which is larger near an eigenvalue: what hides between is not seen.
+std::optional<Inertia> counted_before_last(const UnitProblem& problem, const FoundValues& found, double delta) {
+    const int f = found.first_of_last_cluster();
+    const double first = found.theta()[f], size = found.size(first), u = found.upper_bound(f);
+    const double width = std::min(std::clamp(100 * (delta + found.residual(f)), 2e-6 * size, 1e-3 * size), first - u);
+    if (!(width > 0)) return {};
+    return inertia_between(problem.A, problem.M, first - width, first);
+}
+
+void count_inertia(const UnitProblem& problem, const Residuals& residuals, double hint, SpectrumCertificate& certificate) {
+    certificate.pairs = static_cast<int>(problem.mu.size());
+    if (!problem.mu.allFinite()) return;
+    const FoundValues found(problem, residuals);
+    auto inertia = counted_behind(problem, found, hint / problem.unit);
+    if (inertia && inertia->below > found.count()) {
+        if (const auto before = counted_before_last(problem, found, inertia->delta)) inertia = before;
+    }
+    if (!inertia) return;
+    const double gap = std::max(0.0, found.gap_at(inertia->sigma));   // 0 where it is not a number
+    certificate.shift = inertia->sigma * problem.unit;
+    certificate.delta = inertia->delta * problem.unit;
+    certificate.gap = gap * problem.unit;
+    certificate.counted_below = inertia->below;
+    certificate.found_below = found.below(inertia->sigma);
+    const bool beyond_all = certificate.found_below == certificate.pairs;
+    const Proof agree = agreement(*inertia, found.theta());
+    if (agree == Proof::proved && inertia->delta < gap) certificate.complete = Proof::proved;
+    // More beyond the last value are no contradiction: they may be larger.
+    const bool clear = inertia->delta < found.distance_from(inertia->sigma), more_beyond = beyond_all && inertia->below > certificate.pairs;
+    if (agree == Proof::refuted && clear && !more_beyond) certificate.complete = Proof::refuted;
+}
+
+double smallest_step_up(const Vector& mu) {
+    double step = 0;
+    for (Eigen::Index i = 1; i < mu.size(); ++i) step = std::min(step, mu[i] - mu[i - 1]);
+    return step < 0 ? step / mu.cwiseAbs().maxCoeff() : 0;
+}
+
+}   // namespace
+
+SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
+    check_sizes(mesh, laplacian, spectrum);
+    const UnitProblem problem = unit_problem(laplacian, spectrum);
+    const Residuals residuals = residuals_of(problem);
+    SpectrumCertificate certificate;
+    measure_residuals(problem, residuals, certificate);
+    const bool finite = problem.gram.allFinite();   // a maximum may pass over a NaN
+    const DenseMatrix identity = DenseMatrix::Identity(problem.gram.rows(), problem.gram.cols());
+    certificate.orthonormality_error = finite ? (problem.gram - identity).cwiseAbs().maxCoeff() : infinity;
+    certificate.parseval_gap = parseval_gap(laplacian, spectrum, mesh.X);
+    count_inertia(problem, residuals, spectrum.gap_middle, certificate);
+    certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= 1e-9 * problem.mu0).count());
+    // Triangles without area hold nothing together for cotangents, but for weights that see no lengths, and flips may give them some.
+    certificate.components = std::clamp(certificate.zero_eigenvalues, components_with_mass(mesh, laplacian.M, false),
+                                        components_with_mass(mesh, laplacian.M, true));
+    certificate.expected_zeros = std::min(certificate.components, static_cast<int>(problem.mu.size()));
+    certificate.smallest_step_up = smallest_step_up(problem.mu);
+    return certificate;
+}
+
+Proof SpectrumCertificate::verdict() const {
+    const bool within = (residual <= residual_limit || residual_undecided()) && orthonormality_error <= orthonormality_limit &&
+                        parseval_gap <= parseval_limit && zero_eigenvalues == expected_zeros && smallest_step_up >= -step_down_limit;
+    if (!within) return Proof::refuted;
+    return complete == Proof::proved && residual_undecided() ? Proof::undecided : complete;
+}
+
+Inertia eigenvalues_below(const LaplaceBeltrami& laplacian, double sigma) {
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    const double total = power_of_four_near(whole.M.sum());
+    const Inertia inertia = inertia_at(whole.A, whole.M / total, sigma * total);
+    return {sigma, inertia.below, inertia.delta / total};
+}
+
+Proof agreement(const Inertia& inertia, const Vector& values) {
+    const double nearest = (values.array() - inertia.sigma).abs().minCoeff();
+    if (!(inertia.delta < nearest)) return Proof::undecided;
+    return inertia.below == (values.array() < inertia.sigma).count() ? Proof::proved : Proof::refuted;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,259 @@
+#include "mesh/io/obj_gate.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <utility>
+
+#include "base/in_quotes.h"
+#include "base/number_text.h"
+#include "mesh/io/polygon_list.h"
+#include "mesh/io/text_scanner.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// What is done with statements other than v, vt, vn and f.
+enum class Treatment { dropped, element, free_form, command };
+
+/// The statements of the format's description (Wavefront, appendix B), old ones included.
+constexpr std::pair<std::string_view, Treatment> other_statements[] = {
+    // Names, materials and how things are shown: nothing for a triangle mesh.
+    {"g", Treatment::dropped},
+    {"o", Treatment::dropped},
+    {"s", Treatment::dropped},
+    {"mg", Treatment::dropped},
+    {"usemtl", Treatment::dropped},
+    {"mtllib", Treatment::dropped},
+    {"usemap", Treatment::dropped},
+    {"maplib", Treatment::dropped},
+    {"bevel", Treatment::dropped},
+    {"c_interp", Treatment::dropped},
+    {"d_interp", Treatment::dropped},
+    {"lod", Treatment::dropped},
+    {"shadow_obj", Treatment::dropped},
+    {"trace_obj", Treatment::dropped},
+    {"vp", Treatment::dropped},
+    {"p", Treatment::element},
+    {"l", Treatment::element},
+    {"cstype", Treatment::free_form},
+    {"deg", Treatment::free_form},
+    {"bmat", Treatment::free_form},
+    {"step", Treatment::free_form},
+    {"curv", Treatment::free_form},
+    {"curv2", Treatment::free_form},
+    {"surf", Treatment::free_form},
+    {"parm", Treatment::free_form},
+    {"trim", Treatment::free_form},
+    {"hole", Treatment::free_form},
+    {"scrv", Treatment::free_form},
+    {"sp", Treatment::free_form},
+    {"end", Treatment::free_form},
+    {"con", Treatment::free_form},
+    {"ctech", Treatment::free_form},
+    {"stech", Treatment::free_form},
+    {"bsp", Treatment::free_form},
+    {"bzp", Treatment::free_form},
+    {"cdc", Treatment::free_form},
+    {"cdp", Treatment::free_form},
+    {"res", Treatment::free_form},
+    // Would run a program or read another file.
+    {"csh", Treatment::command},
+    {"call", Treatment::command},
+};
+
+/// Texture coordinates or normals: not used, but indices that miss them tell of a damaged file.
+struct UnusedAttribute {
+    const char* name;
+    const char* one;
+    const char* many;
+    long long count = 0;
+    /// Indices beyond the count so far, each larger than those before: they are wrong unless enough follow.
+    std::vector<std::pair<long long, long>> ahead;   // index, line
+};
+
+class ObjGate {
+public:
+    ObjGate(std::string_view text, const std::string& file) : lines_(text), file_(file) { checked_.text.reserve(text.size() / 2); }
+
+    CheckedObj run() {
+        while (next_statement()) {
+            std::string_view rest = statement_;
+            const std::string_view keyword = take_word(rest);
+            if (keyword == "v") {
+                vertex(rest);
+            } else if (keyword == "f" || keyword == "fo") {
+                face(rest);
+            } else if (keyword == "vt") {
+                ++texture_.count;
+            } else if (keyword == "vn") {
+                ++normal_.count;
+            } else {
+                other(keyword);
+            }
+        }
+        warn_of_missing(texture_);
+        warn_of_missing(normal_);
+        return std::move(checked_);
+    }
+
+private:
+    /// The next line with a word, continued lines joined, comments left out.
+    bool next_statement() {
+        if (!lines_.next_with_words()) return false;
+        line_ = lines_.number();
+        statement_ = lines_.line();
+        if (!ends_in_backslash(statement_)) return true;
+        joined_.clear();
+        std::string_view part = statement_;
+        while (ends_in_backslash(part)) {
+            joined_.append(part.substr(0, part.find_last_of('\\'))).push_back(' ');
+            if (!lines_.next()) {
+                checked_.warnings.add(line_, "line continuation at the end of the file", "line continuations at the end of the file");
+                part = {};
+                break;
+            }
+            part = without_comment(lines_.line());
+        }
+        statement_ = joined_.append(part);
+        return true;
+    }
+
+    static bool ends_in_backslash(std::string_view line) {
+        const std::size_t last = line.find_last_not_of(" \t");
+        return last != std::string_view::npos && line[last] == '\\';
+    }
+
+    Location here() const { return {file_, line_}; }
+
+    /// v x y z, and behind it a weight, a colour, or both.
+    void vertex(std::string_view rest) {
+        std::array<double, 7> value{};
+        std::size_t count = 0;
+        for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+            const double x = checked_coordinate(word, file_, line_);
+            if (count < value.size()) value[count] = x;
+            ++count;
+        }
+        if (count < 3) {
+            throw InputError(here(), "'v' needs 3 coordinates, has " + std::to_string(count), "the line may be cut off");
+        }
+        if (count == 5 || count > value.size()) {
+            checked_.warnings.add(line_, "extra numbers on a vertex ignored", "vertices with extra numbers, which are ignored");
+        }
+        if (count == 4 && value[3] != 1) {
+            checked_.warnings.add(line_, "vertex weight other than 1 ignored", "vertex weights other than 1 ignored");
+        }
+        checked_.coordinates.insert(checked_.coordinates.end(), value.begin(), value.begin() + 3);
+    }
+
+    void face(std::string_view rest) {
+        const std::size_t begin = checked_.text.size();
+        checked_.text += 'f';
+        int corners = 0;
+        for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+            append(corner(word));
+            ++corners;
+        }
+        checked_.text += '\n';
+        if (corners >= 3) return checked_.face_lines.push_back(line_);
+        checked_.text.resize(begin);
+        checked_.warnings.add(line_, "face with fewer than 3 vertices ignored", "faces with fewer than 3 vertices ignored");
+    }
+
+    void append(int index) {
+        std::array<char, 16> digits;
+        char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), index).ptr;
+        checked_.text.append(" ").append(digits.data(), static_cast<std::size_t>(end - digits.data()));
+    }
+
+    /// The vertex (counted from 1) of a corner v, v/vt, v//vn or v/vt/vn.
+    int corner(std::string_view word) {
+        const std::size_t slash = word.find('/');
+        if (slash == std::string_view::npos) return vertex_index(word);
+        const std::string_view attributes = word.substr(slash + 1);
+        const std::size_t second = attributes.find('/');
+        const std::string_view vt = attributes.substr(0, second);
+        if (second == std::string_view::npos) {
+            attribute_index(texture_, vt, word);
+        } else {
+            if (second > 0) attribute_index(texture_, vt, word);
+            attribute_index(normal_, attributes.substr(second + 1), word);
+        }
+        return vertex_index(word.substr(0, slash));
+    }
+
+    int vertex_index(std::string_view word) const {
+        const auto vertices = static_cast<long long>(checked_.coordinates.size() / 3);
+        const std::optional<long long> index = parse_integer(word);
+        const bool from_end = index && *index < 0;
+        if (index && *index > 0 && *index <= std::numeric_limits<int>::max()) return static_cast<int>(*index);
+        if (from_end && *index >= -vertices) return static_cast<int>(vertices + *index + 1);
+        const std::string seen = "(" + std::to_string(vertices) + (vertices == 1 ? " vertex so far)" : " vertices so far)");
+        throw InputError(here(), "vertex index " + in_quotes(word) + " is not a valid index " + seen,
+                         from_end ? "it reaches before the first vertex" : "indices are whole numbers from 1");
+    }
+
+    void attribute_index(UnusedAttribute& attribute, std::string_view word, std::string_view whole) {
+        const std::optional<long long> index = parse_integer(word);
+        if (!index) throw InputError(here(), "bad face corner " + in_quotes(whole), "corners are v, v/vt, v//vn or v/vt/vn");
+        if (*index == 0 || *index < -attribute.count) {
+            checked_.warnings.add(line_, attribute.one, attribute.many, std::to_string(*index));
+        } else if (*index > attribute.count && (attribute.ahead.empty() || *index > attribute.ahead.back().first)) {
+            attribute.ahead.emplace_back(*index, line_);
+        }
+    }
+
+    void warn_of_missing(const UnusedAttribute& attribute) {
+        const auto wrong = [&](const auto& ahead) { return ahead.first > attribute.count; };
+        const auto first = std::find_if(attribute.ahead.begin(), attribute.ahead.end(), wrong);
+        if (first == attribute.ahead.end()) return;
+        const std::string names(attribute.name, std::string_view(attribute.name).size() - (attribute.count == 1 ? 1 : 0));
+        checked_.warnings.add(first->second, attribute.one, attribute.many,
+                              std::to_string(first->first) + ", the file has " + std::to_string(attribute.count) + " " + names);
+    }
+
+    void other(std::string_view keyword) {
+        const auto known =
+            std::find_if(std::begin(other_statements), std::end(other_statements), [&](auto& s) { return s.first == keyword; });
+        if (known == std::end(other_statements)) {
+            checked_.warnings.add(line_, "unknown statement ignored", "unknown statements ignored", in_quotes(keyword));
+            if (checked_.unknown.empty()) checked_.unknown = in_quotes(keyword) + " at line " + std::to_string(line_);
+            return;
+        }
+        switch (known->second) {
+            case Treatment::dropped:
+                break;
+            case Treatment::element:
+                checked_.warnings.add(line_, "point or line element ignored", "point or line elements ignored");
+                break;
+            case Treatment::free_form:
+                checked_.free_form = true;
+                checked_.warnings.add(line_, "free-form statement ignored", "free-form statements ignored", in_quotes(keyword));
+                break;
+            case Treatment::command:
+                checked_.warnings.add(line_, "command statement ignored", "command statements ignored", in_quotes(keyword));
+                break;
+        }
+    }
+
+    LineScanner lines_;
+    const std::string& file_;
+    long line_ = 0;   // where the statement begins
+    std::string_view statement_;
+    std::string joined_;
+    UnusedAttribute texture_{"texture coordinates", "texture index ignored", "texture indices ignored", 0, {}};
+    UnusedAttribute normal_{"normals", "normal index ignored", "normal indices ignored", 0, {}};
+    CheckedObj checked_;
+};
+
+}   // namespace
+
+CheckedObj check_obj(std::string_view text, const std::string& file) {
+    refuse_nul_bytes(text, file);
+    return ObjGate(without_bom(text), file).run();
+}
+
+}   // namespace meshfolio

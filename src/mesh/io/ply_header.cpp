@@ -1,0 +1,186 @@
+#include "mesh/io/ply_header.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/in_quotes.h"
+#include "base/number_text.h"
+#include "mesh/io/text_scanner.h"
+
+namespace meshfolio {
+
+namespace {
+
+constexpr std::pair<std::string_view, PlyType> type_names[] = {
+    {"char", PlyType::int8},   {"uchar", PlyType::uint8},   {"short", PlyType::int16},     {"ushort", PlyType::uint16},
+    {"int", PlyType::int32},   {"uint", PlyType::uint32},   {"float", PlyType::float32},   {"double", PlyType::float64},
+    {"int8", PlyType::int8},   {"uint8", PlyType::uint8},   {"int16", PlyType::int16},     {"uint16", PlyType::uint16},
+    {"int32", PlyType::int32}, {"uint32", PlyType::uint32}, {"float32", PlyType::float32}, {"float64", PlyType::float64},
+};
+
+/// Fewest bytes of one row: in a binary file of its values and list lengths, in text a digit and a separator each.
+std::size_t smallest_row(const PlyElement& element, PlyHeader::Format format) {
+    std::size_t bytes = 0;
+    for (const PlyProperty& p : element.properties) {
+        bytes += format == PlyHeader::Format::ascii ? 2 : size_of(p.is_list ? p.count_type : p.type);
+    }
+    return bytes;
+}
+
+class HeaderReader {
+public:
+    HeaderReader(std::string_view bytes, const std::string& file) : bytes_(bytes), lines_(bytes), file_(file) {}
+
+    PlyHeader run() {
+        if (!lines_.next() || lines_.line() != "ply") fail(1, "no 'ply' on the first line", "is this a mesh in PLY format?");
+        const bool only_returns = bytes_.substr(3).starts_with('\r') && !bytes_.substr(3).starts_with("\r\n");
+        do {
+            if (!lines_.next()) fail(0, "ends early: no end_header", "the file may be cut off");
+        } while (read_line(lines_.line()));
+        if (!has_format_) fail(0, "no format line", "the second line should be 'format ascii 1.0' or a binary one");
+        header_.size = lines_.offset();
+        header_.lines = lines_.number();
+        // Where lines end in \r alone, a \n behind the last one is the first byte of the data.
+        if (only_returns && bytes_.substr(0, header_.size).ends_with("\r\n")) --header_.size;
+        check_counts();
+        return std::move(header_);
+    }
+
+private:
+    [[noreturn]] void fail(long line, const std::string& problem, const std::string& remedy) const {
+        throw InputError({file_, line}, problem, remedy);
+    }
+
+    /// False behind end_header.
+    bool read_line(std::string_view line) {
+        std::string_view rest = line;
+        const std::string_view keyword = take_word(rest);
+        if (keyword == "end_header") return false;
+        if (keyword == "format") {
+            read_format(rest);
+        } else if (keyword == "element") {
+            read_element(rest);
+        } else if (keyword == "property") {
+            read_property(rest);
+        } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+            fail(lines_.number(), "unknown header line " + in_quotes(line), "is end_header missing?");
+        }
+        return true;
+    }
+
+    void read_format(std::string_view rest) {
+        if (has_format_) fail(lines_.number(), "a second format line", second_remedy);
+        const std::string_view name = take_word(rest);
+        const std::string_view version = take_word(rest);
+        if (version != "1.0") fail(lines_.number(), "PLY version " + in_quotes(version) + " is not supported", "the version is 1.0");
+        if (name == "ascii") {
+            header_.format = PlyHeader::Format::ascii;
+        } else if (name == "binary_little_endian") {
+            header_.format = PlyHeader::Format::little_endian;
+        } else if (name == "binary_big_endian") {
+            header_.format = PlyHeader::Format::big_endian;
+        } else {
+            fail(lines_.number(), "unknown format " + in_quotes(name), "formats are ascii, binary_little_endian, binary_big_endian");
+        }
+        has_format_ = true;
+    }
+
+    void read_element(std::string_view rest) {
+        const std::string_view name = take_word(rest);
+        const std::string_view word = take_word(rest);
+        const std::optional<long long> count = parse_integer(word);
+        if (!count || *count < 0 || *count > std::numeric_limits<int>::max()) {
+            fail(lines_.number(), "impossible count " + in_quotes(word) + " of element " + in_quotes(name),
+                 "counts are whole numbers from 0 to " + std::to_string(std::numeric_limits<int>::max()));
+        }
+        if (!elements_.emplace(name).second) fail(lines_.number(), "element " + in_quotes(name) + " a second time", second_remedy);
+        properties_.clear();
+        header_.elements.push_back({std::string(name), *count, lines_.number(), {}});
+    }
+
+    void read_property(std::string_view rest) {
+        if (header_.elements.empty()) fail(lines_.number(), "property outside an element", "an element line must come first");
+        PlyProperty property;
+        property.line = lines_.number();
+        std::string_view word = take_word(rest);
+        if (word == "list") {
+            property.is_list = true;
+            property.count_type = type_named(take_word(rest));
+            if (!is_integer(property.count_type)) fail(lines_.number(), "list count type must be an integer type", "such as uchar");
+            word = take_word(rest);
+        }
+        property.type = type_named(word);
+        property.name = take_word(rest);
+        if (property.name.empty()) fail(lines_.number(), "property without a name", "the header may be damaged");
+        PlyElement& element = header_.elements.back();
+        if (!properties_.insert(property.name).second) {
+            fail(lines_.number(), "property " + in_quotes(property.name) + " of element " + in_quotes(element.name) + " a second time",
+                 second_remedy);
+        }
+        element.properties.push_back(std::move(property));
+    }
+
+    PlyType type_named(std::string_view word) const {
+        const auto type = std::find_if(std::begin(type_names), std::end(type_names), [&](auto& t) { return t.first == word; });
+        if (type == std::end(type_names))
+            fail(lines_.number(), "unknown type " + in_quotes(word), "types are char, uchar, … float, double");
+        return type->second;
+    }
+
+    void check_counts() const {
+        std::size_t left = bytes_.size() - header_.size + 1;   // the last line end may be missing
+        for (const PlyElement& element : header_.elements) {
+            if (element.count > 0 && element.properties.empty()) {
+                fail(element.line, "element " + in_quotes(element.name) + " has no properties", "the header may be damaged");
+            }
+            const std::size_t row = smallest_row(element, header_.format);
+            const auto count = static_cast<std::size_t>(element.count);
+            if (count > 0 && count > left / row) {
+                fail(element.line,
+                     "ends early: impossible count, " + std::to_string(count) + " of element " + in_quotes(element.name) + " with " +
+                         std::to_string(bytes_.size() - header_.size) + " bytes of data",
+                     "the file may be cut off");
+            }
+            left -= count * row;
+        }
+    }
+
+    static constexpr char second_remedy[] = "which of the two holds cannot be known; export the mesh again";
+
+    std::string_view bytes_;
+    LineScanner lines_;
+    const std::string& file_;
+    bool has_format_ = false;
+    std::set<std::string> elements_, properties_;   // names met; properties are those of the last element
+    PlyHeader header_;
+};
+
+}   // namespace
+
+std::size_t size_of(PlyType type) {
+    switch (type) {
+        case PlyType::int8:
+        case PlyType::uint8:
+            return 1;
+        case PlyType::int16:
+        case PlyType::uint16:
+            return 2;
+        case PlyType::int32:
+        case PlyType::uint32:
+        case PlyType::float32:
+            return 4;
+        case PlyType::float64:
+            break;
+    }
+    return 8;
+}
+
+bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
+
+PlyHeader parse_ply_header(std::string_view bytes, const std::string& file) { return HeaderReader(bytes, file).run(); }
+
+}   // namespace meshfolio

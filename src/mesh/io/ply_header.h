@@ -1,0 +1,45 @@
+/// @file
+/// The header of a PLY file (Turk 1994): which elements follow, and what each is made of.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/io/warning_tally.h"
+
+namespace meshfolio {
+
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+std::size_t size_of(PlyType type);   // bytes in a binary file
+bool is_integer(PlyType type);
+
+struct PlyProperty {
+    std::string name;
+    PlyType type;   // of the value, or of a list's items
+    bool is_list = false;
+    PlyType count_type = PlyType::uint8;   // of a list's length
+    long line = 0;
+};
+
+struct PlyElement {
+    std::string name;
+    long long count;
+    long line;   // in the header
+    std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+    enum class Format { ascii, little_endian, big_endian };
+    Format format = Format::ascii;
+    std::vector<PlyElement> elements;
+    std::size_t size = 0;   // bytes
+    long lines = 0;
+};
+
+/// Counts are checked against the bytes that follow.
+/// @throws InputError with the header's line
+PlyHeader parse_ply_header(std::string_view bytes, const std::string& file);
+
+}   // namespace meshfolio

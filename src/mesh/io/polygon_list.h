@@ -1,0 +1,51 @@
+/// @file
+/// What every reader ends with: positions and polygons of any size become a triangle mesh.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/errors.h"
+#include "mesh/io/mesh_files.h"
+#include "mesh/io/warning_tally.h"
+
+namespace meshfolio {
+
+/// Largest magnitude of a coordinate: areas and volumes must stay within the range of a double.
+inline constexpr double largest_coordinate = 1e100;
+
+/// Three corners a triangle are counted in int elsewhere (Incidence::start).
+inline constexpr long long most_triangles = std::numeric_limits<int>::max() / 3;
+
+/// Polygons in file order, corner indices one after the other.
+class PolygonList {
+public:
+    void reserve(std::size_t polygons);
+    /// The next polygon is what was added by add_corner since the last call.
+    void add_corner(int vertex) { corners_.push_back(vertex); }
+    void end_polygon(long line);   // line 0: binary file
+
+    std::size_t size() const { return first_.size() - 1; }
+    std::span<const int> polygon(std::size_t i) const { return {corners_.data() + first_[i], first_[i + 1] - first_[i]}; }
+    long line(std::size_t i) const { return lines_.empty() ? 0 : lines_[i]; }
+
+private:
+    std::vector<int> corners_;
+    std::vector<std::size_t> first_{0};
+    std::vector<long> lines_;   // empty for binary files
+};
+
+/// Triangulates. Corners must be indices of rows of X. Polygons of fewer than three corners are left out with a warning.
+/// @throws InputError naming the polygon if one has more than max_polygon_corners, or if there is no triangle or too many
+LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::string& file, WarningTally warnings);
+
+/// A coordinate read from a file.
+/// @throws InputError if `word` is not a finite decimal number or exceeds largest_coordinate
+double checked_coordinate(std::string_view word, const std::string& file, long line);
+
+/// @throws InputError if x exceeds largest_coordinate
+void check_range(double x, const std::string& file, long line);
+
+}   // namespace meshfolio

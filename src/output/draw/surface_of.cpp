@@ -1,0 +1,53 @@
+#include "output/draw/surface_of.h"
+
+#include <glm/vec3.hpp>
+#include <stdexcept>
+
+#include "base/errors.h"
+#include "output/draw/robust_range.h"
+
+namespace meshfolio::output {
+
+// Rows of Positions and Faces are three numbers after one another, which is what the renderer's vectors are.
+static_assert(sizeof(glm::dvec3) == 3 * sizeof(double) && alignof(glm::dvec3) == alignof(double));
+static_assert(sizeof(glm::ivec3) == 3 * sizeof(int) && alignof(glm::ivec3) == alignof(int));
+
+render::Surface surface_of(const TriangleMesh& mesh, const Vector* values) {
+    render::Surface surface;
+    surface.positions = {reinterpret_cast<const glm::dvec3*>(mesh.X.data()), static_cast<std::size_t>(mesh.X.rows())};
+    surface.triangles = {reinterpret_cast<const glm::ivec3*>(mesh.F.data()), static_cast<std::size_t>(mesh.F.rows())};
+    if (values != nullptr) surface.values = {values->data(), static_cast<std::size_t>(values->size())};
+    return surface;
+}
+
+render::Bounds bounds_of(const TriangleMesh& mesh) {
+    const render::Surface surface = surface_of(mesh);
+    return render::bounds_of(surface.positions, surface.triangles);
+}
+
+bool fit_frame_of(const TriangleMesh& mesh, const Positions& X) {
+    const render::Frame frame = render::frame_of(bounds_of(mesh), 1, 1, render::DrawOptions{}.fill);   // a picture one pixel wide
+    const Eigen::RowVector3d centre(frame.centre.x, frame.centre.y, frame.centre.z);
+    return (frame.pixels_per_unit * (X.rowwise() - centre).array().abs() <= 0.5).all();
+}
+
+render::ValueRange value_range(const ColorRange& range) try {
+    return {&render::colormap_named(range.colormap), range.low, range.high};
+} catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+}
+
+render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color) {
+    render::ColorBar bar;
+    bar.range = value_range(range);
+    bar.quantity = range.quantity;
+    bar.unit = range.unit;
+    bar.clipped_below = range.clipped_below;
+    bar.clipped_above = range.clipped_above;
+    bar.has_undefined = has_undefined;
+    bar.undefined_color = undefined_color;
+    bar.histogram = histogram(range.sample, range.low, range.high);
+    return bar;
+}
+
+}   // namespace meshfolio::output

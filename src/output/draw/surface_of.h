@@ -1,0 +1,26 @@
+/// @file
+/// Our meshes, values and ranges as the renderer knows them.
+#pragma once
+
+#include "draw_mesh.h"
+#include "mesh/triangle_mesh.h"
+#include "output/draw/figure_request.h"
+#include "sheet/contact_sheet.h"
+
+namespace meshfolio::output {
+
+/// A view of the mesh (and of `values`, one a vertex, when given); both must outlive it.
+render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = nullptr);
+
+render::Bounds bounds_of(const TriangleMesh& mesh);
+
+/// Do positions lie within the pictures along the axes that are framed on `mesh`? Not so if one of them is not finite.
+bool fit_frame_of(const TriangleMesh& mesh, const Positions& X);
+
+/// @throws UsageError for an unknown colour map, naming the known ones
+render::ValueRange value_range(const ColorRange& range);
+
+/// With the histogram of the range's own sample.
+render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
+
+}   // namespace meshfolio::output

@@ -1,0 +1,105 @@
+#include "output/publish/file_group.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <set>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "output/publish/folder_system.h"
+#include "output/publish/leftovers.h"
+
+namespace meshfolio::output {
+
+namespace fs = std::filesystem;
+
+void FileGroup::keep(const fs::path& input) {
+    std::error_code error;
+    const fs::path file = resolved(input, error);
+    if (!error) kept_.insert(file);
+}
+
+void FileGroup::add(const fs::path& path, std::string_view bytes) {
+    std::error_code error;
+    const fs::path target = resolved(path, error);
+    if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
+    if (kept_.contains(target)) throw UsageError(path.string() + " is the input itself", "give the output a name of its own");
+    const fs::file_status status = fs::status(target, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, bytes);
+    const fs::path folder = target.parent_path();
+    if (!fs::is_directory(folder, error)) throw OutputError(path.string(), "its folder does not exist", "create it first");
+    const auto member = [&]() -> Member* {
+        static int number = 0;
+        static std::mutex numbering;   // of all groups
+        const std::scoped_lock lock(adding_, numbering);
+        for (const Member& other : members_) {
+            if (other.target == target) throw UsageError(path.string() + " is named for two outputs", "give each a name of its own");
+        }
+        sweep_file_leftovers(folder);
+        return &members_.emplace_back(path, target, folder / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
+    }();
+    try {
+        const bool replaces = fs::exists(status);
+        write_part(member->part, bytes, true,
+                   replaces ? status.permissions() : new_file_permissions);   // never more open than what was there
+        // Nor closed by the umask; if that fails it stays so. Whose it is may have changed: nothing runs as somebody else.
+        if (replaces) fs::permissions(member->part.path(), status.permissions() & fs::perms::all, error);
+    } catch (const OutputError& failure) {   // name the file that was asked for
+        throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
+    }
+}
+
+/// What was there is kept under the temporary name, as long as the file system can exchange names.
+void FileGroup::place(Member& member) {
+    const fs::path& part = member.part.path();
+    int error = rename_with(part, member.target, RENAME_NOREPLACE);
+    member.state = Member::State::fresh;
+    if (error == EEXIST) {
+        error = rename_with(part, member.target, RENAME_EXCHANGE);
+        member.state = Member::State::exchanged;
+        std::error_code ignored;
+        if (error == 0 && fs::is_directory(fs::symlink_status(part, ignored)))   // one that came meanwhile
+            throw OutputError(member.asked.string(), "is a folder");
+    }
+    if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP || error == ENOENT) {   // or it was taken away meanwhile
+        error = rename_with(part, member.target, 0);
+        member.state = Member::State::replaced;
+    }
+    if (error == 0) return;
+    member.state = Member::State::waiting;
+    throw OutputError(member.asked.string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
+}
+
+void FileGroup::sync_folders() const {
+    std::set<fs::path> folders;
+    for (const Member& member : members_) folders.insert(member.part.path().parent_path());
+    for (const fs::path& folder : folders) OpenFolder(folder).sync();
+}
+
+void FileGroup::take_back() noexcept {
+    for (auto member = members_.rbegin(); member != members_.rend(); ++member) {   // Clang 14 knows no std::views::reverse
+        if (member->state == Member::State::exchanged) rename_with(member->part.path(), member->target, RENAME_EXCHANGE);
+        if (member->state == Member::State::fresh) rename_with(member->target, member->part.path(), RENAME_NOREPLACE);
+    }
+}
+
+void FileGroup::publish() {
+    const auto permission = permission_to_create();
+    try {
+        for (Member& member : members_) place(member);
+        sync_folders();
+    } catch (const OutputError&) {
+        take_back();
+        throw;
+    }
+    remember_publication();
+}
+
+void replace_file(const fs::path& path, std::string_view bytes) {
+    FileGroup group;
+    group.add(path, bytes);
+    group.publish();
+}
+
+}   // namespace meshfolio::output

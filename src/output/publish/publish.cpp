@@ -1,0 +1,225 @@
+#include "output/publish/publish.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/sha256.h"
+#include "output/publish/folder_system.h"
+#include "output/publish/leftovers.h"
+#include "output/publish/temporaries.h"
+
+namespace meshfolio::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
+    throw OutputError(path.string(), what + " (" + std::strerror(error) + ")");
+}
+
+/// The folder that the rename will name, without a trailing slash.
+fs::path resolved_folder(const fs::path& target) {
+    std::error_code error;
+    fs::path path = resolved(target, error);
+    if (error || target.empty()) throw OutputError(target.string(), "cannot be a folder (" + error.message() + ")");
+    if (path.filename().empty()) path = path.parent_path();
+    if (path.filename().empty()) throw OutputError(target.string(), "is the root of the file system", "choose another folder with --out");
+    return path;
+}
+
+/// A folder closed to others is not opened to them by what replaces it.
+void keep_private(const fs::path& folder, const fs::path& target) {
+    std::error_code error;
+    const fs::file_status replaced = fs::status(target, error);
+    if (!fs::is_directory(replaced)) return;
+    const fs::perms others = fs::perms::group_all | fs::perms::others_all;
+    fs::permissions(folder, others & ~replaced.permissions(), fs::perm_options::remove, error);
+}
+
+/// @throws OutputError if replacing `target` would delete what we did not make
+void require_ours(const fs::path& target) {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(target, error);
+    if (status.type() == fs::file_type::not_found) return;
+    if (error) throw OutputError(target.string(), "cannot be examined (" + error.message() + ")");
+    if (!fs::is_directory(status)) throw OutputError(target.string(), "is not a folder", "choose another with --out");
+    bool foreign = false;
+    fs::directory_iterator it(target, error);
+    if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
+    for (; it != fs::directory_iterator(); it.increment(error)) {
+        const fs::path name = it->path().filename();
+        if (name == marker_file) return;
+        if (name != ".gitignore" && process_in_name(name.string(), ".meshfolio.tmp-") == 0) foreign = true;
+    }
+    if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
+    if (foreign) {
+        throw OutputError(target.string(), "holds files that no report of ours put there, and would be replaced",
+                          "choose a new or empty folder with --out");
+    }
+}
+
+/// Files below `folder`, relative to it, sorted by their bytes.
+std::vector<std::string> files_below(const fs::path& folder) {
+    std::vector<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder).generic_string());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void write_sums(const fs::path& folder, const Publication::Digests& known) {
+    std::vector<std::string> files = files_below(folder);
+    std::erase(files, sums_file);
+    std::vector<std::string> digests(files.size());
+    tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
+        const auto it = known.find(files[i]);
+        digests[i] = it != known.end() ? it->second : sha256_of_file(folder / files[i]);
+    });
+    std::string sums;
+    for (std::size_t i = 0; i < files.size(); ++i) sums += digests[i] + "  " + files[i] + "\n";
+    write_file(folder / sums_file, sums);
+}
+
+void sync_folders(const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_directory()) OpenFolder(entry.path()).sync();
+    }
+    OpenFolder(folder).sync();
+}
+
+/// Two renames where one exchange is not to be had; what was there waits under a name that the next run knows how to restore.
+void replace_in_two_steps(const fs::path& folder, const fs::path& target) {
+    const fs::path aside = target.string() + ".old-" + process_number();
+    const int moved = rename_with(target, aside, 0);
+    if (moved != 0 && moved != ENOENT) fail(target, "cannot be moved aside", moved);
+    if (const int error = rename_with(folder, target, 0); error != 0) {
+        if (moved == 0) rename_with(aside, target, 0);
+        fail(target, "cannot be put in place", error);
+    }
+    const Temporary replaced(aside);   // removed here
+}
+
+enum class Placed { fresh, exchanged, unsupported };
+
+/// `folder` becomes `target` by one rename. Two first runs may race: whoever comes second finds the name taken and exchanges.
+Placed place(const fs::path& folder, const fs::path& target) {
+    int error = 0;
+    for (int attempt = 0; attempt < 10; ++attempt) {
+        error = rename_with(folder, target, RENAME_NOREPLACE);
+        if (error == 0) return Placed::fresh;
+        if (error == EEXIST || error == ENOTEMPTY) {
+            require_ours(target);
+            error = rename_with(folder, target, RENAME_EXCHANGE);
+            if (error == 0) return Placed::exchanged;
+        }
+        if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP) return Placed::unsupported;
+        if (error != ENOENT) break;
+    }
+    fail(target, "the finished report cannot be put in its place", error);
+}
+
+void place_by_one_rename(const fs::path& folder, const fs::path& target, std::string& note) {
+    const OpenFolder parent(target.parent_path());
+    const auto permission = permission_to_create();
+    const Placed placed = place(folder, target);
+    if (placed == Placed::unsupported) {
+        replace_in_two_steps(folder, target);
+        note = target.string() + ": this file system cannot exchange folders, so the report was replaced in two steps";
+    }
+    try {
+        parent.sync();
+    } catch (const OutputError&) {   // not known to last: better the old one
+        if (placed == Placed::exchanged) rename_with(folder, target, RENAME_EXCHANGE);
+        if (placed == Placed::fresh) rename_with(target, folder, 0);
+        throw;
+    }
+    remember_publication();
+}
+
+/// For a mount point, which cannot be renamed: file by file, the sums last, so that a mix is at least found out by them.
+void place_file_by_file(const fs::path& folder, const fs::path& target) {
+    const auto permission = permission_to_create();
+    std::vector<std::string> files = files_below(folder);
+    const std::vector<std::string> old = files_below(target);
+    std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return file != sums_file; });
+    for (const std::string& file : files) {
+        make_folder((target / file).parent_path());
+        if (const int error = rename_with(folder / file, target / file, 0); error != 0)
+            fail(target / file, "cannot be put in place", error);
+    }
+    std::sort(files.begin(), files.end());
+    for (const std::string& file : old) {
+        const bool temporary = process_in_name(file, ".meshfolio.tmp-") != 0;
+        if (!temporary && !std::binary_search(files.begin(), files.end(), file)) fs::remove(target / file);
+    }
+    sync_folders(target);
+    remember_publication();
+}
+
+void create_folder(const fs::path& path) {
+    const auto permission = permission_to_create();
+    std::error_code error;
+    if (!fs::create_directory(path, error))
+        throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")");
+}
+
+}   // namespace
+
+struct Publication::Folder : Temporary {
+    using Temporary::Temporary;
+};
+
+Publication::Publication(const fs::path& target) : target_(resolved_folder(target)) {
+    require_ours(target_);
+    make_folder(target_.parent_path());
+    sweep_leftovers(target_);
+    in_place_ = is_mount_point(target_);
+    if (in_place_) {
+        lock_ = std::make_unique<OpenFolder>(target_);
+        lock_->lock();
+    }
+    const fs::path path =
+        in_place_ ? target_ / (".meshfolio.tmp-" + process_number()) : fs::path(target_.string() + ".tmp-" + process_number());
+    folder_ = std::make_unique<Folder>(path);
+    create_folder(path);
+    keep_private(path, target_);
+    write_file(path / marker_file, "This folder was made by meshfolio, which replaces it as a whole.\n");
+}
+
+Publication::~Publication() = default;
+
+const fs::path& Publication::folder() const { return folder_->path(); }
+
+std::string Publication::publish(const Digests& known) try {
+    const fs::path kept = target_ / ".gitignore";
+    if (fs::exists(kept)) write_file(folder() / ".gitignore", read_file(kept));
+    write_sums(folder(), known);
+    sync_folders(folder());
+    std::string note;
+    if (in_place_) {
+        place_file_by_file(folder(), target_);
+        note = target_.string() + ": is a mount point, so the report was replaced file by file";
+    } else {
+        place_by_one_rename(folder(), target_, note);
+    }
+    if (!folder_->remove())   // the earlier report, of another owner perhaps
+        note += (note.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
+    return note;
+} catch (const fs::filesystem_error& error) {
+    throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
+} catch (const InputError& error) {   // a file of ours that cannot be read back
+    throw OutputError(target_.string(), error.what());
+}
+
+bool abandon_publications() noexcept { return remove_all_temporaries(); }
+
+}   // namespace meshfolio::output

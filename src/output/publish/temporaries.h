@@ -1,0 +1,45 @@
+/// @file
+/// The temporary files and folders of this process, so that a signal can have them removed at any moment.
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "base/file_bytes.h"
+
+namespace meshfolio::output {
+
+/// A path that is removed with everything in it when this goes, or earlier by remove_all_temporaries().
+class Temporary {
+public:
+    explicit Temporary(std::filesystem::path path);
+    ~Temporary();
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+    /// @return whether nothing is left of it
+    bool remove() const noexcept;
+
+private:
+    std::filesystem::path path_;
+};
+
+/// Held around whatever makes a name appear or puts one in the place of another: after remove_all_temporaries() it is never given again.
+/// A thread that has it may take it again.
+std::unique_lock<std::recursive_mutex> permission_to_create();
+/// To be called with the permission once something is published.
+void remember_publication();
+
+/// Writes the file that `part` stands for. @param synced  it has reached the disk when this returns @throws OutputError
+void write_part(const Temporary& part, std::string_view bytes, bool synced, std::filesystem::perms permissions = new_file_permissions);
+
+/// Takes the permission for good and removes what is registered, also while other threads still write there.
+/// @return whether something was published before
+bool remove_all_temporaries() noexcept;
+
+/// Ends the names of what is temporary: the number of this process.
+std::string process_number();
+
+}   // namespace meshfolio::output

@@ -1,0 +1,164 @@
+#include "questions/bench/cotangent_study.h"
+
+#include <cmath>
+#include <utility>
+
+#include "geometry/curvature/curvature.h"
+#include "geometry/operators/uniform_laplacian.h"
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Weights this close to 0 are right angles, rounded.
+constexpr double negative_below = -1e-9;
+
+struct NegativeWeights {
+    int inside = 0, boundary = 0;
+    double smallest = 0;
+};
+
+NegativeWeights negative_weights(const SparseMatrix& C, const MeshTopology& topology) {
+    NegativeWeights found;
+    for (const Edge& edge : topology.edges) {
+        const double weight = C.coeff(edge.a, edge.b);
+        found.smallest = std::min(found.smallest, weight);
+        if (weight < negative_below) ++(edge.faces == 1 ? found.boundary : found.inside);
+    }
+    return found;
+}
+
+double share(int part, std::size_t whole) { return whole == 0 ? 0 : double(part) / double(whole); }
+
+/// ½‖Lx‖ everywhere, boundary included; 0 where there is no area.
+Vector half_laplacian_length(const LaplaceBeltrami& laplacian, const Positions& X) {
+    Vector length = Vector::Zero(X.rows());
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+        if (!(laplacian.M[i] > 0)) continue;
+        Eigen::RowVector3d pull = Eigen::RowVector3d::Zero();   // Σ C_ij (x_j − x_i): rows sum to 0, so the origin does not matter
+        for (SparseMatrix::InnerIterator entry(laplacian.C, i); entry; ++entry) pull += entry.value() * (X.row(entry.row()) - X.row(i));
+        length[i] = 0.5 * pull.norm() / laplacian.M[i];
+    }
+    return length;
+}
+
+/// √(mean square) of the finite values.
+double rms(const Vector& values) {
+    double sum = 0;
+    int n = 0;
+    for (const double v : values) {
+        if (!std::isfinite(v)) continue;
+        sum += v * v;
+        ++n;
+    }
+    return n == 0 ? 0 : std::sqrt(sum / n);
+}
+
+/// rms difference between the ends of edges, where both are defined: how rough a field is.
+double rms_jump(const Vector& values, const MeshTopology& topology) {
+    Vector jumps(static_cast<Eigen::Index>(topology.edges.size()));
+    Eigen::Index e = 0;
+    for (const Edge& edge : topology.edges) jumps[e++] = values[edge.a] - values[edge.b];
+    return rms(jumps);
+}
+
+/// Rounding in ½‖Lx‖ leaves about this much curvature × mean edge on a flat mesh; less is not told from 0.
+constexpr double curvature_noise = 1e-9;
+
+OperatorVariant variant_of(const CurvatureSubject& s, std::string name, const CotangentOptions& options, const Vector& reference) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(s.mesh(), AreaForm::barycentric, options);
+    const NegativeWeights negative = negative_weights(laplacian.C, s.topology());
+    const Vector length = s.mean_edge * half_laplacian_length(laplacian, s.centred);
+    OperatorVariant v;
+    v.name = std::move(name);
+    v.negative_inside = negative.inside;
+    v.negative_boundary = negative.boundary;
+    v.smallest_weight = negative.smallest;
+    v.inside = largest_magnitude(length, [&](int i) { return s.inside(i); });
+    v.boundary = largest_magnitude(length, [&](int i) { return s.topology().on_boundary[static_cast<std::size_t>(i)] != 0; });
+    const double scale = rms(reference);
+    const Vector change = cotangent_mean_curvature(s.mesh(), s.topology(), laplacian) - reference;
+    v.change = scale * s.mean_edge > curvature_noise ? rms(change) / scale : std::nan("");
+    return v;
+}
+
+}   // namespace
+
+CotangentErrors cotangent_errors(const SampledSurface& s) {
+    CotangentErrors e;
+    e.vertices = s.mesh.vertex_count();
+    e.mean_edge = s.mean_edge;
+    e.smallest_angle = s.smallest_angle;
+    e.uniform = relative_error(uniform_mean_curvature_scaled(s.mesh, s.topology), s.H, s.areas);
+    const CornerValues cotangents = corner_cotangents(s.mesh);
+    LaplaceBeltrami laplacian{cotangent_stiffness(s.mesh.F, e.vertices, cotangents), s.areas};
+    e.negative_weights = share(negative_weights(laplacian.C, s.topology).inside, s.topology.edges.size());
+    for (std::size_t form = 0; form < area_forms.size(); ++form) {
+        if (area_forms[form] != AreaForm::barycentric) laplacian.M = vertex_areas(s.mesh, area_forms[form]);
+        const Vector H = cotangent_mean_curvature(s.mesh, s.topology, laplacian);
+        e.H[form] = relative_error(H, s.H, s.areas);
+        e.undefined[form] = summary_of(H).undefined;
+    }
+    laplacian = {cotangent_stiffness(s.mesh.F, e.vertices, cotangents, {.clamp_negative = true}), s.areas};
+    e.clamped = relative_error(cotangent_mean_curvature(s.mesh, s.topology, laplacian), s.H, s.areas);
+    return e;
+}
+
+ErrorHistory cotangent_H(const CotangentRefinement& refinement, std::size_t area_form, double FieldError::*norm) {
+    return refinement.history([&](const CotangentErrors& level) { return level.H[area_form].*norm; });
+}
+
+ErrorHistory scaled_uniform_H(const CotangentRefinement& refinement) {
+    return refinement.history([](const CotangentErrors& level) { return level.uniform.l2; });
+}
+
+double pentagon_excess() { return 3 / std::tan(54 * M_PI / 180) / (2 * std::sin(72 * M_PI / 180)) - 1; }
+
+CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source) {
+    CotangentComparison c;
+    c.subject = curvature_subject(std::move(source));
+    const TriangleMesh& mesh = c.subject.mesh();
+    const MeshTopology& topology = c.subject.topology();
+    c.uniform = uniform_mean_curvature_scaled(mesh, topology);
+    c.cotangent = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
+    c.difference = c.cotangent - c.uniform;
+    c.drift = c.subject.mean_edge * largest_magnitude(c.uniform);
+    c.precision = c.subject.mean_edge * largest_magnitude(c.cotangent);
+    c.rms_uniform = rms(c.uniform);
+    c.rms_difference = rms(c.difference);
+    c.jump_uniform = rms_jump(c.uniform, topology);
+    c.jump_cotangent = rms_jump(c.cotangent, topology);
+    int opposite = 0, both = 0;
+    for (Eigen::Index i = 0; i < c.difference.size(); ++i) {
+        if (!std::isfinite(c.difference[i])) continue;
+        ++both;
+        opposite += c.uniform[i] * c.cotangent[i] < 0 ? 1 : 0;
+    }
+    c.sign_change = both == 0 ? 0 : double(opposite) / both;
+    c.variants = {variant_of(c.subject, "½ Σ cot (used)", {}, c.cotangent),
+                  variant_of(c.subject, "mean over opposite vertices", {.opposite = CotangentOptions::OppositeVertices::mean}, c.cotangent),
+                  variant_of(c.subject, "negative weights clamped", {.clamp_negative = true}, c.cotangent)};
+    return c;
+}
+
+PlaneTest irregular_plane(std::uint64_t seed) {
+    TriangleMesh mesh = grid_mesh(24, 24, 1, 1);
+    const MeshTopology topology = topology_of(mesh);
+    mesh.X = jittered(mesh, topology, 0.2, seed, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
+    const double edge = mean_edge_length(mesh);
+    const LaplaceBeltrami exact = laplace_beltrami(mesh), clamped = laplace_beltrami(mesh, AreaForm::barycentric, {.clamp_negative = true});
+    PlaneTest test;
+    test.uniform_H = edge * uniform_mean_curvature_scaled(mesh, topology);
+    test.cotangent_H = edge * cotangent_mean_curvature(mesh, topology, exact);
+    test.clamped_H = edge * cotangent_mean_curvature(mesh, topology, clamped);
+    test.negative_weights = share(negative_weights(exact.C, topology).inside, topology.edges.size());
+    test.uniform = largest_magnitude(test.uniform_H);
+    test.cotangent = largest_magnitude(test.cotangent_H);
+    test.clamped = largest_magnitude(test.clamped_H);
+    test.mesh = std::move(mesh);
+    return test;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,122 @@
+#include "questions/bench/ellipsoid_study.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "geometry/curvature/analytic_surfaces.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/operators/vertex_areas.h"
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
+
+namespace meshfolio {
+
+std::string axes_text(const Ellipsoid& e) { return "a = " + readable(e.a) + ", b = " + readable(e.b) + ", c = " + readable(e.c); }
+
+Vector3 axes_of(const Ellipsoid& e) { return {e.a, e.b, e.c}; }
+
+namespace {
+
+/// Random points, a tenth of a radian away from the poles, where dividing by sin v would measure the differences' rounding.
+OracleErrors oracle_errors(const Ellipsoid& ellipsoid, int points, NormalNumbers& random) {
+    OracleErrors errors{ellipsoid, 0, 0, 0, 0, points};
+    for (int i = 0; i < points; ++i) {
+        const double u = 2 * M_PI * random.uniform();
+        const double v = 0.1 + (M_PI - 0.2) * random.uniform();
+        const FundamentalForms exact = ellipsoid_forms(ellipsoid, u, v);
+        const FundamentalForms differences = ellipsoid_forms_by_differences(ellipsoid, u, v);
+        const auto deviation = [](const Eigen::Matrix2d& A, const Eigen::Matrix2d& B) {
+            return (A - B).cwiseAbs().maxCoeff() / A.cwiseAbs().maxCoeff();
+        };
+        const CurvaturePair implicit = ellipsoid_curvature(axes_of(ellipsoid), ellipsoid_point(ellipsoid, u, v));
+        errors.I = std::max(errors.I, deviation(exact.I, differences.I));
+        errors.II = std::max(errors.II, deviation(exact.II, differences.II));
+        errors.K = std::max(errors.K, std::abs(gaussian_curvature(exact) / implicit.K - 1));
+        errors.H = std::max(errors.H, std::abs(mean_curvature(exact) / implicit.H - 1));
+    }
+    return errors;
+}
+
+DiscreteTip discrete_tip(const Ellipsoid& ellipsoid, const TriangleMesh& mesh) {
+    const MeshTopology topology = topology_of(mesh);
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh, AreaForm::voronoi);
+    Eigen::Index nearest = 0;
+    DiscreteTip tip;
+    tip.vertices = mesh.vertex_count();
+    tip.mean_edge = mean_edge_length(mesh);
+    tip.distance = (mesh.X.rowwise() - Eigen::RowVector3d(ellipsoid.a, 0, 0)).rowwise().norm().minCoeff(&nearest);
+    tip.H = cotangent_mean_curvature(mesh, topology, laplacian)[nearest];
+    tip.K = gaussian_curvature(mesh, topology, laplacian.M)[nearest];
+    const CurvaturePair truth = ellipsoid_curvature(axes_of(ellipsoid), mesh.X.row(nearest));
+    tip.H_error = std::abs(tip.H / truth.H - 1);
+    tip.K_error = std::abs(tip.K / truth.K - 1);
+    return tip;
+}
+
+/// The (u, v) grid within 0.5 rad of the tip, n × n vertices: every ring inside is symmetric about its vertex in (u, v).
+TriangleMesh tip_patch(const Ellipsoid& ellipsoid, int n) {
+    TriangleMesh mesh = grid_mesh(n, n, 1, 1);
+    for (int i = 0; i < mesh.vertex_count(); ++i) {
+        // x runs along v and y along u, which turns the normal p_u × p_v outwards.
+        mesh.X.row(i) = ellipsoid_point(ellipsoid, mesh.X(i, 1) - 0.5, M_PI / 2 + mesh.X(i, 0) - 0.5).transpose();
+    }
+    return mesh;
+}
+
+}   // namespace
+
+std::vector<OracleErrors> all_oracle_errors(const QuestionSettings& settings) {
+    NormalNumbers random(settings.seed);
+    std::vector<OracleErrors> errors;
+    for (const Ellipsoid& e : {flat_ellipsoid, tall_ellipsoid, Ellipsoid{1, 1, 1}, Ellipsoid{1, 2, 3}, Ellipsoid{5, 1, 0.5}}) {
+        errors.push_back(oracle_errors(e, settings.quick ? 50 : 200, random));
+    }
+    return errors;
+}
+
+Tip tip_of(const Ellipsoid& ellipsoid) {
+    Tip tip{ellipsoid, ellipsoid_forms(ellipsoid, 0, M_PI / 2), {}};
+    tip.principal = principal_curvatures(tip.forms);
+    tip.H = mean_curvature(tip.forms);
+    tip.K = gaussian_curvature(tip.forms);
+    for (int i = 0; i < 360; ++i) {
+        const double t = i * M_PI / 180;
+        // At the tip p_u = (0, b, 0) and p_v = (0, 0, −c): the unit tangent at angle t from +y has these parameters.
+        const Eigen::Vector2d unit(std::cos(t) / ellipsoid.b, -std::sin(t) / ellipsoid.c), raw(std::cos(t), std::sin(t));
+        tip.worst_euler = std::max(tip.worst_euler, std::abs(normal_curvature(tip.forms, unit) / tip_curvature_by_angle(ellipsoid, t) - 1));
+        tip.worst_parameters =
+            std::max(tip.worst_parameters, std::abs(normal_curvature(tip.forms, raw) / tip_curvature_by_parameters(ellipsoid, t) - 1));
+    }
+    tip.at_45_angle = tip_curvature_by_angle(ellipsoid, M_PI / 4);
+    tip.at_45_parameters = tip_curvature_by_parameters(ellipsoid, M_PI / 4);
+    return tip;
+}
+
+std::vector<PoleStep> towards_the_pole(const Ellipsoid& ellipsoid) {
+    std::vector<PoleStep> steps;
+    for (const double distance : {0.5, 0.1, 1e-2, 1e-3, 1e-4}) {
+        const FundamentalForms forms = ellipsoid_forms(ellipsoid, 0, M_PI - distance);
+        steps.push_back({distance, forms.I.determinant(), gaussian_curvature(forms)});
+    }
+    return steps;
+}
+
+DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick) {
+    DiscreteTips tips;
+    for (int level = 2; level <= (quick ? 4 : 5); ++level) {
+        tips.grid.push_back(discrete_tip(ellipsoid, tip_patch(ellipsoid, (2 << level) + 1)));
+        tips.icosphere.push_back(discrete_tip(ellipsoid, ellipsoid_mesh(level, axes_of(ellipsoid))));
+    }
+    return tips;
+}
+
+double order_of(const std::vector<DiscreteTip>& tips, double DiscreteTip::*error) {
+    const DiscreteTip& coarse = tips[tips.size() - 2];
+    const DiscreteTip& fine = tips.back();
+    return std::log(coarse.*error / fine.*error) / std::log(coarse.mean_edge / fine.mean_edge);
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,100 @@
+#include "questions/bench/mesh_class.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio {
+
+namespace {
+
+struct EdgeAngle {
+    int a, b;
+    double degrees;
+};
+
+/// Of every edge with two faces, in order; triangles without a normal have none.
+std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology& topology) {
+    const Positions N = face_normals(mesh);
+    std::vector<EdgeAngle> angles;
+    std::vector<int> faces;
+    for (const Edge& edge : topology.edges) {
+        faces.clear();
+        std::set_intersection(topology.vertex_faces.begin(edge.a), topology.vertex_faces.end(edge.a), topology.vertex_faces.begin(edge.b),
+                              topology.vertex_faces.end(edge.b), std::back_inserter(faces));
+        if (faces.size() != 2) continue;
+        const Vector3 n = N.row(faces[0]), m = N.row(faces[1]);
+        if (n.isZero(0) || m.isZero(0)) continue;
+        angles.push_back({edge.a, edge.b, 180 / M_PI * std::atan2(n.cross(m).norm(), n.dot(m))});
+    }
+    return angles;
+}
+
+}   // namespace
+
+std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
+    std::vector<char> on_feature(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
+        if (edge.degrees <= feature_angle) continue;
+        on_feature[static_cast<std::size_t>(edge.a)] = on_feature[static_cast<std::size_t>(edge.b)] = 1;
+    }
+    return on_feature;
+}
+
+int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
+    int vertex = mesh.face_count() > 0 ? mesh.F(0, 0) : 0;
+    double sharpest = 0;
+    for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
+        // Equal to rounding is equal: the choice must not hang on the last bit.
+        if (edge.degrees <= sharpest + 1e-6) continue;
+        sharpest = edge.degrees;
+        vertex = edge.a;
+    }
+    return vertex;
+}
+
+std::string_view title_of(MeshClass kind) {
+    switch (kind) {
+        case MeshClass::flat:
+            return "flat";
+        case MeshClass::smooth:
+            return "smooth";
+        case MeshClass::sharp_edged:
+            return "sharp-edged";
+        case MeshClass::rough:
+            break;
+    }
+    return "rough or coarse";
+}
+
+MeshClass MeshCharacter::kind() const {
+    if (largest_angle < 1) return MeshClass::flat;
+    if (feature_share < 0.01) return MeshClass::smooth;
+    return typical_angle < 10 ? MeshClass::sharp_edged : MeshClass::rough;
+}
+
+MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology) {
+    MeshCharacter character;
+    std::vector<double> others;
+    for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
+        character.largest_angle = std::max(character.largest_angle, edge.degrees);
+        if (edge.degrees <= feature_angle) others.push_back(edge.degrees);
+    }
+    if (!others.empty()) {
+        const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+        std::nth_element(others.begin(), middle, others.end());
+        character.typical_angle = *middle;
+    }
+    const std::vector<char> on_feature = feature_vertices(mesh, topology);
+    if (!on_feature.empty()) {
+        character.feature_share =
+            static_cast<double>(std::count(on_feature.begin(), on_feature.end(), 1)) / static_cast<double>(on_feature.size());
+    }
+    character.open = topology.boundary_edge_count() > 0;
+    return character;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,146 @@
+#include "questions/bench/smoothing_study.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/operators/dirichlet_energy.h"
+#include "mesh/triangle_measures.h"
+#include "output/draw/surface_of.h"
+#include "questions/core/value_lists.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// |⟨X, φ⟩_M| over the three coordinates.
+double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
+    const Vector weights = subject.laplacian.M.cwiseProduct(subject.top.mode);   // sums to 0, so the origin may be chosen near
+    return ((X.rowwise() - subject.mesh().X.row(0)).transpose() * weights).norm();
+}
+
+}   // namespace
+
+SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind, AreaForm area) {
+    SmoothingSubject subject;
+    subject.source = std::move(source);
+    subject.kind = kind;
+    subject.area = area;
+    subject.laplacian = laplace_operator(subject.mesh(), kind, area);
+    subject.top = largest_eigenvalue(subject.laplacian);
+    subject.bottom = definiteness(subject.laplacian, assembly_of(kind));
+    subject.critical = largest_stable_step(subject.top);
+    if (kind == OperatorKind::cotan && subject.source->prepared->preflight.zero_area_faces > 0) {
+        subject.critical_floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(subject.mesh(), area)));
+    }
+    subject.mean_edge = mean_edge_length(subject.mesh());
+    subject.diagonal = bounding_box(subject.mesh()).diagonal();
+    subject.initial_energy = dirichlet_energy(subject.laplacian.C, subject.mesh().X);
+    return subject;
+}
+
+std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples) {
+    std::vector<double> steps = settings.lambda;
+    if (steps.empty()) {
+        for (const double multiple : multiples) steps.push_back(multiple * subject.critical);
+    }
+    return each_once(steps);
+}
+
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep) {
+    ImplicitSolver solver;
+    return run_smoothing(subject, scheme, lambda, iterations, keep, solver);
+}
+
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild) {
+    SmoothingRun run;
+    run.scheme = scheme;
+    run.lambda = lambda;
+    run.iterations = iterations;
+    run.in_view = subject.mesh().X;
+    const bool closed = subject.source->prepared->preflight.closed();
+    const double first_volume = signed_volume(subject.mesh());
+    if (closed) run.volume = {1};
+
+    SmoothingOptions options;
+    options.scheme = scheme;
+    options.laplacian = subject.kind;
+    options.area = subject.area;
+    options.rebuild = rebuild;
+    options.lambda = lambda;
+    options.iterations = iterations;
+    EnergyWatch watch(subject.laplacian, scheme, lambda, subject.mesh().X);
+    options.after_step = [&](int iteration, const Positions& X) {
+        watch.look(X);
+        if (closed) run.volume.push_back(signed_volume(moved_to(subject.mesh(), X)) / first_volume);
+        if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(subject.mesh(), X)) {
+            run.in_view = X;
+            run.in_view_iteration = iteration;
+        }
+        if (std::find(keep.begin(), keep.end(), iteration) != keep.end()) run.snapshots.push_back(X);
+        return true;
+    };
+    run.result = smooth(subject.mesh(), options, solver);
+    for (const double energy : watch.energy()) run.energy.push_back(energy / watch.energy().front());
+    for (const double rounding : watch.rounding()) run.energy_rounding.push_back(rounding / watch.energy().front());
+
+    const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
+    run.moved = compare_meshes(subject.mesh(), smoothed);
+    run.volume_ratio = closed ? run.moved.volume_ratio : std::nan("");
+    run.smallest_angle = smallest_angle(smoothed);
+    return run;
+}
+
+report::Check energy_check(std::string name, const SmoothingRun& run) {
+    constexpr double seen = 1e-9;
+    double rise = 0, rounding = *std::max_element(run.energy_rounding.begin(), run.energy_rounding.end());
+    double beyond = 0;   // of the step that rose farthest beyond its rounding
+    for (std::size_t t = 1; t < run.energy.size(); ++t) {
+        const double step = run.energy[t] - run.energy[t - 1];
+        if (step - run.energy_rounding[t] <= beyond) continue;
+        rise = step;
+        rounding = run.energy_rounding[t];
+        beyond = step - rounding;
+    }
+    if (run.result.blew_up) rise = INFINITY;
+    report::Check check = report::check_at_most(std::move(name), 0, rise, rounding);
+    if (!check.passed() || rounding <= seen) return check;
+    return report::undecided(std::move(check), "rounding alone could hide a rise of 1e-9");
+}
+
+Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps) {
+    const double height = 1e-3 * subject.mean_edge / subject.top.mode.cwiseAbs().maxCoeff();
+    Positions X = subject.mesh().X + height * subject.top.mode * Eigen::RowVector3d::Ones();
+    const double start = mode_amplitude(subject, X);
+    for (int t = 0; t < steps; ++t) X = explicit_step(subject.laplacian, lambda, X);
+    return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};
+}
+
+Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
+    const TriangleMesh mesh = moved_to(subject.mesh(), X);
+    return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
+}
+
+std::string energy_fall(double left) { return left < 0.99 ? "to " + readable_percent(left) : "by " + readable_percent(1 - left, 2); }
+
+std::string step_label(const SmoothingSubject& subject, double lambda) {
+    return readable(lambda) + " = " + plain_text(lambda / subject.critical, 3) + "\u202fλ_crit";
+}
+
+std::string step_name(double lambda) { return "lambda" + plain_text(lambda, 3); }
+
+output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label) {
+    return panel_of(moved_to(subject.mesh(), X), std::move(name), std::move(label), curvature_colours(subject, X));
+}
+
+void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure) {
+    figure.panels.insert(figure.panels.begin(),
+                         panel_of(*subject.source, std::move(before), "before", curvature_colours(subject, subject.mesh().X)));
+    figure.range = output::robust_range({figure.panels.front()}, "diverging", "mean curvature × mean edge", "", 0.02);
+    add_figure(answer, std::move(figure));
+}
+
+}   // namespace meshfolio

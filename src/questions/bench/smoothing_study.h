@@ -1,0 +1,98 @@
+/// @file
+/// One smoothing run and what is measured along the way; shared by the questions on smoothing.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/measures/mesh_error.h"
+#include "geometry/operators/definiteness.h"
+#include "geometry/smoothing/laplacian_smoothing.h"
+#include "geometry/smoothing/stability.h"
+#include "questions/core/mesh_library.h"
+#include "questions/core/settings.h"
+#include "questions/core/six_view_figure.h"
+#include "report/document.h"
+
+namespace meshfolio {
+
+/// A mesh with its operator and the limit of explicit smoothing on it.
+struct SmoothingSubject {
+    std::shared_ptr<const LibraryMesh> source;
+    OperatorKind kind = OperatorKind::cotan;
+    AreaForm area = AreaForm::barycentric;
+    LaplaceBeltrami laplacian;     // of the input, frozen
+    LargestEigenvalue top;         // of −L
+    Definiteness bottom;           // only where −C is semidefinite is any explicit step stable
+    double critical = 0;           // λ_crit = 2/μ_max [length²; 1 for the uniform operator]
+    double critical_floored = 0;   // λ_crit if triangles without area kept a stiffness; 0: there are none
+    double mean_edge = 0;          // [length]
+    double diagonal = 0;           // of the bounding box [length]
+    double initial_energy = 0;     // Dirichlet energy of the input [length²]
+
+    /// Twice the inverse of the Gershgorin bound; 0 where no step is proved stable.
+    double safe() const { return bottom.semidefinite() ? 2 / top.upper_bound : 0; }
+    const TriangleMesh& mesh() const { return source->mesh(); }
+    const std::string& name() const { return source->name; }
+};
+SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind = OperatorKind::cotan,
+                                   AreaForm area = AreaForm::barycentric);
+
+/// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
+std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples);
+
+struct SmoothingRun {
+    SmoothingScheme scheme = SmoothingScheme::explicit_euler;
+    double lambda = 0;    // [length²]
+    int iterations = 0;   // asked for
+    Smoothed result;
+    MeshDifference moved;                  // the input against the result
+    double volume_ratio = 0;               // NaN when open
+    double smallest_angle = 0;             // of the result [rad]
+    std::vector<double> energy;            // Dirichlet energy after t = 0, 1, … iterations, over that of the input
+    std::vector<double> energy_rounding;   // by how much rounding may have raised it in step t, likewise; 0 for t = 0
+    std::vector<double> volume;            // after t = 0, 1, … iterations, over that of the input; empty when open
+    Positions in_view;                     // the last positions before any leaves the pictures framed on the input
+    int in_view_iteration = 0;
+    std::vector<Positions> snapshots;   // at the iterations asked for
+};
+
+/// One run; `keep` lists iterations (ascending, ≤ iterations) whose positions are kept in `snapshots`.
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep = {});
+/// The same with a solver that implicit runs share; `rebuild`: the operator is that of the current positions at every step.
+SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
+                           const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild = false);
+
+/// That the energy never rises by more than rounding can have raised it, for a run in which no mode may grow. Undecided where rounding
+/// could hide a rise of 1e-9 of the energy of the input.
+report::Check energy_check(std::string name, const SmoothingRun& run);
+
+/// How much `steps` explicit steps amplify the top mode, which starts a thousandth of a mean edge high (so that it can be measured even
+/// where symmetry leaves none of it in the input), against |1 − λμ_max|^steps.
+struct Amplification {
+    double predicted = 0, measured = 0;
+};
+Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
+
+/// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
+/// figures are coloured by. NaN where undefined.
+Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
+
+/// What an energy falls by when this share of it is left: "to 87 %"; "by 0.036 %" where the share left would read as all of it.
+std::string energy_fall(double left);
+
+/// λ for people: "0.0123 = 0.5 λ_crit".
+std::string step_label(const SmoothingSubject& subject, double lambda);
+/// λ for file names: "lambda0.0123".
+std::string step_name(double lambda);
+
+/// The mesh of the subject on the positions X, coloured by curvature_colours().
+output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
+
+/// Puts the input, as panel `before`, in front of the panels and adds the figure. The colour range is the input's: an unstable result
+/// has curvatures of any size.
+void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure);
+
+}   // namespace meshfolio

@@ -1,0 +1,91 @@
+#include "questions/bench/spectral_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/spectrum/spectral_reconstruction.h"
+#include "mesh/triangle_measures.h"
+#include "questions/core/value_lists.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// All modes are taken when the mesh is no larger than this; beyond, 300 are the "large value".
+constexpr int all_modes_up_to = 700;
+
+/// The k of the assignment, 5, 15 and large, with steps in between.
+std::vector<int> mode_counts(const QuestionSettings& settings, int n) {
+    std::vector<int> counts = settings.k;
+    if (counts.empty()) {
+        counts = settings.quick ? std::vector{5, 15, 60} : std::vector{5, 15, 30, 60, 150};
+        if (!settings.quick) counts.push_back(n <= all_modes_up_to ? n : 300);
+    }
+    for (int& k : counts) k = std::clamp(k, 1, n);
+    return each_once(counts);
+}
+
+}   // namespace
+
+SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+    SpectralStudy study;
+    study.source = std::move(source);
+    study.diagonal = bounding_box(study.mesh()).diagonal();
+    study.laplacian = laplace_beltrami(study.mesh());
+    const std::vector<int> counts = mode_counts(settings, study.vertices());
+    const auto start = std::chrono::steady_clock::now();
+    study.spectrum = smallest_eigenpairs(study.laplacian, counts.back());
+    study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    study.certificate = certify_spectrum(study.mesh(), study.laplacian, study.spectrum);
+    const Positions& X = study.mesh().X;
+    ReconstructionStream stream(study.laplacian.M, X);   // one pass over the modes, whatever the number of k
+    for (const int k : counts) {
+        if (k > study.modes()) continue;
+        const int done = stream.modes();
+        stream.add(study.spectrum.eigenvectors.middleCols(done, k - done), study.spectrum.eigenvalues.segment(done, k - done));
+        Reconstruction r;
+        r.k = k;
+        r.mesh = moved_to(study.mesh(), stream.positions());
+        r.distance = (r.mesh.X - X).rowwise().norm();
+        r.difference = compare_meshes(study.mesh(), r.mesh);
+        study.reconstructions.push_back(std::move(r));
+    }
+    const int rest = study.modes() - stream.modes();   // where some vertices in use have no area
+    stream.add(study.spectrum.eigenvectors.rightCols(rest), study.spectrum.eigenvalues.tail(rest));
+    study.rms = stream.rms();
+    for (Reconstruction& r : study.reconstructions) r.predicted_rms = study.rms[r.k];
+    return study;
+}
+
+int smallest_k_below(const SpectralStudy& study, double share) {
+    for (int k = 1; k <= study.modes(); ++k) {
+        if (study.rms[k] <= share * study.diagonal) return k;
+    }
+    return 0;
+}
+
+double falling_power(const SpectralStudy& study, int a, int b) { return std::log(study.rms[a] / study.rms[b]) / std::log(double(b) / a); }
+
+double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) {
+    const Positions& X = study.mesh().X;
+    const Vector& M = study.laplacian.M;
+    const Vector3 centroid = (X.transpose() * M) / M.sum();
+    const Vector from_centre = (X.rowwise() - centroid.transpose()).rowwise().norm();
+    std::vector<int> order(static_cast<std::size_t>(X.rows()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return r.distance[a] > r.distance[b]; });
+    const std::size_t worst = std::max<std::size_t>(1, order.size() / 20);
+    double sum = 0;
+    for (std::size_t i = 0; i < worst; ++i) sum += from_centre[order[i]];
+    return sum / static_cast<double>(worst) / (from_centre.dot(M) / M.sum());
+}
+
+double largest_parseval_gap(const SpectralStudy& study) {
+    double gap = 0;
+    for (const Reconstruction& r : study.reconstructions) gap = std::max(gap, std::abs(r.predicted_rms - r.difference.area_weighted_rms));
+    return gap;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,56 @@
+/// @file
+/// What question 4 measures: a mesh rebuilt from its k smoothest eigenvectors, and the error for every k.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/measures/mesh_error.h"
+#include "geometry/spectrum/laplace_spectrum.h"
+#include "geometry/spectrum/spectrum_certificate.h"
+#include "questions/core/mesh_library.h"
+#include "questions/core/settings.h"
+
+namespace meshfolio {
+
+struct Reconstruction {
+    int k = 0;
+    TriangleMesh mesh;
+    Vector distance;             // n, |x_i − x_i^(k)| [length]
+    MeshDifference difference;   // against the original
+    double predicted_rms = 0;    // area-weighted, from the coefficients alone [length]
+};
+
+struct SpectralStudy {
+    std::shared_ptr<const LibraryMesh> source;
+    double diagonal = 0;   // of the bounding box [length]
+    LaplaceBeltrami laplacian;
+    Spectrum spectrum;
+    SpectrumCertificate certificate;               // measured anew, whatever the solver says
+    Vector rms;                                    // entry k: predicted error of k modes [length]
+    std::vector<Reconstruction> reconstructions;   // ascending k
+    double seconds = 0;                            // of the eigensolve
+
+    const TriangleMesh& mesh() const { return source->mesh(); }
+    const std::string& name() const { return source->name; }
+    int modes() const { return static_cast<int>(spectrum.eigenvalues.size()); }
+    int vertices() const { return source->prepared->preflight.vertices_in_use; }
+};
+
+/// From one eigensolve, for the k of the settings or else those of the assignment, 5, 15 and large, with steps in between.
+SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+
+/// Smallest k whose error is at most `share` of the box diagonal; 0 when no k that was computed reaches it.
+int smallest_k_below(const SpectralStudy& study, double share);
+
+/// p where the error falls like k^−p from k = a to k = b.
+double falling_power(const SpectralStudy& study, int a, int b);
+
+/// How far from the centroid the worst-placed 5 % of the vertices are, over how far an average vertex is.
+double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r);
+
+/// Largest |predicted − measured rms| of the reconstructions. [length]
+double largest_parseval_gap(const SpectralStudy& study);
+
+}   // namespace meshfolio

@@ -1,0 +1,197 @@
+#include "questions/certificates/planted_faults.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/smoothing/stability_certificate.h"
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio::certificates {
+
+using report::check_near;
+
+namespace {
+
+constexpr int modes = 12;
+
+report::Check claimed_count_check(const Specimen& s) try {
+    const Inertia inertia = eigenvalues_below(s.laplacian, s.complete_shift);
+    const report::Check check = check_near(law::claimed_count, s.modes_known, inertia.below, 0);
+    const double gap = (s.spectrum.eigenvalues.array() - s.complete_shift).abs().minCoeff();
+    return inertia.delta < gap ? check : report::undecided(check, cannot_be_proved(inertia.delta, gap));
+} catch (const SolverError&) {
+    return report::undecided(check_near(law::claimed_count, s.modes_known, std::nan(""), 0), "a pivot is lost in rounding");
+}
+
+/// Half way between the last two values of one mode more than is kept.
+Spectrum first_modes(const LaplaceBeltrami& laplacian, int k, double& sigma) {
+    Spectrum spectrum = smallest_eigenpairs(laplacian, k + 1);
+    sigma = 0.5 * (spectrum.eigenvalues[k - 1] + spectrum.eigenvalues[k]);
+    spectrum.eigenvalues.conservativeResize(k);
+    spectrum.eigenvectors.conservativeResize(Eigen::NoChange, k);
+    return spectrum;
+}
+
+// ---- the faults -------------------------------------------------------------------------------------------------------
+
+/// The corner whose cotangent is the median of all: neither a needle nor a right angle.
+std::pair<Eigen::Index, int> typical_corner(const CornerValues& cotangents) {
+    std::vector<double> sorted(cotangents.data(), cotangents.data() + cotangents.size());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    Eigen::Index t = 0, k = 0;
+    (cotangents.array() - *middle).abs().minCoeff(&t, &k);
+    return {t, static_cast<int>(k)};
+}
+
+void turn_one_cotangent(Specimen& s) {
+    CornerValues cotangents = corner_cotangents(s.mesh);
+    const auto [t, k] = typical_corner(cotangents);
+    cotangents(t, k) *= -1;
+    s.laplacian.C = cotangent_stiffness(s.mesh.F, s.mesh.vertex_count(), cotangents);
+}
+
+void leave_out_a_triangle(Specimen& s) {
+    CornerValues cotangents = corner_cotangents(s.mesh);
+    cotangents.row(typical_corner(cotangents).first).setZero();
+    s.laplacian.C = cotangent_stiffness(s.mesh.F, s.mesh.vertex_count(), cotangents);
+}
+
+void change_one_side(Specimen& s) {
+    SparseMatrix::InnerIterator entry(s.laplacian.C, 0);
+    while (entry.row() == entry.col()) ++entry;
+    entry.valueRef() *= 2;
+}
+
+void move_a_vertex(Specimen& s) { s.mesh.X.row(s.mesh.vertex_count() / 2) *= 1.001; }
+
+void reverse_a_face(Specimen& s) { std::swap(s.mesh.F(0, 1), s.mesh.F(0, 2)); }
+
+void lose_a_face(Specimen& s) { s.mesh.F.conservativeResize(s.mesh.F.rows() - 1, 3); }
+
+void turn_inside_out(Specimen& s) { s.mesh.F.col(1).swap(s.mesh.F.col(2)); }
+
+void lose_an_angle(Specimen& s) { s.angle_deficits[s.mesh.F(0, 0)] += corner_angles(s.mesh)(0, 0); }
+
+void drop_a_mode(Specimen& s) {
+    constexpr Eigen::Index dropped = modes / 2, rest = modes - dropped - 1;
+    s.spectrum.eigenvalues.segment(dropped, rest) = s.spectrum.eigenvalues.tail(rest).eval();
+    s.spectrum.eigenvectors.middleCols(dropped, rest) = s.spectrum.eigenvectors.rightCols(rest).eval();
+    s.spectrum.eigenvalues.conservativeResize(modes - 1);
+    s.spectrum.eigenvectors.conservativeResize(Eigen::NoChange, modes - 1);
+}
+
+void replace_an_eigenvector(Specimen& s) { s.spectrum.eigenvectors.col(5) = s.spectrum.eigenvectors.col(4); }
+
+/// ψ = M^½φ, scaled to the length of φ: the eigenvector of M^−½CM^−½ taken for that of the mesh.
+void forget_to_map_back(Specimen& s) {
+    const Vector phi = s.spectrum.eigenvectors.col(5);
+    const Vector psi = s.laplacian.M.cwiseSqrt().cwiseProduct(phi);
+    s.spectrum.eigenvectors.col(5) = psi / std::sqrt(s.laplacian.M.dot(psi.cwiseAbs2()));
+}
+
+void stretch_an_eigenvector(Specimen& s) { s.spectrum.eigenvectors.col(2) *= 1.001; }
+
+void call_an_eigenvalue_zero(Specimen& s) { s.spectrum.eigenvalues[1] = 0; }
+
+void swap_two_modes(Specimen& s) {
+    std::swap(s.spectrum.eigenvalues[5], s.spectrum.eigenvalues[8]);
+    s.spectrum.eigenvectors.col(5).swap(s.spectrum.eigenvectors.col(8));
+}
+
+void put_shift_below_last_mode(Specimen& s) { s.complete_shift = (1 - 1e-4) * s.spectrum.eigenvalues[modes - 1]; }
+
+void put_shift_below_top(Specimen& s) { s.stable_shift *= 1 - 1e-6; }
+
+}   // namespace
+
+std::vector<PlantedFault> planted_faults() {
+    return {{"sign of one cotangent turned", law::first_variation, turn_one_cotangent},
+            {"signs of all cotangents turned", law::semidefinite, [](Specimen& s) { s.laplacian.C *= -1; }},
+            {"½ missing in C", law::energy, [](Specimen& s) { s.laplacian.C *= 2; }},
+            {"one triangle left out of C", law::energy, leave_out_a_triangle},
+            {"one entry of C doubled on one side of the diagonal", law::symmetric, change_one_side},
+            {"one diagonal entry of C off by 1 %", law::row_sums, [](Specimen& s) { s.laplacian.C.coeffRef(0, 0) *= 1.01; }},
+            {"areas twice too large", law::mass, [](Specimen& s) { s.laplacian.M *= 2; }},
+            {"one vertex moved by 0.1 % after C was built", law::first_variation, move_a_vertex},
+            {"one face reversed", law::half_edges, reverse_a_face},
+            {"one face missing", law::flux, lose_a_face},
+            {"all faces reversed", law::outward, turn_inside_out},
+            {"one angle left out of a deficit", law::gauss_bonnet, lose_an_angle},
+            {"one mode dropped", law::complete, drop_a_mode},
+            {"one eigenvector replaced by its neighbour", law::orthonormal, replace_an_eigenvector},
+            {"one eigenvector not mapped back (√M φ for φ)", law::residual, forget_to_map_back},
+            {"one eigenvector 0.1 % too long", law::parseval, stretch_an_eigenvector},
+            {"one eigenvalue taken for 0", law::zeros, call_an_eigenvalue_zero},
+            {"two modes out of order", law::ascending, swap_two_modes},
+            {"σ of the inertia on the wrong side of the last mode", law::claimed_count, put_shift_below_last_mode},
+            {"σ of the stability limit on the wrong side of μ_max", law::stable, put_shift_below_top}};
+}
+
+Specimen sound_specimen(const TriangleMesh& mesh) {
+    Specimen s;
+    s.mesh = mesh;
+    const MeshTopology topology = topology_of(mesh);
+    s.claims.euler_characteristic = mesh.vertex_count() - static_cast<int>(topology.edges.size()) + mesh.face_count();
+    s.laplacian = laplace_beltrami(mesh);
+    s.angle_deficits = angle_deficit(mesh, topology);
+    s.spectrum = first_modes(s.laplacian, modes, s.complete_shift);
+    s.modes_known = modes;
+    s.stable_shift = stability_certificate(s.laplacian, {.assembly = Assembly::triangles}).mu_high;
+    return s;
+}
+
+Specimen bundled_specimen() { return sound_specimen(make_sample("ellipsoid")); }
+
+std::vector<report::Check> checks_of(const Specimen& s) {
+    std::vector<report::Check> checks = operator_checks(s.mesh, s.laplacian, "");
+    const auto append = [&](const std::vector<report::Check>& more) { checks.insert(checks.end(), more.begin(), more.end()); };
+    append(surface_checks(s.mesh, s.angle_deficits, s.claims, ""));
+    append(spectrum_checks(certify_spectrum(s.mesh, s.laplacian, s.spectrum), ""));
+    checks.push_back(claimed_count_check(s));
+    checks.push_back(check_near(law::stable, 1, is_positive_definite_at(s.laplacian, s.stable_shift) ? 1 : 0, 0));
+    return checks;
+}
+
+FaultTrial trial_of(const Specimen& specimen, const std::vector<report::Check>& sound_checks, const PlantedFault& fault) {
+    Specimen damaged = specimen;
+    fault.plant(damaged);
+    const std::vector<report::Check> faulty_checks = checks_of(damaged);
+    FaultTrial trial;
+    trial.fault = fault.name;
+    bool named = false;
+    for (std::size_t i = 0; i < sound_checks.size(); ++i) {
+        const report::Check &sound = sound_checks[i], &faulty = faulty_checks[i];
+        if (sound.name == fault.check) {
+            trial.sound = sound;
+            trial.faulty = faulty;
+            named = true;
+        } else if (sound.passed() && faulty.failed()) {
+            trial.also_seen_by.push_back(sound.name);
+        }
+    }
+    if (!named) throw std::logic_error("no check is named '" + fault.check + "'");
+    return trial;
+}
+
+std::vector<FaultTrial> trials_of(const Specimen& specimen) {
+    const std::vector<report::Check> sound_checks = checks_of(specimen);
+    std::vector<FaultTrial> trials;
+    for (const PlantedFault& fault : planted_faults()) trials.push_back(trial_of(specimen, sound_checks, fault));
+    return trials;
+}
+
+report::Check check_of(const FaultTrial& trial) {
+    return check_near(
+        "planted fault '" + trial.fault + "' is caught by '" + trial.sound.name + "'", 1, trial.caught() ? 1 : 0, 0,
+        "measured " + plain_text(trial.sound.measured, 5) + " without the fault, " + plain_text(trial.faulty.measured, 5) + " with it");
+}
+
+}   // namespace meshfolio::certificates

@@ -1,0 +1,280 @@
+#include "questions/claims/claim_bench.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "geometry/operators/uniform_laplacian.h"
+#include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
+#include "questions/bench/curvature_study.h"
+#include "questions/bench/mesh_class.h"
+#include "questions/core/section_tools.h"
+
+namespace meshfolio::claims {
+
+namespace {
+
+/// Vertices beyond which a claim would take longer than the section has.
+int largest_mesh(const QuestionSettings& settings) { return settings.laboratory ? 200000 : settings.quick ? 7000 : 12000; }
+
+bool same_mesh(const TriangleMesh& a, const TriangleMesh& b) {
+    const bool same_size = a.X.rows() == b.X.rows() && a.F.rows() == b.F.rows();
+    return same_size && a.X == b.X && a.F == b.F;
+}
+
+bool has_negative_weights(const SparseMatrix& C) {
+    for (int column = 0; column < C.outerSize(); ++column) {
+        for (SparseMatrix::InnerIterator entry(C, column); entry; ++entry) {
+            if (entry.row() != entry.col() && entry.value() < -1e-12 * std::abs(C.coeff(column, column))) return true;
+        }
+    }
+    return false;
+}
+
+}   // namespace
+
+const ReportMesh& ClaimBench::mesh(std::string_view name) {
+    auto it = meshes_.find(name);
+    if (it == meshes_.end()) it = meshes_.emplace(std::string(name), report_mesh(library_, name)).first;
+    const int n = it->second.mesh->mesh().vertex_count();
+    if (n > largest_mesh(settings_)) {
+        throw MeshError(it->second.mesh->name + " has " + std::to_string(n) +
+                        " vertices, more than a run without laboratory = true measures");
+    }
+    return it->second;
+}
+
+std::string ClaimBench::called(const MeshNames& names) {
+    std::vector<std::string> words;
+    for (const std::string_view name : names) words.push_back(mesh(name).called());
+    return listed(words);
+}
+
+bool ClaimBench::is_itself(std::string_view name) {
+    const ReportMesh& m = mesh(name);
+    if (!m.entry) return m.original;
+    const auto agrees = [](double measured, double expected) { return std::abs(measured / expected - 1) < 1e-4; };
+    const Preflight& p = m.mesh->prepared->preflight;
+    return p.vertices_in_use == m.entry->vertices && p.triangles == m.entry->triangles && agrees(p.mean_edge, m.entry->mean_edge) &&
+           agrees(subject(name).critical, m.entry->critical);
+}
+
+bool ClaimBench::in_scope(std::string_view name, About::Scope scope) {
+    switch (scope) {
+        case About::Scope::any_mesh:
+            return true;
+        case About::Scope::its_kind:
+            return is_itself(name) || (!mesh(name).own && !mesh(name).entry);   // a bundled mesh is of the kind that its role names
+        case About::Scope::itself:
+            break;
+    }
+    return is_itself(name);
+}
+
+bool ClaimBench::has(std::string_view name, Property property) {
+    const PreparedMesh& prepared = *mesh(name).mesh->prepared;
+    switch (property) {
+        case Property::flat:
+            return common_plane_normal(prepared.mesh).has_value();
+        case Property::not_flat:
+            return !common_plane_normal(prepared.mesh).has_value();
+        case Property::closed:
+            return prepared.preflight.closed();
+        case Property::flat_with_edges: {
+            const MeshCharacter character = mesh_character(prepared.mesh, prepared.topology);
+            return character.kind() == MeshClass::sharp_edged && character.typical_angle < 2;
+        }
+        case Property::negative_weights:
+            return has_negative_weights(subject(name).laplacian.C);
+        case Property::unequal_areas: {
+            const Vector& areas = subject(name).laplacian.M;
+            return areas.minCoeff() < 0.99 * areas.maxCoeff();
+        }
+        case Property::clean_form_known:
+            return clean_form(name).has_value();
+        case Property::above_1500_vertices:
+            break;
+    }
+    return prepared.preflight.vertices_in_use > 1500;
+}
+
+Measurable ClaimBench::measurable(const About& about) {
+    Measurable result;
+    std::vector<std::string> reasons;
+    const auto refuse = [&](const std::string& reason) {
+        if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) reasons.push_back(reason);
+    };
+    const auto counted_already = [&](std::string_view name) {
+        return std::any_of(result.meshes.begin(), result.meshes.end(),
+                           [&](std::string_view before) { return same_mesh(mesh(before).mesh->mesh(), mesh(name).mesh->mesh()); });
+    };
+    const auto enter = [&](std::string_view name) {
+        const std::string& here = mesh(name).mesh->name;
+        const auto lacking = [&](Property property) { return !has(name, property); };
+        if (!in_scope(name, about.scope)) {
+            return refuse("it is about " + std::string(mesh(name).asked) + (about.scope == About::Scope::itself ? " itself" : "") +
+                          ", and what " + here + " does in its place says nothing of that");
+        }
+        const auto lacks = std::find_if(about.properties.begin(), about.properties.end(), lacking);
+        if (lacks != about.properties.end()) return refuse(here + " " + std::string(words_of(*lacks, true)));
+        if (!counted_already(name)) result.meshes.push_back(name);
+    };
+    for (const std::string_view name : about.meshes) {
+        try {
+            enter(name);
+        } catch (const MeshError& error) {   // too large, without an operator
+            refuse(error.what());
+        }
+    }
+    const std::size_t needed = about.meshes.empty() ? 0 : about.compared;
+    if (result.meshes.size() >= needed) return result;
+    if (needed > 1 && reasons.empty()) refuse("it compares different meshes with each other, and one takes the place of all");
+    result.why_not = listed(reasons);
+    return result;
+}
+
+std::optional<Positions> ClaimBench::clean_form(std::string_view noisy) {
+    const LibraryMesh& source = *mesh(noisy).mesh;
+    if (mesh(noisy).own) return {};
+    if (source.input.file == "plane_noisy.obj") {
+        Positions X = source.mesh().X;   // flat; along the plane nothing is known, so that motion within it is no error
+        X.col(2).setZero();
+        return X;
+    }
+    if (source.input.file != "fandisk_noisy.obj") return {};
+    return mesh("fandisk").mesh->mesh().X;
+}
+
+const SmoothingSubject& ClaimBench::subject(std::string_view name) {
+    const auto& source = mesh(name).mesh;
+    auto it = subjects_.find(source.get());
+    if (it == subjects_.end()) it = subjects_.emplace(source.get(), smoothing_subject(source)).first;
+    return it->second;
+}
+
+double ClaimBench::uniform_limit(std::string_view name) {
+    const auto& source = mesh(name).mesh;
+    auto it = uniform_limits_.find(source.get());
+    if (it == uniform_limits_.end()) {
+        const double limit = largest_stable_step(largest_eigenvalue(uniform_operator(source->prepared->topology)));
+        it = uniform_limits_.emplace(source.get(), limit).first;
+    }
+    return it->second;
+}
+
+double ClaimBench::raw_step(std::string_view name, double lambda) {
+    return is_itself(name) ? lambda : lambda / mesh(name).entry->critical * subject(name).critical;
+}
+
+double ClaimBench::raw_length(std::string_view name, double length, int power) {
+    const ReportMesh& m = mesh(name);
+    return is_itself(name) ? length : length * std::pow(m.mesh->prepared->preflight.mean_edge / m.entry->mean_edge, power);
+}
+
+const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {
+    const auto& source = mesh(name).mesh;
+    const std::pair<const LibraryMesh*, RunKey> whole{source.get(), key};
+    if (const auto it = runs_.find(whole); it != runs_.end()) return it->second;
+    SmoothingOptions options;
+    options.scheme = key.scheme;
+    options.laplacian = key.laplacian;
+    options.lambda = key.lambda;
+    options.iterations = key.iterations;
+    return runs_.emplace(whole, smooth(source->mesh(), options, solvers_[source.get()])).first->second;
+}
+
+double ClaimBench::motion(std::string_view name, const RunKey& key) { return vertex_rms(mesh(name).mesh->mesh().X, run(name, key).X); }
+
+const std::vector<double>& ClaimBench::denoised(std::string_view name, const NoisyKey& key) {
+    const auto& source = mesh(name).mesh;
+    const auto it = noisy_runs_.find({source.get(), key.tied()});
+    return it != noisy_runs_.end() ? it->second : noisy_runs_[{source.get(), key.tied()}] = errors_along(source, key);
+}
+
+std::vector<double> ClaimBench::errors_along(const std::shared_ptr<const LibraryMesh>& source, const NoisyKey& key) {
+    const TriangleMesh& clean = source->mesh();
+    const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, key.sigma, settings_.seed));
+    std::vector<double> errors{vertex_rms(clean.X, noisy.X)};
+    SmoothingOptions options;
+    options.scheme = key.scheme;
+    options.laplacian = key.laplacian;
+    options.lambda = key.lambda;
+    options.iterations = key.iterations;
+    options.rebuild = key.rebuild;
+    options.after_step = [&](int, const Positions& X) {
+        errors.push_back(vertex_rms(clean.X, X));
+        return true;
+    };
+    smooth(noisy, options, solvers_[source.get()]);
+    return errors;
+}
+
+const DenoisingStudy& ClaimBench::denoising(std::string_view name, const std::vector<double>& noise, int iterations) {
+    const auto& source = mesh(name).mesh;
+    const std::tuple key{source.get(), noise, iterations};
+    if (const auto it = denoising_.find(key); it != denoising_.end()) return it->second;
+    QuestionSettings settings = settings_;
+    settings.noise = noise;
+    settings.iterations = {iterations};
+    settings.lambda.clear();
+    return denoising_.emplace(key, denoising_study(source, settings)).first->second;
+}
+
+const SpectralStudy& ClaimBench::spectrum(std::string_view name) {
+    const auto& source = mesh(name).mesh;
+    auto it = spectra_.find(source.get());
+    if (it == spectra_.end()) {
+        QuestionSettings settings = settings_;
+        settings.k = {5, 10, 15, 30, 60, 150};
+        it = spectra_.emplace(source.get(), spectral_study(source, settings)).first;
+    }
+    return it->second;
+}
+
+const PanelLevel& ClaimBench::panel(const std::string& surface, MeshKind kind, int level) {
+    const std::tuple key{surface, kind, level};
+    if (const auto it = panels_.find(key); it != panels_.end()) return it->second;
+    const std::vector<TruthSurface> surfaces = truth_surfaces();
+    const auto s = std::find_if(surfaces.begin(), surfaces.end(), [&](const TruthSurface& t) { return t.surface.name == surface; });
+    return panels_.emplace(key, panel_level(truth_mesh(*s, kind, level, settings_.seed))).first->second;
+}
+
+const PlaneTest& ClaimBench::plane() {
+    if (!plane_) plane_ = std::make_unique<PlaneTest>(irregular_plane(settings_.seed));
+    return *plane_;
+}
+
+std::vector<report::Input> ClaimBench::inputs() const {
+    std::vector<report::Input> inputs;
+    for (const auto& [name, found] : meshes_) {
+        if (!found.own || inputs.empty()) inputs.push_back(found.input());
+    }
+    return inputs;
+}
+
+std::vector<std::string> ClaimBench::warnings() const {
+    std::vector<std::string> warnings;
+    for (const auto& [name, found] : meshes_) {
+        report::Section section;
+        enter_input(*found.mesh, section);
+        for (std::string& warning : section.warnings) {
+            if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
+        }
+    }
+    return warnings;
+}
+
+double roughness(const SmoothingSubject& subject, const Positions& X) {
+    const Positions near = X.rowwise() - X.row(0);   // rows of C sum to 0: the origin may be chosen where nothing is rounded away
+    const Positions CX = subject.laplacian.C * near;
+    double sum = 0;
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+        if (subject.laplacian.M[i] > 0) sum += CX.row(i).squaredNorm() / subject.laplacian.M[i];
+    }
+    return std::sqrt(sum);
+}
+
+int best_of(const std::vector<double>& errors) { return static_cast<int>(std::min_element(errors.begin(), errors.end()) - errors.begin()); }
+
+}   // namespace meshfolio::claims

@@ -1,0 +1,37 @@
+#include <algorithm>
+
+#include "questions/core/chapter.h"
+
+// The chapters in their order: the name of the folder, which is that of the namespace. A new one is a line here.
+#define MESHFOLIO_CHAPTERS(chapter)                                                                                                \
+    chapter(q1_uniform) chapter(q2_ellipsoid) chapter(q3_cotangent) chapter(q4_spectral) chapter(q5_explicit) chapter(q6_implicit) \
+        chapter(q7_denoising) chapter(truth) chapter(stability) chapter(maps) chapter(modes) chapter(prediction) chapter(methods)  \
+            chapter(operators) chapter(reproductions) chapter(claims) chapter(certificates) chapter(preflight)
+
+namespace meshfolio {
+
+#define MESHFOLIO_DECLARED(folder) \
+    namespace folder {             \
+    extern const Chapter chapter;  \
+    }
+MESHFOLIO_CHAPTERS(MESHFOLIO_DECLARED)
+
+std::span<const Chapter* const> chapter_list() {
+#define MESHFOLIO_LISTED(folder) &folder::chapter,
+    static constexpr const Chapter* chapters[] = {MESHFOLIO_CHAPTERS(MESHFOLIO_LISTED)};
+    return chapters;
+}
+
+const Chapter& chapter_of_id(std::string_view id) {
+    const auto found = std::ranges::find(chapter_list(), id, &Chapter::id);
+    if (found == chapter_list().end()) throw std::logic_error("no chapter " + std::string(id));
+    return **found;
+}
+
+std::vector<std::string> section_ids() {
+    std::vector<std::string> ids;
+    for (const Chapter* chapter : chapter_list()) ids.emplace_back(chapter->id);
+    return ids;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,61 @@
+#include "questions/core/comparison_figure.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/number_text.h"
+
+namespace meshfolio {
+
+namespace {
+
+struct Displacement {
+    double rms = 0, largest = 0;   // of the finite values
+};
+
+Displacement displacement_of(const Vector& percent) {
+    Displacement d;
+    double squares = 0;
+    int count = 0;
+    for (const double value : percent) {
+        if (!std::isfinite(value)) continue;
+        squares += value * value;
+        d.largest = std::max(d.largest, value);
+        ++count;
+    }
+    if (count > 0) d.rms = std::sqrt(squares / count);
+    return d;
+}
+
+}   // namespace
+
+Vector displacement_percent(const Positions& before, const Positions& after, double diagonal) {
+    Vector percent = (after - before).rowwise().norm() * (100 / diagonal);
+    for (double& value : percent)
+        if (!std::isfinite(value)) value = std::nan("");
+    return percent;
+}
+
+void add_comparison(Answer& answer, ComparisonFigure figure) {
+    output::FigureRequest request;
+    request.id = figure.id;
+    request.title = figure.title;
+    request.subtitle = figure.subtitle;
+    request.three_quarter = request.three_quarter_frame = request.comparison = request.turnable = true;
+    request.frame_panel = figure.frame_panel;
+    output::Panel moved{figure.id + "_moved", "how far it moved", figure.after.mesh,
+                        displacement_percent(figure.before.mesh->X, figure.after.mesh->X, figure.diagonal)};
+    request.range = output::robust_range({moved}, figure.colormap, "displacement", "% of the box diagonal", 0.01);
+    request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
+
+    const Displacement d = displacement_of(moved.values);
+    const std::string measured =
+        "the vertices moved by " + readable(d.rms) + "\u202f% of the box diagonal (rms), " + readable(d.largest) + "\u202f% at most";
+    const std::string alt = figure.title + ", seen from the right front and above: " + figure.before.label + ", " + figure.after.label +
+                            ", and the second coloured by how far each vertex moved; " + measured + ".";
+    answer.section.blocks.push_back(report::Figure{figure.id, figure.caption + " Coloured, the displacement: " + measured + ".", alt});
+    request.panels = {std::move(figure.before), std::move(figure.after), std::move(moved)};
+    answer.figures.push_back(std::move(request));
+}
+
+}   // namespace meshfolio

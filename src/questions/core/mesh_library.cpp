@@ -1,0 +1,358 @@
+#include "questions/core/mesh_library.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <optional>
+#include <set>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/sha256.h"
+#include "embedded_data.h"
+
+namespace meshfolio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<MeshRole, 13> roles{{
+    {"plane", "curvatures/plane.obj", "plane.obj"},
+    {"lilium", "curvatures/lilium_s.obj", "lily.obj"},
+    {"armadillo", "decompose/armadillo.obj", "creature.obj"},
+    {"plane_ns", "smoothing/plane_ns.obj", "plane_noisy.obj"},
+    {"fandisk_ns", "smoothing/fandisk_ns.obj", "fandisk_noisy.obj"},
+    {"cube", "", "cube.obj"},
+    {"cube8", "", "cube8.obj"},
+    {"sphere", "", "sphere.obj"},
+    {"ellipsoid", "", "ellipsoid.obj"},
+    {"torus", "", "torus.obj"},
+    {"bumpy_cube", "", "bumpy_cube.obj"},
+    {"saddle", "", "saddle.obj"},
+    {"fandisk", "", "fandisk_like.obj"},
+}};
+
+const MeshRole& role_named(const std::string& name) {
+    const auto it = std::find_if(roles.begin(), roles.end(), [&](const MeshRole& role) { return role.role == name; });
+    if (it == roles.end()) throw UsageError("no mesh has the role '" + name + "'");
+    return *it;
+}
+
+std::optional<std::string_view> bundled(std::string_view file) {
+    for (const auto& entry : meshfolio_embedded::embedded_data()) {
+        if (entry.name == file) return entry.bytes;
+    }
+    return {};
+}
+
+/// The bundled mesh that stands for a path: by the assignment's path, the file's name, or a bare stem such as "torus".
+const MeshRole* role_of_path(const std::string& path) {
+    const auto stands_for = [&](const MeshRole& role) {
+        return path == role.asked || path == role.bundled || path + ".obj" == role.bundled ||
+               (!role.asked.empty() && fs::path(path).filename() == fs::path(role.asked).filename());
+    };
+    const auto it = std::find_if(roles.begin(), roles.end(), stands_for);
+    return it == roles.end() ? nullptr : &*it;
+}
+
+std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidates) {
+    for (const fs::path& candidate : candidates) {
+        if (may_be_there(candidate)) return candidate;
+    }
+    return {};
+}
+
+/// `path` in the first of `folders` that has it, by the path itself or by the bare file name.
+std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const fs::path& path) {
+    std::vector<fs::path> candidates;
+    for (const fs::path& folder : folders) {
+        candidates.push_back(folder / path);
+        candidates.push_back(folder / path.filename());
+    }
+    return first_that_exists(candidates);
+}
+
+/// Messages name the file as it was asked for, not where the machine keeps it: they end up in the report.
+std::string bytes_of(const fs::path& path, const std::string& label) try { return read_file(path); } catch (const InputError& error) {
+    const std::string message = error.what(), where = printable(path.string());
+    throw InputError({}, message.starts_with(where) ? label + message.substr(where.size()) : message);
+}
+
+/// Of a file where there is one, else of a bundled mesh; `from_file` holds what was read.
+std::string_view bytes_of(const std::optional<fs::path>& path, std::string_view bundled_file, const std::string& label,
+                          std::string& from_file) {
+    if (path) return from_file = bytes_of(*path, label);
+    if (const auto embedded = bundled(bundled_file)) return *embedded;
+    throw InputError({std::string(bundled_file)}, "is not among the bundled meshes of this build");
+}
+
+}   // namespace
+
+std::span<const MeshRole> mesh_role_list() { return roles; }
+
+std::string short_name(const fs::path& path) {
+    std::string name;
+    for (const char c : path.stem().string()) {
+        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        const bool good = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
+        if (good) name += lower;
+        if (!good && !name.empty() && name.back() != '_') name += '_';
+    }
+    name.resize(std::min<std::size_t>(name.size(), 40));
+    while (name.ends_with('_')) name.pop_back();
+    return name.empty() ? "mesh" : name;
+}
+
+/// Where a mesh comes from, before it is read.
+struct MeshLibrary::Found {
+    std::optional<fs::path> path;   // of a file; none: `bundled_file`
+    std::string_view bundled_file;
+    std::string label;   // as messages call it
+    std::string name;
+    report::Input input;
+};
+
+struct MeshLibrary::Shelf {
+    std::mutex mutex;
+    using Key = std::pair<MeshLookup, fs::path>;   // and the base folder
+    std::map<Key, std::shared_ptr<const LibraryMesh>> meshes;
+    std::map<Key, std::exception_ptr> unusable;   // a mesh that cannot be had is looked for once, too
+    std::mutex digest_mutex;
+    std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
+
+    /// Of the bytes, each file hashed once.
+    std::string digest(const Found& where) {
+        const std::lock_guard lock(digest_mutex);
+        const std::string key = where.path ? "file " + where.path->string() : "bundled " + std::string(where.bundled_file);
+        if (const auto it = digests.find(key); it != digests.end()) return it->second;
+        std::string from_file;
+        return digests[key] = sha256(bytes_of(where.path, where.bundled_file, where.label, from_file));
+    }
+};
+
+MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::path> own_meshes, const std::vector<fs::path>& listed)
+    : folders_(std::move(data_folders)), own_(std::move(own_meshes)), shelf_(std::make_shared<Shelf>()) {
+    for (const fs::path& folder : folders_) {
+        std::error_code error;
+        if (!fs::is_directory(folder, error)) throw InputError({folder.string()}, "is not a folder of meshes", "correct --data");
+    }
+    std::set<std::string> taken;
+    for (const std::vector<fs::path>& paths : {own_, listed}) {
+        for (const fs::path& path : paths) {
+            if (names_.contains(path.string())) continue;
+            std::string name = short_name(path);
+            for (int number = 2; !taken.insert(name).second; ++number) name = short_name(path) + "_" + std::to_string(number);
+            names_[path.string()] = name;
+        }
+    }
+}
+
+std::string MeshLibrary::name_of(const fs::path& path) const {
+    const auto it = names_.find(path.string());
+    return it == names_.end() ? short_name(path) : it->second;
+}
+
+MeshLibrary::Found MeshLibrary::found_role(const MeshRole& role) const {
+    Found found;
+    found.input.role = role.role;
+    found.input.asked = role.asked;
+    if (!role.asked.empty()) found.path = in_folders(folders_, role.asked);
+    found.bundled_file = role.bundled;
+    found.input.stand_in = !found.path && !role.asked.empty();
+    const fs::path file = found.path ? *found.path : fs::path(role.bundled);
+    found.input.file = file.filename().string();
+    found.label = found.path ? std::string(role.asked) : found.input.file;
+    found.name = short_name(file);
+    return found;
+}
+
+MeshLibrary::Found MeshLibrary::found_file(const fs::path& path, const fs::path& base) const {
+    Found found;
+    found.name = name_of(path);
+    found.label = path.string();
+    found.input.role = found.name;
+    found.input.file = path.filename().string();
+    if (may_be_there(base / path)) {
+        found.path = base / path;
+    } else if (const auto in_data = in_folders(folders_, path)) {
+        found.path = in_data;
+    } else if (const MeshRole* role = role_of_path(path.string())) {
+        found.bundled_file = role->bundled;
+        found.label = found.input.file = role->bundled;
+        found.input.stand_in = path.filename() != role->bundled && path.string() + ".obj" != role->bundled;
+        found.input.asked = found.input.stand_in ? path.string() : "";
+    } else {
+        throw InputError({path.string()}, "no such mesh beside the settings file, in the data folders or among the bundled meshes",
+                         "`meshfolio list` names the bundled ones");
+    }
+    return found;
+}
+
+MeshLibrary::Found MeshLibrary::found_original(const MeshLookup& lookup, const fs::path& base) const {
+    Found found;
+    found.input.role = lookup.name;
+    if (!lookup.path.empty()) {
+        std::vector<fs::path> candidates{base / lookup.path};
+        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path);
+        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path.filename());
+        found.path = first_that_exists(candidates);
+    }
+    found.bundled_file = lookup.stand_in;
+    found.input.asked = lookup.path.empty() ? lookup.name : lookup.path.generic_string();
+    found.input.stand_in = !found.path;
+    found.input.file = found.path ? found.path->filename().string() : lookup.stand_in;
+    found.label = found.input.file;
+    found.name = short_name(found.input.file);
+    return found;
+}
+
+std::optional<MeshLibrary::Found> MeshLibrary::found_in_data(const fs::path& file) const {
+    Found found;
+    found.path = in_folders(folders_, file);
+    if (!found.path) return {};
+    found.name = name_of(file);
+    found.label = file.string();
+    found.input.role = found.name;
+    found.input.asked = file.string();
+    found.input.file = file.filename().string();
+    return found;
+}
+
+MeshLibrary::Found MeshLibrary::found_own(const fs::path& path) const {
+    Found found;
+    found.path = path;
+    found.label = path.filename().string();
+    found.name = name_of(path);
+    found.input.role = "your mesh";
+    found.input.file = found.label;
+    return found;
+}
+
+std::optional<MeshLibrary::Found> MeshLibrary::found(const MeshLookup& lookup, const fs::path& base) const {
+    switch (lookup.by) {
+        case MeshLookup::By::role:
+            return found_role(role_named(lookup.name));
+        case MeshLookup::By::file:
+            return found_file(lookup.path, base);
+        case MeshLookup::By::original:
+            return found_original(lookup, base);
+        case MeshLookup::By::in_data:
+            return found_in_data(lookup.path);
+        default:
+            return found_own(lookup.path);
+    }
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
+    note(lookup);
+    // Held while reading: a mesh that two questions want is read once.
+    const std::lock_guard lock(shelf_->mutex);
+    const Shelf::Key key(lookup, base);
+    if (const auto it = shelf_->meshes.find(key); it != shelf_->meshes.end()) return it->second;
+    if (const auto it = shelf_->unusable.find(key); it != shelf_->unusable.end()) std::rethrow_exception(it->second);
+    try {
+        return shelf_->meshes[key] = read(lookup, base);
+    } catch (const Error&) {
+        shelf_->unusable[key] = std::current_exception();
+        throw;
+    }
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) const {
+    const std::optional<Found> where = found(lookup, base);
+    if (!where) return nullptr;
+    std::string from_file;
+    const std::string_view bytes = bytes_of(where->path, where->bundled_file, where->label, from_file);
+    auto mesh = std::make_shared<LibraryMesh>();
+    // The ending of the file decides the format; the label may be a role's path.
+    mesh->prepared = std::make_shared<const PreparedMesh>(prepare_mesh(parse_mesh(bytes, where->label)));
+    mesh->input = where->input;
+    mesh->input.sha256 = sha256(bytes);
+    mesh->input.vertices = mesh->prepared->mesh.vertex_count();
+    mesh->input.triangles = mesh->prepared->mesh.face_count();
+    mesh->name = where->name;
+    return mesh;
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::role(const std::string& name) const {
+    if (!own_.empty()) return own_meshes().front();
+    return loaded({.by = MeshLookup::By::role, .name = name}, {});
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::file(const fs::path& path, const fs::path& base) const {
+    return loaded({.by = MeshLookup::By::file, .path = path}, base);
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in,
+                                                         const fs::path& base) const {
+    if (!own_.empty()) return own_meshes().front();
+    return loaded({.by = MeshLookup::By::original, .name = name, .path = path, .stand_in = stand_in}, base);
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
+    return loaded({.by = MeshLookup::By::in_data, .path = file}, {});
+}
+
+std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
+    std::vector<std::shared_ptr<const LibraryMesh>> meshes;
+    std::exception_ptr unusable;
+    for (const fs::path& path : own_) {
+        try {
+            meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
+        } catch (const Error&) {
+            unusable = std::current_exception();
+        }
+    }
+    if (meshes.empty() && unusable) std::rethrow_exception(unusable);
+    return meshes;
+}
+
+std::vector<std::string> MeshLibrary::unusable_own_meshes() const {
+    std::vector<std::string> reasons;
+    for (const fs::path& path : own_) {
+        try {
+            loaded({.by = MeshLookup::By::own, .path = path}, {});
+        } catch (const Error& error) {
+            reasons.emplace_back(error.what());
+        }
+    }
+    return reasons;
+}
+
+// ---- what a question looked up --------------------------------------------------------------------------------------------
+
+void LookupRecord::add(const MeshLookup& lookup) {
+    const std::lock_guard lock(mutex_);
+    lookups_.insert(lookup);
+}
+
+std::vector<MeshLookup> LookupRecord::lookups() const {
+    const std::lock_guard lock(mutex_);
+    return {lookups_.begin(), lookups_.end()};
+}
+
+MeshLibrary MeshLibrary::recorded_in(LookupRecord& record) const {
+    MeshLibrary library = *this;
+    library.record_ = &record;
+    return library;
+}
+
+void MeshLibrary::note(const MeshLookup& lookup) const {
+    if (record_ != nullptr) record_->add(lookup);
+}
+
+std::string MeshLibrary::identity_of(const MeshLookup& lookup, const fs::path& base) const try {
+    const std::optional<Found> where = found(lookup, base);
+    if (!where) return "none";
+    const report::Input& input = where->input;
+    std::string words;
+    for (const std::string& word : {where->name, where->label, input.role, input.asked, input.file, std::string(where->bundled_file)})
+        words += std::to_string(word.size()) + ":" + word;
+    words += input.stand_in ? "stand-in " : "itself ";
+    return words + shelf_->digest(*where);
+} catch (const Error& error) {
+    return std::string("error ") + error.what();
+}
+
+}   // namespace meshfolio

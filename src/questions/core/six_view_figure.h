@@ -1,0 +1,30 @@
+/// @file
+/// Figures of meshes from the six directions, as block of a section and as request to the renderer at once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "questions/core/chapter.h"
+
+namespace meshfolio {
+
+struct SixViewFigure {
+    std::string id;                      // "q1_plane_h"
+    std::string title, subtitle;         // set in the picture
+    std::string caption;                 // says what to see
+    std::vector<output::Panel> panels;   // one: a 2 × 3 sheet; several share camera, scale and range
+    std::optional<output::ColorRange> range = {};
+    bool edges = false;
+    int frame_panel = 0;     // −1: frame on all panels
+    bool turnable = false;   // readers of the page can turn the first panel in three dimensions
+};
+
+/// Appends the figure to the section, with an alternative text made from the data, and asks for its pictures.
+void add_figure(Answer& answer, SixViewFigure figure);
+
+/// A panel of the library's own mesh; of other positions or another mesh.
+output::Panel panel_of(const LibraryMesh& mesh, std::string name, std::string label, Vector values = {});
+output::Panel panel_of(TriangleMesh mesh, std::string name, std::string label, Vector values = {});
+
+}   // namespace meshfolio

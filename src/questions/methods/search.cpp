@@ -1,0 +1,103 @@
+#include "questions/methods/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio::methods {
+
+namespace {
+
+/// `count` values from `low` to `high`, each the same multiple of the one before; the geometric mean when it is one.
+std::vector<double> geometric(double low, double high, int count) {
+    if (count == 1) return {std::sqrt(low * high)};
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) values.push_back(low * std::pow(high / low, static_cast<double>(i) / (count - 1)));
+    return values;
+}
+
+bool is_bound_by_stability(DenoisingMethod method) { return method == DenoisingMethod::explicit_flow || method == DenoisingMethod::taubin; }
+
+/// One run, every state looked at.
+void run_with(const SearchInput& input, double value, const SearchPlan& plan, ImplicitSolver& solver, SearchResult& result) {
+    DenoisingOptions options;
+    options.method = result.method;
+    options.parameter = value * plan.unit;
+    options.steps = plan.steps;
+    options.after_step = [&](int step, const Positions& X) {
+        const SearchState state{value, step, shape_rms(input.clean, input.noisy.topology.vertex_faces, X), vertex_rms(input.clean.X, X),
+                                mean_normal_angle(input.clean_normals, face_normals(moved_to(input.clean, X)))};
+        ++result.steps;
+        if (state.shape < result.by_shape.shape) {
+            result.by_shape = state;
+            result.X = X;
+        }
+        if (state.rms < result.by_rms.rms) result.by_rms = state;
+        if (state.angle < result.by_angle.angle) result.by_angle = state;
+        return true;
+    };
+    try {
+        result.failed += denoise(input.noisy, options, solver).ended ? 1 : 0;
+    } catch (const SolverError&) {
+        ++result.failed;
+    }
+}
+
+}   // namespace
+
+double SearchResult::gain() const { return defined && noisy.shape > 1e-9 * noisy.rms ? noisy.shape / by_shape.shape : std::nan(""); }
+
+double SearchResult::rms_gain() const { return defined ? noisy.rms / by_rms.rms : std::nan(""); }
+
+double SearchResult::angle_gain() const {
+    constexpr double turned = 1e-6;   // [rad]
+    return defined && noisy.angle > turned ? noisy.angle / by_angle.angle : std::nan("");
+}
+
+SearchPlan search_plan(DenoisingMethod method, const SearchBudget& budget, double mean_edge, double largest_eigenvalue) {
+    SearchPlan plan;
+    const bool bound = is_bound_by_stability(method);
+    const int values = bound ? std::max(1, budget.values / 2) : budget.values;
+    plan.steps = budget.total() / values;
+    if (method == DenoisingMethod::explicit_flow) {
+        plan.values = geometric(0.05, 0.9, values);
+        plan.unit = 2 / largest_eigenvalue;
+    } else if (method == DenoisingMethod::taubin) {
+        plan.values = geometric(0.01, 0.3, values);
+    } else if (filters_normals(method)) {
+        plan.values = geometric(0.1, 1, values);
+    } else {
+        plan.values = geometric(0.0025, 2.56, values);
+        plan.unit = mean_edge * mean_edge;
+    }
+    return plan;
+}
+
+std::string parameter_words(DenoisingMethod method, double value) {
+    if (method == DenoisingMethod::taubin) return "pass band " + readable(value, 2);
+    if (filters_normals(method)) return "σ_r = " + readable(value, 2);
+    return "λ = " + readable(value, 2) + (method == DenoisingMethod::explicit_flow ? " λ_crit" : " h̄²");
+}
+
+SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchBudget& budget) {
+    SearchResult result;
+    result.method = method;
+    result.X = input.noisy.mesh.X;
+    result.noisy.shape = shape_rms(input.clean, input.noisy.topology.vertex_faces, result.X);
+    result.noisy.rms = vertex_rms(input.clean.X, result.X);
+    result.noisy.angle = mean_normal_angle(input.clean_normals, face_normals(input.noisy.mesh));
+    result.by_shape = result.by_rms = result.by_angle = result.noisy;
+    result.defined = is_defined(method, input.noisy.mesh, input.noisy.topology);
+    if (result.defined) {
+        ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all runs, one factorisation a λ where L is kept
+        const SearchPlan plan = search_plan(method, budget, input.mean_edge, input.noisy.largest_eigenvalue);
+        for (const double value : plan.values) run_with(input, value, plan, solver, result);
+    }
+    result.difference = compare_meshes(input.clean, moved_to(input.clean, result.X));
+    return result;
+}
+
+}   // namespace meshfolio::methods

@@ -1,0 +1,228 @@
+#include "questions/methods/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "base/parallel_tasks.h"
+#include "geometry/denoising/component_size.h"
+#include "geometry/smoothing/stability.h"
+#include "mesh/surface_patch.h"
+#include "mesh/triangle_measures.h"
+#include "questions/core/value_lists.h"
+
+namespace meshfolio::methods {
+
+namespace {
+
+constexpr double s1_share = 0.2;   // of every extent of the box: "noise level 20" of an earlier report
+
+NoiseTrial level_of(const DenoisingSubject& subject, NoiseKind kind, double edges) {
+    NoiseTrial trial;
+    trial.kind = kind;
+    trial.edges = edges;
+    trial.sigma = edges * subject.mean_edge;
+    return trial;
+}
+
+/// The noise to be tried, kind by kind.
+std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const QuestionSettings& settings) {
+    std::vector<double> gaussian{0.03, 0.1, 0.3, 1}, others{0.3};
+    if (settings.quick) gaussian = {0.1, 0.3}, others = {};
+    if (settings.laboratory) gaussian = {0.01, 0.03, 0.1, 0.4, 0.8, 1.6, 3.2}, others = {0.1, 0.4, 1.6};
+    if (!settings.noise.empty()) {
+        gaussian.clear();
+        for (const double share : each_once(settings.noise)) {
+            if (share > 0) gaussian.push_back(share * subject.diagonal / subject.mean_edge);
+        }
+        if (gaussian.empty()) gaussian = {0.1};   // no noise, nothing to mend
+    }
+    std::vector<NoiseTrial> trials;
+    for (const NoiseEntry& entry : noise_list()) {
+        // What is scaled by the box is Gaussian on a mesh as wide as it is high: a short report keeps to the one level it was used at.
+        const bool left_out = entry.kind == NoiseKind::box && !settings.laboratory;
+        for (const double edges : entry.kind == NoiseKind::gaussian ? gaussian : others) {
+            if (!left_out) trials.push_back(level_of(subject, entry.kind, edges));
+        }
+        if (entry.kind != NoiseKind::box || settings.quick || !settings.noise.empty()) continue;
+        trials.push_back(level_of(subject, entry.kind, s1_share * subject.diagonal / (std::sqrt(3) * subject.mean_edge)));
+        trials.back().s1_level = true;
+    }
+    return trials;
+}
+
+/// Where it cannot be computed, Gershgorin's bound, which is never too small.
+double largest_eigenvalue_of(const TriangleMesh& mesh) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    try {
+        return largest_eigenvalue(laplacian).value;
+    } catch (const SolverError&) {
+        const OperatorWithMass whole = operator_with_mass(laplacian);
+        return gershgorin_bound(whole.A, whole.M);
+    }
+}
+
+void spoil(const DenoisingSubject& subject, std::uint64_t seed, NoiseTrial& trial) {
+    trial.noisy = with_noise(subject.mesh, trial.kind, trial.sigma, seed);
+    const TriangleMesh noisy = moved_to(subject.mesh, trial.noisy);
+    trial.spoilt = compare_meshes(subject.mesh, noisy);
+    trial.mean_edge = mean_edge_length(noisy, subject.topology.edges);
+    trial.largest_eigenvalue = largest_eigenvalue_of(noisy);
+    trial.results.resize(denoising_list().size());
+}
+
+int index_of_largest(const std::vector<double>& values) {
+    int best = -1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::isfinite(values[i]) && (best < 0 || values[i] > values[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
+    }
+    return best;
+}
+
+/// Over all trials on the meshes of the class where the noise turned faces, or over all.
+std::vector<double> mean_gains(const std::vector<const NoiseTrial*>& trials, Gain gain) {
+    std::vector<double> means;
+    for (std::size_t method = 0; method < denoising_list().size(); ++method) {
+        double sum = 0;
+        int count = 0;
+        for (const NoiseTrial* trial : trials) {
+            // Where no method has a gain there is nothing to average; where this one alone has none, it cannot be compared.
+            const double value = (trial->results[method].*gain)();
+            if (std::isnan(value) && std::isnan((trial->results.front().*gain)())) continue;
+            sum += std::log(value);
+            ++count;
+        }
+        means.push_back(count > 0 ? std::exp(sum / count) : std::nan(""));
+    }
+    return means;
+}
+
+}   // namespace
+
+std::string DenoisingSubject::class_title() const {
+    return std::string(title_of(character.kind())) + (character.open ? ", open" : ", closed");
+}
+
+DenoisingSubject denoising_subject(std::string name, const TriangleMesh& mesh, int most_vertices) {
+    DenoisingSubject subject;
+    subject.name = std::move(name);
+    subject.whole_vertices = mesh.vertex_count();
+    subject.mesh = mesh;
+    if (mesh.vertex_count() > most_vertices) {
+        const MeshTopology whole = topology_of(mesh);
+        subject.mesh = surface_patch(mesh, whole, sharpest_vertex(mesh, whole), most_vertices).mesh;
+    }
+    subject.topology = topology_of(subject.mesh);
+    subject.character = mesh_character(subject.mesh, subject.topology);
+    subject.mean_edge = mean_edge_length(subject.mesh, subject.topology.edges);
+    subject.diagonal = bounding_box(subject.mesh).diagonal();
+    subject.largest_eigenvalue = largest_eigenvalue_of(subject.mesh);
+    subject.encloses_volume = encloses_volume(subject.mesh, subject.topology);
+    return subject;
+}
+
+std::string NoiseTrial::words() const {
+    if (s1_level) return "20 % of the box, axis by axis";
+    return std::string(noise_entry(kind).title) + ", " + readable(edges, 2) + " mean edges";
+}
+
+std::string NoiseTrial::id() const {
+    if (s1_level) return "box_level20";
+    std::string digits = std::to_string(std::llround(1e3 * edges));
+    return std::string(noise_entry(kind).name) + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+}
+
+int winner(const NoiseTrial& trial, Gain gain) {
+    int best = -1;
+    double largest = 1;
+    for (std::size_t i = 0; i < trial.results.size(); ++i) {
+        const double value = (trial.results[i].*gain)();
+        if (!(value > largest)) continue;
+        largest = value;
+        best = static_cast<int>(i);
+    }
+    return best;
+}
+
+std::vector<const NoiseTrial*> DenoisingTrials::of_kind(NoiseKind kind) const {
+    std::vector<const NoiseTrial*> chosen;
+    for (const NoiseTrial& trial : trials) {
+        if (trial.kind == kind && !trial.s1_level) chosen.push_back(&trial);
+    }
+    return chosen;
+}
+
+int largest_subject(const QuestionSettings& settings, std::size_t meshes) {
+    const int whole = settings.quick ? 250 : 700;
+    const std::size_t usual = settings.laboratory ? 6 : 3;
+    return meshes <= usual ? whole : std::max(100, static_cast<int>(static_cast<std::size_t>(whole) * usual / meshes));
+}
+
+SearchBudget search_budget(const QuestionSettings& settings) {
+    return settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 6} : SearchBudget{4, 5};
+}
+
+DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings) {
+    std::vector<NoiseTrial> levels = levels_of(subject, settings);
+    DenoisingTrials mesh{std::move(subject), std::move(levels)};
+    mesh.pictured = static_cast<int>(mesh.of_kind(NoiseKind::gaussian).size() / 2);
+    const TriangleMesh& clean = mesh.subject.mesh;
+    const Positions normals = face_normals(clean);
+    // Everything is written to a place of its own: the order in which it is done does not matter.
+    for_each_task(mesh.trials.size(), [&](std::size_t i) { spoil(mesh.subject, settings.seed, mesh.trials[i]); });
+    const std::size_t methods = denoising_list().size();
+    for_each_task(mesh.trials.size() * methods, [&](std::size_t i) {
+        NoiseTrial& trial = mesh.trials[i / methods];
+        const TriangleMesh noisy = moved_to(clean, trial.noisy);
+        const SearchInput input{clean, normals, {noisy, mesh.subject.topology, trial.largest_eigenvalue}, trial.mean_edge};
+        trial.results[i % methods] = search(input, denoising_list()[i % methods].method, search_budget(settings));
+    });
+    return mesh;
+}
+
+NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain) {
+    NoiseLimits limits{std::nan(""), std::nan(""), std::nan("")};
+    const auto levels = trials.of_kind(NoiseKind::gaussian);
+    for (const NoiseTrial* trial : levels) {
+        const double value = (trial->results[method].*gain)();
+        if (value >= helps) {
+            if (std::isnan(limits.helps_from)) limits.helps_from = trial->edges;
+            limits.helps_to = trial->edges;
+        }
+        if (value >= works) limits.halves_to = trial->edges;
+    }
+    if (levels.empty()) return limits;
+    limits.helps_at_first = limits.helps_from == levels.front()->edges;
+    limits.helps_at_last = limits.helps_to == levels.back()->edges;
+    limits.halves_at_last = limits.halves_to == levels.back()->edges;
+    return limits;
+}
+
+int ClassResult::best() const { return index_of_largest(gain); }
+int ClassResult::best_by_angle() const { return index_of_largest(angle_gain); }
+
+std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory) {
+    std::vector<ClassResult> classes;
+    std::vector<std::vector<const NoiseTrial*>> trials;
+    for (const DenoisingTrials& mesh : laboratory.meshes) {
+        const std::string title = mesh.subject.class_title();
+        std::size_t c = 0;
+        while (c < classes.size() && classes[c].title != title) ++c;
+        if (c == classes.size()) {
+            classes.push_back({title, {}, 0, {}, {}});
+            trials.emplace_back();
+        }
+        classes[c].meshes.push_back(mesh.name());
+        for (const NoiseTrial& trial : mesh.trials) trials[c].push_back(&trial);
+    }
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        classes[c].trials = static_cast<int>(trials[c].size());
+        classes[c].gain = mean_gains(trials[c], &SearchResult::gain);
+        classes[c].angle_gain = mean_gains(trials[c], &SearchResult::angle_gain);
+    }
+    return classes;
+}
+
+}   // namespace meshfolio::methods

@@ -1,0 +1,185 @@
+#include "questions/modes/costs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "questions/core/section_tools.h"
+
+namespace meshfolio::modes {
+
+namespace {
+
+/// Where the decreasing function f > 0 takes a value, for arguments > 0: bracketed from `guess`, then by false position in the logarithms
+/// (Illinois).
+template <class Function>
+double argument_of(Function f, double value, double guess) {
+    const auto above = [&](double u) { return std::log(f(std::exp(u)) / value); };
+    double u = std::log(guess), v = u, fu = above(u), fv = fu;
+    for (int i = 0; i < 100 && fu < 0; ++i) fu = above(u -= 2);
+    for (int i = 0; i < 100 && fv > 0; ++i) fv = above(v += 2);
+    double w = u;
+    int kept = 0;   // which end stayed last
+    for (int i = 0; i < 100 && v > u; ++i) {
+        w = (u * fv - v * fu) / (fv - fu);
+        const double fw = above(w);
+        if (!(std::abs(fw) > 1e-13)) break;
+        if (fw > 0) {
+            if (kept > 0) fv *= 0.5;
+            kept = 1;
+            u = w;
+            fu = fw;
+        } else {
+            if (kept < 0) fu *= 0.5;
+            kept = -1;
+            v = w;
+            fv = fw;
+        }
+    }
+    return std::exp(w);
+}
+
+/// The smallest count in [1, most] for which a condition holds that goes on holding; most + 1: none.
+template <class Condition>
+int first_count(int most, Condition holds) {
+    int high = 1;
+    while (high < most && !holds(high)) high = std::min(2 * high, most);
+    if (!holds(high)) return most + 1;
+    int low = high / 2;   // does not hold there
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        (holds(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+auto explicit_filter(double lambda, int steps) {
+    return [=](double mu) { return std::pow(1 - lambda * mu, steps); };
+}
+auto implicit_filter(double lambda, int steps) {
+    return [=](double mu) { return std::pow(1 + lambda * mu, -steps); };
+}
+auto exact_filter(double time) {
+    return [=](double mu) { return std::exp(-time * mu); };
+}
+
+FactorOperations operations_of(const SmoothingSubject& subject, const OperatorWithMass& whole) {
+    ImplicitSolver solver;
+    solver.prepare(whole, subject.critical, subject.mesh().X);
+    std::vector<int> row(static_cast<std::size_t>(whole.all_vertices), -1), order;
+    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[static_cast<std::size_t>(whole.vertex[i])] = static_cast<int>(i);
+    for (const int v : solver.vertex()) order.push_back(row[static_cast<std::size_t>(v)]);
+    return factor_operations(whole.A, order);
+}
+
+}   // namespace
+
+CostModel::CostModel(const SmoothingSubject& subject, SpectralMeasure measure)
+    : measure_(std::move(measure)), critical_(subject.critical), energy_(measure_.energy([](double) { return 1.0; })) {
+    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
+    factor_ = operations_of(subject, whole);
+    rows_ = whole.size();
+    nonzeros_ = double(whole.A.nonZeros());
+}
+
+template <class Filter>
+double CostModel::error_of(Filter filter, double energy) const {
+    const auto exact = exact_filter(exact_time(energy));
+    const double motion = measure_.rms([&](double mu) { return 1 - exact(mu); });
+    return measure_.rms([&](double mu) { return filter(mu) - exact(mu); }) / motion;
+}
+
+double CostModel::exact_time(double energy) const {
+    return argument_of([&](double time) { return share(exact_filter(time)); }, energy, critical_);
+}
+
+double CostModel::least_energy(double least) const {
+    double relative = 1.5e9;
+    while ((relative /= 1.5) > 1) {
+        const auto filter = implicit_filter(relative * critical_, 1);
+        if (share(filter) < least) continue;
+        if (measure_.uncertainty([&](double mu) { return mu * filter(mu) * filter(mu); }) <= 1e-7) return share(filter);
+    }
+    return share(implicit_filter(critical_, 1));
+}
+
+SmoothingWay CostModel::explicit_way(double energy) const {
+    SmoothingWay way{SmoothingScheme::explicit_euler, 0.95 * critical_};
+    const int steps = first_count(most_steps, [&](int t) { return share(explicit_filter(way.lambda, t)) <= energy; });
+    if (steps > most_steps) return way;
+    way.steps = steps;
+    way.energy = share(explicit_filter(way.lambda, steps));
+    way.error = error_of(explicit_filter(way.lambda, steps), way.energy);
+    way.operations = steps * explicit_step_operations();
+    return way;
+}
+
+SmoothingWay CostModel::implicit_way(double energy, int steps) const {
+    SmoothingWay way{SmoothingScheme::implicit_euler};
+    way.lambda = argument_of([&](double lambda) { return share(implicit_filter(lambda, steps)); }, energy, critical_ / steps);
+    way.steps = steps;
+    way.energy = share(implicit_filter(way.lambda, steps));
+    way.error = error_of(implicit_filter(way.lambda, steps), way.energy);
+    way.operations = factor_.factorisation + steps * implicit_step_operations();
+    return way;
+}
+
+SmoothingWay CostModel::implicit_way_within(double energy, double error) const {
+    constexpr int most = 10000;
+    const int steps = first_count(most, [&](int s) { return implicit_way(energy, s).error <= error; });
+    return steps > most ? SmoothingWay{SmoothingScheme::implicit_euler} : implicit_way(energy, steps);
+}
+
+std::vector<std::string> implicit_way_names() {
+    std::vector<std::string> names;
+    for (const int steps : implicit_steps) names.push_back("implicit, " + counted(steps, "step"));
+    names.push_back("implicit, error ≤ " + readable_percent(implicit_accuracy, 1));
+    names.emplace_back("implicit, as true as explicit");
+    return names;
+}
+
+namespace {
+
+SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
+    if (which < std::size(implicit_steps)) return model.implicit_way(energy, implicit_steps[which]);
+    if (which == std::size(implicit_steps)) return model.implicit_way_within(energy, implicit_accuracy);
+    if (explicit_way.steps == 0) return {SmoothingScheme::implicit_euler};
+    return model.implicit_way_within(explicit_way.energy, explicit_way.error);
+}
+
+}   // namespace
+
+SmoothingTarget smoothing_target(const CostModel& model, double energy) {
+    SmoothingTarget target{energy, model.explicit_way(energy), {}};
+    for (std::size_t which = 0; which < implicit_way_names().size(); ++which)
+        target.implicit_ways.push_back(implicit_way_of(model, energy, target.explicit_way, which));
+    return target;
+}
+
+bool is_cheaper(const SmoothingWay& way, const SmoothingWay& explicit_way) {
+    return way.steps > 0 && (explicit_way.steps == 0 || way.operations < explicit_way.operations);
+}
+
+std::optional<std::size_t> cheaper_from(const std::vector<SmoothingTarget>& targets, std::size_t which) {
+    std::optional<std::size_t> from;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const bool cheaper = is_cheaper(targets[i].implicit_ways[which], targets[i].explicit_way);
+        if (!cheaper) from.reset();
+        if (cheaper && !from) from = i;
+    }
+    return from;
+}
+
+std::optional<SmoothingTarget> crossing_of(const CostModel& model, const std::vector<SmoothingTarget>& targets, std::size_t which) {
+    const auto from = cheaper_from(targets, which);
+    if (!from || *from == 0) return from ? std::optional(targets.front()) : std::nullopt;
+    double cheaper = targets[*from].energy, dearer = targets[*from - 1].energy;
+    for (int i = 0; i < 8; ++i) {
+        const double middle = std::sqrt(cheaper * dearer);
+        const SmoothingWay explicit_way = model.explicit_way(middle);
+        (is_cheaper(implicit_way_of(model, middle, explicit_way, which), explicit_way) ? cheaper : dearer) = middle;
+    }
+    return smoothing_target(model, cheaper);
+}
+
+}   // namespace meshfolio::modes

@@ -1,0 +1,202 @@
+#include "questions/modes/study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "geometry/measures/mesh_error.h"
+#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/diffusion_step.h"
+#include "geometry/spectrum/laplace_spectrum.h"
+#include "questions/core/value_lists.h"
+
+namespace meshfolio::modes {
+
+namespace {
+
+constexpr int all_modes_up_to = 1000;   // vertices
+constexpr int lowest_modes = 60;        // of a larger mesh
+constexpr int run_at_most = 2000;       // explicit steps that are run to see whether they do what was said
+
+struct Modes {
+    Vector eigenvalues;
+    DenseMatrix vectors;
+    bool all = false;
+};
+
+Modes modes_of(const SmoothingSubject& subject, bool quick) {
+    const int vertices = subject.source->prepared->preflight.vertices_in_use;
+    Modes modes;
+    modes.all = vertices <= all_modes_up_to;
+    SpectrumOptions options;
+    options.dense_below = modes.all ? all_modes_up_to : 0;
+    options.polish = !modes.all;
+    const Spectrum spectrum = smallest_eigenpairs(subject.laplacian, modes.all ? vertices : quick ? 20 : lowest_modes, options);
+    modes.eigenvalues = spectrum.eigenvalues;
+    modes.vectors = spectrum.eigenvectors;
+    if (modes.all) return modes;
+    modes.eigenvalues.conservativeResize(modes.eigenvalues.size() + 1);
+    modes.eigenvalues.tail(1)[0] = subject.top.value;
+    modes.vectors.conservativeResize(Eigen::NoChange, modes.vectors.cols() + 1);
+    modes.vectors.rightCols(1) = subject.top.mode;
+    return modes;
+}
+
+/// Unit coefficients: in each coordinate ±1/√3, of signs that repeat nowhere.
+Positions unit_coefficients(Eigen::Index modes) {
+    Positions W(modes, 3);
+    std::uint32_t state = 2463534242u;
+    for (Eigen::Index i = 0; i < modes; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            state ^= state << 13;
+            state ^= state >> 17;
+            state ^= state << 5;
+            W(i, c) = (state & 1 ? 1 : -1) / std::sqrt(3.0);
+        }
+    }
+    return W;
+}
+
+ModeDamping damping_of(const SmoothingSubject& subject, const Modes& modes, SmoothingScheme scheme, double relative, int steps) {
+    ModeDamping damping{scheme, relative * subject.critical, steps, {}};
+    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
+    const Positions W = unit_coefficients(modes.eigenvalues.size());
+    Positions X = modes.vectors * W;
+    if (scheme == SmoothingScheme::explicit_euler) {
+        const ExplicitDiffusion diffusion(whole);
+        for (int t = 0; t < steps; ++t) X = diffusion.step(damping.lambda, X);
+    } else {
+        ImplicitSolver solver;
+        solver.prepare(whole, damping.lambda, subject.mesh().X);
+        for (int t = 0; t < steps; ++t) X = solver.step(X);
+    }
+    const Positions coefficients = modes.vectors.transpose() * (subject.laplacian.M.asDiagonal() * X);
+    damping.measured = coefficients.cwiseProduct(W).rowwise().sum();
+    return damping;
+}
+
+/// Area-weighted rms over the box diagonal.
+double distance(const SmoothingSubject& subject, const Positions& A, const Positions& B) {
+    const Vector& M = subject.laplacian.M;
+    return std::sqrt(M.dot((A - B).rowwise().squaredNorm()) / M.sum()) / subject.diagonal;
+}
+
+Smoothed smoothed(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int steps, ImplicitSolver& solver) {
+    SmoothingOptions options;
+    options.scheme = scheme;
+    options.lambda = lambda;
+    options.iterations = steps;
+    return smooth(subject.mesh(), options, solver);
+}
+
+SchemeGap gap_of(const ModeStudy& study, double lambda, int steps, ImplicitSolver& solver) {
+    const SmoothingSubject& subject = study.subject;
+    SchemeGap gap{lambda, steps};
+    const Positions X = smoothed(subject, SmoothingScheme::implicit_euler, lambda, steps, solver).X;
+    gap.motion = distance(subject, X, subject.mesh().X);
+    const Smoothed other = smoothed(subject, SmoothingScheme::explicit_euler, lambda, steps, solver);
+    gap.measured = other.blew_up ? std::nan("") : distance(subject, X, other.X);
+    const auto explicit_minus_implicit = [&](double mu) { return std::pow(1 - lambda * mu, steps) - std::pow(1 + lambda * mu, -steps); };
+    const auto first_term = [&](double mu) { return steps * lambda * mu * lambda * mu * std::exp(-steps * lambda * mu); };
+    gap.predicted = study.measure.rms(explicit_minus_implicit) / subject.diagonal;
+    gap.leading = study.measure.rms(first_term) / subject.diagonal;
+    return gap;
+}
+
+/// Dirichlet energy about the first vertex: far from the origin the digits of the differences count.
+double energy_of(const SmoothingSubject& subject, const Positions& X) {
+    return dirichlet_energy(subject.laplacian.C, X.rowwise() - X.row(0));
+}
+
+/// Largest over smallest eigenvalue that the coordinates have a part in.
+double spread_of(const SpectralMeasure& measure) {
+    double least = INFINITY;
+    for (Eigen::Index i = 0; i < measure.nodes.size(); ++i) {
+        if (measure.weights[i] > 1e-20 * measure.weights.sum()) least = std::min(least, measure.nodes[i]);
+    }
+    return measure.nodes.maxCoeff() / least;
+}
+
+TriedWay tried(const ModeStudy& study, std::size_t target, const SmoothingWay& way, double initial_energy) {
+    const SmoothingSubject& subject = study.subject;
+    TriedWay run{target, way};
+    ImplicitSolver solver;
+    const auto start = std::chrono::steady_clock::now();
+    const Positions X = smoothed(subject, way.scheme, way.lambda, way.steps, solver).X;
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double energy = energy_of(subject, X);
+    run.energy = energy / initial_energy;
+    const Vector stiffness = subject.laplacian.C.diagonal().cwiseAbs();
+    const double of_sums = 8 * X.cwiseAbs().maxCoeff() * stiffness.dot((X.rowwise() - X.row(0)).rowwise().norm()) / energy;
+    run.rounding = std::numeric_limits<double>::epsilon() * (of_sums + spread_of(study.measure));
+    return run;
+}
+
+void study_costs(ModeStudy& study, bool quick) {
+    const CostModel model(study.subject, study.measure);
+    study.factor = model.factor();
+    study.explicit_step = model.explicit_step_operations();
+    study.implicit_step = model.implicit_step_operations();
+    const double least = model.least_energy(0.005), most = std::max(0.95, least);
+    for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02}) {
+        if (energy >= least) study.targets.push_back(smoothing_target(model, energy));
+    }
+    if (study.targets.empty()) study.targets.push_back(smoothing_target(model, least));
+    const int points = quick ? 6 : 20;
+    for (int i = 0; i <= points; ++i) study.curve.push_back(smoothing_target(model, most * std::pow(least / most, double(i) / points)));
+    for (std::size_t which = 0; which < implicit_way_names().size(); ++which)
+        study.crossings.push_back(crossing_of(model, study.curve, which));
+    const double initial_energy = energy_of(study.subject, study.subject.mesh().X);
+    for (std::size_t i = 0; i < study.targets.size(); ++i) {
+        const SmoothingTarget& target = study.targets[i];
+        if (target.explicit_way.steps > 0 && target.explicit_way.steps <= run_at_most)
+            study.tried.push_back(tried(study, i, target.explicit_way, initial_energy));
+        for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
+            study.tried.push_back(tried(study, i, target.implicit_ways[which], initial_energy));
+    }
+}
+
+}   // namespace
+
+double ModeDamping::law(double mu) const {
+    return scheme == SmoothingScheme::explicit_euler ? std::pow(1 - lambda * mu, steps) : std::pow(1 + lambda * mu, -steps);
+}
+
+double ModeDamping::deviation(const Vector& eigenvalues) const {
+    double largest = 0, scale = 1;
+    for (Eigen::Index i = 0; i < eigenvalues.size(); ++i) {
+        largest = std::max(largest, std::abs(measured[i] - law(eigenvalues[i])));
+        scale = std::max(scale, std::abs(law(eigenvalues[i])));
+    }
+    return largest / scale;
+}
+
+int lanczos_steps(const QuestionSettings& settings) { return settings.laboratory ? 160 : settings.quick ? 60 : 100; }
+
+ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+    ModeStudy study;
+    study.subject = smoothing_subject(std::move(source));
+    const Modes modes = modes_of(study.subject, settings.quick);
+    study.eigenvalues = modes.eigenvalues;
+    study.all = modes.all;
+    study.rounding = std::numeric_limits<double>::epsilon() * study.subject.mesh().X.cwiseAbs().maxCoeff() / study.subject.diagonal;
+    constexpr int steps = 10;
+    for (const double relative : {0.5, 0.95, 1.05})
+        study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::explicit_euler, relative, steps));
+    for (const double relative : {0.5, 0.95, 10.0})
+        study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
+
+    study.measure = spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings));
+    std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
+    ImplicitSolver solver;
+    for (const double lambda : steps_of(settings, study.subject, {0.1, 0.5, 0.9})) {
+        for (const int count : counts) {
+            if (count > 0) study.gaps.push_back(gap_of(study, lambda, count, solver));
+        }
+    }
+    study_costs(study, settings.quick);
+    return study;
+}
+
+}   // namespace meshfolio::modes

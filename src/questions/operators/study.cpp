@@ -1,0 +1,143 @@
+#include "questions/operators/study.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/operators/intrinsic_delaunay.h"
+#include "mesh/triangle_measures.h"
+#include "questions/bench/cotangent_study.h"
+
+namespace meshfolio::operators {
+
+namespace {
+
+constexpr int compared_eigenvalues = 10;
+constexpr int known_eigenvalues = 8;   // l = 1 three times, l = 2 five times
+
+/// A dimensionless spectrum times the factor that brings it nearest to `reference` (least squares).
+Vector brought_to_scale(Vector eigenvalues, const Vector& reference) {
+    const Eigen::Index common = std::min(eigenvalues.size(), reference.size());
+    if (common == 0) return eigenvalues;
+    const double factor = eigenvalues.head(common).dot(reference.head(common)) / eigenvalues.head(common).squaredNorm();
+    return factor * eigenvalues;
+}
+
+double spectrum_change(const LaboratoryOperator& laboratory_operator, const Vector& eigenvalues, const Vector& reference) {
+    return largest_relative_change(is_dimensionless(laboratory_operator.kind) ? brought_to_scale(eigenvalues, reference) : eigenvalues,
+                                   reference);
+}
+
+/// √(Σ (f − g)²/Σ g²) over the vertices where both are finite; NaN where g is 0 there to rounding, `scale` being what counts.
+double relative_difference(const Vector& f, const Vector& g, double scale) {
+    double difference = 0, size = 0;
+    int count = 0;
+    for (Eigen::Index i = 0; i < f.size(); ++i) {
+        if (!std::isfinite(f[i]) || !std::isfinite(g[i])) continue;
+        difference += (f[i] - g[i]) * (f[i] - g[i]);
+        size += g[i] * g[i];
+        ++count;
+    }
+    return count > 0 && std::sqrt(size / count) > 1e-9 * scale ? std::sqrt(difference / size) : std::nan("");
+}
+
+OperatorTrial trial_of(const LaboratoryOperator& laboratory_operator, const LaplaceBeltrami& laplacian, const CurvatureSubject& subject) {
+    OperatorTrial trial;
+    trial.scores = operator_scores(laplacian, subject.topology(), assembly_of(laboratory_operator.kind));
+    trial.H = operator_mean_curvature(subject.mesh(), subject.topology(), laboratory_operator.kind, laplacian);
+    return trial;
+}
+
+/// Spectra of meshes beyond this many vertices would take longer than the section has.
+constexpr int largest_spectrum = 20000, largest_spectrum_quick = 3000;
+
+}   // namespace
+
+std::string LaboratoryOperator::title() const {
+    const std::string name(operator_entry(kind).title);
+    return area == AreaForm::barycentric ? name : name + ", " + area_name(area) + " areas";
+}
+
+std::string LaboratoryOperator::id() const {
+    std::string id(operator_entry(kind).name);
+    std::replace(id.begin(), id.end(), '-', '_');
+    return area == AreaForm::barycentric ? id : id + "_" + std::string(name_of(area));
+}
+
+const std::vector<LaboratoryOperator>& laboratory_operators() {
+    static const std::vector<LaboratoryOperator> all = [] {
+        std::vector<LaboratoryOperator> operators;
+        for (const OperatorEntry& entry : operator_list()) operators.push_back({entry.kind});
+        operators.push_back({OperatorKind::cotan, AreaForm::voronoi});
+        operators.push_back({OperatorKind::cotan, AreaForm::mixed});
+        return operators;
+    }();
+    return all;
+}
+
+const OperatorTrial& LaboratoryMesh::trial(OperatorKind kind) const {
+    const auto& all = laboratory_operators();
+    const auto it = std::find_if(all.begin(), all.end(), [&](const LaboratoryOperator& o) { return o.kind == kind; });
+    return trials[static_cast<std::size_t>(it - all.begin())];
+}
+
+LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+    LaboratoryMesh lab;
+    lab.subject = curvature_subject(std::move(source));
+    const TriangleMesh& mesh = lab.subject.mesh();
+    const MeshTopology& topology = lab.subject.topology();
+    lab.flips = intrinsic_delaunay(intrinsic_triangles(mesh)).flips;
+    lab.oriented_manifold = topology.oriented_manifold;
+    const bool with_spectra = mesh.vertex_count() <= (settings.quick ? largest_spectrum_quick : largest_spectrum);
+    Vector reference;
+    for (const LaboratoryOperator& laboratory_operator : laboratory_operators()) {
+        const LaplaceBeltrami laplacian = laboratory_operator.of(mesh);
+        OperatorTrial trial = trial_of(laboratory_operator, laplacian, lab.subject);
+        Vector eigenvalues;
+        if (with_spectra) eigenvalues = smallest_nonzero_eigenvalues(laplacian, topology, compared_eigenvalues);
+        const bool first = lab.trials.empty();
+        if (first) reference = eigenvalues;
+        const OperatorTrial& standard = first ? trial : lab.trials.front();
+        trial.critical_ratio = is_dimensionless(laboratory_operator.kind) ? std::nan("") : trial.scores.critical / standard.scores.critical;
+        trial.spectrum_shift = spectrum_change(laboratory_operator, eigenvalues, reference);
+        trial.H_change = relative_difference(trial.H, standard.H, 1 / lab.subject.diagonal);
+        lab.trials.push_back(std::move(trial));
+    }
+    return lab;
+}
+
+std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
+    const PlaneTest flat = irregular_plane(settings.seed);
+    const TriangleMesh& plane = flat.mesh;
+    const MeshTopology plane_topology = topology_of(plane);
+    const double edge = mean_edge_length(plane);
+    const int level = settings.quick ? 3 : 4;
+    std::vector<SampledSurface> surfaces;
+    for (const KnownSurface& surface : known_surfaces()) {
+        if (surfaces.size() < 2) surfaces.push_back(sampled(surface, level, Triangulation::jittered, settings.seed));
+    }
+    Vector truth(known_eigenvalues);
+    truth << Vector::Constant(3, 2), Vector::Constant(5, 6);
+
+    std::vector<KnownTrial> trials;
+    for (const LaboratoryOperator& laboratory_operator : laboratory_operators()) {
+        KnownTrial trial;
+        // Without a unit it is made a curvature by every ring's own edges, as in question 3.
+        trial.plane = is_dimensionless(laboratory_operator.kind)
+                          ? flat.uniform
+                          : edge * linear_precision(laboratory_operator.of(plane), plane, plane_topology);
+        for (std::size_t s = 0; s < surfaces.size(); ++s) {
+            const SampledSurface& surface = surfaces[s];
+            const LaplaceBeltrami laplacian = laboratory_operator.of(surface.mesh);
+            trial.H_error[s] = relative_error(operator_mean_curvature(surface.mesh, surface.topology, laboratory_operator.kind, laplacian),
+                                              surface.H, surface.areas)
+                                   .l2;
+            if (s > 0) continue;
+            const Vector eigenvalues = smallest_nonzero_eigenvalues(laplacian, surface.topology, known_eigenvalues);
+            trial.eigenvalue_error = spectrum_change(laboratory_operator, eigenvalues, truth);
+        }
+        trials.push_back(trial);
+    }
+    return trials;
+}
+
+}   // namespace meshfolio::operators

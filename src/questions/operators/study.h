@@ -1,0 +1,56 @@
+/// @file
+/// The operator laboratory: every discrete Laplacian of the program on the same meshes, scored alike.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/operators/laplace_operator.h"
+#include "geometry/operators/operator_scores.h"
+#include "questions/bench/curvature_study.h"
+#include "questions/core/settings.h"
+
+namespace meshfolio::operators {
+
+/// An operator with a form of area.
+struct LaboratoryOperator {
+    OperatorKind kind = OperatorKind::cotan;
+    AreaForm area = AreaForm::barycentric;
+
+    std::string title() const;   // "cotangent, Voronoi areas"
+    std::string id() const;      // "cotan_voronoi", for file names
+    LaplaceBeltrami of(const TriangleMesh& mesh) const { return laplace_operator(mesh, kind, area); }
+};
+/// All kinds with barycentric areas, the default first, then the default with the other areas.
+const std::vector<LaboratoryOperator>& laboratory_operators();
+
+/// One operator on one mesh. Changes are relative to the default; NaN where they are not defined.
+struct OperatorTrial {
+    OperatorScores scores;
+    double critical_ratio = 0;   // λ_crit over that of the default; NaN for dimensionless operators
+    double spectrum_shift = 0;   // largest relative change of the first ten eigenvalues above 0; a dimensionless spectrum is scaled to fit
+    double H_change = 0;         // relative L2 difference of H inside
+    Vector H;                    // [1/length]
+};
+struct LaboratoryMesh {
+    CurvatureSubject subject;
+    std::vector<OperatorTrial> trials;   // one for each of laboratory_operators()
+    int flips = 0;                       // of the intrinsic Delaunay triangulation
+    bool oriented_manifold = false;
+
+    const std::string& name() const { return subject.name(); }
+    const OperatorTrial& trial(OperatorKind kind) const;
+};
+LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+
+/// One operator where the truth is known.
+struct KnownTrial {
+    double plane = 0;                  // largest |H| × mean edge inside an irregular flat square, where all curvature is 0
+    std::array<double, 2> H_error{};   // relative L2 on the jittered sphere and the jittered ellipsoid
+    double eigenvalue_error = 0;       // largest of the first eight above 0 on that sphere, l(l + 1)/R²
+};
+std::vector<KnownTrial> known_trials(const QuestionSettings& settings);   // one for each of laboratory_operators()
+
+}   // namespace meshfolio::operators

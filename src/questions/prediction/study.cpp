@@ -1,0 +1,213 @@
+#include "questions/prediction/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mesh/triangle_measures.h"
+#include "questions/prediction/work.h"
+
+namespace meshfolio::prediction {
+
+namespace {
+
+/// Step in squared mean edges: that of question 7, so that its runs are among these.
+constexpr double step_in_squared_edges = 0.1;
+/// Derivatives of a run are differences over this many mean edges.
+constexpr double difference_in_edges = 1e-4;
+/// The mesh of the library about the centre of its box, in box diagonals: squares and fourth powers of lengths stay within numbers.
+TriangleMesh in_box_diagonals(const TriangleMesh& mesh) {
+    const Box box = bounding_box(mesh);
+    return moved_to(mesh, (mesh.X.rowwise() - box.centre().transpose()) / box.diagonal());
+}
+
+PredictedCurve formula(const DenoisingPrediction& prediction, double sigma, int iterations) {
+    const ExpectedError& error = prediction.vertices;
+    return {std::string(by_formula), (error.squared(sigma) / error.weight_sum).head(iterations + 1)};
+}
+
+// ---- rules ---------------------------------------------------------------------------------------------------------------
+
+/// One rule over the seeds it can be tried on. `choose(seed)` is its iteration.
+template <class Choose>
+RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& results, int seeds, Choose choose) {
+    RuleOutcome outcome{std::string(name), {}, {}};
+    for (int s = 0; s < seeds; ++s) {
+        const Vector& error = results[static_cast<std::size_t>(s)].errors.vertices;
+        const int t = choose(static_cast<std::size_t>(s));
+        outcome.chosen.push_back(t);
+        outcome.regret.push_back(error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0);
+    }
+    return outcome;
+}
+
+void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, int seeds, int numbers) {
+    const auto& runs = results.of[static_cast<std::size_t>(study.kind)];
+    study.rule_seeds = seeds;
+    study.divergence = study.divergence_held = Vector::Zero(study.measured.square.size());
+    for (int s = 0; s < seeds; ++s) {
+        const SeedResult& result = runs[static_cast<std::size_t>(s)];
+        study.divergence += result.risk.divergence / (double(seeds) * numbers);
+        if (study.kind == FlowOperator::noisy) study.divergence_held += result.held_fixed / (double(seeds) * numbers);
+    }
+    PredictedCurve stein{std::string(by_stein), Vector::Zero(study.measured.square.size())};
+    for (int s = 0; s < seeds; ++s) stein.square += runs[static_cast<std::size_t>(s)].risk.risk(sigma) * (3.0 / numbers / seeds);
+    study.predictions.push_back(std::move(stein));
+
+    const auto add = [&](std::string_view name, auto choose) { study.rules.push_back(rule_outcome(name, runs, seeds, choose)); };
+    add(by_stein, [&](std::size_t s) { return runs[s].risk.best(sigma); });
+    const auto estimated = [&](std::size_t s) { return results.estimates[s].sigma; };
+    const bool known = std::all_of(results.estimates.begin(), results.estimates.end(), [](const NoiseLevel& e) { return e.sigma > 0; });
+    if (!known) return;
+    add(by_stein_estimated, [&](std::size_t s) { return runs[s].risk.best(estimated(s)); });
+    add(by_discrepancy, [&](std::size_t s) { return runs[s].risk.by_discrepancy(estimated(s)); });
+    if (study.kind != FlowOperator::noisy) return;
+    add(by_fixed_operator, [&](std::size_t s) {
+        RiskEstimate fixed = runs[s].risk;
+        fixed.divergence = runs[s].held_fixed;
+        return fixed.best(estimated(s));
+    });
+}
+
+// ---- assembly --------------------------------------------------------------------------------------------------------------
+
+void enter_estimates(NoiseLevelStudy& level, const std::vector<NoiseLevel>& estimates) {
+    for (const NoiseLevel& estimate : estimates) {
+        if (!(estimate.sigma > 0)) continue;
+        level.sigma_ratio.push_back(estimate.sigma / level.sigma);
+        level.kept += static_cast<double>(estimate.kept) / estimate.patches / static_cast<double>(estimates.size());
+    }
+}
+
+OperatorStudy operator_study(FlowOperator kind, const LevelResults& results, PredictedCurve predicted) {
+    OperatorStudy study;
+    study.kind = kind;
+    std::vector<RunErrors> errors;
+    for (const SeedResult& result : results.of[static_cast<std::size_t>(kind)]) {
+        errors.push_back(result.errors);
+        study.collapsed += result.collapsed ? 1 : 0;
+    }
+    study.measured = measured_curve(errors);
+    const Vector rms = study.measured.rms();
+    study.regret_of_formula = rms.minCoeff() > 0 ? rms[predicted.best()] / rms.minCoeff() - 1 : 0;
+    study.predictions.push_back(std::move(predicted));
+    return study;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return values.empty() ? std::nan("") : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// In standard errors; where noise alone is left the spread of few runs may be small by chance, so it is not taken below that of 3n equal
+/// parts, of which every quadratic form of 3n normal numbers has at least the variance.
+double distance(const ExpectedError& expected, double factor, double sigma, int vertices, const Vector& mean, const Vector& error,
+                int seeds, double rounding) {
+    double farthest = 0;
+    for (Eigen::Index t = 0; t < mean.size(); ++t) {
+        const double noise = sigma * sigma / expected.weight_sum;
+        const double least = noise * expected.noise[t] * std::sqrt(2.0 / (3.0 * vertices * seeds));
+        const double own = noise * expected.noise_error[t];
+        const double predicted = expected.bias[t] / expected.weight_sum + factor * factor * noise * expected.noise[t];
+        const double spread = std::hypot(std::max(error[t], least), own, rounding * predicted);
+        if (spread > 0) farthest = std::max(farthest, std::abs(predicted - mean[t]) / spread);
+    }
+    return farthest;
+}
+
+}   // namespace
+
+double deviation(const PredictedCurve& predicted, const MeasuredCurve& measured) {
+    double largest = 0;
+    for (Eigen::Index t = 0; t < measured.square.size(); ++t) {
+        if (!(measured.square[t] > 0)) continue;
+        largest = std::max(largest, std::abs(std::sqrt(std::max(predicted.square[t], 0.0) / measured.square[t]) - 1));
+    }
+    return largest;
+}
+
+double RuleOutcome::mean_chosen() const { return mean_of(chosen); }
+double RuleOutcome::mean_regret() const { return mean_of(regret); }
+double RuleOutcome::worst_regret() const { return regret.empty() ? std::nan("") : *std::max_element(regret.begin(), regret.end()); }
+
+const PredictedCurve* OperatorStudy::prediction(std::string_view name) const {
+    const auto it = std::find_if(predictions.begin(), predictions.end(), [&](const PredictedCurve& p) { return p.name == name; });
+    return it == predictions.end() ? nullptr : &*it;
+}
+
+const RuleOutcome* OperatorStudy::rule(std::string_view name) const {
+    const auto it = std::find_if(rules.begin(), rules.end(), [&](const RuleOutcome& r) { return r.name == name; });
+    return it == rules.end() ? nullptr : &*it;
+}
+
+const PredictedCurve& OperatorStudy::closest() const {
+    return *std::min_element(predictions.begin(), predictions.end(), [&](const PredictedCurve& a, const PredictedCurve& b) {
+        return deviation(a, measured) < deviation(b, measured);
+    });
+}
+
+double NoiseLevelStudy::mean_sigma_ratio() const { return mean_of(sigma_ratio); }
+
+PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+    PredictionStudy study;
+    study.source = std::move(source);
+    const TriangleMesh clean = in_box_diagonals(study.source->mesh());
+    const MeshTopology& topology = study.source->prepared->topology;
+    const Extent extent = extent_of(settings, clean.vertex_count());
+    study.diagonal = bounding_box(study.source->mesh()).diagonal();
+    study.mean_edge = mean_edge_length(clean, topology.edges);
+    study.lambda = settings.lambda.empty() ? step_in_squared_edges * study.mean_edge * study.mean_edge
+                                           : settings.lambda.front() / (study.diagonal * study.diagonal);
+    study.seeds = extent.seeds;
+    study.draws = extent.draws;
+    study.derivative_probes = extent.derivative_probes;
+
+    const DenoisingFlow flow(clean, study.lambda);
+    const LaplaceBeltrami laplacian = laplace_beltrami(clean);
+    study.clean_facts = facts_of(laplacian, laplacian.M.sum());
+    // With Gershgorin's bound of the eigenvalues.
+    const Vector rows = flow.whole.A.cwiseAbs() * Vector::Ones(flow.whole.size());
+    study.condition = 1 + study.lambda * rows.cwiseQuotient(flow.whole.M).maxCoeff();
+    PredictionOptions options{study.lambda, extent.iterations, extent.modes_up_to};
+    options.seed = seed_of(settings, 0, first_probe + 200);
+    study.prediction = denoising_prediction(laplacian, clean.X, options);
+
+    std::vector<int> iterations;   // of each level: four times the expected best one
+    for (const double sigma : extent.levels) {
+        const int best = study.prediction.vertices.best(sigma);
+        iterations.push_back(std::min(extent.iterations, std::max(8, 4 * best + 4)));
+    }
+    const Work work{settings, extent, flow, topology, difference_in_edges * study.mean_edge};
+    const int longest = *std::max_element(iterations.begin(), iterations.end());
+    const FirstOrder own = first_order(work, FlowOperator::noisy, longest);
+    const FirstOrder rebuilt = first_order(work, FlowOperator::rebuilt, std::min(longest, extent.rebuilt_iterations));
+    const std::vector<LevelResults> results = results_of_levels(work, iterations);
+
+    for (std::size_t l = 0; l < extent.levels.size(); ++l) {
+        NoiseLevelStudy level;
+        level.sigma = extent.levels[l];
+        level.sigma_edges = level.sigma / study.mean_edge;
+        enter_estimates(level, results[l].estimates);
+        for (const FlowOperator kind : all_operators) {
+            const int steps = results[l].iterations[static_cast<std::size_t>(kind)];
+            OperatorStudy& operated = level.of(kind);
+            operated = operator_study(kind, results[l], formula(study.prediction, level.sigma, steps));
+            if (kind == FlowOperator::clean) continue;
+            if (kind == FlowOperator::noisy) operated.predictions.push_back(formula_of_draws(work, level.sigma, l, steps, level.facts));
+            operated.predictions.push_back((kind == FlowOperator::noisy ? own : rebuilt).at(level.sigma, steps));
+            try_rules(operated, results[l], level.sigma, rule_seeds(extent, kind), 3 * clean.vertex_count());
+        }
+        study.levels.push_back(std::move(level));
+    }
+    return study;
+}
+
+StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor) {
+    const MeasuredCurve& measured = level.of(FlowOperator::clean).measured;
+    const auto of = [&](const ExpectedError& expected, const Vector& mean, const Vector& error) {
+        return distance(expected, factor, level.sigma, study.vertices(), mean, error, measured.seeds, 1e-15 * study.condition);
+    };
+    return {of(study.prediction.vertices, measured.square, measured.square_error),
+            of(study.prediction.mass, measured.mass, measured.mass_error)};
+}
+
+}   // namespace meshfolio::prediction

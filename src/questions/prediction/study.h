@@ -1,0 +1,109 @@
+/// @file
+/// What the section "prediction" measures: the error of denoising expected beforehand, the mean of many noisy runs with three operators,
+/// and rules that choose the iteration without the clean mesh.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/denoising/denoising_prediction.h"
+#include "questions/core/mesh_library.h"
+#include "questions/core/settings.h"
+#include "questions/prediction/runs.h"
+
+namespace meshfolio::prediction {
+
+/// A mean squared error over the vertices foreseen for t = 0, 1, … T. All lengths of a study are in box diagonals of its mesh.
+struct PredictedCurve {
+    std::string name;
+    Vector square;
+
+    int best() const { return first_smallest(square); }
+};
+/// Largest |predicted/measured − 1| of the rms error over the iterations.
+double deviation(const PredictedCurve& predicted, const MeasuredCurve& measured);
+
+/// What a rule chose, one value a seed it was tried on.
+struct RuleOutcome {
+    std::string name;
+    std::vector<double> chosen;   // iteration
+    std::vector<double> regret;   // error there over the smallest of that run, less 1
+
+    double mean_chosen() const;
+    double mean_regret() const;
+    double worst_regret() const;
+};
+
+/// One operator at one noise level.
+struct OperatorStudy {
+    FlowOperator kind = FlowOperator::clean;
+    MeasuredCurve measured;
+    std::vector<PredictedCurve> predictions;   // the formula with the clean mesh's operator first
+    std::vector<RuleOutcome> rules;            // none for the clean mesh's operator: who has it needs no rule
+    int rule_seeds = 0;
+    int collapsed = 0;              // runs that ended early, because triangles collapsed
+    Vector divergence;              // mean of div F_t over 3n; empty for the clean mesh's operator
+    Vector divergence_held;         // the same with the operator held fixed; for the noisy mesh's only
+    double regret_of_formula = 0;   // of the measured mean curve at the formula's best iteration
+
+    const PredictedCurve& formula() const { return predictions.front(); }
+    bool minimum_reached() const { return measured.best() < measured.iterations(); }
+    const PredictedCurve* prediction(std::string_view name) const;   // null without
+    const RuleOutcome* rule(std::string_view name) const;            // null without
+    /// The prediction that deviates least.
+    const PredictedCurve& closest() const;
+};
+
+/// What the noise does to the operator of the mesh, mean over the draws. The clean mesh's is that of the study.
+struct OperatorFacts {
+    double area = 1;               // of the noisy mesh over that of the clean one
+    double negative_weights = 0;   // share of the edges
+};
+
+struct NoiseLevelStudy {
+    double sigma = 0;         // [box diagonals]
+    double sigma_edges = 0;   // [mean edges]
+    std::array<OperatorStudy, 3> operators;
+    OperatorFacts facts;
+    std::vector<double> sigma_ratio;   // σ̂/σ, one a seed the rules were tried on; empty where no patch could be fitted
+    double kept = 0;                   // share of the patches whose residuals noise explains, mean
+
+    const OperatorStudy& of(FlowOperator kind) const { return operators[static_cast<std::size_t>(kind)]; }
+    OperatorStudy& of(FlowOperator kind) { return operators[static_cast<std::size_t>(kind)]; }
+    int iterations(FlowOperator kind) const { return of(kind).measured.iterations(); }
+    double mean_sigma_ratio() const;
+};
+
+struct PredictionStudy {
+    std::shared_ptr<const LibraryMesh> source;
+    double diagonal = 0;        // of the bounding box [length of the model]
+    double mean_edge = 0;       // [box diagonals]
+    double lambda = 0;          // [squared box diagonals]
+    int seeds = 0, draws = 0;   // noisy meshes measured; and others whose operators predict
+    int derivative_probes = 0;
+    OperatorFacts clean_facts;
+    double condition = 1;   // of the clean mesh's M − λC beside M, at most: rounding is multiplied by it
+    DenoisingPrediction prediction;
+    std::vector<NoiseLevelStudy> levels;   // ascending σ
+
+    const std::string& name() const { return source->name; }
+    int vertices() const { return source->mesh().vertex_count(); }
+};
+PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+
+/// Largest distance between the formula and the measured mean of the clean mesh's operator, in standard errors of both and of rounding
+/// together; `factor` is what σ is multiplied by in the formula, which is wrong unless it is 1.
+struct StandardDistance {
+    double vertices = 0, mass = 0;
+};
+StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor = 1);
+
+/// Names of predictions and rules.
+inline constexpr std::string_view by_formula = "formula, clean operator", by_draws = "formula, operators of other draws",
+                                  by_derivative = "first order in the noise", by_stein = "Stein, σ known", by_stein_estimated = "Stein, σ̂",
+                                  by_fixed_operator = "Stein, σ̂, operator held fixed", by_discrepancy = "discrepancy, σ̂";
+
+}   // namespace meshfolio::prediction

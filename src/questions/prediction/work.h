@@ -1,0 +1,80 @@
+/// @file
+/// The runs and the predictions that a study of predicted denoising is made of. Private to the layer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/denoising/noise_level.h"
+#include "mesh/mesh_topology.h"
+#include "questions/prediction/study.h"
+
+namespace meshfolio::prediction {
+
+inline constexpr std::array all_operators{FlowOperator::clean, FlowOperator::noisy, FlowOperator::rebuilt};
+
+/// How much is done, by the settings and the size of the mesh.
+struct Extent {
+    std::vector<double> levels;           // σ [box diagonals]
+    int iterations, rebuilt_iterations;   // at most
+    int modes_up_to = 1000;
+    int seeds = 20, rule_seeds, rebuilt_rule_seeds;
+    int draws = 4, derivative_probes = 3;
+};
+
+Extent extent_of(const QuestionSettings& settings, int vertices);
+
+/// Seeds of the noisy meshes, of the draws that predict, and of the probes never meet.
+std::uint64_t seed_of(const QuestionSettings& settings, std::size_t level, int run);
+inline constexpr int first_draw = 500, first_probe = 700;   // runs
+
+/// Everything the parts of one study share.
+struct Work {
+    const QuestionSettings& settings;
+    const Extent& extent;
+    const DenoisingFlow& flow;
+    const MeshTopology& topology;
+    double difference;   // for derivatives [box diagonals]
+
+    TriangleMesh noisy(double sigma, std::size_t level, int run) const;
+};
+
+/// What one noisy mesh gives with one operator.
+struct SeedResult {
+    RunErrors errors;
+    bool collapsed = false;   // the run ended early
+    RiskEstimate risk;        // where rules are tried
+    Vector held_fixed;        // zᵀSᵗz with the operator of the noisy mesh as if it were given
+};
+
+/// Of one noise level: results by operator and seed, and σ̂ by seed.
+struct LevelResults {
+    std::array<std::vector<SeedResult>, 3> of;
+    std::vector<NoiseLevel> estimates;
+    std::array<int, 3> iterations{};
+};
+
+/// How many seeds the rules are tried on; none with the clean mesh's operator.
+int rule_seeds(const Extent& extent, FlowOperator kind);
+/// One a level; `iterations` are the most of each. Seeds are run side by side.
+std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<int>& iterations);
+
+/// @param clean_area  of the mesh before the noise
+OperatorFacts facts_of(const LaplaceBeltrami& laplacian, double clean_area);
+
+/// The formula with the operators of other noisy meshes, mean over them: what the operator is, but not that it knows the noise.
+PredictedCurve formula_of_draws(const Work& work, double sigma, std::size_t level, int iterations, OperatorFacts& facts);
+
+/// Bias of the run without noise, and ‖∂F_t/∂Y‖² of the run about the clean mesh: what σ² is multiplied by to first order.
+struct FirstOrder {
+    Vector bias, noise;   // over the vertices
+
+    PredictedCurve at(double sigma, int iterations) const {
+        return {std::string(by_derivative), (bias + sigma * sigma * noise).head(iterations + 1)};
+    }
+};
+
+FirstOrder first_order(const Work& work, FlowOperator kind, int iterations);
+
+}   // namespace meshfolio::prediction

@@ -1,0 +1,38 @@
+/// @file
+/// What can be wrong with a mesh, which questions that affects, and what is done about it: the one place where this is written down.
+/// `inspect` and the report's preflight both read it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/measures/mesh_facts.h"
+
+namespace meshfolio::preflight {
+
+struct Defect {
+    std::string_view key;         // "needle_faces", for programs
+    std::string_view name;        // "needle faces, smallest angle below 1°"
+    std::string_view questions;   // "q3,q4,q5": those whose answers it touches
+    std::string_view breaks;      // what goes wrong there
+    std::string_view done;        // what was done about it
+    int (*count)(const MeshFacts& facts);
+};
+
+/// All that is looked for; repairs first.
+std::span<const Defect> defect_list();
+
+struct FoundDefect {
+    const Defect* defect;
+    int count;   // at least 1
+};
+/// Those that occur, in the order of the list.
+std::vector<FoundDefect> defects_of(const MeshFacts& facts);
+
+/// {"q3", "q4"} and "Q3, Q4".
+std::vector<std::string> affected_questions(const Defect& defect);
+std::string affected_for_people(const Defect& defect);
+
+}   // namespace meshfolio::preflight

@@ -1,0 +1,142 @@
+#include "questions/q6_implicit/study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "geometry/measures/mesh_error.h"
+#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/spectrum/laplace_spectrum.h"
+#include "questions/core/value_lists.h"
+
+namespace meshfolio::q6_implicit {
+
+namespace {
+
+/// Kept positions of a run that may have stopped early: nothing for the iterations it did not reach.
+const Positions* kept(const SmoothingRun& run, std::size_t which) { return which < run.snapshots.size() ? &run.snapshots[which] : nullptr; }
+
+SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) {
+    const SmoothingRun &implicit_run = study.implicit_runs[l], &explicit_run = study.explicit_runs[l];
+    const auto step = static_cast<std::size_t>(study.iterations[t]);
+    SmoothingCell cell;
+    cell.lambda = study.lambdas[l];
+    cell.iterations = study.iterations[t];
+    cell.implicit_X = *kept(implicit_run, t);
+    cell.implicit_energy = implicit_run.energy[step];
+    if (const Positions* X = kept(explicit_run, t)) {
+        cell.explicit_X = *X;
+        cell.explicit_energy = explicit_run.energy[step];
+    } else {
+        cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
+    }
+    const bool closed = study.subject.source->prepared->preflight.closed();
+    if (cell.collapsed()) {   // a point to rounding: neither its volume nor its normals mean anything
+        cell.volume_ratio = closed ? 0 : std::nan("");
+        return cell;
+    }
+    const MeshDifference moved = compare_meshes(study.subject.mesh(), moved_to(study.subject.mesh(), cell.implicit_X));
+    cell.volume_ratio = closed ? moved.volume_ratio : std::nan("");
+    cell.inverted_faces = moved.inverted_faces;
+    return cell;
+}
+
+/// Compares the damping of the lowest modes with (1 + λμ)^−t, in the runs where they have not vanished.
+void measure_damping(ImplicitStudy& study) {
+    const SmoothingSubject& subject = study.subject;
+    const int k = std::min(12, subject.source->prepared->preflight.vertices_in_use);
+    const Spectrum low = smallest_eigenpairs(subject.laplacian, k);
+    // Well above rounding, also that of coordinates far from the origin.
+    const double rounding = 1e7 * std::numeric_limits<double>::epsilon() * subject.mesh().X.cwiseAbs().maxCoeff();
+    const double visible = std::max(1e-6 * subject.diagonal, rounding) * std::sqrt(subject.laplacian.M.sum());
+    // About the barycentre, which does not move: far from the origin the offset would drown the modes in rounding.
+    const Vector& M = subject.laplacian.M;
+    const Eigen::RowVector3d near = subject.mesh().X.row(0);
+    const Eigen::RowVector3d barycentre = near + M.transpose() * (subject.mesh().X.rowwise() - near) / M.sum();
+    for (const SmoothingCell& cell : study.grid) {
+        const Positions start = subject.mesh().X.rowwise() - barycentre, end = cell.implicit_X.rowwise() - barycentre;
+        for (int i = 0; i < low.eigenvalues.size(); ++i) {
+            const Vector weights = subject.laplacian.M.cwiseProduct(low.eigenvectors.col(i));
+            const double before = (start.transpose() * weights).norm();
+            const double after = (end.transpose() * weights).norm();
+            if (before < visible || after < visible) continue;
+            const double predicted = std::pow(1 + cell.lambda * low.eigenvalues[i], -cell.iterations);
+            study.worst_damping = std::max(study.worst_damping, std::abs(after / before / predicted - 1));
+            ++study.damped_modes;
+        }
+    }
+}
+
+SmoothingCost cost_of(const ImplicitStudy& study) {
+    constexpr int most_steps = 3000;
+    SmoothingCost cost;
+    std::size_t l = 0;
+    for (std::size_t i = 0; i < study.lambdas.size(); ++i) {
+        if (study.lambdas[i] < 100 * study.subject.critical) l = i;
+    }
+    const SmoothingCell& cell = study.cell(l, study.middle_iteration());
+    cost.energy = cell.implicit_energy;
+    cost.implicit_lambda = cell.lambda;
+    cost.implicit_steps = cell.iterations;
+    using Clock = std::chrono::steady_clock;
+    const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+    SmoothingOptions options;
+    options.scheme = SmoothingScheme::implicit_euler;
+    options.lambda = cell.lambda;
+    options.iterations = cell.iterations;
+    Clock::time_point start = Clock::now();
+    const Smoothed implicit_result = smooth(study.subject.mesh(), options);
+    cost.implicit_seconds = seconds_since(start);
+
+    options.scheme = SmoothingScheme::explicit_euler;
+    options.lambda = 0.95 * study.subject.critical;
+    options.iterations = most_steps;
+    options.after_step = [&](int iteration, const Positions& X) {
+        const bool there = dirichlet_energy(study.subject.laplacian.C, X) <= cost.energy * study.subject.initial_energy;
+        if (there) cost.explicit_steps = iteration;
+        return !there;
+    };
+    smooth(study.subject.mesh(), options);
+    if (cost.explicit_steps > 0) {   // timed without the energy, which costs as much as a step
+        options.after_step = {};
+        options.iterations = cost.explicit_steps;
+        start = Clock::now();
+        smooth(study.subject.mesh(), options);
+        cost.explicit_seconds = seconds_since(start);
+    }
+    cost.factor_nonzeros = implicit_result.factor_nonzeros;
+    cost.operator_nonzeros = study.subject.laplacian.C.nonZeros();
+    cost.implicit_operations = 3.0 * cost.implicit_steps * 2 * double(cost.factor_nonzeros);
+    cost.explicit_operations = 3.0 * cost.explicit_steps * double(cost.operator_nonzeros);
+    return cost;
+}
+
+}   // namespace
+
+ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+    ImplicitStudy study;
+    study.subject = smoothing_subject(std::move(source));
+    study.lambdas = steps_of(settings, study.subject, {0.5, 5, 50, 1000});
+    study.iterations = settings.iterations;
+    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 10, 50};
+    study.iterations = each_once(study.iterations);
+    const int last = study.iterations.back();
+    ImplicitSolver solver;   // one symbolic analysis for all λ
+    for (const double lambda : study.lambdas) {
+        study.implicit_runs.push_back(
+            run_smoothing(study.subject, SmoothingScheme::implicit_euler, lambda, last, study.iterations, solver));
+        study.explicit_runs.push_back(run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, last, study.iterations));
+    }
+    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
+        for (std::size_t t = 0; t < study.iterations.size(); ++t) study.grid.push_back(cell_at(study, l, t));
+    }
+    measure_damping(study);
+    const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);
+    study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;
+    study.cost = cost_of(study);
+    return study;
+}
+
+}   // namespace meshfolio::q6_implicit

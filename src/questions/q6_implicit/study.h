@@ -1,0 +1,57 @@
+/// @file
+/// What question 6 measures: implicit beside explicit smoothing over a grid of steps and iterations, and what both cost.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "questions/bench/smoothing_study.h"
+#include "questions/core/settings.h"
+
+namespace meshfolio::q6_implicit {
+
+/// One cell of the grid λ × iterations, both schemes.
+struct SmoothingCell {
+    double lambda = 0;
+    int iterations = 0;
+    Positions implicit_X, explicit_X;   // explicit_X is empty once the explicit run has blown up
+    double implicit_energy = 0, explicit_energy = 0;
+    int explicit_blow_up = 0;   // iteration; 0: none
+    double volume_ratio = 0;    // of the implicit result; NaN when open
+    int inverted_faces = 0;     // of the implicit result
+
+    bool collapsed() const { return implicit_energy < 1e-12; }   // to a point
+};
+
+/// What reaching the same smoothness costs: the energy of the implicit run with the largest λ below 100 λ_crit after the middle number of
+/// iterations, and the explicit steps at 0.95 λ_crit that get there.
+struct SmoothingCost {
+    double energy = 0, implicit_lambda = 0;
+    int implicit_steps = 0, explicit_steps = 0;                // explicit_steps 0: more than the limit tried
+    double implicit_operations = 0, explicit_operations = 0;   // multiply–adds of the steps, without factorisation
+    long long factor_nonzeros = 0, operator_nonzeros = 0;
+    double implicit_seconds = 0, explicit_seconds = 0;
+};
+
+struct ImplicitStudy {
+    SmoothingSubject subject;
+    std::vector<double> lambdas;
+    std::vector<int> iterations;
+    std::vector<SmoothingCell> grid;                          // λ by λ, iterations ascending
+    std::vector<SmoothingRun> implicit_runs, explicit_runs;   // one a λ
+    double worst_damping = 0;                                 // largest relative deviation from (1 + λμ)^−t
+    int damped_modes = 0;                                     // modes that went into it
+    double huge_step_energy = 0;                              // after one implicit step at a million times the explicit limit, of input
+    SmoothingCost cost;
+
+    const std::string& name() const { return subject.name(); }
+    const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
+    /// Index of the iteration count that is looked at where one must do: the middle one.
+    std::size_t middle_iteration() const { return iterations.size() / 2; }
+};
+
+/// With the steps of the settings, else four in units of the explicit limit: within it, a little beyond, far beyond, absurdly far.
+ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+
+}   // namespace meshfolio::q6_implicit

@@ -1,0 +1,215 @@
+#include "report/json/json_reader.h"
+#include "base/in_quotes.h"
+
+#include <algorithm>
+
+namespace meshfolio::report {
+
+namespace {
+
+constexpr int most_digits = 17;   // a double has no more
+constexpr std::size_t longest_id = 200;
+
+bool is_id_character(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.' || c == '+';
+}
+
+[[noreturn]] void refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted) {
+    throw JsonProblem(place, "is " + type_in_words(json) + ", not " + wanted);
+}
+
+}   // namespace
+
+std::string JsonPlace::path() const {
+    if (parent == nullptr) return "";
+    const std::string before = parent->path();
+    if (key.empty()) return before + "[" + std::to_string(index) + "]";
+    return before + (before.empty() ? "" : ".") + std::string(key);
+}
+
+std::string type_in_words(const Json& value) {
+    if (value.is_null()) return "null";
+    if (value.is_boolean()) return "a truth value";
+    if (value.is_number()) return value.is_number_float() ? "a number" : "the integer " + value.dump();
+    if (value.is_string()) return "a text";
+    return value.is_array() ? "a list" : "an object";
+}
+
+void require_inner_path(const std::string& path, const JsonPlace& place) {
+    bool inside = !path.empty() && path.front() != '/' && path.find('\0') == std::string::npos;
+    for (std::size_t begin = 0; inside && begin <= path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        const std::string part = path.substr(begin, end - begin);
+        inside = !part.empty() && part != "." && part != "..";
+        begin = end + 1;
+    }
+    if (!inside) throw JsonProblem(place, "is no path of a file inside the report", "write it relative to the folder of results.json");
+}
+
+void require_good_id(const std::string& id, const JsonPlace& place) {
+    if (id.empty() || id.size() > longest_id || id.front() == '.' || !std::all_of(id.begin(), id.end(), is_id_character))
+        throw JsonProblem(place, "is no id", "use letters, digits and '_', at most " + std::to_string(longest_id));
+}
+
+FieldReader::FieldReader(const Json& object, const JsonPlace& place) : object_(object), place_(place) {
+    if (!object.is_object()) refuse_type(object, place, "an object");
+}
+
+void FieldReader::finish() const {
+    for (const auto& [key, value] : object_.items()) {
+        if (!known_.contains(key)) throw JsonProblem(place_, "has the unknown key " + in_quotes(key), "take it out");
+    }
+}
+
+const Json& FieldReader::required(const char* key) {
+    known_.insert(key);
+    const auto it = object_.find(key);
+    if (it == object_.end()) throw JsonProblem(place_, std::string("has no '") + key + "'", "take a whole results.json");
+    return *it;
+}
+
+const Json& FieldReader::list_in(const Json& value, const JsonPlace& place) {
+    if (!value.is_array()) refuse_type(value, place, "a list");
+    return value;
+}
+
+FieldReader::Odd FieldReader::odd_of(const char* key) {
+    Odd odd;
+    const auto it = object_.find(std::string(key) + not_finite);
+    if (it == object_.end()) return odd;
+    const auto known = object_.items();
+    for (const auto& [name, value] : known) {
+        if (name != std::string(key) + not_finite) continue;
+        known_.insert(name);   // the key lives as long as the object
+    }
+    const JsonPlace place{&place_, key};
+    const auto refuse = [&] { throw JsonProblem(place, "has a broken list of what is not finite", "write [[place, 1, −1 or 0], …]"); };
+    if (!it->is_array()) refuse();
+    for (const Json& pair : *it) {
+        if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number_unsigned() || !pair[1].is_number_integer()) refuse();
+        const auto sign = pair[1].get<std::int64_t>();
+        if (sign < -1 || sign > 1 || !odd.signs.emplace(pair[0].get<std::size_t>(), static_cast<int>(sign)).second) refuse();
+    }
+    return odd;
+}
+
+std::optional<int> FieldReader::Odd::next() {
+    const auto it = signs.find(place++);
+    if (it == signs.end()) return {};
+    ++used;
+    return it->second;
+}
+
+void FieldReader::Odd::require_used(const JsonPlace& at) const {
+    if (used != signs.size()) throw JsonProblem(at, "has not the numbers that are said not to be finite", "take a whole results.json");
+}
+
+// ---- values -------------------------------------------------------------------------------------------------------------
+
+void FieldReader::read(const Json& json, double& value, const JsonPlace& place, Odd& odd) {
+    constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    const std::optional<int> sign = odd.next();
+    if (sign && !json.is_null()) refuse_type(json, place, "null, as it is said not to be finite");
+    if (json.is_null()) {
+        value = sign.value_or(0) == 0 ? nan : *sign * infinity;
+    } else if (json.is_number()) {
+        value = json.get<double>();
+    } else {
+        refuse_type(json, place, "a number");
+    }
+}
+
+void FieldReader::read(const Json& json, Cell& value, const JsonPlace& place, Odd& odd) {
+    if (json.is_string()) {
+        ++odd.place;
+        value = json.get<std::string>();
+    } else if (json.is_null() && !odd.signs.contains(odd.place)) {
+        ++odd.place;
+        value = std::monostate();
+    } else {
+        read(json, value.emplace<double>(), place, odd);
+    }
+}
+
+void FieldReader::read(const Json& json, bool& value, const JsonPlace& place, Odd&) {
+    if (!json.is_boolean()) refuse_type(json, place, "true or false");
+    value = json.get<bool>();
+}
+
+void FieldReader::read(const Json& json, int& value, const JsonPlace& place, Odd&) {
+    if (!json.is_number_integer()) refuse_type(json, place, "an integer");
+    const bool fits = json.is_number_unsigned() ? json.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<int>::max()}
+                                                : json.get<std::int64_t>() >= std::numeric_limits<int>::min();
+    if (!fits) throw JsonProblem(place, "is an integer out of range");
+    value = json.get<int>();
+}
+
+void FieldReader::read(const Json& json, std::uint64_t& value, const JsonPlace& place, Odd&) {
+    if (!json.is_number_unsigned()) refuse_type(json, place, "an integer from 0");
+    value = json.get<std::uint64_t>();
+}
+
+void FieldReader::read(const Json& json, std::string& value, const JsonPlace& place, Odd&) {
+    if (!json.is_string()) refuse_type(json, place, "a text");
+    value = json.get<std::string>();
+}
+
+void FieldReader::read(const Json& json, std::map<std::string, std::string>& value, const JsonPlace& place, Odd&) {
+    if (!json.is_object()) refuse_type(json, place, "an object of texts");
+    for (const auto& [key, words] : json.items()) {
+        if (!words.is_string()) refuse_type(words, {&place, key}, "a text");
+        value[key] = words.get<std::string>();
+    }
+}
+
+void FieldReader::read(const Json& json, Run& value, const JsonPlace& place, Odd&) {
+    value.kind = Run::Kind::plain;
+    if (json.is_string()) {
+        value.content = json.get<std::string>();
+        return;
+    }
+    if (!json.is_object() || json.size() != 1 || !json.begin()->is_string()) refuse_type(json, place, "a text or one of a kind");
+    value.kind = static_cast<Run::Kind>(choice(Json(json.begin().key()), place, names_of(Run::Kind())));
+    if (value.kind == Run::Kind::plain) throw JsonProblem(place, "is an object, though plain", "write the text alone");
+    value.content = json.begin()->get<std::string>();
+}
+
+void FieldReader::rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height) {
+    const JsonPlace place{&place_, key};
+    const Json& rows = list_in(required(key), place);
+    Odd odd = odd_of(key);
+    if (rows.size() != (width > 0 ? height : 0)) throw JsonProblem(place, "has not a row for each y");
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        const JsonPlace row{&place, {}, r};
+        if (list_in(rows[r], row).size() != width) throw JsonProblem(row, "has not a number for each x");
+        for (std::size_t c = 0; c < width; ++c) read(rows[r][c], values.emplace_back(), {&row, {}, c}, odd);
+    }
+    odd.require_used(place);
+}
+
+// ---- what belongs together ----------------------------------------------------------------------------------------------
+
+void FieldReader::require_sound(const Column& column, const JsonPlace& place) {
+    if (column.digits < 1 || column.digits > most_digits)
+        throw JsonProblem({&place, "digits"}, "is " + std::to_string(column.digits), "it may be 1 to " + std::to_string(most_digits));
+    if (column.heat && !(column.heat->low > 0 && column.heat->low < column.heat->high))
+        throw JsonProblem({&place, "heat"}, "has no range above 0");
+}
+
+void FieldReader::require_sound(const Table& table, const JsonPlace& place) {
+    const JsonPlace rows{&place, "rows"};
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        if (table.rows[r].size() != table.columns.size())
+            throw JsonProblem({&rows, {}, r}, "has " + std::to_string(table.rows[r].size()) + " cells",
+                              "the table has " + std::to_string(table.columns.size()) + " columns");
+    }
+}
+
+void FieldReader::require_sound(const Series& series, const JsonPlace& place) {
+    const std::size_t size = series.x.size();
+    const auto is_band = [&](const std::vector<double>& values) { return values.empty() || values.size() == size; };
+    if (series.y.size() != size || !is_band(series.y_low) || !is_band(series.y_high) || series.y_low.size() != series.y_high.size())
+        throw JsonProblem(place, "has lists of different lengths");
+}
+
+}   // namespace meshfolio::report

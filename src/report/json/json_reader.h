@@ -1,0 +1,185 @@
+/// @file
+/// JSON to values, by the descriptions of json_fields.h. Strict: every key is there and known, every value of its type and in its limits.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/in_quotes.h"
+#include "report/json/json_fields.h"
+#include "report/json/json_writer.h"
+
+namespace meshfolio::report {
+
+/// Where in the JSON a value stands; built as it is read, without a word until it is asked for.
+struct JsonPlace {
+    const JsonPlace* parent = nullptr;
+    std::string_view key = {};   // empty: an element of a list
+    std::size_t index = 0;
+
+    std::string path() const;   // "questions[0].tables[2].id"; empty: the whole
+};
+
+/// What is wrong with a value, thrown by the reader; read_json() turns it into an InputError with its line.
+struct JsonProblem : std::runtime_error {
+    JsonProblem(const JsonPlace& place, const std::string& problem, std::string todo = "")
+        : std::runtime_error(problem), path(place.path()), remedy(std::move(todo)) {}
+    std::string path, remedy;
+};
+
+/// "a text", "a list", …
+std::string type_in_words(const Json& value);
+/// @throws JsonProblem unless it is a path inside the report's folder
+void require_inner_path(const std::string& path, const JsonPlace& place);
+/// @throws JsonProblem unless it may be a part of a file's name
+void require_good_id(const std::string& id, const JsonPlace& place);
+
+class FieldReader {
+public:
+    /// @throws JsonProblem unless it is an object
+    FieldReader(const Json& object, const JsonPlace& place);
+    /// @throws JsonProblem naming a key that was not asked for
+    void finish() const;
+
+    template <class Value>
+    void operator()(const char* key, Value& value) {
+        const Json& json = required(key);
+        const JsonPlace place{&place_, key};
+        Odd odd = odd_of(key);
+        read(json, value, place, odd);
+        odd.require_used(place);
+        if constexpr (std::is_same_v<Value, std::string>) {
+            if (std::string_view(key) == "id") require_good_id(value, place);
+        }
+    }
+    template <class Value>
+    void optional(const char* key, Value& value, const std::type_identity_t<Value>& fallback) {
+        if (object_.contains(key))
+            (*this)(key, value);
+        else
+            value = fallback;
+    }
+    template <class Value>
+    void optional(const char* key, std::optional<Value>& value) {
+        if (object_.contains(key)) (*this)(key, value.emplace());
+    }
+    template <class Value>
+    void if_there(const char* key, Value& value, bool& there) {
+        there = object_.contains(key);
+        if (there) (*this)(key, value);
+    }
+    template <class Derive>
+    void derived(const char* key, Derive derive) {
+        if (required(key) != derived_json(derive()))
+            throw JsonProblem({&place_, key}, "does not agree with what it is derived from", "leave it as it was");
+    }
+    void file(const char* key, std::string& path) {
+        (*this)(key, path);
+        require_inner_path(path, {&place_, key});
+    }
+    void files(const char* key, std::vector<std::string>& paths) {
+        (*this)(key, paths);
+        for (const std::string& path : paths) require_inner_path(path, {&place_, key});
+    }
+    void file_or_null(const char* key, std::string& path, bool& there) {
+        there = !required(key).is_null();
+        if (there) file(key, path);
+    }
+    template <class Item, class Describe>
+    void each(const char* key, std::vector<Item>& items, Describe describe_one) {
+        const JsonPlace place{&place_, key};
+        const Json& list = list_in(required(key), place);
+        items.resize(list.size());
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            FieldReader fields(list[i], {&place, {}, i});
+            describe_one(fields, items[i]);
+            fields.finish();
+        }
+    }
+    void rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height);
+
+private:
+    const Json& object_;
+    JsonPlace place_;
+    std::set<std::string_view> known_;
+
+    /// The list of the numbers of a value that are not finite.
+    struct Odd {
+        std::map<std::size_t, int> signs = {};
+        std::size_t place = 0, used = 0;
+        std::optional<int> next();   // of the number that is read now
+        void require_used(const JsonPlace& at) const;
+    };
+
+    const Json& required(const char* key);
+    Odd odd_of(const char* key);
+    static const Json& list_in(const Json& value, const JsonPlace& place);
+
+    static void read(const Json& json, double& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, Cell& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, bool& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, int& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, std::uint64_t& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, std::string& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, std::map<std::string, std::string>& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, Run& value, const JsonPlace& place, Odd& odd);
+
+    template <class Item>
+    static void read(const Json& json, std::vector<Item>& items, const JsonPlace& place, Odd& odd) {
+        const Json& list = list_in(json, place);
+        items.clear();
+        items.resize(list.size());
+        for (std::size_t i = 0; i < list.size(); ++i) read(list[i], items[i], {&place, {}, i}, odd);
+    }
+    template <class Value>
+    static void read(const Json& json, Value& value, const JsonPlace& place, Odd&) {
+        if constexpr (std::is_enum_v<Value>) {
+            value = static_cast<Value>(choice(json, place, names_of(value)));
+        } else {
+            FieldReader fields(json, place);
+            describe(fields, value);
+            fields.finish();
+            require_sound(value, place);
+        }
+    }
+
+    template <std::size_t Count>
+    static std::size_t choice(const Json& json, const JsonPlace& place, const std::array<const char*, Count>& names) {
+        std::string known;
+        for (std::size_t i = 0; i < Count; ++i) {
+            if (json == names[i]) return i;
+            known += (i > 0 ? ", " : "") + std::string(names[i]);
+        }
+        throw JsonProblem(place, "is " + (json.is_string() ? in_quotes(json.get<std::string>()) : type_in_words(json)),
+                          "it may be " + known);
+    }
+
+    // What a description cannot say: sizes that belong together.
+    static void require_sound(const Column& column, const JsonPlace& place);
+    static void require_sound(const Table& table, const JsonPlace& place);
+    static void require_sound(const Series& series, const JsonPlace& place);
+    template <class Value>
+    static void require_sound(const Value&, const JsonPlace&) {}
+};
+
+/// @throws JsonProblem
+template <class Value>
+Value read_value(const Json& json, const JsonPlace& place) {
+    Value value;
+    FieldReader fields(json, place);
+    describe(fields, value);
+    fields.finish();
+    return value;
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,155 @@
+/// @file
+/// Values to JSON, by the descriptions of json_fields.h. Keys stand in the order they are described.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/json/json_fields.h"
+
+namespace meshfolio::report {
+
+using Json = nlohmann::ordered_json;
+
+/// Which numbers of a value are not finite, as JSON cannot say it: [place in reading order, 1 for ∞, −1 for −∞, 0 for NaN]. A NaN
+/// outside of a cell is not listed: null says it already.
+inline constexpr const char* not_finite = "_not_finite";
+
+/// A value that follows from others; null where there is none.
+template <class Value>
+Json derived_json(const Value& value) {
+    return value;
+}
+inline Json derived_json(const std::optional<bool>& value) { return value ? Json(*value) : Json(); }
+
+class FieldWriter {
+public:
+    explicit FieldWriter(Json& object) : object_(object) { object_ = Json::object(); }
+
+    template <class Value>
+    void operator()(const char* key, const Value& value) {
+        Odd odd;
+        object_[key] = json_of(value, odd);
+        odd.enter(object_, key);
+    }
+    template <class Value>
+    void optional(const char* key, const Value& value, const std::type_identity_t<Value>& fallback) {
+        if (!is_same(value, fallback)) (*this)(key, value);
+    }
+    template <class Value>
+    void optional(const char* key, const std::optional<Value>& value) {
+        if (value) (*this)(key, *value);
+    }
+    template <class Value>
+    void if_there(const char* key, const Value& value, bool there) {
+        if (there) (*this)(key, value);
+    }
+    template <class Derive>
+    void derived(const char* key, Derive derive) {
+        object_[key] = derived_json(derive());
+    }
+    void file(const char* key, const std::string& path) { object_[key] = path; }
+    void files(const char* key, const std::vector<std::string>& paths) { object_[key] = paths; }
+    void file_or_null(const char* key, const std::string& path, bool there) { object_[key] = there ? Json(path) : Json(); }
+
+    /// A list of objects, each described by `describe_one(fields, item)`.
+    template <class Item, class Describe>
+    void each(const char* key, const std::vector<Item>& items, Describe describe_one) {
+        Json list = Json::array();
+        for (const Item& item : items) {
+            Json object;
+            FieldWriter fields(object);
+            describe_one(fields, item);
+            list.push_back(std::move(object));
+        }
+        object_[key] = std::move(list);
+    }
+
+    /// Values of a grid, a row of `width` at a time.
+    void rows(const char* key, const std::vector<double>& values, std::size_t width, std::size_t height) {
+        Odd odd;
+        Json rows = Json::array();
+        for (std::size_t i = 0; i < values.size() && i < width * height; ++i) {
+            if (i % width == 0) rows.push_back(Json::array());
+            rows.back().push_back(json_of(values[i], odd));
+        }
+        object_[key] = std::move(rows);
+        odd.enter(object_, key);
+    }
+
+private:
+    Json& object_;
+
+    /// The numbers of one value that are not finite.
+    struct Odd {
+        std::size_t place = 0;
+        Json list = Json::array();
+        void enter(Json& object, const char* key) {
+            if (!list.empty()) object[std::string(key) + not_finite] = std::move(list);
+        }
+    };
+
+    template <class Value>
+    static bool is_same(const Value& a, const Value& b) {
+        if constexpr (std::is_same_v<Value, std::vector<NumberedEntry>>)
+            return a.empty() && b.empty();
+        else
+            return a == b;
+    }
+
+    static Json json_of(double x, Odd& odd) {
+        const std::size_t place = odd.place++;
+        if (std::isinf(x)) odd.list.push_back(Json::array({place, x > 0 ? 1 : -1}));
+        return std::isfinite(x) ? Json(x) : Json();
+    }
+    static Json json_of(const Cell& cell, Odd& odd) {
+        if (const auto* x = std::get_if<double>(&cell)) {
+            if (std::isnan(*x)) odd.list.push_back(Json::array({odd.place, 0}));
+            return json_of(*x, odd);
+        }
+        ++odd.place;
+        if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+        return {};
+    }
+    static Json json_of(bool value, Odd&) { return value; }
+    static Json json_of(int value, Odd&) { return value; }
+    static Json json_of(std::uint64_t value, Odd&) { return value; }
+    static Json json_of(const std::string& value, Odd&) { return value; }
+    static Json json_of(const std::map<std::string, std::string>& values, Odd&) { return values; }
+    static Json json_of(const Run& run, Odd&) {
+        if (run.kind == Run::Kind::plain) return run.content;
+        return {{names_of(run.kind)[static_cast<std::size_t>(run.kind)], run.content}};
+    }
+    template <class Item>
+    static Json json_of(const std::vector<Item>& items, Odd& odd) {
+        Json list = Json::array();
+        for (const Item& item : items) list.push_back(json_of(item, odd));
+        return list;
+    }
+    template <class Value>
+    static Json json_of(const Value& value, Odd&) {
+        if constexpr (std::is_enum_v<Value>) {
+            return names_of(value)[static_cast<std::size_t>(value)];
+        } else {
+            Json object;
+            FieldWriter fields(object);
+            describe(fields, value);
+            return object;
+        }
+    }
+};
+
+template <class Value>
+Json json_of(const Value& value) {
+    Json object;
+    FieldWriter fields(object);
+    describe(fields, value);
+    return object;
+}
+
+}   // namespace meshfolio::report

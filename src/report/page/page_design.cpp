@@ -1,0 +1,74 @@
+#include "report/page/page_design.h"
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/sha256.h"
+#include "report/escape.h"
+#include "report/page/page_viewer.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+const std::string& raw_text(const Templates& templates, const std::string& name) {
+    const std::string& text = templates[name];
+    for (const char* end : {"]]>", "</style", "</script", "<!--"}) {
+        if (text.find(end) != std::string::npos) throw UsageError(std::string("\"") + end + "\" cannot stand in a page", "", {name, 0});
+    }
+    return text;
+}
+
+/// To an HTML parser style and script are raw text, to an XML parser they are markup: the CDATA section inside comments suits both.
+std::string raw_element(const std::string& text) { return "/*<![CDATA[*/\n" + text + "/*]]>*/"; }
+
+std::string joined_styles(const Templates& templates, const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += raw_text(templates, name);
+    return raw_element(text);
+}
+
+/// A block each: what one file declares is not seen by the others.
+std::string joined_scripts(const Templates& templates, const std::vector<std::string>& names) {
+    std::string text = "\"use strict\";\n";
+    for (const std::string& name : names) text += "{\n" + raw_text(templates, name) + "}\n";
+    return raw_element(text);
+}
+
+/// What the policy allows is exactly these texts.
+std::string policy_for(const std::string& style, const std::vector<std::string>& scripts) {
+    const auto source = [](const std::string& text) { return " 'sha256-" + base64(sha256_bytes(text)) + "'"; };
+    std::string allowed;
+    for (const std::string& script : scripts) allowed += source(script);
+    return "default-src 'none'; img-src 'self' data:; style-src" + source(style) + "; script-src" +
+           (allowed.empty() ? " 'none'" : allowed) + "; base-uri 'none'; form-action 'none'";
+}
+
+}   // namespace
+
+void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
+    const bool has_script = design == "report", with_viewer = has_script && parts.models && !parts.viewer.empty();
+    // What each script does is told at its head. They know nothing of one another.
+    std::vector<std::string> styles = {design + ".css"},
+                             scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js", "page_comparison.js"};
+    if (has_script && parts.models) styles.emplace_back("models.css");
+    if (with_viewer) scripts.emplace_back("models.js");
+
+    const std::string style = joined_styles(templates, styles);
+    // The scheme is chosen before anything is drawn, hence a script of its own.
+    const std::string scheme = has_script ? raw_element(raw_text(templates, "page_scheme.js")) : "";
+    const std::string script = has_script ? joined_scripts(templates, scripts) : "";
+    std::vector<std::string> run;   // the texts that are
+    if (has_script) run = {scheme, script};
+    model["style"] = style;
+    model["scheme_script"] = scheme;
+    model["script"] = script;
+    model["has_viewer"] = with_viewer;
+    model["viewer"] = with_viewer ? packed(parts.viewer) : "";
+    if (with_viewer) run.emplace_back(parts.viewer);
+    model["policy"] = policy_for(style, run);
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,36 @@
+/// @file
+/// The blocks of a section as the templates see them (view_model.h).
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "report/numbering.h"
+#include "report/page/view_model.h"
+
+namespace meshfolio::report {
+
+/// What the views of all blocks are made with.
+struct ViewContext {
+    const DrawnFigures& figures;
+    const Numbering& numbering;
+    const std::map<std::string, FormulaForms>& formulas;
+    const ViewOptions& options;
+};
+
+/// Runs of a text, references resolved.
+nlohmann::json text_view(const Text& text, const Numbering& numbering);
+
+/// A caption, a name, a heading: `{runs}` as of a text, symbols found.
+nlohmann::json prose_view(const std::string& words);
+
+nlohmann::json table_view(const Table& table, const ViewContext& context);
+
+/// What a page needs to show the picture of a figure: where it is, how large, in words.
+nlohmann::json picture_view(const Figure& figure, const ViewContext& context);
+
+/// A heading gets the next of the section's subsection numbers, counted in `headings`.
+nlohmann::json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context);
+
+}   // namespace meshfolio::report

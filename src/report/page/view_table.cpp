@@ -1,0 +1,215 @@
+// Tables as the templates see them: digits, alignment, best values, rows left out.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/number_text.h"
+#include "report/brief_number.h"
+#include "report/escape.h"
+#include "report/page/view_blocks.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_columns = 8;   // in the usual type across a sheet of A4
+
+const double* number_in(const std::vector<Cell>& row, std::size_t column) {
+    return column < row.size() ? std::get_if<double>(&row[column]) : nullptr;
+}
+
+bool is_numeric(const Table& table, std::size_t column) {
+    bool any = false;
+    for (const auto& row : table.rows) {
+        if (column < row.size() && std::holds_alternative<std::string>(row[column])) return false;
+        any = any || number_in(row, column);
+    }
+    return any;
+}
+
+/// The value to be marked in a column, where there is a choice.
+std::optional<double> best_of(const Table& table, std::size_t column) {
+    if (table.columns[column].best == Column::Best::none) return {};
+    std::vector<double> values;
+    for (const auto& row : table.rows) {
+        const double* x = number_in(row, column);
+        if (x && std::isfinite(*x)) values.push_back(*x);
+    }
+    if (values.empty()) return {};
+    const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
+    if (*smallest == *largest) return {};
+    return table.columns[column].best == Column::Best::smallest ? *smallest : *largest;
+}
+
+/// 0 (no shade) to 6, in steps of equal ratio.
+int heat_of(double x, const Column::Heat& heat) {
+    constexpr int steps = 6;
+    const double place = std::log(std::abs(x) / heat.low) / std::log(heat.high / heat.low);
+    return std::isnan(place) ? 0 : static_cast<int>(std::lround(steps * std::clamp(place, 0.0, 1.0)));
+}
+
+enum class Notation { whole, plain, scientific };
+
+/// Counts are shown whole. When one number of a column needs a power of ten, the others far from 1 are written with one too.
+Notation notation_of(const Table& table, std::size_t column) {
+    bool whole = true, power = false;
+    for (const auto& row : table.rows) {
+        const double* x = number_in(row, column);
+        if (!x || !std::isfinite(*x)) continue;
+        whole = whole && std::trunc(*x) == *x && std::abs(*x) < 1e9;
+        power = power || readable(*x, table.columns[column].digits).find("×") != std::string::npos;
+    }
+    return whole ? Notation::whole : power ? Notation::scientific : Notation::plain;
+}
+
+double rounded(double x, const Column& column) {
+    switch (column.rounding) {
+        case Column::Rounding::down:
+            return rounded_down(x, column.digits);
+        case Column::Rounding::up:
+            return rounded_up(x, column.digits);
+        case Column::Rounding::nearest:
+            break;
+    }
+    return x;
+}
+
+std::string number_text(double x, Notation notation, int digits) {
+    const bool near_one = std::abs(x) >= 0.01 && std::abs(x) < 1e5;
+    if (notation == Notation::scientific && !near_one) return scientific_text(x, digits);
+    return notation == Notation::whole ? readable_integer(x) : readable(x, digits);
+}
+
+/// The column's numbers as they are printed, "–" for what is undefined; texts are left empty.
+std::vector<std::string> number_texts(const Table& table, std::size_t column) {
+    const Notation notation = notation_of(table, column);
+    std::vector<std::string> texts;
+    for (const auto& row : table.rows) {
+        const double* x = number_in(row, column);
+        texts.push_back(x ? number_text(rounded(*x, table.columns[column]), notation, table.columns[column].digits) : "–");
+    }
+    return texts;
+}
+
+/// Figure spaces that put the decimal points of a right-aligned column under each other; none where powers of ten are mixed in.
+std::vector<std::string> paddings_of(const std::vector<std::string>& texts) {
+    std::vector<std::size_t> decimals;   // characters from the point to the end
+    for (const std::string& text : texts) {
+        if (text.find("×") != std::string::npos) return std::vector<std::string>(texts.size());
+        decimals.push_back(text.size() - std::min(text.find('.'), text.size()));
+    }
+    const std::size_t most = decimals.empty() ? 0 : *std::max_element(decimals.begin(), decimals.end());
+    std::vector<std::string> paddings;
+    for (const std::size_t count : decimals) {
+        std::string padding = count == 0 && most > 0 ? "\u2008" : "";   // as wide as the point
+        for (std::size_t i = std::max<std::size_t>(count, 1); i < most; ++i) padding += "\u2007";
+        paddings.push_back(std::move(padding));
+    }
+    return paddings;
+}
+
+struct ColumnView {
+    bool numeric, reference;
+    std::optional<double> best;
+    std::vector<std::string> texts, paddings;   // one a row
+};
+
+ColumnView column_view(const Table& table, std::size_t column) {
+    ColumnView view{is_numeric(table, column), table.columns[column].reference, best_of(table, column), number_texts(table, column), {}};
+    view.paddings = view.numeric ? paddings_of(view.texts) : std::vector<std::string>(view.texts.size());
+    return view;
+}
+
+/// A reference in a cell is its name alone: where to find what is left out, the caption says.
+json reference_view(const std::string& id, const Numbering& numbering) {
+    json runs = text_view({ref(id)}, numbering);
+    runs[0]["is_elsewhere"] = false;
+    return {{"runs", std::move(runs)}};
+}
+
+bool refers_elsewhere(const Table& table, const Numbering& numbering) {
+    for (const auto& row : table.rows) {
+        for (std::size_t c = 0; c < std::min(row.size(), table.columns.size()); ++c) {
+            const auto* id = std::get_if<std::string>(&row[c]);
+            if (id != nullptr && table.columns[c].reference && numbering.resolve(*id).left_out) return true;
+        }
+    }
+    return false;
+}
+
+json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& columns, const Numbering& numbering) {
+    json cells = json::array();
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        const double* x = number_in(table.rows[r], c);
+        const auto* words = c < table.rows[r].size() ? std::get_if<std::string>(&table.rows[r][c]) : nullptr;
+        const bool refers = words != nullptr && columns[c].reference;
+        json cell = refers ? reference_view(*words, numbering) : prose_view(words ? *words : "");
+        cell["is_words"] = words != nullptr;
+        cell["number"] = columns[c].texts[r];
+        cell["padding"] = columns[c].paddings[r];
+        cell["is_numeric"] = columns[c].numeric;
+        cell["has_value"] = x && std::isfinite(*x);
+        cell["value"] = x ? exact_text(*x) : "";
+        cell["is_best"] = x && columns[c].best && *x == *columns[c].best;
+        const auto& heat = table.columns[c].heat;
+        cell["has_heat"] = x && heat;
+        cell["heat"] = x && heat ? std::to_string(heat_of(*x, *heat)) : "";
+        cell["is_row_header"] = c == 0;
+        cells.push_back(std::move(cell));
+    }
+    return {{"cells", std::move(cells)}, {"is_gap", false}};
+}
+
+/// A row that says how many are not shown.
+json gap_view(std::size_t left_out, std::size_t columns) {
+    std::string fill;
+    for (std::size_t c = 1; c < columns; ++c) fill += " |";
+    return {{"cells", json::array()},
+            {"is_gap", true},
+            {"left_out", std::to_string(left_out) + (left_out == 1 ? " row" : " rows")},
+            {"columns", std::to_string(columns)},
+            {"fill", std::move(fill)}};
+}
+
+}   // namespace
+
+json table_view(const Table& table, const ViewContext& context) {
+    std::vector<ColumnView> columns;
+    json heads = json::array();
+    bool has_best = false;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const Column& column = table.columns[c];
+        columns.push_back(column_view(table, c));
+        has_best = has_best || columns.back().best;
+        heads.push_back({{"name", prose_view(column.name)},
+                         {"unit", safe_text(column.unit)},
+                         {"has_unit", !column.unit.empty()},
+                         {"is_filter", column.filter},
+                         {"is_numeric", columns.back().numeric}});
+    }
+    const std::size_t shown = std::max<std::size_t>(context.options.table_rows, 2), total = table.rows.size();
+    const bool whole = total < shown + std::max<std::size_t>(context.options.fewest_left_out, 1);
+    const std::size_t first = whole ? total : (shown + 1) / 2, last = whole ? 0 : shown / 2;
+    json rows = json::array();
+    for (std::size_t r = 0; r < first; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
+    if (!whole) rows.push_back(gap_view(total - first - last, columns.size()));
+    for (std::size_t r = total - last; r < total; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
+    const Reference self = context.numbering.resolve(table.id);
+    const bool worth_sorting = table.sortable || total >= 3;
+    return {{"id", safe_text(table.id)},
+            {"label", self.label},
+            {"caption", prose_view(table.caption)},
+            {"csv", url_path("tables/" + table.id + ".csv")},
+            {"columns", std::move(heads)},
+            {"rows", std::move(rows)},
+            {"is_cut", !whole},
+            {"is_sortable", whole && worth_sorting},
+            {"has_many_columns", table.columns.size() > most_columns},
+            {"has_best", has_best},
+            {"has_references_elsewhere", refers_elsewhere(table, context.numbering)}};
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,31 @@
+// index.html: one file that needs nothing else, read by HTML and by XML parsers alike.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "report/escape.h"
+#include "report/page/page_design.h"
+#include "report/page/template_render.h"
+#include "report/page/view_model.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+bool has_models(const DrawnFigures& figures) {
+    return std::any_of(figures.begin(), figures.end(), [](const auto& figure) { return !figure.second.models.empty(); });
+}
+
+}   // namespace
+
+std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options) {
+    ViewOptions view;
+    view.timings = options.timings;
+    view.plot_files = options.plot_files;
+    view.models = !options.viewer.empty() && options.design == "report";
+    nlohmann::json model = view_model(document, figures, templates, view);
+    add_design(model, templates, options.design, {has_models(figures), options.viewer});
+    return render(templates, options.design + ".html", model, xml_escape);
+}
+
+}   // namespace meshfolio::report

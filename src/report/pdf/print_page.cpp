@@ -1,0 +1,97 @@
+#include "report/pdf/print_page.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "report/escape.h"
+#include "report/page/page_design.h"
+#include "report/page/template_render.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+constexpr std::size_t rows_of_the_whole = 60;
+
+/// Without tags, entities resolved, spaces and line ends as one space each.
+std::string text_of(const std::string& html) {
+    static const std::pair<std::string_view, char> entities[] = {
+        {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&#39;", '\''}};
+    std::string text;
+    for (std::size_t i = 0; i < html.size(); ++i) {
+        char c = html[i];
+        if (c == '<') {
+            i = std::min(html.find('>', i), html.size());
+            continue;
+        }
+        for (const auto& [entity, character] : entities) {
+            if (html.compare(i, entity.size(), entity) != 0) continue;
+            c = character;
+            i += entity.size() - 1;
+            break;
+        }
+        const bool space = c == ' ' || c == '\n' || c == '\t';
+        if (!space) text += c;
+        if (space && !text.empty() && text.back() != ' ') text += ' ';
+    }
+    if (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Extent extent) {
+    std::map<std::string, std::string> files;
+    for (const std::string& id : figures_told(document, extent)) {
+        if (const auto drawn = figures.find(id); drawn != figures.end()) files[print_file(id)] = drawn->second.print_jpeg;
+    }
+    return files;
+}
+
+}   // namespace
+
+void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser) {
+    std::size_t weight = 0;
+    for (const DrawnFigure* figure : figures) weight += figure->print_jpeg.size();
+    std::stable_sort(figures.begin(), figures.end(),
+                     [](const auto* a, const auto* b) { return a->print_jpeg.size() > b->print_jpeg.size(); });
+    for (DrawnFigure* figure : figures) {
+        if (weight <= most) return;
+        std::string lighter = lesser(*figure);
+        if (lighter.empty() || lighter.size() >= figure->print_jpeg.size()) continue;
+        weight -= figure->print_jpeg.size() - lighter.size();
+        figure->print_jpeg = std::move(lighter);
+    }
+}
+
+PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
+    ViewOptions view;
+    view.timings = false;
+    view.print_files = true;
+    view.page_numbers = options.page_numbers;
+    view.plain_formulas = !options.mathml;
+    view.single_views = false;
+    view.extent = options.extent;
+    view.passed_checks = options.extent == Extent::whole;
+    view.table_rows = options.extent == Extent::brief ? options.table_rows : rows_of_the_whole;
+    view.fewest_left_out = view.table_rows / 2;   // a gap in a table hardly longer spares nothing
+    nlohmann::json model = view_model(document, figures, templates, view);
+    add_design(model, templates, "print");
+    return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.extent)};
+}
+
+std::vector<PageHeading> headings_of(const std::string& html) {
+    std::vector<PageHeading> headings;
+    for (std::size_t at = html.find("<h"); at != std::string::npos; at = html.find("<h", at + 1)) {
+        const char level = at + 2 < html.size() ? html[at + 2] : ' ';
+        if (level < '1' || level > '6') continue;
+        const std::size_t begin = html.find('>', at), end = html.find(std::string("</h") + level, at);
+        if (begin == std::string::npos || end == std::string::npos || end < begin) break;
+        const std::string tag = html.substr(at, begin - at);
+        const std::size_t id = tag.find(" id=\"");
+        const std::string name = id == std::string::npos ? "" : tag.substr(id + 5, tag.find('"', id + 5) - id - 5);
+        headings.push_back({name, text_of(html.substr(begin + 1, end - begin - 1)), level - '0'});
+        at = end;
+    }
+    return headings;
+}
+
+}   // namespace meshfolio::report

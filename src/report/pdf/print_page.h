@@ -1,0 +1,45 @@
+/// @file
+/// The report as a page to be printed: set by templates/print.html for A4, its pictures in files beside it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "report/page/view_model.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+struct PrintPage {
+    std::string html;                           // "@page:ID@" stands for the number of the page that the heading ID is on
+    std::map<std::string, std::string> files;   // by their paths relative to the page
+};
+
+/// Pictures of a PDF that is to weigh 15 MB at most.
+inline constexpr std::size_t most_picture_bytes = 12'000'000;
+
+/// While the pictures for paper weigh more than `most` together, the heaviest gives way: to what `lesser` makes of it, if that is lighter.
+void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser);
+
+struct PrintOptions {
+    Extent extent = Extent::brief;
+    bool mathml = true;            // the engine sets it; else formulas are plain text
+    bool page_numbers = true;      // in the contents, which takes a second pass of the engine
+    std::size_t table_rows = 16;   // tables half as long again and longer show their first and last rows; the whole report 60
+};
+
+/// Nothing in it depends on the time.
+PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options);
+
+struct PageHeading {
+    std::string id, title;
+    int level = 1;
+};
+
+/// The headings of a page in order, their titles without markup and with single spaces.
+std::vector<PageHeading> headings_of(const std::string& html);
+
+}   // namespace meshfolio::report

@@ -1,0 +1,125 @@
+#include "report/svg/svg_elements.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "report/escape.h"
+#include "report/page/math_markup.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+/// Escaped text with the indices of its symbols lowered: λ_crit.
+std::string with_indices(const std::string& words) {
+    std::string marked, shift;   // `shift` takes the next part back to the base line
+    for (const Run& run : prose(words)) {
+        for (const MathPart& part :
+             run.kind == Run::Kind::math ? math_parts(run.content) : std::vector<MathPart>{{MathPart::Kind::upright, run.content}}) {
+            const bool lowered = part.kind == MathPart::Kind::subscript;
+            const std::string text = xml_escape(safe_text(part.text));
+            marked += lowered         ? "<tspan dy=\"3.5\" font-size=\"9.5\">" + text + "</tspan>"
+                      : shift.empty() ? text
+                                      : "<tspan" + shift + ">" + text + "</tspan>";
+            shift = lowered ? " dy=\"-3.5\"" : "";
+        }
+    }
+    return marked;
+}
+
+}   // namespace
+
+std::string px(double x) { return plain_text(std::round(10 * x) / 10, 6); }
+
+std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more) {
+    return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + with_indices(text) +
+           "</text>\n";
+}
+
+std::string line_element(Point a, Point b, const std::string& attributes) {
+    return "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) + "\" " + attributes + "/>\n";
+}
+
+Look look_of(const Series& series, std::size_t place) {
+    constexpr std::array<const char*, 6> colors{"#0b5fa5", "#c2410c", "#047857", "#86198f", "#92600a", "#475569"};
+    constexpr std::array<const char*, 7> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5", "7 3 2 3 2 3"};
+    // Several dashed series of one plot are to be told apart without colour, too.
+    constexpr std::array<const char*, 7> of_dashed{"6 5", "3 6", "13 5", "8 4 2 4", "8 3 2 3 2 3", "2 2 6 2", "4 7"};
+    const std::size_t color = (series.color >= 0 ? static_cast<std::size_t>(series.color) : place) % colors.size();
+    const std::size_t pattern = (series.pattern >= 0 ? static_cast<std::size_t>(series.pattern) : place) % dashes.size();
+    return {"var(--plot-" + std::to_string(color + 1) + ", " + colors[color] + ")",
+            (series.style == Series::Style::dashed ? of_dashed : dashes)[pattern], static_cast<int>(pattern)};
+}
+
+std::string point_shape(Point p, int pattern, const std::string& color) {
+    const auto at = [&](double dx, double dy) { return px(p.x + dx) + " " + px(p.y + dy); };
+    const std::string filled = "\" fill=\"" + color + "\"/>\n",
+                      drawn = "\" fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.8\"/>\n";
+    switch (pattern) {
+        case 1:
+            return "<path d=\"M" + at(-3.3, -3.3) + "H" + px(p.x + 3.3) + "V" + px(p.y + 3.3) + "H" + px(p.x - 3.3) + "Z" + filled;
+        case 2:
+            return "<path d=\"M" + at(0, -4.4) + "L" + at(4.2, 3.2) + "L" + at(-4.2, 3.2) + "Z" + filled;
+        case 3:
+            return "<path d=\"M" + at(0, -4.6) + "L" + at(4.6, 0) + "L" + at(0, 4.6) + "L" + at(-4.6, 0) + "Z" + filled;
+        case 4:
+            return "<path d=\"M" + at(-3.4, -3.4) + "L" + at(3.4, 3.4) + "M" + at(-3.4, 3.4) + "L" + at(3.4, -3.4) + drawn;
+        case 5:
+            return "<path d=\"M" + at(-4.2, 0) + "L" + at(4.2, 0) + "M" + at(0, -4.2) + "L" + at(0, 4.2) + drawn;
+        case 6:
+            return "<path d=\"M" + at(0, 4.4) + "L" + at(4.2, -3.2) + "L" + at(-4.2, -3.2) + "Z" + filled;
+        default:
+            return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"3.6" + filled;
+    }
+}
+
+std::string ticks_below(const Axis& axis, const Box& frame) {
+    std::string svg;
+    double free_from = -1e9;
+    for (const Tick& tick : axis.ticks()) {
+        const double x = frame.left + axis.position(tick.value) * (frame.right - frame.left), half = 0.5 * text_width(tick.label);
+        const bool labelled = !tick.label.empty() && x - half > free_from;
+        svg += line_element({x, frame.bottom}, {x, frame.bottom + (labelled ? tick_length : 3)}, firm);
+        if (!labelled) continue;
+        svg += text_element({x, frame.bottom + tick_length + 14}, "middle", tick.label);
+        free_from = x + half + 6;
+    }
+    return svg;
+}
+
+std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right) {
+    const double side = at_right ? frame.right : frame.left, out = at_right ? 1 : -1;
+    std::string svg;
+    for (const Tick& tick : axis.ticks()) {
+        const double y = frame.bottom - axis.position(tick.value) * (frame.bottom - frame.top);
+        svg += line_element({side + out * 3, y}, {side, y}, firm);
+        if (tick.label.empty()) continue;
+        svg += text_element({side + out * (tick_length + 3), y + 0.35 * font_size}, at_right ? "start" : "end", tick.label);
+    }
+    return svg;
+}
+
+double widest_label(const Axis& axis) {
+    double widest = 0;
+    for (const Tick& tick : axis.ticks()) widest = std::max(widest, text_width(tick.label));
+    return widest;
+}
+
+std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height) {
+    const std::string name = xml_escape(safe_text(id));
+    return "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height) +
+           "\" role=\"img\" aria-labelledby=\"" + name + "-title " + name + "-desc\" fill=\"currentColor\" font-family=\"system-ui, " +
+           "-apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"" + px(font_size) + "\">\n<title id=\"" + name +
+           "-title\">" + xml_escape(safe_text(subject)) + "</title>\n<desc id=\"" + name + "-desc\">" + xml_escape(safe_text(alt)) +
+           "</desc>\n";
+}
+
+std::string svg_on_white(std::string svg) {
+    svg.insert(svg.find('>') + 1, "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
+    svg.insert(svg.find(" role="), " color=\"#1b1b1f\"");
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg;
+}
+
+}   // namespace meshfolio::report

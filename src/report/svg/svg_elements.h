@@ -1,0 +1,51 @@
+/// @file
+/// The SVG elements plots and maps are made of.
+#pragma once
+
+#include <string>
+
+#include "report/document.h"
+#include "report/svg/plot_axis.h"
+#include "report/svg/plot_labels.h"
+
+namespace meshfolio::report {
+
+inline constexpr const char* firm = "stroke=\"currentColor\" stroke-width=\"1\"";
+inline constexpr double drawing_width = 640, line_height = 17;   // of plots and maps, pixels
+
+/// A coordinate to a tenth of a pixel.
+std::string px(double x);
+
+/// Text of any kind, made safe; symbols such as λ_crit get their index lowered. `anchor`: start, middle or end.
+std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more = "");
+
+std::string line_element(Point a, Point b, const std::string& attributes);
+
+/// How a series is drawn. No two of a plot's first 42 look the same, in whatever styles: they repeat the colours after six and the
+/// patterns, each a kind of dashes and a shape of points, after seven.
+struct Look {
+    std::string color;    // a variable of the page, with a default that reads on white
+    std::string dashes;   // empty: a continuous line
+    int pattern;          // shape of its points
+};
+
+/// The look of the series at `place` in its plot.
+Look look_of(const Series& series, std::size_t place);
+
+/// Disc, square, triangle, diamond, cross, plus or triangle on its tip, for pattern 0 to 6.
+std::string point_shape(Point p, int pattern, const std::string& color);
+
+/// Ticks and labels under a frame; labels that would touch the one before are left out.
+std::string ticks_below(const Axis& axis, const Box& frame);
+/// Ticks and labels beside a frame, at its left or its right.
+std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right = false);
+constexpr double tick_length = 5;
+/// Of the labels beside a frame.
+double widest_label(const Axis& axis);
+
+/// The opening of a picture: its size, what it is and what is to be seen, for those who do not see it.
+std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height);
+/// A picture as a file of its own, on white: without a page around it there is no colour to take over.
+std::string svg_on_white(std::string svg);
+
+}   // namespace meshfolio::report

@@ -1,0 +1,61 @@
+#include "run/arguments.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "base/in_quotes.h"
+#include "base/number_text.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, std::string_view text, const std::string& wanted) {
+    throw UsageError(option + " " + in_quotes(text) + " is not " + wanted);
+}
+
+}   // namespace
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts;
+    if (text.empty()) return parts;
+    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+        parts.emplace_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
+    }
+    parts.emplace_back(text);
+    return parts;
+}
+
+long long integer_between(const std::string& option, std::string_view text, long long low, long long high) {
+    const auto value = parse_integer(text);
+    if (!value || *value < low || *value > high)
+        refuse(option, text, "an integer from " + std::to_string(low) + " to " + std::to_string(high));
+    return *value;
+}
+
+std::vector<int> integers_between(const std::string& option, std::string_view text, int low, int high) {
+    std::vector<int> values;
+    for (const std::string& part : split(text, ',')) values.push_back(static_cast<int>(integer_between(option, part, low, high)));
+    return values;
+}
+
+double finite_number(const std::string& option, std::string_view text) {
+    const auto value = parse_number(text);
+    if (!value) refuse(option, text, "a finite number");
+    return *value;
+}
+
+double number_not_negative(const std::string& option, std::string_view text) {
+    const auto value = parse_number(text);
+    if (!value || *value < 0) refuse(option, text, "a finite number ≥ 0");
+    return *value;
+}
+
+double number_above_zero(const std::string& option, std::string_view text) {
+    const auto value = parse_number(text);
+    if (!value || *value <= 0) refuse(option, text, "a finite number > 0");
+    return *value;
+}
+
+}   // namespace meshfolio::run

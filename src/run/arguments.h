@@ -1,0 +1,25 @@
+/// @file
+/// Words of the command line as values. Everything wrong is a UsageError that names the option and what it may be.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshfolio::run {
+
+/// The parts between separators, empty ones too; none of an empty text.
+std::vector<std::string> split(std::string_view text, char separator);
+
+long long integer_between(const std::string& option, std::string_view text, long long low, long long high);
+
+/// "5,15,30", each between the limits; empty when `text` is.
+std::vector<int> integers_between(const std::string& option, std::string_view text, int low, int high);
+
+/// Decimal and finite; neither "nan", "inf" nor hexadecimal.
+double finite_number(const std::string& option, std::string_view text);
+/// The same, ≥ 0 or > 0.
+double number_not_negative(const std::string& option, std::string_view text);
+double number_above_zero(const std::string& option, std::string_view text);
+
+}   // namespace meshfolio::run

@@ -1,0 +1,16 @@
+/// @file
+/// `meshfolio report --from results.json`: an earlier report rendered again, from its own files and without computing anything.
+#pragma once
+
+#include "base/errors.h"
+#include "run/settings/report_settings.h"
+
+namespace meshfolio::run {
+
+/// Title, author, course and template may be others (--config, --templates); pictures, models and meshes are those beside results.json,
+/// each checked against SHA256SUMS.
+/// @return failed when a section or a check of the earlier report has failed
+/// @throws InputError for a file that is not what it was, UsageError for options that would need computing, OutputError
+ExitCode report_from_results(const ReportFlags& flags);
+
+}   // namespace meshfolio::run

@@ -1,0 +1,89 @@
+#include "run/paper_copy.h"
+
+#include <cstdlib>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/parallel_tasks.h"
+#include "base/sha256.h"
+#include "output/draw/draw_figures.h"
+#include "png/png.h"
+#include "report/pdf/print_page.h"
+#include "run/print_report.h"
+#include "run/program_identity.h"
+
+namespace meshfolio::run {
+
+namespace fs = std::filesystem;
+
+PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates, report::Extent extent)
+    : templates_(templates), extent_(extent), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
+
+std::set<std::string> PaperCopy::figures(const report::Document& document) const {
+    return is_wanted() ? report::figures_told(document, extent_) : std::set<std::string>();
+}
+
+/// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
+std::string PaperCopy::key_of(const report::Document& document, const report::DrawnFigures& figures, const fs::path& folder) const {
+    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+    output::KeyMaker key;
+    key.add("report.pdf").add(program_identity()).add(engine_->program.string()).add(engine_->version);
+    key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(epoch == nullptr ? "" : epoch);
+    for (const std::string& name : templates_.names()) key.add(name).add(templates_[name]);
+    key.add(report::write_json(document, figures, {.timings = false}));
+    for (const std::string& id : this->figures(document)) {
+        const auto drawn = figures.find(id);
+        key.add(id).add(drawn == figures.end() ? "" : sha256_of_file(folder / drawn->second.sheet));
+    }
+    return key.key();
+}
+
+void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& figures, output::ResultCache* store,
+                        const fs::path& folder) {
+    if (!is_wanted()) return;
+    if (store != nullptr && !program_identity().empty()) {
+        key_ = key_of(document, figures, folder);
+        stored_ = store->get(key_);
+        if (stored_) return;
+    }
+    std::vector<report::DrawnFigure*> told;
+    for (const std::string& id : this->figures(document)) {
+        if (const auto drawn = figures.find(id); drawn != figures.end()) told.push_back(&drawn->second);
+    }
+    const auto jpeg_of = [&](const report::DrawnFigure& figure, int quality) {
+        const auto sheet = render::decode_png(read_file(folder / figure.sheet));
+        return sheet ? render::encode_jpeg(*sheet, quality) : "";
+    };
+    for_each_task(told.size(), [&](std::size_t i) {
+        if (told[i]->print_jpeg.empty()) told[i]->print_jpeg = jpeg_of(*told[i], output::DrawSettings().print_quality);
+    });
+    constexpr int lesser_quality = 72;
+    report::lighten(told, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
+}
+
+std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
+                             const fs::path& folder) const {
+    if (!is_wanted()) return "";
+    std::string pdf;
+    if (stored_) {
+        pdf = *stored_;
+    } else {
+        try {
+            pdf = printed_report(document, figures, templates_, extent_, *engine_);
+        } catch (const Error& error) {
+            const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
+            if (required_) throw EngineError(error.what(), remedy);
+            return std::string("there is no report.pdf: ") + error.what() + "; " + remedy;
+        }
+        try {
+            if (!key_.empty()) store->put(key_, pdf);
+        } catch (const OutputError&) {
+            // the cache is no part of the report
+        }
+    }
+    write_file(folder / "report.pdf", pdf);
+    return "";
+}
+
+}   // namespace meshfolio::run

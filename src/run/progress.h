@@ -1,0 +1,68 @@
+/// @file
+/// What a long command is doing, on stderr: a bar on a terminal, a line for each part that is done elsewhere.
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace meshfolio::run {
+
+/// Thread-safe; never throws.
+class ProgressDisplay {
+public:
+    /// @param terminal  draw a bar, at most ten times a second
+    explicit ProgressDisplay(bool terminal);
+    ~ProgressDisplay();   // leaves a clean line
+    ProgressDisplay(const ProgressDisplay&) = delete;
+    ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+    /// `fraction` of the whole that is done, in [0, 1].
+    void advance(double fraction);
+    /// What is being done now, "q4: eigenpairs of armadillo"; only seen on a terminal.
+    void step(std::string_view what);
+    /// Something that is done: a line of its own where there is no terminal.
+    void milestone(std::string_view what);
+
+private:
+    using Clock = std::chrono::steady_clock;
+    const bool terminal_;
+    std::mutex mutex_;
+    double fraction_ = 0;
+    std::string step_;
+    Clock::time_point drawn_at_{};
+    bool drawn_ = false;
+    void draw(bool now);
+};
+
+/// What a command works on while the object lives. On a terminal, a command that runs for more than two seconds shows its innermost stage
+/// on stderr with the seconds it has taken: "inspect: reading bunny.off, 12 s". Elsewhere, and beside a ProgressDisplay, nothing is shown.
+/// Stages are nested and belong to one thread; advance() may be called from any.
+class Stage {
+public:
+    explicit Stage(const std::string& what);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    /// The share that is done, in [0, 1], where it is known.
+    void advance(double fraction);
+
+private:
+    std::size_t depth_;
+};
+
+/// "inspect: reading bunny.off, 45 %, 12 s", cut to `width` columns; no share where `fraction` is negative.
+std::string stage_line(std::string_view what, double fraction, int seconds, int width);
+
+/// Wipes what a stage has drawn on the terminal, before other words are written to it.
+void make_room_on_terminal();
+
+/// "[#########···········]  45 %  q4: 150 eigenpairs", cut to `width` columns (counted in code points).
+std::string progress_line(double fraction, std::string_view step, int width);
+
+/// True when stderr is a terminal that can redraw a line.
+bool stderr_is_terminal();
+
+}   // namespace meshfolio::run

@@ -1,0 +1,39 @@
+#include "run/provenance.h"
+
+#include <tbb/version.h>
+#include <CLI/Version.hpp>
+#include <Eigen/Core>
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+
+#include "build_info.h"
+#include "geometry/linear/solver_versions.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+std::string dotted(int major, int minor, int patch) {
+    return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+}
+
+}   // namespace
+
+report::Provenance provenance_of(std::map<std::string, std::string> settings, std::uint64_t seed) {
+    report::Provenance provenance;
+    provenance.version = build_info::version;
+    provenance.commit = build_info::commit;
+    provenance.compiler = build_info::compiler;
+    provenance.build_type = build_info::build_type;
+    provenance.libraries = solver_versions();
+    provenance.libraries["Eigen"] = dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+    provenance.libraries["GLM"] = dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH);
+    provenance.libraries["nlohmann-json"] = dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);
+    provenance.libraries["oneTBB"] = dotted(TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH);
+    provenance.libraries["CLI11"] = CLI11_VERSION;
+    provenance.settings = std::move(settings);
+    provenance.seed = seed;
+    return provenance;
+}
+
+}   // namespace meshfolio::run

@@ -1,0 +1,235 @@
+#include "run/question_cache.h"
+
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/number_text.h"
+#include "output/publish/folder_system.h"
+#include "report/json/json_reader.h"
+#include "report/json/read_json.h"
+#include "report/writers.h"
+#include "run/program_identity.h"
+
+namespace meshfolio::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* form = "meshfolio answer 1";   // of what is stored: another form, another key
+
+template <class Number>
+void add_all(output::KeyMaker& key, const std::vector<Number>& values) {
+    key.add(std::to_string(values.size()));
+    for (const Number value : values) key.add(exact_text(static_cast<double>(value)));
+}
+
+void add_texts(output::KeyMaker& key, const std::vector<std::string>& texts) {
+    key.add(std::to_string(texts.size()));
+    for (const std::string& text : texts) key.add(text);
+}
+
+/// All that question_settings() hands to a question. Experiments of the bundled files are part of the program.
+void add_settings(output::KeyMaker& key, const QuestionSettings& settings, const std::string& own_experiments) {
+    add_texts(key, settings.meshes);
+    add_all(key, settings.k);
+    add_all(key, settings.lambda);
+    add_all(key, settings.iterations);
+    add_all(key, settings.noise);
+    key.add(std::to_string(settings.seed)).add(settings.quick ? "quick" : "full").add(settings.laboratory ? "laboratory" : "");
+    key.add(settings.colormap).add(settings.own_experiments ? own_experiments : "");
+}
+
+json json_of(const std::vector<MeshLookup>& lookups) {
+    json list = json::array();
+    for (const MeshLookup& l : lookups) list.push_back({static_cast<int>(l.by), l.name, l.path.string(), l.stand_in});
+    return list;
+}
+
+std::vector<MeshLookup> lookups_of(const json& list) {
+    std::vector<MeshLookup> lookups;
+    for (const json& l : list)
+        lookups.push_back({static_cast<MeshLookup::By>(l.at(0).get<int>()), l.at(1), fs::path(l.at(2).get<std::string>()), l.at(3)});
+    return lookups;
+}
+
+/// Every file of an answer, by path in the report's folder.
+std::set<std::string> files_of(const report::Section& section, const report::DrawnFigures& figures) {
+    std::set<std::string> files(section.output_meshes.begin(), section.output_meshes.end());
+    const auto add_drawing = [&](const std::string& id) {
+        files.insert("tables/" + id + ".csv");
+        files.insert("images/" + id + ".svg");
+    };
+    for (const report::Block& block : section.blocks) {
+        if (const auto* table = std::get_if<report::Table>(&block)) files.insert("tables/" + table->id + ".csv");
+        if (const auto* plot = std::get_if<report::Plot>(&block)) add_drawing(plot->id);
+        if (const auto* map = std::get_if<report::Map>(&block)) add_drawing(map->id);
+    }
+    for (const auto& [id, figure] : figures) {
+        files.insert(figure.sheet);
+        for (const auto& [label, file] : figure.views) files.insert(file);
+        for (const report::DrawnPanel& panel : figure.comparison) files.insert(panel.file);
+        for (const report::DrawnModel& model : figure.models) files.insert(model.file);
+    }
+    return files;
+}
+
+// ---- figures: names, sizes, digests of their bytes. Pictures for paper are not kept: they follow from the sheets. ----------
+
+json json_of(const report::DrawnFigure& figure, output::ResultCache& store) {
+    json panels = json::array(), models = json::array();
+    for (const report::DrawnPanel& p : figure.comparison)
+        panels.push_back({p.label, p.file, store.keep(p.preview_jpeg), p.width, p.height});
+    for (const report::DrawnModel& m : figure.models) models.push_back({m.label, m.file, store.keep(m.glb), m.quantity});
+    return {{"sheet", figure.sheet}, {"preview", store.keep(figure.preview_jpeg)},
+            {"width", figure.width}, {"height", figure.height},
+            {"views", figure.views}, {"comparison", panels},
+            {"models", models}};
+}
+
+/// What is stored has been lost or damaged.
+struct Lost {};
+
+std::string bytes_of(const json& digest, output::ResultCache& store) {
+    auto bytes = store.bytes_of(digest.get<std::string>());
+    if (!bytes) throw Lost();
+    return std::move(*bytes);
+}
+
+report::DrawnFigure figure_of(const json& stored, output::ResultCache& store) {
+    report::DrawnFigure figure;
+    figure.sheet = stored.at("sheet");
+    figure.preview_jpeg = bytes_of(stored.at("preview"), store);
+    figure.width = stored.at("width");
+    figure.height = stored.at("height");
+    figure.views = stored.at("views").get<std::vector<std::pair<std::string, std::string>>>();
+    for (const json& p : stored.at("comparison"))
+        figure.comparison.push_back({p.at(0), p.at(1), bytes_of(p.at(2), store), p.at(3), p.at(4)});
+    for (const json& m : stored.at("models")) figure.models.push_back({m.at(0), m.at(1), bytes_of(m.at(2), store), m.at(3)});
+    return figure;
+}
+
+/// Puts every file in its place, or none.
+bool place_files(const std::map<std::string, std::string>& digests, output::ResultCache& store, const fs::path& folder) {
+    std::vector<std::pair<std::string, std::string>> files(digests.begin(), digests.end());
+    for (const auto& [file, digest] : files) output::make_folder((folder / file).parent_path());
+    std::vector<char> placed(files.size(), false);
+    tbb::parallel_for(std::size_t{0}, files.size(),
+                      [&](std::size_t i) { placed[i] = store.place(files[i].second, folder / files[i].first); });
+    if (std::find(placed.begin(), placed.end(), false) == placed.end()) return true;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        std::error_code ignored;
+        if (placed[i]) fs::remove(folder / files[i].first, ignored);
+    }
+    return false;
+}
+
+}   // namespace
+
+QuestionCache::QuestionCache(output::ResultCache& store, const ReportSettings& settings, const MeshLibrary& meshes, fs::path folder)
+    : store_(store), settings_(settings), meshes_(meshes), folder_(std::move(folder)) {}
+
+std::string QuestionCache::question_key(const std::string& question) const {
+    output::KeyMaker key;
+    key.add(form).add(program_identity()).add(question);
+    add_settings(key, question_settings(settings_, question), settings_.experiments_digest);
+    key.add(std::to_string(settings_.width)).add(std::to_string(settings_.height));
+    std::vector<std::string> own;
+    for (const fs::path& mesh : settings_.meshes) own.push_back(mesh.string());
+    add_texts(key, own);   // they take every role; what is in them, the lookups tell
+    const auto table = settings_.questions.find(question);
+    key.add(table != settings_.questions.end() ? table->second.output.value_or("") : "");
+    return key.key();
+}
+
+std::string QuestionCache::answer_key(const std::string& question, const std::vector<MeshLookup>& lookups) const {
+    output::KeyMaker key;
+    key.add(question_key(question));
+    for (const MeshLookup& lookup : lookups) {   // a path need not be UTF-8
+        key.add(std::to_string(static_cast<int>(lookup.by))).add(lookup.name).add(lookup.path.string()).add(lookup.stand_in);
+        key.add(meshes_.identity_of(lookup, settings_.base));
+    }
+    return key.key();
+}
+
+std::optional<StoredAnswer> QuestionCache::find(const std::string& question) const try {
+    const auto lookups = store_.get(question_key(question));
+    return lookups ? read(answer_key(question, lookups_of(json::parse(*lookups)))) : std::nullopt;
+} catch (const json::exception&) {   // a form of another time
+    return {};
+}
+
+std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const try {
+    const auto bytes = store_.get(key);
+    if (!bytes) return {};
+    const json stored = json::parse(*bytes);
+    StoredAnswer answer;
+    answer.key = key;
+    const std::string text = bytes_of(stored.at("section"), store_);
+    answer.section = report::read_json(text, "cache").document.sections.at(0);
+    for (const auto& [id, figure] : stored.at("figures").items()) answer.figures[id] = figure_of(figure, store_);
+    answer.digests = stored.at("files").get<std::map<std::string, std::string>>();
+    for (const auto& [file, digest] : answer.digests) report::require_inner_path(file, {});
+    answer.cover = {stored.at("cover").at(0), stored.at("cover").at(1), stored.at("cover").at(2)};
+    if (!place_files(answer.digests, store_, folder_)) return {};
+    return answer;
+} catch (const json::exception&) {
+    return {};
+} catch (const InputError&) {
+    return {};
+} catch (const report::JsonProblem&) {   // a path that leaves the report's folder
+    return {};
+} catch (const Lost&) {
+    return {};
+}
+
+std::map<std::string, std::string> QuestionCache::keep(const report::Section& section, const report::DrawnFigures& figures,
+                                                       const CoverOffer& cover, const std::vector<MeshLookup>& lookups) const try {
+    auto digests = write(answer_key(section.id, lookups), section, figures, cover);
+    store_.put(question_key(section.id), json_of(lookups).dump());
+    return digests;
+} catch (const json::exception&) {   // a name that is no UTF-8: not kept
+    return {};
+}
+
+std::map<std::string, std::string> QuestionCache::write(const std::string& key, const report::Section& section,
+                                                        const report::DrawnFigures& figures, const CoverOffer& cover) const {
+    std::map<std::string, std::string> digests;
+    for (const std::string& file : files_of(section, figures)) digests[file];
+    std::vector<std::pair<const std::string, std::string>*> slots;
+    for (auto& slot : digests) slots.push_back(&slot);
+    tbb::parallel_for(std::size_t{0}, slots.size(), [&](std::size_t i) { slots[i]->second = store_.keep_file(folder_ / slots[i]->first); });
+    report::Document document;
+    document.sections = {section};
+    document.sections[0].timings.clear();   // of that run
+    const std::string text = report::write_json(document, figures);
+    if (text.find("\uFFFD") != std::string::npos) return {};   // words that are no UTF-8 would not come back
+    json stored = {{"section", store_.keep(text)}, {"files", digests}, {"figures", json::object()}};
+    for (const auto& [id, figure] : figures) stored["figures"][id] = json_of(figure, store_);
+    stored["cover"] = {cover.turnable, cover.worth, cover.alt};
+    store_.put(key, stored.dump());
+    return digests;
+}
+
+namespace {
+
+std::string cover_key(const std::string& answer_key) { return output::KeyMaker().add("cover").add(answer_key).key(); }
+
+}   // namespace
+
+std::optional<StoredAnswer> QuestionCache::find_cover(const std::string& answer_key) const { return read(cover_key(answer_key)); }
+
+std::map<std::string, std::string> QuestionCache::keep_cover(const std::string& answer_key, const report::DrawnFigure& cover) const {
+    report::Section none;
+    none.id = "cover";
+    return write(cover_key(answer_key), none, {{"cover", cover}}, {});
+}
+
+}   // namespace meshfolio::run

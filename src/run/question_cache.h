@@ -1,0 +1,72 @@
+/// @file
+/// Answers of earlier runs: a question whose inputs, settings and code have not changed is not answered again. Which meshes a question
+/// reads is known once it has run, so that two things are kept: under its settings and the program's identity what it looked up; under
+/// these and what the lookups give now, the answer with all its files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/cache/result_cache.h"
+#include "questions/core/mesh_library.h"
+#include "report/document.h"
+#include "run/settings/report_settings.h"
+
+namespace meshfolio::run {
+
+/// The picture for the first page that an answer offers: the figure of one mesh with values that is most worth seeing.
+struct CoverOffer {
+    bool turnable = false;
+    double worth = 0;   // 1 + how much its mesh is bent [rad]; 0: nothing is offered
+    std::string alt;
+
+    bool beats(const CoverOffer& other) const { return std::pair(turnable, worth) > std::pair(other.turnable, other.worth); }
+};
+
+/// A stored answer whose files lie in the report's folder already.
+struct StoredAnswer {
+    report::Section section;
+    report::DrawnFigures figures;
+    std::map<std::string, std::string> digests;   // of its files, by path in the report's folder
+    CoverOffer cover;
+    std::string key;
+};
+
+class QuestionCache {
+public:
+    /// @param folder  of the report that is being made; the others must outlive this
+    QuestionCache(output::ResultCache& store, const ReportSettings& settings, const MeshLibrary& meshes, std::filesystem::path folder);
+
+    /// The stored answer of a question, its files put in place; nothing, and no file, where any of it is missing or damaged.
+    std::optional<StoredAnswer> find(const std::string& question) const;
+
+    /// Stores an answer whose files are in the report's folder.
+    /// @return digests of its files, by path
+    /// @throws OutputError, InputError
+    std::map<std::string, std::string> keep(const report::Section& section, const report::DrawnFigures& figures, const CoverOffer& cover,
+                                            const std::vector<MeshLookup>& lookups) const;
+
+    /// The first page's picture, made from the answer with this key.
+    std::optional<StoredAnswer> find_cover(const std::string& answer_key) const;
+    std::map<std::string, std::string> keep_cover(const std::string& answer_key, const report::DrawnFigure& cover) const;
+
+    /// Of the answer that these lookups lead to now.
+    std::string answer_key(const std::string& question, const std::vector<MeshLookup>& lookups) const;
+
+private:
+    output::ResultCache& store_;
+    const ReportSettings& settings_;
+    const MeshLibrary& meshes_;
+    std::filesystem::path folder_;
+
+    std::string question_key(const std::string& question) const;
+    std::optional<StoredAnswer> read(const std::string& key) const;
+    std::map<std::string, std::string> write(const std::string& key, const report::Section& section, const report::DrawnFigures& figures,
+                                             const CoverOffer& cover) const;
+};
+
+}   // namespace meshfolio::run

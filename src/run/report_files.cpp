@@ -1,0 +1,57 @@
+#include "run/report_files.h"
+
+#include "base/file_bytes.h"
+#include "base/parallel_tasks.h"
+#include "output/publish/folder_system.h"
+
+namespace meshfolio::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The data and the picture of a plot or a map.
+template <class Drawing>
+void write_drawing(const Drawing& drawing, const fs::path& folder) {
+    write_file(folder / "tables" / (drawing.id + ".csv"), report::write_csv(drawing));
+    write_file(folder / "images" / (drawing.id + ".svg"), report::svg_file_of(drawing));
+}
+
+void write_tables_and_plots(const report::Document& document, const std::set<std::string>& stored, const fs::path& folder) {
+    for (const report::Section& section : document.sections) {
+        if (stored.contains(section.id)) continue;
+        for (const report::Block& block : section.blocks) {
+            if (const auto* table = std::get_if<report::Table>(&block))
+                write_file(folder / "tables" / (table->id + ".csv"), report::write_csv(*table));
+            if (const auto* plot = std::get_if<report::Plot>(&block)) write_drawing(*plot, folder);
+            if (const auto* map = std::get_if<report::Map>(&block)) write_drawing(*map, folder);
+        }
+    }
+}
+
+/// The section says in which folder its meshes lie: "meshes/q4_torus_k5.ply".
+void write_meshes(const Answer& answer, const fs::path& folder) {
+    for (const output::MeshOutput& mesh : answer.meshes) {
+        fs::path path = fs::path("meshes") / mesh.name;
+        for (const std::string& named : answer.section.output_meshes) {
+            if (fs::path(named).filename() == mesh.name) path = named;
+        }
+        output::make_folder((folder / path).parent_path());
+        write_mesh(folder / path, *mesh.mesh);
+    }
+}
+
+}   // namespace
+
+void write_report_files(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                        const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
+                        const fs::path& folder) {
+    for (const char* name : {"images", "meshes", "tables"}) output::make_folder(folder / name);
+    run_tasks([&] { write_file(folder / "index.html", report::write_html(document, figures, templates, options)); },
+              [&] { write_file(folder / "report.md", report::write_markdown(document, figures, templates, options)); },
+              [&] { write_file(folder / "results.json", report::write_json(document, figures, options)); },
+              [&] { write_tables_and_plots(document, stored, folder); },
+              [&] { for_each_task(answers.size(), [&](std::size_t i) { write_meshes(*answers[i], folder); }); });
+}
+
+}   // namespace meshfolio::run

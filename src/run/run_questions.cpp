@@ -1,0 +1,175 @@
+#include "run/run_questions.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+
+#include "base/number_text.h"
+#include "base/parallel_tasks.h"
+#include "output/publish/safe_name.h"
+#include "questions/core/section_tools.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+/// Thrown through a question that --fail-fast stops.
+struct Stopped {};
+
+bool is_listed(const std::string& list, std::string_view id) {
+    const std::string padded = "," + list + ",";
+    return padded.find("," + std::string(id) + ",") != std::string::npos;
+}
+
+/// Names become files: they begin with the question, so that no two questions write the same one.
+void require_own_names(const Answer& answer) {
+    const std::string prefix = answer.section.id + "_";
+    const auto require = [&](const std::string& name) {
+        if (!name.starts_with(prefix) || !output::is_safe_name(name))
+            throw std::logic_error("'" + name + "' is no file name of " + answer.section.id);
+    };
+    for (const output::FigureRequest& figure : answer.figures) {
+        require(figure.id);
+        for (const output::Panel& panel : figure.panels) require(panel.name);
+    }
+    for (const output::MeshOutput& mesh : answer.meshes) require(mesh.name);
+}
+
+Answer failed(std::string_view id, const std::string& message) {
+    Answer answer;
+    answer.section = section_of(id);
+    answer.section.status = report::Status::failed;
+    answer.section.failure = printable(message);
+    return answer;
+}
+
+Answer skipped(std::string_view id, const std::string& why) {
+    Answer answer;
+    answer.section = section_of(id);
+    answer.section.status = report::Status::skipped;
+    answer.section.code.clear();
+    answer.section.extent = why;
+    return answer;
+}
+
+class Runner {
+public:
+    Runner(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache, ProgressDisplay& display)
+        : meshes_(meshes), settings_(settings), cache_(cache), display_(display) {}
+
+    QuestionResult result(const Chapter& question) {
+        const bool asked =
+            settings_.only.empty() || std::find(settings_.only.begin(), settings_.only.end(), question.id) != settings_.only.end();
+        if (!asked) return {skipped(question.id, "not asked for"), {}, {}};
+        const auto began = std::chrono::steady_clock::now();
+        QuestionResult result;
+        if (cache_ != nullptr) result.stored = cache_->find(std::string(question.id));
+        if (result.stored) {
+            result.answer.section = result.stored->section;
+        } else {
+            LookupRecord record;
+            result.answer = attempted(question, meshes_.recorded_in(record));
+            result.lookups = record.lookups();
+        }
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+        result.answer.section.timings.push_back({result.stored ? "taken from the cache" : "whole question", took.count()});
+        tell(result, took.count());
+        return result;
+    }
+
+private:
+    const MeshLibrary& meshes_;
+    const ReportSettings& settings_;
+    const QuestionCache* cache_;
+    ProgressDisplay& display_;
+    std::atomic<bool> stop_ = false;
+    std::atomic<int> done_ = 0;
+    const std::size_t sections_ = section_ids().size();
+
+    Answer attempted(const Chapter& question, const MeshLibrary& meshes) try {
+        const auto progress = [&](std::string_view step) {
+            if (stop_) throw Stopped();
+            display_.step(std::string(question.id) + ": " + std::string(step));
+        };
+        progress("begins");
+        const char* fail = std::getenv("MESHFOLIO_FAIL");
+        if (fail != nullptr && is_listed(fail, question.id)) throw std::runtime_error("made to fail by MESHFOLIO_FAIL");
+        Answer answer = on_its_threads(
+            question, [&] { return question.answer(meshes, question_settings(settings_, std::string(question.id)), progress); });
+        require_own_names(answer);
+        place_meshes(answer);
+        tell_unusable(answer, meshes);
+        return answer;
+    } catch (const Stopped&) {
+        return skipped(question.id, "stopped, because another question had failed");
+    } catch (const std::bad_alloc&) {
+        stop_ = stop_ || settings_.fail_fast;
+        return failed(question.id, "out of memory");
+    } catch (const std::exception& error) {
+        stop_ = stop_ || settings_.fail_fast;
+        return failed(question.id, error.what());
+    }
+
+    template <class Work>
+    Answer on_its_threads(const Chapter& question, Work work) {
+        const auto table = settings_.questions.find(std::string(question.id));
+        const int threads = table != settings_.questions.end() ? table->second.threads.value_or(0) : 0;
+        if (threads > 0) return tbb::task_arena(threads).execute(work);
+        // Isolated: while it waits for work of its own, a thread does not begin another question, whose time would count as its own.
+        Answer answer;
+        tbb::this_task_arena::isolate([&] { answer = work(); });
+        return answer;
+    }
+
+    /// A bad mesh among good ones is a failed check of every section that the good ones have answered.
+    static void tell_unusable(Answer& answer, const MeshLibrary& meshes) {
+        if (answer.section.inputs.empty()) return;
+        for (const std::string& reason : meshes.unusable_own_meshes()) answer.section.checks.push_back(unusable_mesh_check(reason));
+    }
+
+    /// meshes/<name>, unless the settings name another folder for this question.
+    void place_meshes(Answer& answer) {
+        const auto table = settings_.questions.find(answer.section.id);
+        if (table == settings_.questions.end() || !table->second.output) return;
+        for (std::string& path : answer.section.output_meshes) {
+            if (path.starts_with("meshes/")) path = *table->second.output + path.substr(6);
+        }
+    }
+
+    void tell(const QuestionResult& result, double seconds) {
+        const report::Section& section = result.section();
+        const bool ok = section.status == report::Status::ok;
+        display_.milestone(section.id + (result.stored                              ? ": from the cache"
+                                         : ok                                       ? ": answered in " + plain_text(seconds, 2) + " s"
+                                         : section.status == report::Status::failed ? ": failed"
+                                                                                    : ": stopped"));
+        display_.advance(0.7 * ++done_ / static_cast<double>(sections_));
+    }
+};
+
+}   // namespace
+
+std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
+                                          ProgressDisplay& display) {
+    const std::vector<std::string> ids = section_ids();
+    std::vector<QuestionResult> results(ids.size());
+    Runner runner(meshes, settings, cache, display);
+    // Handed out one by one and from the last: the later questions take longest.
+    std::atomic<std::size_t> left = ids.size();
+    for_each_task(ids.size(), [&](std::size_t) {
+        const std::size_t i = --left;
+        results[i] = runner.result(*chapter_list()[i]);
+    });
+    return results;
+}
+
+QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display) {
+    return Runner(meshes, settings, nullptr, display).result(chapter_of_id(id));
+}
+
+}   // namespace meshfolio::run

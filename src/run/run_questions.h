@@ -1,0 +1,34 @@
+/// @file
+/// Runs the questions, several at a time; one that fails does not take the others with it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "questions/core/chapter.h"
+#include "run/progress.h"
+#include "run/question_cache.h"
+#include "run/settings/report_settings.h"
+
+namespace meshfolio::run {
+
+/// A question answered in this run, or an answer of an earlier one.
+struct QuestionResult {
+    Answer answer;                        // of a stored one only the section
+    std::optional<StoredAnswer> stored;   // by an earlier run
+    std::vector<MeshLookup> lookups;      // of a question that has been answered now
+
+    const report::Section& section() const { return answer.section; }
+};
+
+/// One result a question, then one a supporting section, in their order. A question that throws has a failed section with its message, one
+/// that was not asked for (or stopped by --fail-fast) a skipped one. Output meshes are placed where the settings say. MESHFOLIO_FAIL=q4,q6
+/// in the environment makes these questions fail.
+/// @param cache  where answers of earlier runs are looked for; null: nowhere
+std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
+                                          ProgressDisplay& display);
+
+/// One of them, without the cache.
+QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display);
+
+}   // namespace meshfolio::run

@@ -1,0 +1,250 @@
+#include "run/settings/experiment_reader.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "base/in_quotes.h"
+#include "base/nearest_word.h"
+#include "color/colormap.h"
+#include "questions/core/mesh_library.h"
+#include "questions/core/settings.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr std::size_t longest_remark = 1000;   // bytes of `said` and `lost`
+
+const Words common_keys{"row", "from", "name", "kind", "mesh", "colour", "colormap", "said", "lost", "brief"};
+
+/// What else an experiment of a kind may have, and what of it it must.
+struct KindKeys {
+    Words may, must;
+};
+const KindKeys& keys_of(ExperimentKind kind) {
+    static const std::map<ExperimentKind, KindKeys> keys{
+        {ExperimentKind::curvature, {{"operator", "area"}, {"mesh"}}},
+        {ExperimentKind::forms, {{}, {}}},
+        {ExperimentKind::reconstruction, {{"operator", "area", "k"}, {"mesh", "k"}}},
+        {ExperimentKind::smoothing,
+         {{"scheme", "operator", "area", "lambda", "unit", "search", "iterations"}, {"mesh", "lambda", "iterations"}}},
+        {ExperimentKind::denoising,
+         {{"scheme", "operator", "area", "lambda", "unit", "iterations", "noise", "noise_unit", "seed"},
+          {"mesh", "lambda", "iterations", "noise"}}},
+        {ExperimentKind::error_curve,
+         {{"scheme", "operator", "area", "lambda", "unit", "iterations", "noise", "noise_unit", "minimum", "seed"},
+          {"mesh", "lambda", "iterations", "noise"}}},
+    };
+    return keys.at(kind);
+}
+
+Words all_keys() {
+    Words all = common_keys;
+    for (const std::string& name : experiment_kind_names()) {
+        for (const std::string& key : keys_of(experiment_kind_named(name)).may) {
+            if (!contains(all, key)) all.push_back(key);
+        }
+    }
+    return all;
+}
+
+Words bundled_meshes() {
+    Words files;
+    for (const MeshRole& role : mesh_role_list()) files.emplace_back(role.bundled);
+    return files;
+}
+
+Words operator_list_names() {
+    Words names;
+    for (const OperatorEntry& entry : operator_list()) names.emplace_back(entry.name);
+    return names;
+}
+
+class ExperimentReader {
+public:
+    ExperimentReader(const std::map<std::string, OriginalMesh>& originals, Problems& problems)
+        : originals_(originals), problems_(problems) {}
+
+    Experiment read(const toml::table& table) {
+        static const Words known = all_keys();
+        const TableReader reader(table, "[[experiment]]", known, problems_);
+        Experiment experiment;
+        experiment.rows = reader.integers("row", limits::first_row, limits::last_row);
+        experiment.from = text(reader, "from", limits::longest_text);
+        experiment.name = text(reader, "name", limits::longest_text);
+        experiment.said = text(reader, "said", longest_remark);
+        experiment.lost = text(reader, "lost", longest_remark);
+        experiment.brief = reader.truth("brief").value_or(false);
+        experiment.search = reader.truth("search").value_or(false);
+        read_choices(reader, experiment);
+        read_numbers(reader, experiment);
+        require(table, reader, {"row", "from", "name", "kind"});
+        if (const auto kind = one_of(reader, "kind", experiment_kind_names())) {
+            experiment.kind = experiment_kind_named(*kind);
+            check_keys(table, reader, *kind);
+        }
+        if (experiment.lambda_unit == StepUnit::h2 &&
+            std::any_of(experiment.operators.begin(), experiment.operators.end(), is_dimensionless))
+            problems_.add(*reader.node("unit"), "[[experiment]] unit h2 does not fit the uniform operator, whose steps have no unit",
+                          "raw or tau");
+        return experiment;
+    }
+
+private:
+    const std::map<std::string, OriginalMesh>& originals_;
+    Problems& problems_;
+
+    std::string text(const TableReader& reader, const std::string& key, std::size_t longest) {
+        std::string text = reader.text(key).value_or("");
+        if (text.size() > longest) {
+            problems_.add(*reader.node(key), reader.called(key) + " has " + std::to_string(text.size()) + " bytes",
+                          "at most " + std::to_string(longest) + " are allowed");
+        }
+        return text;
+    }
+
+    /// The words of a list that are known, each once.
+    Words some_of(const TableReader& reader, const std::string& key, const Words& known) {
+        Words good;
+        reader.texts(key, [&](const std::string& word, const toml::node& where) {
+            if (!contains(known, word)) {
+                problems_.add(where, "unknown " + key + " " + in_quotes(word) + " in [[experiment]]",
+                              known.empty() ? "there is none" : "did you mean '" + nearest_word(word, known) + "'?");
+            } else if (contains(good, word)) {
+                problems_.add(where, reader.called(key) + " '" + word + "' is given twice", "name it once");
+            } else {
+                good.push_back(word);
+            }
+        });
+        return good;
+    }
+
+    std::optional<std::string> one_of(const TableReader& reader, const std::string& key, const Words& known) {
+        auto word = reader.text(key);
+        if (!word || contains(known, *word)) return word;
+        problems_.add(*reader.node(key), "unknown " + key + " " + in_quotes(*word) + " in [[experiment]]",
+                      "did you mean '" + nearest_word(*word, known) + "'?");
+        return {};
+    }
+
+    /// Those of `known` that the key names, as `value_of` their names; what `values` holds stays when the key is missing.
+    template <class Value, class ValueOf>
+    void choose(const TableReader& reader, const std::string& key, const Words& known, std::vector<Value>& values, ValueOf value_of) {
+        const Words words = some_of(reader, key, known);
+        if (words.empty()) return;
+        values.clear();
+        for (const std::string& word : words) values.push_back(value_of(word));
+    }
+
+    void read_choices(const TableReader& reader, Experiment& experiment) {
+        Words meshes;
+        for (const auto& [name, mesh] : originals_) meshes.push_back(name);
+        choose(reader, "mesh", meshes, experiment.meshes, [&](const std::string& name) { return originals_.at(name); });
+        choose(reader, "scheme", smoothing_method_names(), experiment.methods, smoothing_method_named);
+        choose(reader, "operator", operator_list_names(), experiment.operators, operator_named);
+        choose(reader, "area", {"barycentric", "voronoi", "mixed"}, experiment.areas, area_form_named);
+        choose(reader, "colour", experiment_colour_names(), experiment.colours, experiment_colour_named);
+        if (const auto unit = one_of(reader, "unit", {"raw", "tau", "h2"})) experiment.lambda_unit = step_unit_named(*unit);
+        if (const auto unit = one_of(reader, "noise_unit", noise_unit_names())) experiment.noise_unit = noise_unit_named(*unit);
+        experiment.colormap = one_of(reader, "colormap", colormap_names()).value_or("");
+    }
+
+    void read_numbers(const TableReader& reader, Experiment& experiment) {
+        experiment.lambda = reader.numbers("lambda", 0, limits::largest_lambda, true);
+        experiment.iterations = reader.integers("iterations", 1, limits::largest_iterations);
+        experiment.k = reader.integers("k", 1, limits::largest_k);
+        experiment.noise = reader.numbers("noise", 0, limits::largest_lambda, false);
+        experiment.minimum = reader.integers("minimum", 0, limits::largest_iterations);
+        std::sort(experiment.iterations.begin(), experiment.iterations.end());
+        std::sort(experiment.k.begin(), experiment.k.end());
+        if (const auto seed = reader.integer("seed", 0, std::numeric_limits<std::int64_t>::max()))
+            experiment.seed = static_cast<std::uint64_t>(*seed);
+        if (const std::size_t given = reader.size("minimum"), levels = reader.size("noise"); given > 0 && given != levels) {
+            problems_.add(
+                *reader.node("minimum"),
+                "[[experiment]] minimum has " + std::to_string(given) + " values for " + std::to_string(levels) + " levels of noise",
+                "give one a level, 0 where the report says nothing");
+        }
+    }
+
+    void require(const toml::table& table, const TableReader& reader, const Words& keys) {
+        for (const std::string& key : keys) {
+            if (reader.node(key) == nullptr) problems_.add(table, "[[experiment]] has no " + key, "add " + key + " = …");
+        }
+    }
+
+    void check_keys(const toml::table& table, const TableReader& reader, const std::string& kind) {
+        const KindKeys& keys = keys_of(experiment_kind_named(kind));
+        require(table, reader, keys.must);
+        for (const std::string& key : all_keys()) {
+            if (reader.node(key) == nullptr || contains(common_keys, key) || contains(keys.may, key)) continue;
+            problems_.add(*reader.node(key), reader.called(key) + " has no meaning for kind '" + kind + "'", "leave it out");
+        }
+    }
+};
+
+OriginalMesh read_original(const toml::table& table, const std::string& name, Problems& problems) {
+    const std::string called = "[original." + printable(name) + "]";
+    const TableReader reader(table, called, {"file", "stand_in", "lambda_crit", "mean_edge", "diagonal"}, problems);
+    const auto number = [&](const char* key) {
+        const std::vector<double> values = reader.numbers(key, 0, limits::largest_lambda, true);
+        if (reader.size(key) > 1) problems.add(*reader.node(key), reader.called(key) + " is a list", "give one number");
+        return values.empty() ? 0 : values.front();
+    };
+    OriginalMesh mesh{name,
+                      reader.text("file").value_or(""),
+                      reader.text("stand_in").value_or(""),
+                      number("lambda_crit"),
+                      number("mean_edge"),
+                      number("diagonal")};
+    if (mesh.file.find('\0') != std::string::npos) problems.add(*reader.node("file"), called + " file contains a NUL", "name a file");
+    if (reader.node("stand_in") == nullptr) {
+        problems.add(table, called + " has no stand_in", "name the bundled mesh that takes its place");
+    } else if (!mesh.stand_in.empty() && !contains(bundled_meshes(), mesh.stand_in)) {
+        problems.add(*reader.node("stand_in"), called + " stand_in " + in_quotes(mesh.stand_in) + " is not a bundled mesh",
+                     "did you mean '" + nearest_word(mesh.stand_in, bundled_meshes()) + "'?");
+    }
+    return mesh;
+}
+
+std::map<std::string, OriginalMesh> read_originals(const toml::table& root, Problems& problems) {
+    std::map<std::string, OriginalMesh> originals;
+    const toml::node* node = root.get("original");
+    if (node == nullptr) return originals;
+    if (!node->is_table()) {
+        problems.add(*node, "original is not a table", "write [original] and under it bunny = { file = …, stand_in = … }");
+        return originals;
+    }
+    for (const auto& [key, value] : *node->as_table()) {
+        const std::string name(key.str());
+        if (const toml::table* table = value.as_table()) {
+            originals[name] = read_original(*table, name, problems);
+        } else {
+            problems.add(value, "[original] " + name + " is not a table", "write " + name + " = { file = …, stand_in = … }");
+        }
+    }
+    return originals;
+}
+
+}   // namespace
+
+std::vector<Experiment> read_experiments(const toml::table& root, Problems& problems) {
+    const std::map<std::string, OriginalMesh> originals = read_originals(root, problems);
+    std::vector<Experiment> experiments;
+    const toml::node* node = root.get("experiment");
+    if (node == nullptr) return experiments;
+    const std::size_t count = node->is_array() ? node->as_array()->size() : 1;
+    if (count > static_cast<std::size_t>(limits::most_experiments)) {
+        problems.add(*node, std::to_string(count) + " experiments", "at most " + std::to_string(limits::most_experiments) + " are allowed");
+        return experiments;
+    }
+    ExperimentReader reader(originals, problems);
+    for_each_table(*node, "experiment", problems, [&](const toml::table& table) { experiments.push_back(reader.read(table)); });
+    return experiments;
+}
+
+}   // namespace meshfolio::run

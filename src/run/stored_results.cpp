@@ -1,0 +1,81 @@
+#include "run/stored_results.h"
+
+#include <cstdlib>
+
+#include "base/errors.h"
+#include "questions/core/section_tools.h"
+#include "run/cache_folder.h"
+#include "run/console.h"
+#include "run/program_identity.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+/// Only a whole answer is kept: what failed may have failed for reasons that pass.
+bool is_worth_keeping(const QuestionResult& result) {
+    return !result.stored && result.section().status == report::Status::ok && !lacks_a_mesh(result.section());
+}
+
+report::DrawnFigures figures_of(const Answer& answer, const report::DrawnFigures& all) {
+    report::DrawnFigures figures;
+    for (const output::FigureRequest& request : answer.figures) figures[request.id] = all.at(request.id);
+    return figures;
+}
+
+}   // namespace
+
+std::unique_ptr<output::ResultCache> cache_for_report() {
+    const char* fail = std::getenv("MESHFOLIO_FAIL");
+    const bool made_to_fail = fail != nullptr && *fail != '\0';
+    return made_to_fail || program_identity().empty() ? nullptr : usable_cache();
+}
+
+std::vector<const Answer*> answers_of(const std::vector<QuestionResult>& results) {
+    std::vector<const Answer*> answers;
+    for (const QuestionResult& result : results) {
+        if (!result.stored) answers.push_back(&result.answer);
+    }
+    return answers;
+}
+
+std::set<std::string> stored_sections(const std::vector<QuestionResult>& results) {
+    std::set<std::string> ids;
+    for (const QuestionResult& result : results) {
+        if (result.stored) ids.insert(result.section().id);
+    }
+    return ids;
+}
+
+void add_stored_figures(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover, report::DrawnFigures& figures) {
+    for (const QuestionResult& result : results) {
+        if (result.stored) figures.insert(result.stored->figures.begin(), result.stored->figures.end());
+    }
+    if (cover && cover->stored) figures.insert(cover->stored->figures.begin(), cover->stored->figures.end());
+}
+
+output::Publication::Digests stored_and_kept(const std::vector<QuestionResult>& results, const report::DrawnFigures& figures,
+                                             const std::optional<Cover>& cover, output::ResultCache* store, const QuestionCache* cache) {
+    output::Publication::Digests digests;
+    if (store == nullptr) return digests;
+    const auto add = [&](const std::map<std::string, std::string>& some) { digests.insert(some.begin(), some.end()); };
+    bool is_changed = false;
+    try {
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            const QuestionResult& result = results[i];
+            if (result.stored) add(result.stored->digests);
+            if (!is_worth_keeping(result)) continue;
+            add(cache->keep(result.section(), figures_of(result.answer, figures), offer_of(result.answer), result.lookups));
+            const bool is_cover = cover && cover->request && cover->result == i;
+            if (is_cover) add(cache->keep_cover(cache->answer_key(result.section().id, result.lookups), figures.at("cover")));
+            is_changed = true;
+        }
+        if (cover && cover->stored) add(cover->stored->digests);
+        if (is_changed) store->trim();
+    } catch (const Error& error) {
+        warn("the cache could not be written: " + std::string(error.what()));
+    }
+    return digests;
+}
+
+}   // namespace meshfolio::run

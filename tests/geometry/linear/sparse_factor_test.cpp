@@ -1,0 +1,180 @@
+#include "geometry/linear/sparse_factor.h"
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Eigenvalues>
+#include <limits>
+
+#include "base/errors.h"
+#include "geometry/solver_test_meshes.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing;
+
+namespace {
+
+SparseMatrix diagonal_matrix(const Vector& d) {
+    SparseMatrix D(d.size(), d.size());
+    D = d.asDiagonal();
+    return D;
+}
+
+/// −C − σM of an irregular sphere: definite for σ < 0, with as many negative eigenvalues as −L has below σ.
+SparseMatrix shifted_laplacian(double sigma, int level = 2) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(irregular_sphere(level));
+    return -laplacian.C - diagonal_matrix(sigma * laplacian.M);
+}
+
+/// −1 2 −1 of a path of n vertices, plus `shift` on the diagonal.
+SparseMatrix path_matrix(int n, double shift) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, (i == 0 || i == n - 1 ? 1 : 2) + shift);
+    for (int i = 1; i < n; ++i) {
+        entries.emplace_back(i, i - 1, -1);
+        entries.emplace_back(i - 1, i, -1);
+    }
+    SparseMatrix A(n, n);
+    A.setFromTriplets(entries.begin(), entries.end());
+    return A;
+}
+
+/// The five-point stencil on an n × n grid plus the identity.
+SparseMatrix grid_matrix(int n) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n * n; ++i) {
+        entries.emplace_back(i, i, 5);
+        if (i % n > 0) entries.emplace_back(i, i - 1, -1);
+        if (i >= n) entries.emplace_back(i, i - n, -1);
+    }
+    SparseMatrix A(n * n, n * n);
+    A.setFromTriplets(entries.begin(), entries.end());
+    return A.selfadjointView<Eigen::Lower>();
+}
+
+DenseMatrix some_columns(Eigen::Index rows, Eigen::Index columns) {
+    return DenseMatrix::NullaryExpr(rows, columns,
+                                    [](Eigen::Index i, Eigen::Index j) { return std::sin(1.0 + 3.7 * double(i) + 11.3 * double(j)); });
+}
+
+double relative_residual(const SparseMatrix& A, const DenseMatrix& X, const DenseMatrix& B) { return (A * X - B).norm() / B.norm(); }
+
+class EachLibrary : public ::testing::TestWithParam<FactorLibrary> {};
+INSTANTIATE_TEST_SUITE_P(SparseFactor, EachLibrary, ::testing::Values(FactorLibrary::automatic, FactorLibrary::eigen));
+
+}   // namespace
+
+TEST_P(EachLibrary, SolvesToRounding) {
+    for (const double sigma : {-1.0, 3.0, 40.0}) {
+        const SparseMatrix A = shifted_laplacian(sigma);
+        const DenseMatrix B = some_columns(A.rows(), 5);
+        EXPECT_LT(relative_residual(A, SparseFactor::ldlt(A, GetParam()).solve(B), B), 1e-11) << sigma;
+        if (sigma > 0) continue;
+        EXPECT_LT(relative_residual(A, SparseFactor::cholesky(A, GetParam()).solve(B), B), 1e-13);
+    }
+}
+
+TEST_P(EachLibrary, ColumnsTogetherAreColumnsAlone) {
+    const SparseMatrix A = shifted_laplacian(-0.1);
+    const DenseMatrix B = some_columns(A.rows(), 7);
+    const SparseFactor factor = SparseFactor::cholesky(A, GetParam());
+    const DenseMatrix X = factor.solve(B);
+    for (Eigen::Index j = 0; j < B.cols(); ++j) EXPECT_LT((factor.solve(Vector(B.col(j))) - X.col(j)).norm(), 1e-12 * X.col(j).norm());
+}
+
+// Sylvester's law of inertia.
+TEST_P(EachLibrary, NegativePivotsAreNegativeEigenvalues) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(irregular_sphere(2));
+    const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> dense(DenseMatrix(-laplacian.C), DenseMatrix(laplacian.M.asDiagonal()),
+                                                                      Eigen::EigenvaluesOnly);
+    const Vector& mu = dense.eigenvalues();
+    for (Eigen::Index k = 1; k < mu.size(); ++k) {
+        if (mu[k] - mu[k - 1] < 1e-6 * mu[k]) continue;
+        const double sigma = 0.5 * (mu[k - 1] + mu[k]);
+        EXPECT_EQ(SparseFactor::ldlt(shifted_laplacian(sigma), GetParam()).negative_pivots(), k);
+    }
+}
+
+TEST_P(EachLibrary, OnlyTheLowerTriangleIsRead) {
+    const SparseMatrix A = shifted_laplacian(5);
+    const SparseMatrix lower = A.triangularView<Eigen::Lower>();
+    const DenseMatrix B = some_columns(A.rows(), 1);
+    EXPECT_LT(relative_residual(A, SparseFactor::ldlt(lower, GetParam()).solve(B), B), 1e-11);
+}
+
+TEST_P(EachLibrary, AnUncompressedMatrixIsTheSameMatrix) {
+    SparseMatrix A = shifted_laplacian(-1);
+    const SparseFactor factor = SparseFactor::cholesky(A, GetParam());
+    const DenseMatrix B = some_columns(A.rows(), 1);
+    A.uncompress();
+    EXPECT_EQ(SparseFactor::cholesky(A, GetParam()).solve(B), factor.solve(B));
+}
+
+TEST_P(EachLibrary, CholeskyRefusesWhatIsNotPositiveDefinite) {
+    EXPECT_THROW(SparseFactor::cholesky(shifted_laplacian(3), GetParam()), SolverError);
+    EXPECT_THROW(SparseFactor::cholesky(path_matrix(50, -1e-9), GetParam()), SolverError);
+    EXPECT_NO_THROW(SparseFactor::cholesky(path_matrix(50, 1e-9), GetParam()));
+}
+
+TEST_P(EachLibrary, LdltRefusesSingularMatrices) {
+    EXPECT_THROW(SparseFactor::ldlt(path_matrix(50, 0), GetParam()), SolverError);
+    EXPECT_THROW(SparseFactor::ldlt(-laplace_beltrami(icosphere(1)).C, GetParam()), SolverError) << "C1 = 0";
+}
+
+TEST_P(EachLibrary, RefusesWhatCannotBeFactored) {
+    SparseMatrix A = path_matrix(5, 1);
+    A.coeffRef(2, 2) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(SparseFactor::ldlt(A, GetParam()), SolverError);
+    A.coeffRef(2, 2) = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(SparseFactor::cholesky(A, GetParam()), SolverError);
+    EXPECT_THROW(SparseFactor::ldlt(SparseMatrix(3, 4), GetParam()), SolverError);
+    EXPECT_THROW(SparseFactor::ldlt(SparseMatrix(0, 0), GetParam()), SolverError);
+    EXPECT_THROW(SparseFactor::cholesky(path_matrix(5, 1), GetParam()).solve(Vector(Vector::Ones(4))), SolverError);
+}
+
+TEST_P(EachLibrary, RefactoringIsFactoringAnew) {
+    SparseFactor factor = SparseFactor::ldlt(shifted_laplacian(-1), GetParam());
+    const SparseMatrix A = shifted_laplacian(7);
+    factor.refactor(A);
+    const SparseFactor anew = SparseFactor::ldlt(A, GetParam());
+    const DenseMatrix B = some_columns(A.rows(), 2);
+    EXPECT_EQ(factor.solve(B), anew.solve(B));
+    EXPECT_EQ(factor.negative_pivots(), anew.negative_pivots());
+    EXPECT_EQ(factor.nonzeros(), anew.nonzeros());
+    EXPECT_THROW(factor.refactor(shifted_laplacian(7, 3)), SolverError);
+    EXPECT_THROW(factor.refactor(diagonal_matrix(Vector::Ones(A.rows()))), SolverError) << "same size, another pattern";
+}
+
+TEST_P(EachLibrary, AFailedRefactoringSaysSo) {
+    SparseFactor factor = SparseFactor::cholesky(path_matrix(20, 1), GetParam());
+    EXPECT_THROW(factor.refactor(path_matrix(20, -1)), SolverError);
+    factor.refactor(path_matrix(20, 2));
+    EXPECT_LT(relative_residual(path_matrix(20, 2), factor.solve(some_columns(20, 1)), some_columns(20, 1)), 1e-14);
+}
+
+// A path has a factor without fill: n diagonal entries and n − 1 below.
+TEST_P(EachLibrary, NonzerosCountDiagonalAndBelow) {
+    EXPECT_EQ(SparseFactor::ldlt(path_matrix(40, 1), GetParam()).nonzeros(), 79);
+    EXPECT_EQ(SparseFactor::cholesky(path_matrix(40, 1), GetParam()).nonzeros(), 79);
+    EXPECT_EQ(SparseFactor::cholesky(path_matrix(40, 1), GetParam()).negative_pivots(), 0);
+}
+
+// Large enough for the supernodal code.
+TEST(SparseFactor, LargeCholesky) {
+    SparseMatrix A = grid_matrix(320);
+    const DenseMatrix B = some_columns(A.rows(), 3);
+    SparseFactor factor = SparseFactor::cholesky(A);
+    EXPECT_LT(relative_residual(A, factor.solve(B), B), 1e-14);
+    EXPECT_GE(factor.nonzeros(), (A.nonZeros() + A.rows()) / 2);
+    A.coeffRef(777, 777) = -5;
+    EXPECT_THROW(factor.refactor(A), SolverError);
+}
+
+TEST(SparseFactor, SolvesFromSeveralThreads) {
+    const SparseMatrix A = shifted_laplacian(-1, 3);
+    const SparseFactor factor = SparseFactor::cholesky(A);
+    const DenseMatrix B = some_columns(A.rows(), 64);
+    DenseMatrix X(B.rows(), B.cols());
+    tbb::parallel_for(Eigen::Index{0}, B.cols(), [&](Eigen::Index j) { X.col(j) = factor.solve(Vector(B.col(j))); });
+    for (Eigen::Index j = 0; j < B.cols(); ++j) EXPECT_EQ(X.col(j), factor.solve(Vector(B.col(j))));
+}

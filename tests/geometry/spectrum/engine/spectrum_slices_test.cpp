@@ -1,0 +1,286 @@
+#include "geometry/spectrum/engine/spectrum_slices.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/engine/slice_limits.h"
+#include "geometry/spectrum/engine/slice_overlaps.h"
+#include "geometry/spectrum/engine/spectrum_memory.h"
+#include "geometry/spectrum/laplace_spectrum.h"
+#include "geometry/spectrum/spectrum_expectations.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing;
+
+namespace {
+
+/// Slices of few pairs whatever the size of the mesh.
+SpectrumOptions in_slices(int pairs) {
+    SpectrumOptions options;
+    options.dense_below = 0;
+    options.one_slice_up_to = 0;
+    options.pairs_per_slice = pairs;
+    return options;
+}
+
+const SpectrumOptions by_dense{.dense_below = 100'000};
+
+Vector five_point_spectrum(int n) {
+    Vector mu(n * n);
+    for (int p = 0; p < n; ++p) {
+        for (int q = 0; q < n; ++q) mu[p + n * q] = 4 * std::pow(std::sin(pi * p / n), 2) + 4 * std::pow(std::sin(pi * q / n), 2);
+    }
+    std::sort(mu.begin(), mu.end());
+    return mu;
+}
+
+double largest_difference(const Vector& mu, const Vector& nu) {
+    return (mu - nu).cwiseQuotient(nu.cwiseMax(nu[nu.size() - 1] * 1e-3)).cwiseAbs().maxCoeff();
+}
+
+struct Stopped {};
+
+}   // namespace
+
+TEST(SpectrumSlices, AgreeWithTheDenseSolver) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(torus_mesh(40, 24, 1, 0.4));
+    constexpr int k = 230;
+    const Spectrum dense = smallest_eigenpairs(laplacian, k, by_dense), sliced = smallest_eigenpairs(laplacian, k, in_slices(40));
+    EXPECT_TRUE(dense.dense);
+    EXPECT_FALSE(sliced.dense);
+    EXPECT_GE(sliced.slices, 6);
+    EXPECT_LT(largest_difference(sliced.eigenvalues, dense.eigenvalues), 1e-11);
+    expect_eigenpairs(laplacian, sliced, 1e-8, "torus");
+}
+
+// Multiplicities 4 and 8 throughout, so that most limits would cut one.
+TEST(SpectrumSlices, OfTheFlatTorusAreCompleteWhereverTheyAreCut) {
+    constexpr int n = 40, k = 400;
+    const LaplaceBeltrami laplacian = flat_torus_operator(n, n, std::sqrt(2.0));
+    const Vector exact = five_point_spectrum(n);
+    for (const int pairs : {17, 32, 60}) {
+        const Spectrum spectrum = smallest_eigenpairs(laplacian, k, in_slices(pairs));
+        EXPECT_LT((spectrum.eigenvalues - exact.head(k)).cwiseAbs().maxCoeff(), 1e-11) << pairs;
+        expect_eigenpairs(laplacian, spectrum, 1e-8, "flat torus, " + std::to_string(pairs));
+    }
+}
+
+TEST(SpectrumSlices, OfTheSphereHaveTwoLPlusOneOfEachDegree) {
+    constexpr int degrees = 32;
+    const Spectrum spectrum = smallest_eigenpairs(laplace_beltrami(icosphere(5)), degrees * degrees);
+    EXPECT_GT(spectrum.slices, 1);
+    for (int l = 1; l + 1 < degrees; ++l) {
+        const auto degree = spectrum.eigenvalues.segment(l * l, 2 * l + 1);
+        EXPECT_NEAR(degree.mean() / (l * (l + 1)), 1, 2e-4 * l * (l + 1)) << l;
+        EXPECT_LT(degree.maxCoeff() - degree.minCoeff(), 0.2 * (spectrum.eigenvalues[(l + 1) * (l + 1)] - degree.minCoeff())) << l;
+    }
+}
+
+TEST(SpectrumSlices, OfSymmetricOpenAndBrokenMeshesAreEigenpairs) {
+    const std::vector<std::pair<std::string, TriangleMesh>> meshes = {
+        {"cube", cube_mesh(16)},
+        {"open grid", grid_mesh(40, 30, 3, 2)},
+        {"irregular plane", irregular_plane(35)},
+        {"components", side_by_side(torus_mesh(30, 20, 1, 0.4), moved_by(scaled(icosphere(3), 0.1), {5, 0, 0}))}};
+    for (const auto& [name, mesh] : meshes) {
+        const LaplaceBeltrami laplacian = laplace_beltrami(mesh, AreaForm::mixed);
+        for (const int pairs : {12, 40}) expect_eigenpairs(laplacian, smallest_eigenpairs(laplacian, 100, in_slices(pairs)), 1e-8, name);
+    }
+}
+
+// Eigenspaces of dimension 8 and 16: a block of eight start vectors sees eight of each. Inertia counts the others, and they are found
+// when the first are held fixed.
+TEST(SpectrumSlices, WhatABlockCannotSeeIsCountedAndFound) {
+    constexpr int n = 26, k = 120;
+    const LaplaceBeltrami one = flat_torus_operator(n, n, std::sqrt(2.0));
+    const int size = static_cast<int>(one.M.size()), copies = 3;
+    LaplaceBeltrami laplacian{SparseMatrix(copies * size, copies * size), one.M.replicate(copies, 1)};
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int j = 0; j < size; ++j) {
+        for (SparseMatrix::InnerIterator entry(one.C, j); entry; ++entry) {
+            for (int c = 0; c < copies; ++c) entries.emplace_back(int(entry.row()) + c * size, j + c * size, entry.value());
+        }
+    }
+    laplacian.C.setFromTriplets(entries.begin(), entries.end());
+    const double area = laplacian.M.sum();
+    const SpectrumProblem problem(-laplacian.C, laplacian.M / area);
+    const Vector exact = five_point_spectrum(n) * area;
+    int repairs = 0;
+    for (const SliceOptions& options : {SliceOptions{.pairs_per_slice = 30, .one_slice_up_to = 0}, SliceOptions{.one_slice_up_to = 1000}}) {
+        const SlicedPairs found = find_by_slices(problem, k - copies, options);
+        repairs += found.repairs;
+        ASSERT_EQ(found.mu.size(), k - copies);
+        for (int j = copies; j < k; ++j) EXPECT_NEAR(found.mu[j - copies] / exact[j / copies], 1, 1e-10) << j;
+        const DenseMatrix gram = found.Y.transpose() * found.Y;
+        EXPECT_LT((gram - DenseMatrix::Identity(k - copies, k - copies)).cwiseAbs().maxCoeff(), 1e-11);
+        for (const InertiaProof& proof : found.proofs) EXPECT_EQ(proof.counted, proof.found) << proof.sigma;
+    }
+    EXPECT_GT(repairs, 0) << "rounding alone has shown all of them: choose a harder case";
+}
+
+TEST(SpectrumSlices, AreTheSameForAnyNumberOfThreads) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(lopsided_ellipsoid(4));
+    for (const auto& [k, pairs] : {std::pair{150, 40}, std::pair{25, 0}}) {
+        SpectrumOptions options = in_slices(std::max(1, pairs));
+        if (pairs == 0) options.one_slice_up_to = 60;
+        const Spectrum two = smallest_eigenpairs(laplacian, k, options);
+        const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
+        options.threads = 1;
+        const Spectrum one = smallest_eigenpairs(laplacian, k, options);
+        EXPECT_EQ(one.eigenvalues, two.eigenvalues);
+        EXPECT_EQ(one.eigenvectors, two.eigenvectors);
+    }
+}
+
+TEST(SpectrumSlices, MotionAndVertexOrderChangeNothing) {
+    const TriangleMesh mesh = lopsided_ellipsoid(3);
+    constexpr int k = 110;
+    const Vector mu = smallest_eigenpairs(laplace_beltrami(mesh), k, in_slices(30)).eigenvalues;
+    const Vector moved = smallest_eigenpairs(laplace_beltrami(rotated_and_moved(mesh)), k, in_slices(30)).eigenvalues;
+    const Vector shuffled = smallest_eigenpairs(laplace_beltrami(with_shuffled_vertices(mesh).mesh), k, in_slices(30)).eigenvalues;
+    EXPECT_LT(largest_difference(moved, mu), 1e-10);
+    EXPECT_LT(largest_difference(shuffled, mu), 1e-10);
+    for (const double s : {1e-9, 1e9}) {
+        const Spectrum scaled_one = smallest_eigenpairs(laplace_beltrami(scaled(mesh, s)), k, in_slices(30));
+        EXPECT_LT(largest_difference(scaled_one.eigenvalues * s * s, mu), 1e-10) << s;
+    }
+}
+
+// Needles raise ‖B‖, and with it what the rounding of a basis means for a residual: some 1e-13 ‖B‖, which no Ritz value shows.
+TEST(SpectrumSlices, BesideNeedlesAreAsGoodAsRoundingOfTheOperatorLetsThem) {
+    constexpr int n = 40;
+    for (const double width : {1e-4, 1e-5, 1e-6}) {
+        TriangleMesh mesh = irregular_plane(n, 0.4);
+        for (int i = 3; i < n - 1; i += 6) {
+            for (int j = 2 + i % 4; j < n - 2; j += 6) {
+                const int v = j * n + i;
+                mesh.X.row(v) += (1 - width) * (mesh.X.row(v + 1) - mesh.X.row(v)).eval();
+            }
+        }
+        const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+        const Spectrum spectrum = smallest_eigenpairs(laplacian, 150, in_slices(40));
+        const double largest_row = (-laplacian.C.diagonal()).cwiseQuotient(laplacian.M).maxCoeff();
+        for (Eigen::Index j = 1; j < 150; ++j) {
+            const double rounding = 50 * 2.2e-16 * largest_row / spectrum.eigenvalues[j];
+            EXPECT_LT(spectrum.residuals[j], std::clamp(rounding, 5e-9, 5e-4)) << width << ", pair " << j;
+        }
+        EXPECT_LT(orthonormality_error(spectrum, laplacian.M), 1e-12);
+        EXPECT_EQ(spectrum.inertia_count, spectrum.found_below);
+    }
+}
+
+TEST(SpectrumSlices, PolishedPairsHaveResidualsOfRounding) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(lopsided_ellipsoid(4));
+    for (SpectrumOptions options : {in_slices(40), SpectrumOptions{.dense_below = 0}}) {
+        options.polish = true;
+        const Spectrum spectrum = smallest_eigenpairs(laplacian, options.one_slice_up_to == 0 ? 130 : 30, options);
+        expect_eigenpairs(laplacian, spectrum, 1e-11, "polished");
+        EXPECT_LT(orthonormality_error(spectrum, laplacian.M), 1e-12);
+    }
+}
+
+TEST(SpectrumSlices, StopWhenTheCallerSaysSo) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(lopsided_ellipsoid(4));
+    for (SpectrumOptions options : {in_slices(20), SpectrumOptions{.dense_below = 0}}) {
+        for (const int last : {1, 2, 5, 7}) {
+            int calls = 0;
+            options.progress = [&](double) {
+                if (++calls == last) throw Stopped();
+            };
+            EXPECT_THROW(smallest_eigenpairs(laplacian, 60, options), Stopped) << "the caller's own exception, not that of another slice";
+            EXPECT_LT(calls, 40) << "the other slices stop too";
+        }
+    }
+}
+
+TEST(SpectrumSlices, ProgressRises) {
+    SpectrumOptions options = in_slices(20);
+    std::vector<double> seen;
+    options.progress = [&](double fraction) { seen.push_back(fraction); };
+    smallest_eigenpairs(laplace_beltrami(lopsided_ellipsoid(3)), 100, options);
+    ASSERT_GT(seen.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    EXPECT_EQ(seen.back(), 1);
+}
+
+TEST(SpectrumSlices, MemoryIsRefusedBeforeStartingWithWhatWouldFit) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(icosphere(4));
+    SpectrumOptions options{.dense_below = 0};
+    bool begun = false;
+    options.progress = [&](double) { begun = true; };
+    options.memory_limit = 9e6;
+    try {
+        smallest_eigenpairs(laplacian, 500, options);
+        FAIL() << "500 pairs of 2562 vertices do not fit into 9 MB";
+    } catch (const SolverError& error) {
+        EXPECT_NE(std::string(error.what()).find("500 eigenpairs of 2562 vertices need"), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(begun);
+    EXPECT_NO_THROW(smallest_eigenpairs(laplacian, 5, options));
+    options.memory_limit = 1e5;
+    EXPECT_THROW(smallest_eigenpairs(laplacian, 1, options), SolverError);
+    EXPECT_GT(available_memory(), 1e7);
+}
+
+TEST(SpectrumSlices, WhatIsSaidToFitIsTheMostThatDoes) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(icosphere(4));
+    const SpectrumProblem problem(-laplacian.C, laplacian.M);
+    const SliceOptions options;
+    for (const int k : {2, 60, 61, 75, 500}) {   // up to 60 in one slice
+        for (const double share : {0.6, 0.8, 0.9, 0.999}) {
+            const double limit = share * memory_of(problem, k, options).of_one_slice();
+            int fitting = 0;
+            try {
+                slices_that_fit(problem, k, options, limit);
+                FAIL() << k << " pairs do not fit into less than they need";
+            } catch (const SolverError& error) {
+                const std::string message = error.what();
+                if (message.find("not even one") == std::string::npos) fitting = std::stoi(message.substr(message.find("; ") + 2));
+            }
+            EXPECT_LT(fitting, k);
+            if (fitting > 0) {
+                EXPECT_EQ(slices_that_fit(problem, fitting, options, limit), 1) << k << " at " << share;
+            }
+            EXPECT_THROW(slices_that_fit(problem, fitting + 1, options, limit), SolverError) << k << " at " << share;
+        }
+    }
+}
+
+TEST(SpectrumSlices, BracketHoldsTheCountsOfInertia) {
+    const LaplaceBeltrami laplacian = flat_torus_operator(30, 30, std::sqrt(2.0));
+    const SpectrumProblem problem(-laplacian.C, laplacian.M / laplacian.M.sum());
+    const Vector exact = five_point_spectrum(30) * laplacian.M.sum();
+    for (const int wanted : {2, 70, 300, 880, 900}) {
+        const auto counts = bracket_from_above(problem, wanted);
+        EXPECT_GE(counts.back().counted, wanted);
+        EXPECT_LE(counts.back().counted, wanted + std::max(14, wanted / 10)) << wanted;
+        for (const InertiaProof& proof : counts) {
+            if (proof.sigma <= 0) continue;
+            EXPECT_EQ(proof.counted, (exact.array() < proof.sigma).count()) << proof.sigma;
+        }
+    }
+}
+
+TEST(SliceOverlaps, AreRemovedAndTheFirstOfTwoIsKept) {
+    std::vector<EightColumns> X;
+    const DenseMatrix Q = Eigen::HouseholderQR<DenseMatrix>(DenseMatrix::Random(300, 13)).householderQ() * DenseMatrix::Identity(300, 13);
+    DenseMatrix Y = Q;
+    Y.col(11) += 1e-8 * Q.col(2);
+    Y.col(5) *= 1 + 1e-9;
+    for (int g = 0; g < 2; ++g) {
+        EightColumns& group = X.emplace_back(300);
+        for (int i = 0; i < 300; ++i) {
+            for (int c = 0; c < 8; ++c) group.row(i)[c] = 8 * g + c < 13 ? Y(i, 8 * g + c) : 0;
+        }
+    }
+    EXPECT_NEAR(make_orthonormal(X, 13), 1e-8, 1e-11);
+    double error = 0;
+    for (int i = 0; i < 300; ++i) {
+        for (int c = 0; c < 13; ++c) error = std::max(error, std::abs(X[std::size_t(c / 8)].row(i)[c % 8] - Q(i, c)));
+    }
+    EXPECT_LT(error, 1e-14);
+}

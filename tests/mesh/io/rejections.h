@@ -1,0 +1,40 @@
+/// @file
+/// What a reader says of a text: where it stops, and what it warns of.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/errors.h"
+#include "mesh/io/mesh_files.h"
+
+namespace meshfolio::testing {
+
+/// The message with which `bytes` are refused; "accepted" when they are not.
+inline std::string refusal(const std::string& bytes, const std::string& file) {
+    try {
+        parse_mesh(bytes, file);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// Passes when the message begins with `place` ("m.obj:4: "), holds `text`, and has a remedy behind a semicolon.
+inline ::testing::AssertionResult refused(const std::string& bytes, const std::string& place, const std::string& text) {
+    const std::string file = place.substr(0, place.find(':'));
+    const std::string message = refusal(bytes, file);
+    const bool remedy = message.find("; ") != std::string::npos;
+    if (message.starts_with(place + ": ") && message.find(text) != std::string::npos && remedy) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "said: " << message;
+}
+
+/// The warnings as "line: message", one after the other.
+inline std::string warnings_of(const LoadedMesh& loaded) {
+    std::string all;
+    for (const MeshWarning& warning : loaded.warnings) all += std::to_string(warning.line) + ": " + warning.message + "\n";
+    return all;
+}
+
+}   // namespace meshfolio::testing

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "mesh/io/mesh_files.h"
+#include "mesh/io/rejections.h"
+#include "mesh/small_meshes.h"
+#include "mesh/triangle_measures.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing;
+
+namespace {
+
+std::string little_endian(std::uint32_t value) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 255);
+    return bytes;
+}
+
+std::string binary_stl(const TriangleMesh& mesh, std::string title = "") {
+    title.resize(80, '\0');
+    std::string bytes = title + little_endian(static_cast<std::uint32_t>(mesh.face_count()));
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        bytes += std::string(12, '\x7f');   // a normal that is not a number: not used
+        for (int k = 0; k < 3; ++k) {
+            for (int axis = 0; axis < 3; ++axis)
+                bytes += little_endian(std::bit_cast<std::uint32_t>(static_cast<float>(mesh.X(mesh.F(t, k), axis))));
+        }
+        bytes += "\xff\x7f";
+    }
+    return bytes;
+}
+
+std::string facet(const std::string& a, const std::string& b, const std::string& c) {
+    return " facet normal nan nan nan\n  outer loop\n   vertex " + a + "\n   vertex " + b + "\n   vertex " + c + "\n  endloop\n endfacet\n";
+}
+const std::string text_stl = "solid <b>\n" + facet("0 0 0", "0 1 0", "1 0 0") + facet("0 -0.0 0", "1 0 0", "0 0 1") +
+                             facet("-0 0 0", "0 0 1", "0 1 0") + facet("1 0 0", "0 1e0 0", "0 0 1.") + "endsolid\n";
+
+}   // namespace
+
+TEST(StlFile, WeldedCornersGiveBackTheSurface) {
+    const TriangleMesh mesh = unit_cube();
+    const LoadedMesh loaded = parse_stl(binary_stl(mesh), "m.stl");
+    EXPECT_EQ(loaded.mesh.vertex_count(), 8);
+    EXPECT_EQ(surface_area(loaded.mesh), 6);
+    EXPECT_EQ(signed_volume(loaded.mesh), 1);
+    EXPECT_EQ(loaded.mesh.F.row(0), (Eigen::RowVector3i(0, 1, 2)));   // numbered as they first appear
+    EXPECT_EQ(warnings_of(loaded), "");
+}
+
+TEST(StlFile, TextAndBinaryAgreeAndMinusZeroIsZero) {
+    const LoadedMesh text = parse_stl(text_stl, "m.stl");
+    EXPECT_EQ(text.mesh.vertex_count(), 4);
+    EXPECT_EQ(text.mesh.X, parse_stl(binary_stl(tetrahedron(), "solid but binary"), "m.stl").mesh.X);
+    EXPECT_EQ(text.mesh.F, parse_stl(binary_stl(tetrahedron()), "m.stl").mesh.F);
+    EXPECT_EQ(text.face_lines, (std::vector<long>{2, 9, 16, 23}));
+    std::string upper = text_stl;
+    for (char& c : upper) c = c == '\n' ? '\n' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    EXPECT_EQ(parse_stl(upper, "m.stl").mesh.X, text.mesh.X);
+}
+
+TEST(StlFile, NearlyEqualCornersAreNotWelded) {
+    TriangleMesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0x1p-30, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}, {3, 4, 5}});
+    EXPECT_EQ(parse_stl(binary_stl(mesh), "m.stl").mesh.vertex_count(), 5);
+}
+
+TEST(StlFile, WarnsOfOddEnds) {
+    EXPECT_EQ(warnings_of(parse_stl(binary_stl(tetrahedron()) + "abcd", "m.stl")), "0: bytes after the last triangle ignored (4)\n");
+    EXPECT_EQ(warnings_of(parse_stl(text_stl.substr(0, text_stl.size() - 9), "m.stl")), "0: no endsolid\n");
+}
+
+TEST(StlFile, RefusesDamagedFiles) {
+    const std::string whole = binary_stl(tetrahedron());
+    for (std::size_t size = 1; size < whole.size(); ++size) EXPECT_NE(refusal(whole.substr(0, size), "m.stl"), "accepted") << size;
+    EXPECT_TRUE(refused(whole.substr(0, 83), "m.stl", "too short"));
+    EXPECT_TRUE(refused(whole.substr(0, whole.size() - 1), "m.stl", "4 triangles announced, room for 3"));
+    EXPECT_TRUE(refused(std::string(84, '\0'), "m.stl", "no triangles"));
+    std::string nan = whole;
+    nan.replace(84 + 12, 4, little_endian(0x7fc00000));
+    EXPECT_TRUE(refused(nan, "m.stl", "coordinate is nan"));
+    EXPECT_TRUE(refused("solid x\nendsolid x\n", "m.stl", "no triangles"));
+    EXPECT_TRUE(refused(text_stl.substr(0, text_stl.find("endloop")), "m.stl:7", "ends inside a facet"));
+    EXPECT_TRUE(refused("solid\n facet normal 0 0 1\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n endloop\n", "m.stl:6",
+                        "expected 'vertex', found 'endloop'"));
+    EXPECT_TRUE(refused("solid\n" + facet("0 0 0", "1 0 0", "0 1 0\n vertex 1 1 1"), "m.stl:7", "expected 'endloop'"));
+    EXPECT_TRUE(refused("solid\n" + facet("0 0 0", "1,0 0 0", "0 1 0"), "m.stl:5", "'1,0'"));
+    EXPECT_TRUE(refused("solid\n" + facet("0 0 0", "1 0", "0 1 0"), "m.stl:5", "3 coordinates"));
+    EXPECT_TRUE(refused("solid\nfacette\n", "m.stl:2", "expected 'facet'"));
+}

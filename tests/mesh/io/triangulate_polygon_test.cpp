@@ -1,0 +1,157 @@
+#include "mesh/io/triangulate_polygon.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "base/errors.h"
+#include "mesh/io/mesh_files.h"
+#include "mesh/mesh_topology.h"
+#include "mesh/small_meshes.h"
+#include "mesh/triangle_measures.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing;
+using std::numbers::pi;
+
+namespace {
+
+Positions polygon(const std::vector<std::array<double, 2>>& points) {
+    Positions X(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i) X.row(static_cast<Eigen::Index>(i)) << points[i][0], points[i][1], 0;
+    return X;
+}
+
+Vector3 area_vector(const Positions& X) {
+    Vector3 sum = Vector3::Zero();
+    for (Eigen::Index i = 0; i < X.rows(); ++i) sum += 0.5 * X.row(i).cross(X.row((i + 1) % X.rows())).transpose();
+    return sum;
+}
+
+/// n − 2 triangles that turn as the polygon does, have its area, and its corners as their boundary: then they tile it.
+void expect_tiling(const Positions& X, double relative_error = 1e-12) {
+    const PolygonTriangles cut = triangulated_polygon(X);
+    EXPECT_TRUE(cut.simple);
+    ASSERT_EQ(cut.triangles.rows(), X.rows() - 2);
+    const TriangleMesh mesh{X.rowwise() - X.row(0), cut.triangles};
+    const Vector3 area = area_vector(mesh.X);
+    EXPECT_NEAR(surface_area(mesh), area.norm(), relative_error * area.norm());
+    EXPECT_GE((face_normals(mesh) * area).minCoeff(), 0);
+    const auto loops = boundary_loops(mesh);
+    ASSERT_EQ(loops.size(), 1U);
+    for (Eigen::Index i = 0; i < X.rows(); ++i) EXPECT_EQ(loops[0][static_cast<std::size_t>(i)], i);
+}
+
+/// Corners at increasing angles and any distance from a centre: simple, and mostly concave.
+Positions random_star(int n, unsigned seed) {
+    std::mt19937 bits(seed);
+    std::vector<std::array<double, 2>> points;
+    for (int i = 0; i < n; ++i) {
+        const double radius = 0.05 + static_cast<double>(bits() % 1000) / 1000;
+        points.push_back({radius * std::cos(2 * pi * i / n), radius * std::sin(2 * pi * i / n)});
+    }
+    return polygon(points);
+}
+
+/// A band wound around itself: at any time only few corners are ears.
+Positions spiral(int n) {
+    std::vector<std::array<double, 2>> points;
+    const auto add = [&](int i, double width) {
+        const double angle = 0.05 * i;
+        points.push_back({(angle + width) * std::cos(angle), (angle + width) * std::sin(angle)});
+    };
+    for (int i = 10; i < 10 + n / 2; ++i) add(i, 0);
+    for (int i = 9 + n / 2; i >= 10; --i) add(i, 2);
+    return polygon(points);
+}
+
+}   // namespace
+
+TEST(TriangulatePolygon, ConvexPolygonsAreFans) {
+    const Faces fan = triangulate_polygon(polygon({{0, 0}, {2, 0}, {3, 1}, {1, 3}, {-1, 1}}));
+    EXPECT_EQ(fan, (Faces(3, 3) << 0, 1, 2, 0, 2, 3, 0, 3, 4).finished());
+}
+
+TEST(TriangulatePolygon, ConcaveQuadIsCutInside) {
+    expect_tiling(polygon({{0, 0}, {4, 4}, {0, 1}, {-4, 4}}));
+    expect_tiling(polygon({{4, 4}, {0, 1}, {-4, 4}, {0, 0}}));
+    expect_tiling(polygon({{0, 0}, {-4, 4}, {0, 1}, {4, 4}}));   // clockwise: normal −z
+}
+
+TEST(TriangulatePolygon, CornersOnAStraightEdgeGiveNoFlatTriangle) {
+    const Positions X = polygon({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});
+    expect_tiling(X);
+    EXPECT_GT(face_areas({X, triangulate_polygon(X)}).minCoeff(), 0.4);
+}
+
+TEST(TriangulatePolygon, RandomConcavePolygonsAreTiled) {
+    for (unsigned seed = 0; seed < 300; ++seed) expect_tiling(random_star(4 + static_cast<int>(seed % 40), seed));
+}
+
+TEST(TriangulatePolygon, NeitherPlaceNorSizeNorPlaneMatter) {
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        // Multiples of 1/1024: moving them far away loses nothing.
+        const Positions X = (random_star(17, seed) * 1024).array().round().matrix() / 1024;
+        const Faces triangles = triangulate_polygon(X);
+        EXPECT_EQ(triangulate_polygon(moved(X, {1e9, -1e9, 1e9})), triangles);
+        EXPECT_EQ(triangulate_polygon(moved(X, Vector3::Zero(), 0x1p-1060)), triangles);
+        EXPECT_EQ(triangulate_polygon(moved(X, Vector3::Zero(), 0x1p300)), triangles);
+        expect_tiling(rotated(X));
+    }
+}
+
+TEST(TriangulatePolygon, StartingElsewhereGivesTheSameArea) {
+    const Positions X = random_star(31, 5);
+    for (Eigen::Index shift = 1; shift < X.rows(); ++shift) {
+        Positions turned(X.rows(), 3);
+        turned << X.bottomRows(X.rows() - shift), X.topRows(shift);
+        expect_tiling(turned);
+    }
+}
+
+TEST(TriangulatePolygon, BridgeToAHole) {
+    // A square with a square hole, joined by an edge walked twice.
+    const Positions X = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}});
+    const PolygonTriangles cut = triangulated_polygon(X);
+    EXPECT_TRUE(cut.simple);
+    EXPECT_NEAR(face_areas({X, cut.triangles}).sum(), 12, 1e-12);
+    EXPECT_GE(face_normals({X, cut.triangles}).col(2).minCoeff(), 0);
+}
+
+TEST(TriangulatePolygon, ManyCornersTakeNoMoreThanMoments) {
+    expect_tiling(random_star(20000, 1), 1e-9);
+    expect_tiling(spiral(20000), 1e-9);
+}
+
+// A corner may wait for another one for many reasons; looked at for each of them, this one took minutes.
+TEST(TriangulatePolygon, ManyCornersInARowTakeNoMoreThanMoments) {
+    constexpr int count = 16000;
+    std::vector<std::array<double, 2>> wedge, strip;
+    for (int i = 0; i < count - 1; ++i) wedge.push_back({double(i), 0});
+    wedge.push_back({0, 1});
+    for (int i = 0; i < count / 2; ++i) strip.push_back({double(i), 0});
+    for (int i = count / 2; i-- > 0;) strip.push_back({double(i), 1});
+    expect_tiling(polygon(wedge), 1e-9);
+    expect_tiling(polygon(strip), 1e-9);
+}
+
+TEST(TriangulatePolygon, PolygonsThatAreNotSimpleStillGiveTriangles) {
+    const PolygonTriangles bow_tie = triangulated_polygon(polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
+    EXPECT_FALSE(bow_tie.simple);
+    EXPECT_EQ(bow_tie.triangles.rows(), 2);
+    EXPECT_FALSE(triangulated_polygon(polygon({{0, 0}, {3, 3}, {3, 0}, {0, 1}})).simple);
+    std::vector<std::array<double, 2>> pentagram;
+    for (int i = 0; i < 5; ++i) pentagram.push_back({std::cos(0.8 * pi * i), std::sin(0.8 * pi * i)});
+    EXPECT_FALSE(triangulated_polygon(polygon(pentagram)).simple);
+    EXPECT_FALSE(triangulated_polygon(Positions::Zero(7, 3)).simple);
+    EXPECT_EQ(triangulated_polygon(Positions::Zero(7, 3)).triangles.rows(), 5);
+    std::mt19937 bits(3);
+    Positions chaos(3000, 3);
+    for (double& x : chaos.reshaped()) x = static_cast<double>(bits() % 4096);
+    EXPECT_EQ(triangulated_polygon(chaos).triangles.rows(), 2998);
+}
+
+TEST(TriangulatePolygon, Limits) {
+    EXPECT_THROW(triangulate_polygon(Positions::Zero(2, 3)), MeshError);
+    EXPECT_THROW(triangulate_polygon(Positions::Zero(max_polygon_corners + 1, 3)), MeshError);
+}

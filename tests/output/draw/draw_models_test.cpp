@@ -1,0 +1,101 @@
+#include "output/draw/draw_models.h"
+
+#include <gtest/gtest.h>
+
+#include "base/file_bytes.h"
+#include "mesh/samples/sample_shapes.h"
+#include "output/draw/robust_range.h"
+#include "temporary_folder.h"
+
+using namespace meshfolio;
+using namespace meshfolio::output;
+using testing_tools::TemporaryFolder;
+
+namespace {
+
+TriangleMesh flat_mesh(int points) { return grid_mesh(points, points, 2, 2); }
+
+Panel panel_of(TriangleMesh mesh, const std::string& name) {
+    Panel panel{name, "label of " + name, nullptr};
+    panel.values = mesh.X.col(2);
+    panel.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+    return panel;
+}
+
+FigureRequest turnable(std::vector<Panel> panels) {
+    FigureRequest request;
+    request.id = panels.front().name;
+    request.range = robust_range(panels, "viridis", "z", "length", 0);
+    request.panels = std::move(panels);
+    request.turnable = true;
+    return request;
+}
+
+/// What is made of these requests, checked against what lies in the folder.
+report::DrawnFigures models_of(const std::vector<FigureRequest>& requests) {
+    const TemporaryFolder folder;
+    report::DrawnFigures figures;
+    for (const FigureRequest& request : requests) figures[request.id];
+    add_models(requests, folder.path(), figures);
+    std::size_t named = 0, written = 0;
+    for (const auto& [id, figure] : figures) {
+        for (const report::DrawnModel& model : figure.models) {
+            EXPECT_EQ(read_file(folder.path() / model.file), model.glb);
+            ++named;
+        }
+    }
+    if (std::filesystem::exists(folder.path() / "models"))
+        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path() / "models")) ++written;
+    EXPECT_EQ(named, written);
+    return figures;
+}
+
+}   // namespace
+
+TEST(DrawModels, OnlyWhereItIsAskedFor) {
+    FigureRequest quiet = turnable({panel_of(icosphere(1), "q1_quiet")});
+    quiet.turnable = false;
+    const auto figures = models_of({turnable({panel_of(icosphere(2), "q1_ball")}), quiet});
+    ASSERT_EQ(figures.at("q1_ball").models.size(), 1U);
+    EXPECT_TRUE(figures.at("q1_quiet").models.empty());
+    const report::DrawnModel& model = figures.at("q1_ball").models[0];
+    EXPECT_EQ(model.file, "models/q1_ball.glb");
+    EXPECT_EQ(model.label, "");
+    EXPECT_EQ(model.quantity, "z [length]");
+}
+
+TEST(DrawModels, TwoOfTheSameTrianglesAreTurnedTogetherInOneFrame) {
+    TriangleMesh shrunk = icosphere(2);
+    shrunk.X *= 0.25;
+    const auto frame_of = [](const report::DrawnModel& model) { return model.glb.substr(model.glb.find("\"frame\""), 40); };
+    const auto pair = models_of({turnable({panel_of(icosphere(2), "before"), panel_of(shrunk, "after"), panel_of(icosphere(2), "third")})});
+    ASSERT_EQ(pair.at("before").models.size(), 2U);
+    EXPECT_EQ(pair.at("before").models[1].label, "label of after");
+    EXPECT_EQ(frame_of(pair.at("before").models[0]), frame_of(pair.at("before").models[1]));
+    EXPECT_EQ(models_of({turnable({panel_of(icosphere(2), "ball"), panel_of(cube_mesh(2), "cube")})}).at("ball").models.size(), 1U);
+}
+
+TEST(DrawModels, LargeOrBlownUpMeshesKeepTheirPictures) {
+    TriangleMesh blown_up = icosphere(2);
+    blown_up.X(0, 0) = std::numeric_limits<double>::infinity();
+    const TriangleMesh large = flat_mesh(176);
+    ASSERT_GT(large.face_count(), most_model_triangles);
+    const auto figures =
+        models_of({turnable({panel_of(large, "large")}), turnable({panel_of(icosphere(2), "a"), panel_of(blown_up, "b")})});
+    for (const auto& [id, figure] : figures) EXPECT_TRUE(figure.models.empty()) << id;
+}
+
+TEST(DrawModels, AllTogetherStayBelowTheLimitFirstComeFirstServed) {
+    std::vector<FigureRequest> requests;
+    for (int i = 0; i < 6; ++i) requests.push_back(turnable({panel_of(flat_mesh(170), "plane" + std::to_string(i))}));
+    requests.push_back(turnable({panel_of(icosphere(2), "small")}));
+    const auto figures = models_of(requests);
+    std::size_t total = 0;
+    for (const auto& [id, figure] : figures)
+        for (const report::DrawnModel& model : figure.models) total += model.glb.size();
+    EXPECT_LE(total, most_model_bytes);
+    EXPECT_GT(total, most_model_bytes / 2);
+    EXPECT_TRUE(figures.at("plane5").models.empty());
+    EXPECT_FALSE(figures.at("plane0").models.empty());
+    EXPECT_FALSE(figures.at("small").models.empty()) << "there is still room for it";
+}

@@ -1,0 +1,122 @@
+#include "questions/bench/smoothing_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/operators/dirichlet_energy.h"
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+SmoothingSubject ball() { return smoothing_subject(library_mesh(icosphere(2), "ball")); }
+
+constexpr SmoothingScheme both_schemes[] = {SmoothingScheme::explicit_euler, SmoothingScheme::implicit_euler};
+
+}   // namespace
+
+TEST(EnergyCheck, PassesFailsOrDecidesNothing) {
+    SmoothingRun run;
+    run.energy = {1, 0.9, 0.9 + 1e-9};
+    run.energy_rounding = {0, 1e-13, 1e-13};
+    EXPECT_TRUE(energy_check("", run).failed()) << "a rise of a billionth";
+    run.energy_rounding[2] = 2e-9;
+    EXPECT_EQ(energy_check("", run).status, report::Check::Status::undecided) << "that rounding could have made";
+    run.energy_rounding[1] = 1e-8;
+    run.energy = {1, 0.9, 0.8};
+    EXPECT_EQ(energy_check("", run).status, report::Check::Status::undecided) << "or could hide";
+    run.energy_rounding = {0, 1e-13, 1e-13};
+    EXPECT_TRUE(energy_check("", run).passed());
+    run.result.blew_up = true;
+    EXPECT_TRUE(energy_check("", run).failed());
+}
+
+TEST(SmoothingStudy, NoStepLeavesTheMesh) {
+    const SmoothingSubject subject = ball();
+    for (const auto& step : {explicit_step, implicit_step}) {
+        EXPECT_LT((step(subject.laplacian, 0, subject.mesh().X) - subject.mesh().X).cwiseAbs().maxCoeff(), 1e-14);
+    }
+    for (const SmoothingScheme scheme : both_schemes) {
+        const SmoothingRun run = run_smoothing(subject, scheme, 1e-15 * subject.critical, 3);
+        EXPECT_LT(run.moved.max, 1e-12);
+        EXPECT_EQ(run.moved.inverted_faces, 0);
+        EXPECT_NEAR(run.energy.back(), 1, 1e-12);
+        EXPECT_NEAR(run.volume_ratio, 1, 1e-12);
+    }
+}
+
+TEST(SmoothingStudy, OneValueForEveryIterationAndTheInput) {
+    const SmoothingSubject subject = ball();
+    for (const SmoothingScheme scheme : both_schemes) {
+        const SmoothingRun run = run_smoothing(subject, scheme, 0.4 * subject.critical, 6, {1, 4, 6});
+        EXPECT_EQ(run.result.iterations, 6);
+        ASSERT_EQ(run.energy.size(), 7u);
+        ASSERT_EQ(run.volume.size(), 7u);
+        EXPECT_EQ(run.energy.front(), 1);
+        EXPECT_EQ(run.volume.front(), 1);
+        ASSERT_EQ(run.snapshots.size(), 3u);
+        EXPECT_EQ(run.snapshots[1], run_smoothing(subject, scheme, 0.4 * subject.critical, 4).result.X);
+        EXPECT_EQ(run.snapshots[2], run.result.X);
+        EXPECT_NEAR(run.energy[4], dirichlet_energy(subject.laplacian.C, run.snapshots[1]) / subject.initial_energy, 1e-12);
+        EXPECT_NEAR(run.volume[1], signed_volume(moved_to(subject.mesh(), run.snapshots[0])) / signed_volume(subject.mesh()), 1e-12);
+        EXPECT_EQ(run.volume.back(), run.volume_ratio);
+        EXPECT_EQ(run.in_view_iteration, 6);
+        EXPECT_EQ(run.in_view, run.result.X);
+    }
+}
+
+TEST(SmoothingStudy, ABallShrinksAndItsEnergyFalls) {
+    const SmoothingSubject subject = ball();
+    for (const SmoothingScheme scheme : both_schemes) {
+        const SmoothingRun run = run_smoothing(subject, scheme, 0.4 * subject.critical, 6);
+        for (std::size_t t = 1; t < run.energy.size(); ++t) {
+            EXPECT_LT(run.energy[t], run.energy[t - 1]);
+            EXPECT_LT(run.volume[t], run.volume[t - 1]);
+        }
+        // A ball stays one: energy like r², volume like r³, motion 1 − r, angles as they were.
+        const double r = std::sqrt(run.energy.back());
+        EXPECT_NEAR(run.volume_ratio, r * r * r, 1e-2 * r * r * r);
+        EXPECT_NEAR(run.moved.rms, 1 - r, 1e-2);
+        EXPECT_NEAR(run.smallest_angle, smallest_angle(subject.mesh()), 0.05);
+    }
+}
+
+TEST(SmoothingStudy, AnOpenMeshHasNoVolume) {
+    const SmoothingRun run = run_smoothing(smoothing_subject(library_mesh(grid_mesh(5, 5, 1, 1), "open")), both_schemes[1], 0.01, 2);
+    EXPECT_TRUE(run.volume.empty());
+    EXPECT_TRUE(std::isnan(run.volume_ratio));
+}
+
+TEST(SmoothingStudy, APictureShowsTheLastPositionsInView) {
+    const SmoothingSubject subject = ball();
+    const SmoothingRun run = run_smoothing(subject, SmoothingScheme::explicit_euler, 20 * subject.critical, 30);
+    ASSERT_TRUE(run.result.blew_up);
+    EXPECT_LT(run.in_view_iteration, run.result.blow_up_iteration);
+    const auto widest = [](const Positions& X) { return X.cwiseAbs().maxCoeff(); };
+    const double shown = widest(subject.mesh().X) / 0.92;   // the input's widest extent takes that much of a picture
+    EXPECT_LE(widest(run.in_view), shown + 1e-9);
+    const SmoothingRun next = run_smoothing(subject, SmoothingScheme::explicit_euler, 20 * subject.critical, run.in_view_iteration + 1);
+    EXPECT_GT(widest(next.result.X), shown);
+}
+
+TEST(SmoothingStudy, StepsAreTheGivenOnesOrMultiplesOfTheLimit) {
+    const SmoothingSubject subject = ball();
+    QuestionSettings settings;
+    expect_near(steps_of(settings, subject, {2, 0.5}), {0.5 * subject.critical, 2 * subject.critical});
+    settings.lambda = {0.3, 0.1, 0.3};
+    EXPECT_EQ(steps_of(settings, subject, {2, 0.5}), (std::vector{0.1, 0.3}));
+}
+
+TEST(SmoothingStudy, ColoursAreCurvatureInMeanEdges) {
+    const SmoothingSubject subject = ball();
+    const Vector once = curvature_colours(subject, subject.mesh().X), twice = curvature_colours(subject, 2 * subject.mesh().X);
+    EXPECT_NEAR(once.mean(), subject.mean_edge, 0.05 * subject.mean_edge);   // H = 1, positive on a ball
+    EXPECT_NEAR(twice.mean(), once.mean() / 2, 1e-9);
+    EXPECT_EQ(step_label(subject, 0.5 * subject.critical).substr(step_label(subject, 0.5 * subject.critical).find('=')),
+              "= 0.5\u202fλ_crit");
+}

@@ -1,0 +1,77 @@
+#include "questions/bench/spectral_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/samples/sample_shapes.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {}   // namespace
+
+TEST(SpectralStudy, EveryKOnceAndAscending) {
+    const SpectralStudy study = spectral_study_on(cube_mesh(4), "cube_k", {12, 5, 12, 100000, 5});
+    ASSERT_EQ(study.reconstructions.size(), 3u);
+    EXPECT_EQ(study.reconstructions[0].k, 5);
+    EXPECT_EQ(study.reconstructions[1].k, 12);
+    EXPECT_EQ(study.reconstructions[2].k, study.vertices());
+    EXPECT_EQ(study.modes(), study.vertices());
+    EXPECT_EQ(study.rms.size(), study.modes() + 1);
+}
+
+TEST(SpectralStudy, DistancesAreThoseOfTheMeshes) {
+    const SpectralStudy study = spectral_study_on(ellipsoid_mesh(2, {1.7, 1.1, 0.6}), "egg_distance", {4, 30});
+    for (const Reconstruction& r : study.reconstructions) {
+        EXPECT_NEAR(r.distance.maxCoeff(), r.difference.max, 1e-12);
+        EXPECT_NEAR(std::sqrt(r.distance.squaredNorm() / study.mesh().vertex_count()), r.difference.rms, 1e-12);
+        EXPECT_NEAR(r.predicted_rms, r.difference.area_weighted_rms, 1e-12);
+        EXPECT_GT(r.difference.volume_ratio, 0);
+        EXPECT_LT(r.difference.volume_ratio, 1);   // of a convex body, whose detail is cut off
+    }
+    EXPECT_LT(largest_parseval_gap(study), 1e-12);
+}
+
+TEST(SpectralStudy, TheGapIsTheLargest) {
+    SpectralStudy study;
+    study.reconstructions.resize(3);
+    study.reconstructions[0].predicted_rms = 1;
+    study.reconstructions[0].difference.area_weighted_rms = 1.5;
+    study.reconstructions[2].predicted_rms = 0.25;
+    EXPECT_EQ(largest_parseval_gap(study), 0.5);
+}
+
+TEST(SpectralStudy, SmallestKIsTheFirstBelow) {
+    const SpectralStudy study = spectral_study_on(torus_mesh(16, 8, 1, 0.4), "torus_smallest", {60});
+    for (const double share : {0.3, 0.1, 0.05}) {
+        const int k = smallest_k_below(study, share);
+        ASSERT_GT(k, 0);
+        EXPECT_LE(study.rms[k], share * study.diagonal);
+        if (k > 1) {
+            EXPECT_GT(study.rms[k - 1], share * study.diagonal);
+        }
+    }
+    EXPECT_EQ(smallest_k_below(study, 1e-30), 0);
+    EXPECT_EQ(smallest_k_below(study, 1), 1);
+}
+
+TEST(SpectralStudy, PowersOfAKnownFall) {
+    SpectralStudy study;
+    study.rms = Vector(65);
+    for (int k = 0; k < 65; ++k) study.rms[k] = 3 * std::pow(k + 1e-300, -1.5);
+    EXPECT_NEAR(falling_power(study, 2, 64), 1.5, 1e-12);
+    EXPECT_NEAR(falling_power(study, 8, 9), 1.5, 1e-12);
+}
+
+TEST(SpectralStudy, RemotenessIsAboveOneWhereTheErrorIsFarOut) {
+    const SpectralStudy study = spectral_study_on(ellipsoid_mesh(2, {4, 1, 1}), "cigar", {5});
+    Reconstruction r = study.reconstructions.front();
+    r.distance = study.mesh().X.rowwise().norm();
+    EXPECT_GT(remoteness_of_worst(study, r), 1.5);
+    r.distance = (-study.mesh().X.rowwise().norm().array()).matrix();
+    EXPECT_LT(remoteness_of_worst(study, r), 0.7);
+    const SpectralStudy ball = spectral_study_on(icosphere(2), "ball_remote", {5});
+    EXPECT_NEAR(remoteness_of_worst(ball, ball.reconstructions.front()), 1, 1e-9);
+}

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "mesh/samples/sample_shapes.h"
+#include "questions/certificates/planted_faults.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+Answer answer_on(const TriangleMesh& mesh, const std::string& name) {
+    return chapter_of_id("certificates").answer(library_of(mesh, name), quick_settings(), no_progress);
+}
+
+}   // namespace
+
+TEST(CertificatesSection, BundledMeshesPassTheirChecks) {
+    const Answer answer = chapter_of_id("certificates").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+}
+
+TEST(CertificatesSection, HoldsOnOpenPlainAndDividedMeshes) {
+    for (const auto& [name, mesh] : {std::pair{"cert_grid", grid_mesh(9, 7, 2, 1)}, std::pair{"cert_box", cube_mesh(1)},
+                                     std::pair{"cert_torus", torus_mesh(30, 12, 1, 0.4)}}) {
+        SCOPED_TRACE(name);
+        const Answer answer = answer_on(mesh, name);
+        expect_well_formed(answer);
+        expect_checks_pass(answer.section);
+    }
+}
+
+TEST(CertificatesSection, TheTableOfFaultsHasEveryFaultAndSaysWhatItsChecksSay) {
+    const Answer answer = answer_on(icosphere(2), "cert_ball");
+    const report::Table& table = table_named(answer.section, "certificates_faults");
+    const std::vector<PlantedFault> faults = planted_faults();
+    ASSERT_EQ(table.rows.size(), faults.size());
+    const std::vector<FaultTrial> trials = trials_of(bundled_specimen());
+    const auto caught = cells(table, "caught");
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+        EXPECT_EQ(std::get<std::string>(table.rows[i][0]), faults[i].name);
+        EXPECT_EQ(std::get<std::string>(caught[i]) == "yes", trials[i].caught());
+        EXPECT_EQ(std::get<double>(cells(table, "with the fault")[i]), trials[i].faulty.measured);
+    }
+}
+
+TEST(CertificatesSection, TheTableOfSpectraHasWhatWasMeasured) {
+    QuestionSettings settings = quick_settings();
+    settings.k = {9};
+    const TriangleMesh mesh = icosphere(3);
+    const Answer answer = chapter_of_id("certificates").answer(library_of(mesh, "cert_ball_nine"), settings, no_progress);
+    const report::Table& table = table_named(answer.section, "certificates_spectra");
+    EXPECT_EQ(numbers(table, "k"), std::vector<double>{9});
+    EXPECT_EQ(numbers(table, "counted"), std::vector<double>{9});   // 1 + 3 + 5: no cluster is cut
+    EXPECT_EQ(numbers(table, "found"), std::vector<double>{9});
+    EXPECT_EQ(std::get<std::string>(cells(table, "verdict")[0]), "proved");
+    EXPECT_NEAR(numbers(table, "σ")[0], 9, 0.2);   // in the middle between l(l + 1) = 6 and 12
+    EXPECT_LT(numbers(table, "δ")[0], 1e-3 * numbers(table, "gap")[0]);
+}

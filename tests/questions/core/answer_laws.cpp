@@ -1,0 +1,144 @@
+#include "questions/core/answer_laws.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "mesh/io/mesh_files.h"
+#include "report/svg/svg_elements.h"
+#include "temporary_folder.h"
+
+namespace meshfolio::testing_tools {
+
+std::string prose_of(const report::Section& section) {
+    std::string prose = section.extent;
+    for (const report::Block& block : section.blocks) {
+        if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) prose += "\n" + report::plain(paragraph->text);
+        if (const auto* list = std::get_if<report::BulletList>(&block)) {
+            for (const report::Text& item : list->items) prose += "\n" + report::plain(item);
+        }
+        if (const auto* table = std::get_if<report::Table>(&block)) prose += "\n" + table->caption;
+        if (const auto* figure = std::get_if<report::Figure>(&block)) prose += "\n" + figure->caption + "\n" + figure->alt;
+        if (const auto* plot = std::get_if<report::Plot>(&block)) prose += "\n" + plot->caption + "\n" + plot->alt;
+        if (const auto* map = std::get_if<report::Map>(&block)) prose += "\n" + map->caption + "\n" + map->alt;
+        if (const auto* list = std::get_if<report::EntryList>(&block)) {
+            for (const report::Entry& entry : list->entries) {
+                prose += "\n" + report::plain(entry.title);
+                for (const report::Text& paragraph : entry.paragraphs) prose += "\n" + report::plain(paragraph);
+            }
+        }
+    }
+    for (const report::Finding& finding : section.findings) prose += "\n" + report::plain(finding.text);
+    return prose;
+}
+
+void expect_checks_pass(const report::Section& section) {
+    EXPECT_FALSE(section.checks.empty());
+    for (const report::Check& check : section.checks) {
+        EXPECT_TRUE(check.passed()) << check.name << ": expected " << check.expected << ", measured " << check.measured << ", tolerance "
+                                    << check.tolerance;
+    }
+}
+
+namespace {
+
+/// Does an id belong to another section of the report? That it is there is seen to where the report is written.
+bool is_of_another_section(const std::string& id, const std::string& own) {
+    const std::vector<std::string> all = section_ids();
+    const std::string section = id.substr(0, id.find('_'));
+    return section != own && std::find(all.begin(), all.end(), section) != all.end();
+}
+
+/// No two curves of a plot have the same colour, the same dashes (or no line) and the same shape of points (or none).
+void expect_looks_differ(const report::Plot& plot) {
+    using Style = report::Series::Style;
+    std::set<std::string> looks;
+    for (std::size_t i = 0; i < plot.series.size(); ++i) {
+        const Style style = plot.series[i].style;
+        const report::Look look = report::look_of(plot.series[i], i);
+        const std::string line = style == Style::points ? "none" : look.dashes;
+        const bool with_points = style == Style::points || style == Style::line_and_points;
+        EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + (with_points ? std::to_string(look.pattern) : "")).second)
+            << plot.id << ": " << plot.series[i].name << " looks like another";
+    }
+}
+
+}   // namespace
+
+void expect_well_formed(const Answer& answer) {
+    const report::Section& section = answer.section;
+    static const std::regex id_form("[a-z0-9_]+"), file_form("[A-Za-z0-9_.-]+"), not_a_number("\\b(nan|inf)\\b");
+    std::set<std::string> ids, figures, references;
+    const auto enter = [&](const std::string& id) {
+        EXPECT_TRUE(std::regex_match(id, id_form)) << id;
+        EXPECT_TRUE(ids.insert(id).second) << "twice: " << id;
+    };
+    for (const report::Block& block : section.blocks) {
+        if (const auto* table = std::get_if<report::Table>(&block)) {
+            enter(table->id);
+            EXPECT_FALSE(table->rows.empty()) << table->id;
+            for (const auto& row : table->rows) {
+                EXPECT_EQ(row.size(), table->columns.size()) << table->id;
+                for (std::size_t c = 0; c < row.size(); ++c) {
+                    const auto* id = std::get_if<std::string>(&row[c]);
+                    if (table->columns[c].reference && id) references.insert(*id);
+                }
+            }
+        }
+        if (const auto* plot = std::get_if<report::Plot>(&block)) {
+            enter(plot->id);
+            for (const report::Series& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << plot->id;
+            expect_looks_differ(*plot);
+        }
+        if (const auto* map = std::get_if<report::Map>(&block)) {
+            enter(map->id);
+            for (const auto& panel : map->panels) EXPECT_EQ(panel.values.size(), map->x.size() * map->y.size()) << map->id;
+        }
+        if (const auto* figure = std::get_if<report::Figure>(&block)) {
+            enter(figure->id);
+            figures.insert(figure->id);
+        }
+        if (const auto* formula = std::get_if<report::Formula>(&block); formula && !formula->id.empty()) enter(formula->id);
+        const auto enter_references = [&](const report::Text& text) {
+            for (const report::Run& run : text) {
+                if (run.kind == report::Run::Kind::reference) references.insert(run.content);
+            }
+        };
+        if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) enter_references(paragraph->text);
+        if (const auto* list = std::get_if<report::EntryList>(&block)) {
+            for (const report::Entry& entry : list->entries) {
+                enter(entry.id);
+                enter_references(entry.title);
+                for (const report::Text& text : entry.paragraphs) enter_references(text);
+            }
+        }
+    }
+    std::set<std::string> requested, panels;
+    for (const output::FigureRequest& request : answer.figures) {
+        EXPECT_TRUE(requested.insert(request.id).second) << request.id;
+        for (const output::Panel& panel : request.panels) {
+            EXPECT_TRUE(std::regex_match(panel.name, file_form)) << panel.name;
+            EXPECT_TRUE(panels.insert(panel.name).second) << "two pictures of one name: " << panel.name;
+            EXPECT_TRUE(panel.values.size() == 0 || panel.values.size() == panel.mesh->vertex_count()) << panel.name;
+        }
+    }
+    EXPECT_EQ(figures, requested);
+    static const std::regex cited_work("[a-z_]+_[0-9]{4}");   // that it is in the bibliography is seen to where the report is written
+    for (const std::string& reference : references)
+        EXPECT_TRUE(ids.contains(reference) || std::regex_match(reference, cited_work) || is_of_another_section(reference, section.id))
+            << "leads nowhere: " << reference;
+    EXPECT_FALSE(std::regex_search(prose_of(section), not_a_number)) << prose_of(section);
+    EXPECT_FALSE(section.findings.empty());
+    EXPECT_FALSE(section.extent.empty());
+}
+
+MeshLibrary library_of(const TriangleMesh& mesh, const std::string& name) {
+    static const testing_tools::TemporaryFolder folder;   // of this process: tests run side by side
+    const std::filesystem::path file = folder.path() / (name + ".ply");
+    write_mesh(file, mesh);
+    return MeshLibrary({}, {file});
+}
+
+}   // namespace meshfolio::testing_tools

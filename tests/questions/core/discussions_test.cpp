@@ -1,0 +1,174 @@
+// The discussions of questions 5 to 7 say what the numbers say: a number is changed in a study, and the words change with it.
+#include "questions/discussions.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+
+#include "mesh/samples/sample_shapes.h"
+#include "questions/core/section_tools.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+template <class Study>
+std::string told(void (*add)(report::Section&, const std::vector<Study>&), const std::vector<Study>& studies) {
+    report::Section section;
+    add(section, studies);
+    return prose_of(section);
+}
+std::string told(const ExplicitStudy& study) { return told(add_explicit_discussion, std::vector{study}); }
+std::string told(const ImplicitStudy& study) { return told(add_implicit_discussion, std::vector{study}); }
+std::string told(const DenoisingStudy& study) { return told(add_denoising_discussion, std::vector{study}); }
+
+bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+const auto cube = library_mesh(cube_mesh(6), "cube_told");
+const auto ball = library_mesh(icosphere(2), "ball_told");
+
+void expect_a_number_in_every_paragraph(void (*discuss)(report::Section&)) {
+    report::Section section;
+    discuss(section);
+    for (const report::Block& block : section.blocks) {
+        const auto* paragraph = std::get_if<report::Paragraph>(&block);
+        if (paragraph == nullptr) continue;
+        const std::string words = report::plain(paragraph->text);
+        EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) << words;
+        EXPECT_FALSE(has(words, "  ")) << words;
+        EXPECT_TRUE(words.ends_with(".")) << words;
+    }
+}
+
+}   // namespace
+
+TEST(Discussions, NoParagraphIsWithoutItsNumber) {
+    expect_a_number_in_every_paragraph([](report::Section& section) {
+        add_explicit_discussion(section, {explicit_study(cube, quick_settings()), explicit_study(ball, quick_settings())});
+        add_implicit_discussion(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
+        add_denoising_discussion(section, {denoising_study(cube, quick_settings()), denoising_study(ball, quick_settings())});
+    });
+}
+
+TEST(ListedObserved, TellsACommonConditionOnce) {
+    EXPECT_EQ(listed_observed({{"a", "x"}, {"b", "x"}, {"c", "x"}}), "a, b and c, each time x");
+    EXPECT_EQ(listed_observed({{"a", "x"}, {"b", "y"}}), "a (x) and b (y)");
+    EXPECT_EQ(listed_observed({{"a", "x"}}), "a (x)");
+    EXPECT_EQ(listed_observed({}), "");
+}
+
+TEST(ExplicitDiscussion, BlamesASpotARegionOrTheWhole) {
+    ExplicitStudy study = explicit_study(ball, quick_settings());
+    study.subject.top.vertex = 17;
+    study.subject.top.support = 1.5;
+    EXPECT_TRUE(has(told(study), "A single spot")) << told(study);
+    EXPECT_TRUE(has(told(study), "around vertex 17")) << told(study);
+    study.subject.top.support = 100;
+    EXPECT_TRUE(has(told(study), "no single vertex is to blame")) << told(study);
+    EXPECT_FALSE(has(told(study), "vertex 17")) << told(study);
+}
+
+TEST(ExplicitDiscussion, RecommendsOnlyWhatIsStable) {
+    ExplicitStudy study = explicit_study(cube, quick_settings());
+    EXPECT_TRUE(has(told(study), "no mode changes its sign")) << told(study);
+    study.best = -1;
+    EXPECT_TRUE(has(told(study), "none can be recommended")) << told(study);
+    EXPECT_FALSE(has(told(study), "no mode changes its sign")) << told(study);
+}
+
+TEST(ExplicitDiscussion, TellsWhatTheEnergyHidesOnlyWhereItDoes) {
+    ExplicitStudy study = explicit_study(cube, quick_settings());
+    std::size_t beyond = 0;
+    while (beyond < study.runs.size() && study.stable(beyond)) ++beyond;
+    ASSERT_LT(beyond, study.runs.size());
+    study.runs[beyond].energy.back() = 0.5 * study.runs[beyond].energy.front();
+    EXPECT_TRUE(has(told(study), "to 50.0\u202f%")) << told(study);
+    study.runs[beyond].energy.back() = 2 * study.runs[beyond].energy.front();
+    EXPECT_FALSE(has(told(study), "nothing may show")) << told(study);
+    study.runs.resize(beyond);   // nothing beyond the limit was tried
+    study.amplification.resize(beyond);
+    EXPECT_TRUE(has(told(study), "No step tried on cube_told exceeds the limit")) << told(study);
+}
+
+TEST(ExplicitDiscussion, NamesTheVertexThatBreaksFirstAndKnowsItsMode) {
+    ExplicitStudy study = explicit_study(cube, quick_settings());
+    SmoothingRun& last = study.runs.back();
+    last.result.blew_up = true;
+    last.result.blow_up_iteration = 12;
+    last.result.blow_up_vertex = study.subject.top.vertex;
+    EXPECT_TRUE(has(told(study), "in iteration 12 on cube_told")) << told(study);
+    EXPECT_TRUE(has(told(study), "the very vertex")) << told(study);
+    last.result.blow_up_vertex = study.subject.top.vertex + 1;
+    EXPECT_FALSE(has(told(study), "the very vertex")) << told(study);
+}
+
+TEST(ImplicitDiscussion, CallsAShapeLostOnlyWhereItIs) {
+    ImplicitStudy study = implicit_study(ball, quick_settings());
+    SmoothingCell& far = study.grid[(study.lambdas.size() - 1) * study.iterations.size() + study.middle_iteration()];
+    far.implicit_energy = 1e-20;
+    EXPECT_TRUE(has(told(study), "collapsed to a point")) << told(study);
+    far.implicit_energy = 0.5;
+    far.volume_ratio = 0.25;
+    EXPECT_TRUE(has(told(study), "Stable is not the same as useful: ball_told keeps 50\u202f% of its Dirichlet energy and 25\u202f%"))
+        << told(study);
+    far.volume_ratio = 0.9;
+    EXPECT_FALSE(has(told(study), "Stable is not the same")) << told(study);
+    far.volume_ratio = NAN;   // open
+    EXPECT_FALSE(has(told(study), "Stable is not the same")) << told(study);
+    far.implicit_energy = 0.002;
+    EXPECT_TRUE(has(told(study), "Stable is not the same as useful: ball_told keeps 0.20\u202f%")) << told(study);
+}
+
+TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
+    ImplicitStudy study = implicit_study(cube, quick_settings());
+    study.cost.explicit_steps = 100;
+    study.cost.explicit_operations = 4 * study.cost.implicit_operations;
+    EXPECT_TRUE(has(told(study), "the explicit way is 4.0 times as expensive")) << told(study);
+    EXPECT_FALSE(has(told(study), "stability, not speed")) << told(study);
+    study.cost.explicit_operations = study.cost.implicit_operations / 2;
+    EXPECT_TRUE(has(told(study), "0.50 times as expensive")) << told(study);
+    EXPECT_TRUE(has(told(study), "stability, not speed")) << told(study);
+    study.cost.explicit_steps = 0;
+    EXPECT_TRUE(has(told(study), "more than 3000")) << told(study);
+    EXPECT_TRUE(has(told(study), "the only practical one")) << told(study);
+}
+
+TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheirErrorIsLarger) {
+    DenoisingStudy study = denoising_study(ball, quick_settings());
+    EXPECT_TRUE(has(told(study), "no feature to lose")) << told(study);
+    study.feature_vertices = 10;
+    for (DenoisingTrial& trial : study.trials) {
+        trial.best_rms = 3;
+        trial.smooth_rms = 1;
+        trial.feature_rms = 2;
+    }
+    EXPECT_TRUE(has(told(study), "over that elsewhere, is larger on ball_told (2.00 times; 10 of 162 vertices)")) << told(study);
+    EXPECT_TRUE(has(told(study), "cannot tell such an edge from noise")) << told(study);
+    for (DenoisingTrial& trial : study.trials) trial.feature_rms = 1;
+    EXPECT_TRUE(has(told(study), "neither always larger nor always smaller on ball_told")) << told(study);
+    EXPECT_FALSE(has(told(study), "cannot tell such an edge")) << told(study);
+    for (DenoisingTrial& trial : study.trials) trial.feature_rms = 0.5;
+    EXPECT_TRUE(has(told(study), "smaller on ball_told")) << told(study);
+}
+
+TEST(DenoisingDiscussion, NotStoppingIsDearestWhereNothingHelpedToo) {
+    DenoisingStudy study = denoising_study(cube, quick_settings());
+    for (DenoisingTrial& trial : study.trials) {
+        trial.best_rms = 0;
+        trial.rms.front() = trial.rms.back() / 46;
+    }
+    EXPECT_TRUE(has(told(study), "leaves 46 times the error before any smoothing")) << told(study);
+}
+
+TEST(DenoisingDiscussion, WhetherMoreNoiseAsksForMoreIterationsIsRead) {
+    DenoisingStudy study = denoising_study(cube, quick_settings());
+    study.trials.front().best_rms = 1;
+    study.trials.back().best_rms = 5;
+    EXPECT_TRUE(has(told(study), "asks for more iterations: on cube_told (1 to 5)")) << told(study);
+    study.trials.front().best_rms = 7;
+    EXPECT_TRUE(has(told(study), "asks for fewer iterations on cube_told (7 to 5)")) << told(study);
+    study.trials.front().best_rms = 5;
+    EXPECT_FALSE(has(told(study), "More noise asks")) << told(study);
+}

@@ -1,0 +1,51 @@
+// A mesh that can be read, but not be worked on, beside one that can: no section is lost, none forgets to say so.
+#include <gtest/gtest.h>
+
+#include "mesh/io/mesh_files.h"
+#include "mesh/samples/sample_shapes.h"
+#include "questions/core/answer_laws.h"
+#include "questions/core/section_tools.h"
+#include "temporary_folder.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+/// A cube pressed flat into a needle: triangles without any area, whose operator has no mass.
+TriangleMesh without_area() {
+    TriangleMesh mesh = cube_mesh(3);
+    mesh.X.rightCols(2).setZero();
+    return mesh;
+}
+
+class UnusableMesh : public testing::TestWithParam<const char*> {};
+
+}   // namespace
+
+TEST_P(UnusableMesh, IsAFailedCheckBesideTheAnswerOnTheOther) {
+    const TemporaryFolder folder;
+    const auto good = folder.path() / "good.ply", flat = folder.path() / "pressed.ply";
+    write_mesh(good, cube_mesh(3));
+    write_mesh(flat, without_area());
+    const Chapter* question = &chapter_of_id(GetParam());
+    ASSERT_NE(question, nullptr);
+    const Answer answer = question->answer(MeshLibrary({}, {flat, good}), quick_settings(), no_progress);
+    EXPECT_EQ(answer.section.status, report::Status::ok);
+    EXPECT_NE(answer.section.extent.find("good"), std::string::npos) << answer.section.extent;
+    if (lacks_a_mesh(answer.section)) {
+        EXPECT_EQ(answer.section.extent.find("pressed"), std::string::npos) << answer.section.extent;
+    }
+    int failed = 0;
+    for (const report::Check& check : answer.section.checks) {
+        if (check.passed()) continue;
+        ++failed;
+        EXPECT_NE((check.name + check.note).find("pressed"), std::string::npos) << check.name << ": " << check.note;
+    }
+    EXPECT_GT(failed, 0);
+    EXPECT_GT(answer.section.checks.size(), 1u) << "those of the other mesh";
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySection, UnusableMesh,
+                         testing::Values("q4", "q5", "q6", "q7", "stability", "maps", "modes", "prediction", "methods", "operators",
+                                         "certificates"));

@@ -1,0 +1,217 @@
+#include "questions/maps/study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+#include "questions/core/study_laws.h"
+#include "questions/maps/parts.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+SmoothingMaps maps_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> lambda = {}, std::vector<int> t = {}) {
+    QuestionSettings settings = quick_settings();
+    settings.lambda = std::move(lambda);
+    settings.iterations = std::move(t);
+    return smoothing_maps(library_mesh(mesh, name), settings);
+}
+
+const TriangleMesh& egg() {
+    static const TriangleMesh mesh = ellipsoid_mesh(2, {1.5, 1, 0.8});
+    return mesh;
+}
+const SmoothingMaps& egg_maps() {
+    static const SmoothingMaps maps = maps_on(egg(), "egg_maps");
+    return maps;
+}
+
+}   // namespace
+
+TEST(SmoothingMaps, IterationsAreSpacedAlikeAndEndWhereAsked) {
+    EXPECT_EQ(spaced_iterations(30, 2), (std::vector{1, 3, 10, 30}));
+    EXPECT_EQ(spaced_iterations(1, 5), (std::vector{1}));
+    EXPECT_EQ(spaced_iterations(7, 1), (std::vector{1, 7}));
+    for (const int last : {2, 99, 200}) {
+        const auto counts = spaced_iterations(last, 8);
+        EXPECT_EQ(counts.front(), 1);
+        EXPECT_EQ(counts.back(), last);
+        EXPECT_TRUE(std::is_sorted(counts.begin(), counts.end()));
+    }
+}
+
+TEST(SmoothingMaps, TheLimitLiesHalfWayBetweenTwoSteps) {
+    const SmoothingMaps& maps = egg_maps();
+    double nearest_below = 0, nearest_beyond = INFINITY;
+    for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
+        (maps.relative(step) < 1 ? nearest_below : nearest_beyond) =
+            maps.relative(step) < 1 ? std::max(nearest_below, maps.relative(step)) : std::min(nearest_beyond, maps.relative(step));
+    }
+    EXPECT_NEAR(nearest_below * nearest_beyond, 1, 1e-12);
+}
+
+// Each cell is what a run of its own gives, whichever lane it was in.
+TEST(SmoothingMaps, CellsAreThoseOfSingleRuns) {
+    const SmoothingMaps& maps = egg_maps();
+    for (const SchemeMap* map : maps.maps()) {
+        for (const std::size_t step : {std::size_t{0}, std::size_t{3}, maps.lambdas.size() - 1}) {
+            for (const std::size_t row : {std::size_t{0}, maps.iterations.size() - 1}) {
+                SmoothingOptions options;
+                options.scheme = map->scheme;
+                options.lambda = maps.lambdas[step];
+                options.iterations = maps.iterations[row];
+                const Smoothed run = smooth(egg(), options);
+                const std::size_t i = maps.index(step, row);
+                if (run.blew_up) {
+                    EXPECT_TRUE(std::isnan(map->moved[i]));
+                    EXPECT_EQ(map->blow_up[step], run.blow_up_iteration);
+                    continue;
+                }
+                const MeshDifference moved = compare_meshes(egg(), moved_to(egg(), run.X));
+                EXPECT_NEAR(map->moved[i], moved.rms / moved.box_diagonal, 1e-10 * map->moved[i]);
+                if (std::isnan(map->inverted[i])) continue;
+                EXPECT_NEAR(map->size[i], moved.volume_ratio, 1e-9);
+                EXPECT_EQ(map->inverted[i], double(moved.inverted_faces) / egg().face_count());
+                EXPECT_NEAR(map->angle[i], smallest_angle(moved_to(egg(), run.X)), 1e-9);
+            }
+        }
+    }
+}
+
+TEST(SmoothingMaps, OneFactorisationAStepAndOneAnalysisALane) {
+    const SmoothingMaps& maps = egg_maps();
+    EXPECT_EQ(maps.implicit_map.factorisations, int(maps.lambdas.size()));
+    EXPECT_EQ(maps.implicit_map.analyses, 2);
+    EXPECT_EQ(maps.explicit_map.factorisations, 0);
+}
+
+TEST(SmoothingMaps, RunsBlowUpBeyondTheLimitOnlyAndWhenTheModesSay) {
+    const SmoothingMaps& maps = egg_maps();
+    ASSERT_TRUE(maps.all.has_value());
+    int blown = 0;
+    for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
+        EXPECT_EQ(maps.implicit_map.blow_up[step], 0);
+        const int when = maps.explicit_map.blow_up[step];
+        if (maps.relative(step) < 1) {
+            EXPECT_EQ(when, 0);
+            EXPECT_TRUE(std::isnan(maps.top.blow_up(maps.lambdas[step])));
+            EXPECT_TRUE(std::isnan(maps.all->blow_up(maps.lambdas[step])));
+        }
+        if (when == 0) continue;
+        ++blown;
+        EXPECT_NEAR(when, std::ceil(maps.all->blow_up(maps.lambdas[step])), 1);
+        EXPECT_GE(when, maps.all->earliest(maps.lambdas[step], 1000));
+        EXPECT_GE(maps.top.blow_up(maps.lambdas[step]), maps.all->blow_up(maps.lambdas[step]) * (1 - 1e-6));
+    }
+    EXPECT_GE(blown, 4);
+}
+
+// With the top mode seeded, its height and factor give the iteration in closed form.
+TEST(GrowingModes, FollowTheClosedForm) {
+    GrowingModes modes;
+    modes.eigenvalues = Vector::Constant(1, 4.0);
+    modes.heights = Vector::Constant(1, 1e-3);
+    modes.rounding = 1e-16;
+    modes.distance = 1e3;
+    EXPECT_NEAR(modes.blow_up(0.75), std::log(1e6) / std::log(2.0), 1e-12);   // doubles: λμ = 3
+    EXPECT_EQ(modes.earliest(0.75, 100), 20);
+    EXPECT_EQ(modes.earliest(0.75, 10), 0);
+    EXPECT_TRUE(std::isnan(modes.blow_up(0.5)));
+    modes.heights[0] = 0;
+    EXPECT_NEAR(modes.blow_up(0.75), std::log(1e19) / std::log(2.0), 1e-9) << "rounding is a height too";
+    EXPECT_TRUE(std::isnan(modes.latest(0.75))) << "but nothing to rely on";
+}
+
+TEST(SmoothingMaps, AreTheSameInAnyUnit) {
+    TriangleMesh large = egg();
+    large.X *= 1000;
+    const SmoothingMaps maps = maps_on(large, "egg_large");
+    for (std::size_t i = 0; i < maps.implicit_map.moved.size(); ++i) {
+        EXPECT_NEAR(maps.implicit_map.moved[i], egg_maps().implicit_map.moved[i], 1e-9);
+        EXPECT_EQ(std::isnan(maps.explicit_map.moved[i]), std::isnan(egg_maps().explicit_map.moved[i]));
+    }
+}
+
+TEST(SmoothingMaps, OnlyTheBundledNoisyMeshesHaveACleanOne) {
+    EXPECT_FALSE(egg_maps().clean.has_value());
+    EXPECT_TRUE(egg_maps().implicit_map.error.empty());
+    const SmoothingMaps plane = smoothing_maps(MeshLibrary({}, {}).role("plane_ns"), quick_settings());
+    ASSERT_TRUE(plane.clean.has_value());
+    EXPECT_NEAR(plane.clean->X.col(2).cwiseAbs().maxCoeff(), 0, 0);
+    const auto best = plane.best(plane.implicit_map);
+    ASSERT_TRUE(best.has_value());
+    EXPECT_LT(plane.implicit_map.error[*best], 0.85 * plane.input_error) << "smoothing denoises";
+    for (const double error : plane.implicit_map.error) EXPECT_GE(error, plane.implicit_map.error[*best]);
+    EXPECT_FALSE(plane.closed);
+}
+
+TEST(SmoothingMaps, EqualTimeIsComparedAtEqualTime) {
+    const SmoothingMaps& maps = egg_maps();
+    const EqualTime pair = largest_difference_at_equal_time(maps, maps.implicit_map);
+    ASSERT_NE(pair.many, pair.few);
+    const auto time = [&](std::size_t i) { return maps.lambdas[i % maps.lambdas.size()] * maps.iterations[i / maps.lambdas.size()]; };
+    EXPECT_NEAR(time(pair.many) / time(pair.few), 1, 1e-9);
+    EXPECT_GT(pair.difference, 0) << "(1 + x)^−10 falls below (1 + 10x)^−1";
+    EXPECT_NEAR(pair.difference, maps.implicit_map.moved[pair.many] / maps.implicit_map.moved[pair.few] - 1, 1e-15);
+}
+
+// Schemes lose different cells: shares of all cells would not compare.
+TEST(SmoothingMapsSection, TurnedTrianglesAreCountedAmongTheCellsThatHaveThem) {
+    SmoothingMaps maps = egg_maps();
+    std::fill(maps.explicit_map.inverted.begin(), maps.explicit_map.inverted.end(), NAN);
+    maps.explicit_map.inverted[0] = 0;
+    maps.explicit_map.inverted[1] = 0.25;
+    maps.explicit_map.inverted[2] = 0.5;
+    std::fill(maps.implicit_map.inverted.begin(), maps.implicit_map.inverted.end(), 0);
+    report::Section section;
+    add_map_discussion(section, {maps});
+    const std::string prose = prose_of(section), cells = std::to_string(maps.implicit_map.inverted.size());
+    EXPECT_NE(
+        prose.find("in 2 of the 3 cells of the explicit plane that can be measured, at most 50.0\u202f% of the triangles, and in none "
+                   "of the " +
+                   cells + " cells of the implicit plane. "),
+        std::string::npos)
+        << prose;
+}
+
+TEST(SmoothingMapsSection, WellFormedAndPassesItsChecks) {
+    const Answer answer = chapter_of_id("maps").answer(library_of(egg(), "egg_section"), quick_settings(), no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    std::size_t maps = 0;
+    for (const report::Block& block : answer.section.blocks) {
+        const auto* map = std::get_if<report::Map>(&block);
+        if (!map) continue;
+        ++maps;
+        ASSERT_EQ(map->panels.size(), 2u);
+        EXPECT_FALSE(map->panels[0].markers.empty());
+        EXPECT_EQ(map->panels[0].lines.front().x, (std::vector<double>{1, 1})) << "the limit is drawn in";
+    }
+    EXPECT_EQ(maps, 4u);
+}
+
+TEST(SmoothingMapsSection, TakesTheStepsAndIterationsOfTheSettings) {
+    const SmoothingMaps maps = maps_on(egg(), "egg_settings", {0.02, 0.01}, {5});
+    EXPECT_EQ(maps.lambdas, (std::vector{0.01, 0.02}));
+    EXPECT_EQ(maps.iterations.back(), 5);
+}
+
+TEST(SmoothingMapsSection, StandsMeshesThatAreHardlyAny) {
+    TriangleMesh triangle;
+    triangle.X.resize(3, 3);
+    triangle.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+    triangle.F.resize(1, 3);
+    triangle.F << 0, 1, 2;
+    for (const TriangleMesh& mesh : {triangle, cube_mesh(1)}) {
+        const Answer answer = chapter_of_id("maps").answer(library_of(mesh, "tiny_maps"), quick_settings(), no_progress);
+        expect_well_formed(answer);
+        expect_checks_pass(answer.section);
+    }
+}
+
+TEST(SmoothingMapsSection, RealMeshesPassTheirChecks) { check_real_meshes(chapter_of_id("maps").answer); }

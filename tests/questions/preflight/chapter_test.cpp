@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "base/file_bytes.h"
+#include "mesh/samples/sample_shapes.h"
+#include "questions/core/study_laws.h"
+#include "questions/preflight/defects.h"
+#include "temporary_folder.h"
+
+using namespace meshfolio;
+using namespace meshfolio::preflight;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+Answer answer_on(const TriangleMesh& mesh, const std::string& name) {
+    return chapter_of_id("preflight").answer(library_of(mesh, name), quick_settings(), no_progress);
+}
+
+bool has_table(const report::Section& section, const std::string& id) {
+    return std::any_of(section.blocks.begin(), section.blocks.end(), [&](const report::Block& block) {
+        const auto* table = std::get_if<report::Table>(&block);
+        return table != nullptr && table->id == id;
+    });
+}
+
+TriangleMesh ball_with_defects() {
+    TriangleMesh mesh = icosphere(2);
+    mesh.X.conservativeResize(mesh.X.rows() + 1, 3);
+    mesh.X.bottomRows(1) << 0, 0, 0;
+    std::swap(mesh.F(3, 0), mesh.F(3, 1));
+    mesh.F.conservativeResize(mesh.F.rows() + 2, 3);
+    mesh.F.bottomRows(2) << mesh.F(9, 0), mesh.F(9, 1), mesh.F(9, 2), 1, 1, 2;
+    return mesh;
+}
+
+}   // namespace
+
+TEST(PreflightSection, BundledMeshesEachOnceAndSound) {
+    const Answer answer = chapter_of_id("preflight").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    EXPECT_EQ(table_named(answer.section, "preflight_connectivity").rows.size(), answer.section.inputs.size());
+    EXPECT_EQ(answer.section.inputs.size(), mesh_role_list().size());
+}
+
+TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
+    const Answer answer = answer_on(ball_with_defects(), "pre_ball");
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    const report::Table& table = table_named(answer.section, "preflight_defects");
+    EXPECT_EQ(numbers(table, "count"), (std::vector<double>{1, 1, 1, 1}));
+    const auto found = cells(table, "found"), affects = cells(table, "affects"), done = cells(table, "what was done");
+    std::size_t row = 0;
+    for (const Defect& defect : defect_list()) {
+        if (row == found.size() || std::get<std::string>(found[row]) != defect.name) continue;
+        EXPECT_EQ(std::get<std::string>(affects[row]), affected_for_people(defect));
+        EXPECT_EQ(std::get<std::string>(done[row]), defect.done);
+        ++row;
+    }
+    EXPECT_EQ(row, 4u);
+    EXPECT_EQ(table_named(answer.section, "preflight_looked_for").rows.size(), defect_list().size());
+    EXPECT_NE(prose_of(answer.section).find("dropped or turned on pre_ball"), std::string::npos);
+}
+
+TEST(PreflightSection, SoundMeshesHaveNoTableOfDefects) {
+    const Answer answer = answer_on(icosphere(2), "pre_sound");
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    EXPECT_FALSE(has_table(answer.section, "preflight_defects"));
+    const std::vector<double> totals = numbers(table_named(answer.section, "preflight_looked_for"), "count in all");
+    EXPECT_EQ(totals, std::vector<double>(defect_list().size(), 0));
+    EXPECT_NE(prose_of(answer.section).find("Nothing was found on pre_sound"), std::string::npos);
+}
+
+TEST(PreflightSection, AMeshThatCannotBeReadIsToldAndTheRestIsThere) {
+    const testing_tools::TemporaryFolder data;
+    const std::filesystem::path folder = data.path() / "decompose";
+    std::filesystem::create_directories(folder);
+    write_file(folder / "armadillo.obj", "v 0 0 0\nf 1 2 3\n");
+    const Answer answer = chapter_of_id("preflight").answer(MeshLibrary({data.path()}, {}), quick_settings(), no_progress);
+    EXPECT_EQ(answer.section.inputs.size(), mesh_role_list().size() - 1);
+    const auto failed =
+        std::count_if(answer.section.checks.begin(), answer.section.checks.end(), [](const auto& c) { return !c.passed(); });
+    EXPECT_EQ(failed, 1);
+    EXPECT_NE(answer.section.warnings.front().find("armadillo"), std::string::npos);
+}
+
+TEST(PreflightSection, EveryRealMesh) { check_real_meshes(chapter_of_id("preflight").answer); }
+
+TEST(PreflightSection, WordsFollowTheShapeAndTheFindings) {
+    const std::string ball = prose_of(answer_on(icosphere(2), "pre_even").section);
+    EXPECT_NE(ball.find("no triangle is thin"), std::string::npos);
+    EXPECT_EQ(ball.find("Found and left"), std::string::npos);
+    TriangleMesh thin = icosphere(2);
+    thin.X.col(2) *= 50;
+    EXPECT_NE(prose_of(answer_on(thin, "pre_thin").section).find("make explicit steps small"), std::string::npos);
+    TriangleMesh seam = icosphere(2);
+    seam.X.row(0) = seam.X.row(1);
+    EXPECT_NE(prose_of(answer_on(seam, "pre_seam").section).find("vertices exactly on an earlier one (pre_seam 1)"), std::string::npos);
+    const Answer one = answer_on(grid_mesh(4, 4, 1, 1), "pre_sheet");
+    EXPECT_NE(report::plain(one.section.findings.front().text).find("1 kind of finding, with what it affects"), std::string::npos);
+}

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/number_text.h"
+#include "questions/core/answer_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+const Answer& answer() {
+    static const Answer answer = chapter_of_id("q2").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    return answer;
+}
+
+const report::Plot& plot_named(const std::string& id) {
+    for (const report::Block& block : answer().section.blocks) {
+        if (const auto* plot = std::get_if<report::Plot>(&block); plot && plot->id == id) return *plot;
+    }
+    throw std::logic_error("no plot " + id);
+}
+
+/// Directions, in π rad, of the marked maxima.
+std::vector<double> maxima_of(const report::Plot& plot) {
+    std::vector<double> at;
+    for (const report::Marker& marker : plot.markers) {
+        if (marker.label.starts_with("maximum")) at.push_back(marker.x);
+    }
+    return at;
+}
+
+}   // namespace
+
+TEST(Q2, PassesItsOwnChecks) {
+    expect_well_formed(answer());
+    expect_checks_pass(answer().section);
+}
+
+TEST(Q2, MaximaAreWhereTheShorterOfTheOtherAxesPoints) {
+    EXPECT_EQ(maxima_of(plot_named("q2_tip_b_above_c")), (std::vector<double>{0.5, 1.5}));
+    EXPECT_EQ(maxima_of(plot_named("q2_tip_b_below_c")), (std::vector<double>{0, 1, 2}));
+}
+
+TEST(Q2, TheTwoReadingsOfADirectionAreDifferentCurvesBetweenTheSameExtrema) {
+    const report::Plot& plot = plot_named("q2_tip_b_above_c");
+    ASSERT_EQ(plot.series.size(), 2u);
+    const auto &angle = plot.series[0], &parameters = plot.series[1];
+    EXPECT_NEAR(angle.x.back(), 2, 1e-15);
+    double largest = 0;
+    for (std::size_t i = 0; i < angle.x.size(); ++i) largest = std::max(largest, angle.y[i] - parameters.y[i]);
+    EXPECT_NE(plot.alt.find("differ most, by " + readable(largest)), std::string::npos) << plot.alt;
+    for (std::size_t i = 0; i < angle.x.size(); ++i) {
+        const bool at_extremum = std::abs(std::sin(2 * M_PI * angle.x[i])) < 1e-9;
+        const double gap = angle.y[i] - parameters.y[i];
+        if (at_extremum) {
+            EXPECT_NEAR(gap, 0, 1e-12);
+        } else {
+            EXPECT_GT(gap, 0) << angle.x[i];   // weighted arithmetic against harmonic mean
+        }
+    }
+}
+
+TEST(Q2, ThePrincipalCurvaturesAtTheTipAreThoseOfTheClosedForm) {
+    for (const report::Block& block : answer().section.blocks) {
+        const auto* table = std::get_if<report::Table>(&block);
+        if (!table || table->id != "q2_tip") continue;
+        for (const auto& row : table->rows) {
+            const auto number = [&](std::size_t i) { return std::get<double>(row[i]); };
+            const double a = number(0), b = number(1), c = number(2);
+            EXPECT_NEAR(number(7), std::min(a / (b * b), a / (c * c)), 1e-12);
+            EXPECT_NEAR(number(9), std::max(a / (b * b), a / (c * c)), 1e-12);
+        }
+        return;
+    }
+    FAIL() << "no table q2_tip";
+}
+
+TEST(Q2, OtherSeedsTryOtherPoints) {
+    QuestionSettings settings = quick_settings();
+    settings.seed = 2;
+    const Answer other = chapter_of_id("q2").answer(MeshLibrary({}, {}), settings, no_progress);
+    expect_checks_pass(other.section);
+    EXPECT_NE(prose_of(other.section), prose_of(answer().section));
+}

@@ -1,0 +1,85 @@
+#include "questions/q3_cotangent/error_indicator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/samples/sample_shapes.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+/// The name is that of a file: each test its own.
+Disagreement disagreement_on(const TriangleMesh& mesh, const std::string& name) {
+    return disagreement_with_jet(compare_operators(library_mesh(mesh, "indicator_" + name)));
+}
+
+TriangleMesh ball_with_a_dent() {
+    TriangleMesh mesh = icosphere(3);
+    mesh.X.row(100) *= 0.98;
+    return mesh;
+}
+
+}   // namespace
+
+TEST(ErrorIndicator, IsSmallWhereBothEstimatesAreGood) {
+    const Disagreement d = disagreement_on(icosphere(4), "ball");
+    EXPECT_LT(d.median, 0.01);
+    EXPECT_EQ(d.without_jet, 0);
+}
+
+TEST(ErrorIndicator, FindsADent) {
+    const TriangleMesh mesh = ball_with_a_dent();
+    const Disagreement d = disagreement_on(mesh, "dent");
+    Eigen::Index worst = 0;
+    d.size.maxCoeff(&worst);
+    EXPECT_LT((mesh.X.row(worst) - mesh.X.row(100)).norm(), 0.4);
+    EXPECT_GT(d.concentration, 0.5);
+    EXPECT_GT(d.rms, 2 * d.median);
+}
+
+TEST(ErrorIndicator, SizeIsAnInverseLengthTheRestHasNoUnit) {
+    const TriangleMesh mesh = ball_with_a_dent();
+    TriangleMesh large = mesh;
+    large.X *= 8;
+    const Disagreement d = disagreement_on(mesh, "small"), D = disagreement_on(large, "large");
+    EXPECT_LT((8 * D.size - d.size).cwiseAbs().maxCoeff(), 1e-9 * d.size.maxCoeff());
+    EXPECT_NEAR(D.rms, d.rms, 1e-9 * d.rms);
+    EXPECT_NEAR(D.concentration, d.concentration, 1e-9);
+}
+
+TEST(ErrorIndicator, SaysNothingOfAFlatMesh) { EXPECT_TRUE(std::isnan(disagreement_on(grid_mesh(8, 8, 1, 1), "grid").rms)); }
+
+// Two rings of a tetrahedron's vertex are four points, a cubic has ten coefficients.
+TEST(ErrorIndicator, CountsVerticesWithoutJet) {
+    TriangleMesh tetrahedron;
+    tetrahedron.X.resize(4, 3);
+    tetrahedron.X << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    tetrahedron.F.resize(4, 3);
+    tetrahedron.F << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+    EXPECT_EQ(disagreement_on(tetrahedron, "tetrahedron").without_jet, 4);
+}
+
+TEST(ErrorIndicator, IsTheErrorWhereTheCotangentFormulaFails) {
+    int large = 0;
+    for (const IndicatorTrial& t : indicator_trials(quick_settings())) {
+        if (t.actual < 0.05) continue;
+        ++large;
+        EXPECT_NEAR(t.indicated / t.actual, 1, 0.1) << t.mesh;
+        EXPECT_GT(t.found, 0.8) << t.mesh;
+    }
+    EXPECT_GE(large, 2);   // random and jittered points
+}
+
+TEST(ErrorIndicator, IsShownForAMeshOfTheUsersOwn) {
+    const Answer answer = chapter_of_id("q3").answer(library_of(icosphere(3), "indicator_own"), quick_settings(), no_progress);
+    const auto found = numbers(table_named(answer.section, "q3_indicator"), "worst tenth found");
+    for (const double percent : found) {
+        EXPECT_GE(percent, 0);
+        EXPECT_LE(percent, 100);
+    }
+    EXPECT_NE(prose_of(answer.section).find("On indicator_own cotangent and jet differ by"), std::string::npos);
+}

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/measures/mesh_error.h"
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+Answer answer_on(const TriangleMesh& mesh, const std::string& name, std::vector<int> k) {
+    QuestionSettings settings = quick_settings();
+    settings.k = std::move(k);
+    return chapter_of_id("q4").answer(library_of(mesh, name), settings, no_progress);
+}
+
+}   // namespace
+
+TEST(Q4, BundledMeshPassesItsOwnChecks) {
+    const Answer answer = chapter_of_id("q4").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    EXPECT_EQ(answer.meshes.size(), answer.section.output_meshes.size());
+}
+
+TEST(Q4, AllModesGiveTheMeshBack) {
+    const Answer answer = answer_on(torus_mesh(24, 12, 1, 0.4), "torus_all", {5, 24 * 12});
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    EXPECT_EQ(answer.meshes.back().name, "q4_torus_all_k288.ply");
+    EXPECT_LT((answer.meshes.back().mesh->X - torus_mesh(24, 12, 1, 0.4).X).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(Q4, MoreModesThanVerticesAreCut) {
+    const Answer answer = answer_on(cube_mesh(1), "cube_few", {3, 5000});
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    EXPECT_EQ(table_named(answer.section, "q4_cube_few_errors").rows.size(), 2u);
+}
+
+TEST(Q4, ErrorFallsWithK) {
+    const Answer answer = answer_on(ellipsoid_mesh(3, {1.7, 1.1, 0.6}), "egg", {4, 9, 16, 25});
+    const report::Table& table = table_named(answer.section, "q4_egg_errors");
+    for (std::size_t i = 1; i < table.rows.size(); ++i)
+        EXPECT_LT(std::get<double>(table.rows[i][2]), std::get<double>(table.rows[i - 1][2]));
+}
+
+TEST(Q4, TheTableHasTheErrorsOfTheMeshesWrittenOut) {
+    const TriangleMesh mesh = ellipsoid_mesh(2, {1.7, 1.1, 0.6});
+    const Answer answer = answer_on(mesh, "egg_table", {30, 6, 30});
+    const report::Table& table = table_named(answer.section, "q4_egg_table_errors");
+    EXPECT_EQ(numbers(table, "k"), (std::vector<double>{6, 30}));
+    ASSERT_EQ(answer.meshes.size(), 2u);
+    const double percent = 100 / bounding_box(mesh).diagonal();
+    std::vector<double> rms, largest, hausdorff, angle, volume;
+    for (const output::MeshOutput& written : answer.meshes) {
+        const MeshDifference d = compare_meshes(mesh, *written.mesh);
+        rms.push_back(d.rms);
+        largest.push_back(percent * d.max);
+        hausdorff.push_back(percent * d.hausdorff);
+        angle.push_back(d.mean_normal_angle * 180 / M_PI);
+        volume.push_back(100 * d.volume_ratio);
+    }
+    expect_near(numbers(table, "rms", "length"), rms, 1e-5);   // the mesh went through a file
+    expect_near(numbers(table, "maximum"), largest, 1e-5);
+    expect_near(numbers(table, "Hausdorff"), hausdorff, 1e-5);
+    expect_near(numbers(table, "mean normal angle"), angle, 1e-4);
+    expect_near(numbers(table, "volume"), volume, 1e-5);
+    for (double& r : rms) r *= percent;
+    expect_near(numbers(table, "rms", "% of box"), rms, 1e-5);
+}
+
+TEST(Q4, EigenvaluesStandBesideTheirWavelengths) {
+    const Answer answer = answer_on(icosphere(2), "ball_waves", {9, 16});
+    const report::Table& table = table_named(answer.section, "q4_ball_waves_eigenvalues");
+    EXPECT_EQ(numbers(table, "index"), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 16}));
+    const std::vector<double> mu = numbers(table, "μ");
+    const std::vector<report::Cell> wavelength = cells(table, "wavelength");
+    EXPECT_EQ(mu[0], 0);
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(wavelength[0]));
+    for (std::size_t i = 1; i < mu.size(); ++i) EXPECT_NEAR(std::get<double>(wavelength[i]) * std::sqrt(mu[i]), 2 * M_PI, 1e-9);
+    EXPECT_NEAR(mu[1], 2, 0.05);   // l(l + 1) on the unit sphere
+    EXPECT_NEAR(mu[10], 12, 0.8);
+    EXPECT_EQ(numbers(table_named(answer.section, "q4_ball_waves_errors"), "μ_k"), (std::vector{mu[8], mu[10]}));
+}
+
+TEST(Q4, PanelsAreTheOriginalAndEveryKInOrder) {
+    const Answer answer = answer_on(cube_mesh(4), "cube_panels", {20, 5});
+    const std::vector<output::Panel>& panels = answer.figures.front().panels;
+    ASSERT_EQ(panels.size(), 3u);
+    EXPECT_EQ(panels[0].label, "original");
+    EXPECT_EQ(panels[1].label, "k = 5");
+    EXPECT_EQ(panels[2].label, "k = 20");
+    EXPECT_EQ(panels[1].mesh->X, answer.meshes[0].mesh->X);
+    EXPECT_GT(panels[1].values.maxCoeff(), panels[2].values.maxCoeff());
+    const double percent = 100 / bounding_box(*panels[0].mesh).diagonal();
+    EXPECT_NEAR(panels[2].values.maxCoeff(), percent * (panels[2].mesh->X - panels[0].mesh->X).rowwise().norm().maxCoeff(), 1e-9);
+}
+
+TEST(Q4, TheTextFollowsTheData) {
+    EXPECT_NE(prose_of(answer_on(cube_mesh(6), "body", {5, 20}).section), prose_of(answer_on(icosphere(2), "body", {5, 20}).section));
+}
+
+TEST(Q4, EveryRealMesh) {
+    QuestionSettings settings = quick_settings();
+    settings.k = {5, 20};
+    check_real_meshes(chapter_of_id("q4").answer, settings);
+}

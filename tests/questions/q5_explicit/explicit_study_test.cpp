@@ -1,0 +1,108 @@
+#include "questions/q5_explicit/study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+ExplicitStudy explicit_study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> lambda = {}) {
+    QuestionSettings settings = quick_settings();
+    settings.lambda = std::move(lambda);
+    return explicit_study(library_mesh(mesh, name), settings);
+}
+
+TriangleMesh tetrahedron() {
+    TriangleMesh mesh;
+    mesh.X = Positions{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    mesh.F = Faces{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    return mesh;
+}
+
+}   // namespace
+
+TEST(ExplicitStudy, DefaultStepsStandOnBothSidesOfTheLimit) {
+    const ExplicitStudy study = explicit_study_on(cube_mesh(4), "cube_steps");
+    std::vector<double> multiples;
+    for (const SmoothingRun& run : study.runs) multiples.push_back(run.lambda / study.subject.critical);
+    expect_near(multiples, {0.05, 0.5, 0.95, 1.05, 2.0});
+}
+
+TEST(ExplicitStudy, AStepNamedTwiceIsOneRun) {
+    const ExplicitStudy study = explicit_study_on(icosphere(1), "ball_twice", {0.02, 0.01, 0.02});
+    ASSERT_EQ(study.runs.size(), 2u);
+    EXPECT_EQ(study.runs[0].lambda, 0.01);
+    EXPECT_EQ(study.runs[1].lambda, 0.02);
+    EXPECT_EQ(study.amplification.size(), 2u);
+}
+
+TEST(ExplicitStudy, TheLimitIsWhereTheTopModeBeginsToGrow) {
+    for (const TriangleMesh& mesh : {cube_mesh(4), icosphere(2), grid_mesh(6, 5, 2, 1)}) {
+        const SmoothingSubject subject = smoothing_subject(library_mesh(mesh, "limit"));
+        EXPECT_LT(top_mode_amplification(subject, 0.99 * subject.critical, 20).measured, 1);
+        EXPECT_GT(top_mode_amplification(subject, 1.01 * subject.critical, 20).measured, 1);
+        EXPECT_NEAR(top_mode_amplification(subject, subject.critical, 20).measured, 1, 1e-6);
+        EXPECT_NEAR(top_mode_amplification(subject, 1.5 * subject.critical, 3).measured, 8, 1e-6);   // |1 − 3|³
+    }
+}
+
+TEST(ExplicitStudy, StableIsWhatDoesNotGrow) {
+    const ExplicitStudy study = explicit_study_on(icosphere(2), "ball_stable");
+    for (std::size_t i = 0; i < study.runs.size(); ++i) EXPECT_EQ(study.stable(i), study.amplification[i].measured < 1) << i;
+}
+
+TEST(ExplicitStudy, RecommendedIsTheStrongestThatKeepsSigns) {
+    const ExplicitStudy study = explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_best");
+    ASSERT_EQ(study.best, 1);   // half the limit, exactly
+    const SmoothingRun& best = study.runs[1];
+    EXPECT_TRUE(keeps_signs(study.subject, best.lambda));
+    for (const SmoothingRun& run : study.runs) {
+        if (keeps_signs(study.subject, run.lambda)) {
+            EXPECT_LE(best.energy.back(), run.energy.back());
+        }
+    }
+    const double critical = study.subject.critical;
+    EXPECT_EQ(explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_b", {0.6 * critical, 0.8 * critical, 1.2 * critical}).best, 1);
+    EXPECT_EQ(explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_c", {1.2 * critical}).best, -1);
+    EXPECT_FALSE(keeps_signs(study.subject, 0.51 * critical));
+}
+
+TEST(ExplicitStudy, CompleteGraphHasAKnownUniformLimit) {
+    const ExplicitStudy study = explicit_study_on(tetrahedron(), "tetrahedron");   // −Δ_uniform of K₄: 0 and 1 + ⅓, three times
+    EXPECT_NEAR(study.uniform.top, 4.0 / 3, 1e-9);
+    EXPECT_NEAR(study.uniform.critical, 1.5, 1e-9);
+}
+
+TEST(ExplicitStudy, TheLimitScalesLikeAnArea) {
+    TriangleMesh large = cube_mesh(3);
+    large.X *= 7;
+    EXPECT_NEAR(smoothing_subject(library_mesh(large, "large")).critical,
+                49 * smoothing_subject(library_mesh(cube_mesh(3), "small")).critical, 1e-6);
+}
+
+TEST(ExplicitStudy, DriftOfAMovedMeshIsItsWay) {
+    const SmoothingSubject subject = smoothing_subject(library_mesh(cube_mesh(3), "drift"));
+    const Positions moved = subject.mesh().X.rowwise() + Eigen::RowVector3d(0.3, 0, 0.4);
+    EXPECT_NEAR(barycentre_drift(subject, moved), 0.5 / subject.diagonal, 1e-12);
+    EXPECT_EQ(barycentre_drift(subject, subject.mesh().X), 0);
+    constexpr double large = 1e70;   // whose fifth powers are no numbers
+    const SmoothingSubject grown = smoothing_subject(library_mesh({large * cube_mesh(3).X, cube_mesh(3).F}, "grown"));
+    EXPECT_NEAR(barycentre_drift(grown, large * moved), 0.5 / subject.diagonal, 1e-12);
+}
+
+TEST(ExplicitStudy, VolumeIsKeptUntilItFallsBelow) {
+    SmoothingRun run;
+    run.volume = {1, 0.98, 0.95, 0.94, 0.9};
+    EXPECT_EQ(iterations_keeping_volume(run, 0.95), 2);
+    EXPECT_EQ(iterations_keeping_volume(run, 0.99), 0);
+    EXPECT_EQ(iterations_keeping_volume(run, 0.5), -1);
+    run.volume.clear();   // open
+    EXPECT_EQ(iterations_keeping_volume(run, 0.95), -1);
+}

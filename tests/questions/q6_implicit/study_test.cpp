@@ -1,0 +1,141 @@
+#include "questions/q6_implicit/study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/operators/dirichlet_energy.h"
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
+#include "questions/core/study_laws.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+ImplicitStudy implicit_study_on(const TriangleMesh& mesh, const std::string& name, std::vector<double> lambda = {},
+                                std::vector<int> t = {}) {
+    QuestionSettings settings = quick_settings();
+    settings.lambda = std::move(lambda);
+    settings.iterations = std::move(t);
+    return implicit_study(library_mesh(mesh, name), settings);
+}
+
+Positions smoothed(const ImplicitStudy& study, SmoothingScheme scheme, double lambda, int iterations) {
+    SmoothingOptions options;
+    options.scheme = scheme;
+    options.lambda = lambda;
+    options.iterations = iterations;
+    return smooth(study.subject.mesh(), options).X;
+}
+
+double energy_of(const ImplicitStudy& study, const Positions& X) {
+    return dirichlet_energy(study.subject.laplacian.C, X) / study.subject.initial_energy;
+}
+
+}   // namespace
+
+TEST(ImplicitStudy, TheGridIsEveryStepTimesEveryIterationCount) {
+    const ImplicitStudy study = implicit_study_on(cube_mesh(3), "cube_grid", {0.02, 0.01, 0.02}, {7, 2, 7, 1});
+    EXPECT_EQ(study.lambdas, (std::vector{0.01, 0.02}));
+    EXPECT_EQ(study.iterations, (std::vector{1, 2, 7}));
+    ASSERT_EQ(study.grid.size(), 6u);
+    for (std::size_t l = 0; l < 2; ++l) {
+        for (std::size_t t = 0; t < 3; ++t) {
+            EXPECT_EQ(study.cell(l, t).lambda, study.lambdas[l]);
+            EXPECT_EQ(study.cell(l, t).iterations, study.iterations[t]);
+        }
+    }
+    EXPECT_EQ(study.iterations[study.middle_iteration()], 2);
+}
+
+TEST(ImplicitStudy, ASweepIsAnalysedOnceAndFactoredOnceAStep) {
+    const ImplicitStudy study = implicit_study_on(icosphere(2), "ball_sweep", {0.001, 0.01, 0.1}, {1, 2});
+    int analyses = 0;
+    for (const SmoothingRun& run : study.implicit_runs) {
+        analyses += run.result.analyses;
+        EXPECT_EQ(run.result.factorisations, 1);
+        EXPECT_EQ(run.result.solver, LinearSolver::direct);
+    }
+    EXPECT_EQ(analyses, 1);
+}
+
+TEST(ImplicitStudy, ACellIsTheRunOfItsStepAndIterations) {
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_cells", {0.002, 0.02}, {1, 3, 5});
+    for (const SmoothingCell& cell : study.grid) {
+        EXPECT_EQ(cell.implicit_X, smoothed(study, SmoothingScheme::implicit_euler, cell.lambda, cell.iterations));
+        EXPECT_EQ(cell.explicit_X, smoothed(study, SmoothingScheme::explicit_euler, cell.lambda, cell.iterations));
+        EXPECT_NEAR(cell.implicit_energy, energy_of(study, cell.implicit_X), 1e-12);
+        EXPECT_NEAR(cell.explicit_energy, energy_of(study, cell.explicit_X), 1e-12);
+        EXPECT_LT(cell.explicit_energy, cell.implicit_energy);   // 1 − λμ < 1/(1 + λμ)
+        EXPECT_NEAR(cell.volume_ratio, signed_volume(moved_to(study.subject.mesh(), cell.implicit_X)) / signed_volume(study.subject.mesh()),
+                    1e-12);
+        EXPECT_LT(cell.volume_ratio, 1);
+        EXPECT_EQ(cell.explicit_blow_up, 0);
+        EXPECT_EQ(cell.inverted_faces, 0);
+    }
+}
+
+TEST(ImplicitStudy, DefaultStepsBeginWithinTheLimitAndGoFarBeyond) {
+    const ImplicitStudy study = implicit_study_on(cube_mesh(4), "cube_default");
+    std::vector<double> multiples;
+    for (const double lambda : study.lambdas) multiples.push_back(lambda / study.subject.critical);
+    expect_near(multiples, {0.5, 5, 50, 1000});
+}
+
+TEST(ImplicitStudy, ABlownUpRunHasNoPositionsFromThenOn) {
+    const ImplicitStudy study = implicit_study_on(cube_mesh(4), "cube_blow", {1}, {1, 50});
+    ASSERT_GT(study.lambdas[0], 20 * study.subject.critical);
+    const SmoothingCell &early = study.cell(0, 0), &late = study.cell(0, 1);
+    EXPECT_GT(early.explicit_X.size(), 0);
+    EXPECT_EQ(early.explicit_blow_up, 0);
+    EXPECT_EQ(late.explicit_X.size(), 0);
+    EXPECT_GT(late.explicit_blow_up, early.iterations);
+    EXPECT_LE(late.explicit_blow_up, late.iterations);
+    EXPECT_GT(late.implicit_X.size(), 0);
+}
+
+TEST(ImplicitStudy, FacesThatTurnOverAreCounted) {
+    TriangleMesh folded = grid_mesh(8, 8, 1, 1);
+    folded.X = with_gaussian_noise(folded.X, Vector3(0.08, 0.08, 0.02), 1);   // half an edge within the plane: some faces lie face down
+    const ImplicitStudy study = implicit_study_on(folded, "folded", {1e-12, 1e-3, 1e-2, 1e-1}, {5});
+    EXPECT_EQ(study.cell(0, 0).inverted_faces, 0);
+    int inverted = 0;
+    for (const SmoothingCell& cell : study.grid) {
+        const Positions was = face_normals(study.subject.mesh()), is = face_normals(moved_to(study.subject.mesh(), cell.implicit_X));
+        EXPECT_EQ(cell.inverted_faces, (was.cwiseProduct(is).rowwise().sum().array() < 0).count());
+        EXPECT_TRUE(std::isnan(cell.volume_ratio));
+        inverted += cell.inverted_faces;
+    }
+    EXPECT_GT(inverted, 0);
+}
+
+TEST(ImplicitStudy, ACollapsedMeshHasNoVolume) {
+    const ImplicitStudy study = implicit_study_on(icosphere(1), "ball_gone", {1e9}, {3});
+    EXPECT_TRUE(study.grid.front().collapsed());
+    EXPECT_EQ(study.grid.front().volume_ratio, 0);
+}
+
+TEST(ImplicitStudy, DampingIsMeasuredAndAsPredicted) {
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_damping");
+    EXPECT_GE(study.damped_modes, 3);   // the coordinates are among the lowest modes
+    EXPECT_LT(study.worst_damping, 1e-6);
+    EXPECT_LT(study.huge_step_energy, 1e-6);
+}
+
+TEST(ImplicitStudy, BothWaysOfTheCostReachTheSameEnergy) {
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_cost");
+    const SmoothingCost& cost = study.cost;
+    EXPECT_NEAR(cost.implicit_lambda, 50 * study.subject.critical, 1e-9);   // the largest below 100 λ_crit
+    EXPECT_EQ(cost.implicit_steps, 10);
+    EXPECT_NEAR(cost.energy, energy_of(study, smoothed(study, SmoothingScheme::implicit_euler, cost.implicit_lambda, 10)), 1e-12);
+    ASSERT_GT(cost.explicit_steps, 1);
+    const double step = 0.95 * study.subject.critical;
+    EXPECT_LE(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps)), cost.energy);
+    EXPECT_GT(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps - 1)), cost.energy);
+    EXPECT_EQ(cost.operator_nonzeros, study.subject.laplacian.C.nonZeros());
+    EXPECT_EQ(cost.implicit_operations, 6.0 * cost.implicit_steps * double(cost.factor_nonzeros));   // forward and back, three columns
+    EXPECT_EQ(cost.explicit_operations, 3.0 * cost.explicit_steps * double(cost.operator_nonzeros));
+}

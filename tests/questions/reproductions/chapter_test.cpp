@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mesh/samples/sample_shapes.h"
+#include "questions/core/study_laws.h"
+#include "questions/reproductions/parts.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing_tools;
+
+namespace {
+
+Experiment experiment_of(ExperimentKind kind, int row) {
+    Experiment e;
+    e.rows = {row};
+    e.from = "S0";
+    e.name = "A small one";
+    e.kind = kind;
+    e.said = "It works.";
+    e.lost = "Everything.";
+    if (kind != ExperimentKind::forms) e.meshes = {{"ball", "no_such_ball.off", "cube8.obj", 0.25, 1.1, 1.7}};
+    e.lambda = {1e-3, 1e-2};
+    e.iterations = {2, 10};
+    e.k = {2, 5};
+    e.noise = {0.01, 0.02};
+    e.minimum = {0, 2};
+    e.colours = {ExperimentColour::gauss};
+    return e;
+}
+
+QuestionSettings settings_with(const std::vector<Experiment>& experiments) {
+    QuestionSettings settings = quick_settings();
+    settings.experiments = settings.bundled_experiments = experiments;
+    settings.own_experiments = true;
+    return settings;
+}
+
+const std::vector<ExperimentKind> kinds{ExperimentKind::curvature, ExperimentKind::forms,     ExperimentKind::reconstruction,
+                                        ExperimentKind::smoothing, ExperimentKind::denoising, ExperimentKind::error_curve};
+
+std::vector<Experiment> one_of_each() {
+    std::vector<Experiment> all;
+    for (const ExperimentKind kind : kinds) all.push_back(experiment_of(kind, 20));
+    return all;
+}
+
+/// The cell of a row of the requirements in the coverage table; empty text for an empty cell.
+std::string covered(const report::Table& table, int row, const std::string& column) {
+    const auto rows = numbers(table, "row");
+    const auto column_cells = cells(table, column);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i] != row) continue;
+        const auto* text = std::get_if<std::string>(&column_cells[i]);
+        return text != nullptr ? *text : "";
+    }
+    return "no such row";
+}
+
+}   // namespace
+
+TEST(Reproductions, EachKindIsWellFormedOnItsStandIn) {
+    QuestionSettings settings = settings_with(one_of_each());
+    settings.bundled_experiments.clear();   // six experiments do not cover the requirements
+    const Answer answer = chapter_of_id("reproductions").answer(MeshLibrary({}, {}), settings, no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    const std::string prose = prose_of(answer.section);
+    EXPECT_NE(prose.find("cube8.obj (8 vertices) in place of no_such_ball.off"), std::string::npos) << prose;
+    EXPECT_NE(prose.find("It works."), std::string::npos);
+    EXPECT_NE(prose.find("Everything."), std::string::npos);
+    EXPECT_NE(prose.find("the same multiples"), std::string::npos);
+    EXPECT_TRUE(answer.section.warnings.empty());
+}
+
+TEST(Reproductions, EachKindIsWellFormedOnAnOpenMeshOfOnesOwn) {
+    QuestionSettings settings = settings_with(one_of_each());
+    settings.bundled_experiments.clear();
+    const TriangleMesh plane = make_sample("plane");
+    const Answer answer = chapter_of_id("reproductions").answer(library_of(plane, "my_plane"), settings, no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+    EXPECT_NE(prose_of(answer.section).find("my_plane"), std::string::npos);
+}
+
+TEST(Reproductions, WhatCannotBeDoneIsToldAndTheOthersGoOn) {
+    Experiment impossible = experiment_of(ExperimentKind::smoothing, 21);
+    impossible.methods = {{SmoothingScheme::taubin, false}};
+    impossible.lambda = {1e6};   // no Taubin step inflates again after it
+    QuestionSettings settings = settings_with({impossible, experiment_of(ExperimentKind::curvature, 9)});
+    settings.bundled_experiments.clear();
+    const Answer answer = chapter_of_id("reproductions").answer(MeshLibrary({}, {}), settings, no_progress);
+    expect_well_formed(answer);
+    ASSERT_EQ(answer.section.warnings.size(), 1u);
+    EXPECT_NE(answer.section.warnings[0].find("row 21"), std::string::npos);
+    EXPECT_NE(prose_of(answer.section).find("Could not be done"), std::string::npos);
+    EXPECT_EQ(answer.figures.size(), 1u);
+}
+
+TEST(Coverage, SaysWhoAnswersEachRow) {
+    const std::vector<Experiment> bundled{experiment_of(ExperimentKind::smoothing, 20), experiment_of(ExperimentKind::smoothing, 20),
+                                          experiment_of(ExperimentKind::curvature, 22)};
+    const report::Table table = coverage_table(bundled, {bundled[2]});
+    ASSERT_EQ(table.rows.size(), 28u) << "rows 7 to 34";
+    EXPECT_EQ(covered(table, 20, "experiments of"), "S0 (2)");
+    EXPECT_EQ(covered(table, 20, "here"), "");
+    EXPECT_EQ(covered(table, 22, "experiments of"), "S0 (1)");
+    EXPECT_EQ(covered(table, 22, "here"), "S0 (1)");
+    EXPECT_EQ(covered(table, 12, "section"), "Q2");
+    EXPECT_EQ(covered(table, 10, "remark").find("the dragon"), 0u);
+}
+
+TEST(Coverage, ARowWithoutAnswerIsFoundAndFailsItsCheck) {
+    const std::vector<Experiment> some{experiment_of(ExperimentKind::smoothing, 22)};
+    const std::vector<int> missing = uncovered_rows(some);
+    EXPECT_EQ(std::count(missing.begin(), missing.end(), 22), 0);
+    EXPECT_EQ(std::count(missing.begin(), missing.end(), 33), 1);
+    EXPECT_EQ(std::count(missing.begin(), missing.end(), 12), 0) << "question 2 answers it";
+    const Answer answer = chapter_of_id("reproductions").answer(MeshLibrary({}, {}), settings_with(some), no_progress);
+    EXPECT_FALSE(answer.section.checks.front().passed());
+}
+
+TEST(ReproductionWords, AreThoseOfTheReport) {
+    Experiment e = experiment_of(ExperimentKind::smoothing, 20);
+    EXPECT_EQ(rows_text({20}), "row 20");
+    EXPECT_EQ(rows_text({7, 8, 9}), "rows 7, 8 and 9");
+    EXPECT_EQ(given_text(e, 0.05), "0.05");
+    e.lambda_unit = StepUnit::tau;
+    EXPECT_EQ(given_text(e, 0.5), "0.5 λ_crit");
+    EXPECT_EQ(noise_text(e, 0.0013), "0.0013");
+    e.noise_unit = NoiseUnit::box;
+    EXPECT_EQ(noise_text(e, 0.01), "1\u202f% of the box");
+    EXPECT_EQ(variant_text(e, OperatorKind::cotan, AreaForm::barycentric, {}), "explicit");
+    EXPECT_EQ(variant_text(e, OperatorKind::uniform, AreaForm::barycentric, {SmoothingScheme::implicit_euler, true}),
+              "implicit-rebuilt, uniform");
+    EXPECT_EQ(range_text({2, 1, 1.5}), "1 to 2");
+    EXPECT_EQ(range_text({1, 1}), "1");
+    EXPECT_EQ(sentence_case("row 1"), "Row 1");
+    EXPECT_EQ(sentence_case("λ"), "λ");
+}

@@ -1,0 +1,242 @@
+#include "report/json/read_json.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "report/sample_document.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// NaN is not equal to itself: in its place a number that nothing else has.
+void replace_nan(double& x) {
+    if (std::isnan(x)) x = -12345.678e200;
+}
+void replace_nan(std::vector<double>& values) {
+    for (double& x : values) replace_nan(x);
+}
+void replace_nan(Series& series) {
+    for (auto* values : {&series.x, &series.y, &series.y_low, &series.y_high}) replace_nan(*values);
+}
+void replace_nan(Block& block) {
+    if (auto* table = std::get_if<Table>(&block)) {
+        for (auto& row : table->rows) {
+            for (Cell& cell : row) {
+                if (auto* x = std::get_if<double>(&cell)) replace_nan(*x);
+            }
+        }
+    }
+    if (auto* plot = std::get_if<Plot>(&block)) {
+        for (Series& series : plot->series) replace_nan(series);
+    }
+    if (auto* map = std::get_if<Map>(&block)) {
+        for (Map::Panel& panel : map->panels) replace_nan(panel.values);
+    }
+}
+Document without_nan(Document document) {
+    for (Section& section : document.sections) {
+        for (Block& block : section.blocks) replace_nan(block);
+        for (Check& check : section.checks) {
+            for (double* x : {&check.expected, &check.measured, &check.tolerance}) replace_nan(*x);
+        }
+    }
+    return document;
+}
+
+/// The sample with what it leaves at its defaults set to something else.
+Document rich_document() {
+    Document document = sample_document();
+    Section& section = document.sections[0];
+    section.code[0].line = 420;
+    for (Block& block : section.blocks) {
+        if (auto* table = std::get_if<Table>(&block)) {
+            table->columns[0].rounding = Column::Rounding::down;
+            table->columns[1].rounding = Column::Rounding::up;
+        }
+        if (auto* map = std::get_if<Map>(&block)) {
+            map->colours = Map::Colours::diverging;
+            map->middle = 1.5;
+            map->range = Map::Range{0.25, 8};
+            map->panels[0].values[0] = INFINITY;
+            map->panels[0].values[1] = -INFINITY;
+        }
+        if (auto* plot = std::get_if<Plot>(&block)) {
+            plot->series[0].style = Series::Style::points;
+            plot->series[0].y[1] = -INFINITY;
+            plot->markers[0].y = INFINITY;
+        }
+    }
+    section.checks[0].measured = -INFINITY;
+    return document;
+}
+
+DrawnFigures rich_figures() {
+    DrawnFigures figures = sample_figures();
+    figures["q1_plane_h"].comparison = {{"noisy", "images/a.png", "", 0, 0}, {"smoothed", "images/b.png", "", 0, 0}};
+    figures["q1_plane_h"].models = {{"", "models/a.glb", "", "H [1/length]"}, {"after", "models/b.glb", "", ""}};
+    return figures;
+}
+
+DrawnFigures names_only(DrawnFigures figures) {
+    for (auto& [id, figure] : figures) {
+        figure.preview_jpeg.clear();
+        figure.print_jpeg.clear();
+        figure.width = figure.height = 0;
+        for (DrawnPanel& panel : figure.comparison) panel = {panel.label, panel.file, "", 0, 0};
+        for (DrawnModel& model : figure.models) model.glb.clear();
+    }
+    return figures;
+}
+
+ReadReport read(const std::string& text) { return read_json(text, "results.json"); }
+
+/// The message a changed sample is refused with; "" if it is not.
+std::string refusal(const std::function<void(Json&)>& change) {
+    Json json = Json::parse(write_json(rich_document(), rich_figures()));
+    change(json);
+    try {
+        read(json.dump(1) + "\n");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool says(const std::string& message, const std::string& words) { return message.find(words) != std::string::npos; }
+
+// ---- laws ---------------------------------------------------------------------------------------------------------------
+
+TEST(ReadJson, WhatIsWrittenIsReadBack) {
+    for (const Document& document : {sample_document(), rich_document(), Document{}}) {
+        const ReadReport back = read(write_json(document, rich_figures()));
+        EXPECT_EQ(without_nan(back.document), without_nan(document));
+        EXPECT_TRUE(back.timings);
+    }
+    EXPECT_EQ(read(write_json(rich_document(), rich_figures())).figures, names_only(rich_figures()));
+}
+
+TEST(ReadJson, WhatIsReadIsWrittenBackByteForByte) {
+    for (const Document& document : {sample_document(), rich_document(), hostile_document(), Document{}}) {
+        for (const bool timings : {true, false}) {
+            const std::string text = write_json(document, rich_figures(), {.timings = timings});
+            const ReadReport back = read(text);
+            EXPECT_EQ(back.timings, timings);
+            EXPECT_EQ(write_json(back.document, back.figures, {.timings = timings}), text);
+        }
+    }
+}
+
+TEST(ReadJson, ThePageIsTheSameFromWhatWasRead) {
+    const DrawnFigures figures = names_only(rich_figures());
+    const ReadReport back = read(write_json(rich_document(), figures));
+    EXPECT_EQ(write_html(back.document, back.figures, Templates()), write_html(rich_document(), figures, Templates()));
+    EXPECT_EQ(write_markdown(back.document, back.figures, Templates()), write_markdown(rich_document(), figures, Templates()));
+}
+
+TEST(ReadJson, EmptyCellsNanAndInfinitiesStayApart) {
+    Document document = sample_document();
+    const ReadReport back = read(write_json(document, {}));
+    const auto& rows = std::get<Table>(back.document.sections[0].blocks[8]).rows;
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(rows[2][3]));
+    EXPECT_TRUE(std::isnan(std::get<double>(rows[3][2])));
+    EXPECT_EQ(std::get<double>(rows[3][3]), INFINITY);
+}
+
+// ---- what is refused ----------------------------------------------------------------------------------------------------
+
+TEST(ReadJson, ProblemsAreNamedWithPlaceAndLine) {
+    const std::string message = refusal([](Json& d) { d["questions"][0]["tables"][0]["rows"][1][2] = true; });
+    EXPECT_TRUE(says(message, "questions[0].tables[0].rows[1][2] is a truth value, not a number")) << message;
+    const std::string text = write_json(sample_document(), {});
+    std::string broken = text;
+    broken.replace(broken.find("\"A. Student\""), 12, "17");
+    const long line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find("\"A. Student\"")), '\n');
+    try {
+        read(broken);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("results.json:" + std::to_string(line) + ": author is the integer 17, not a text", 0), 0u)
+            << error.what();
+    }
+}
+
+TEST(ReadJson, RefusesWhatIsMissingOrUnknown) {
+    EXPECT_TRUE(says(refusal([](Json& d) { d.erase("author"); }), "has no 'author'"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["surplus"] = 1; }), "unknown key 'surplus'"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0].erase("digits"); }), "columns[0] has no 'digits'"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][1].erase("failure"); }), "questions[1] has no 'failure'"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["checks"][0]["kind"] = "nearly"; }), "it may be near, at_most, at_least"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"][1]["text"][1] = {{"bold", "x"}}; }), "'bold'"));
+}
+
+TEST(ReadJson, RefusesOtherVersions) {
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 2; }), "schema_version is '2', not 3"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "3"; }), "schema_version"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d.erase("schema_version"); }), "is no results.json"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d = Json::array(); }), "is no results.json"));
+}
+
+TEST(ReadJson, RefusesIdsUsedTwiceAndReferencesInVain) {
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][1]["id"] = "q1"; }), "uses the id 'q1' a second time"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].push_back({{"kind", "table"}, {"id", "q1_none"}}); }), "'q1_none'"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].erase(6); }), "not the next"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].erase(14); }), "holds what no block refers to"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["id"] = "../../etc/passwd"; }), "is no id"));
+}
+
+TEST(ReadJson, RefusesWhatDoesNotFitTogether) {
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["rows"][3].push_back(1); }), "has 6 cells"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0]["digits"] = 100000; }), "it may be 1 to 17"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["plots"][0]["series"][0]["x"].push_back(1); }), "different lengths"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["maps"][0]["x"].push_back(100); }), "a number for each x"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["findings"][0]["text"] = "other"; }), "derived"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["provenance"]["inputs"][0]["sha256"] = "0"; }), "does not list the inputs"));
+    EXPECT_TRUE(
+        says(refusal([](Json& d) { d["questions"][0]["maps"][0]["panels"][0]["values_not_finite"][0][0] = 4; }), "not to be finite"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["rows_not_finite"] = 4; }), "broken list of what is not finite"));
+}
+
+TEST(ReadJson, RefusesPathsOutOfTheReport) {
+    for (const char* path : {"/etc/passwd", "../secret.png", "images/../../secret.png", "", "images//a.png"}) {
+        EXPECT_TRUE(says(refusal([&](Json& d) { d["questions"][0]["figures"][0]["sheet"] = path; }), "inside the report")) << path;
+        EXPECT_TRUE(says(refusal([&](Json& d) { d["questions"][0]["output_meshes"][0] = path; }), "inside the report")) << path;
+    }
+}
+
+TEST(ReadJson, HostileBytesAreRefusedAndDoNoHarm) {
+    const auto refuses = [](const std::string& text) { EXPECT_THROW(read(text), InputError); };
+    for (const char* text : {"", "{", "null", "[]", "{}", "\xff\xfe", "{\"schema_version\": 1e999}"}) refuses(text);
+    refuses(std::string(1 << 20, '['));
+    refuses("{\"schema_version\":" + std::string(1 << 20, '{'));
+    std::string nested = "{\"schema_version\":2,\"title\":";
+    refuses(nested + std::string(100000, '[') + std::string(100000, ']') + "}");
+    const std::string whole = write_json(rich_document(), rich_figures());
+    for (std::size_t size = 0; size + 2 < whole.size(); size += 997) refuses(whole.substr(0, size));
+}
+
+// Bytes changed at random: either it is still a report, which can be written again, or it is refused.
+TEST(ReadJson, DamageIsRefusedOrHarmless) {
+    const std::string whole = write_json(rich_document(), rich_figures());
+    std::mt19937 random(7);
+    for (int round = 0; round < 400; ++round) {
+        std::string damaged = whole;
+        for (int i = 0; i < 3; ++i) damaged[random() % damaged.size()] = "0{}[]\",:-1ae\\\x80"[random() % 15];
+        try {
+            const ReadReport back = read(damaged);
+            EXPECT_FALSE(write_json(back.document, back.figures).empty());
+        } catch (const InputError&) {
+        }
+    }
+}
+
+}   // namespace
+}   // namespace meshfolio::report

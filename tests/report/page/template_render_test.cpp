@@ -1,0 +1,155 @@
+#include "report/page/template_render.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "report/escape.h"
+#include "report/page/view_model.h"
+#include "report/sample_document.h"
+#include "report/test_tools.h"
+
+namespace meshfolio::report {
+namespace {
+
+using nlohmann::json;
+
+/// The message of the UsageError an action ends with; empty when it does not.
+template <class Action>
+std::string usage_error_of(Action action) {
+    try {
+        action();
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// Templates in which report.md is `text`.
+Templates with_markdown(const std::string& text) {
+    const TemporaryFolder folder;
+    folder.write("report.md", text);
+    return Templates(folder.path());
+}
+
+std::string rendered(const std::string& text, const json& model) { return render(with_markdown(text), "report.md", model, xml_escape); }
+
+TEST(TemplateRender, ListsConditionsAndEscapes) {
+    const json model = {{"items", {{{"name", "<a>"}}, {{"name", "b"}}}}, {"yes", true}, {"no", false}, {"empty", json::array()}};
+    EXPECT_EQ(rendered("{{#items}}[{{name}}|{{{name}}}]{{/items}}", model), "[&lt;a&gt;|<a>][b|b]");
+    EXPECT_EQ(rendered("{{#yes}}y{{/yes}}{{#no}}n{{/no}}{{^no}}N{{/no}}{{^empty}}E{{/empty}}", model), "yNE");
+}
+
+TEST(TemplateRender, UnknownTagIsNamedWithItsLine) {
+    EXPECT_EQ(
+        usage_error_of([] { rendered("a\nb\n{{nothing}}", json::object()); }).rfind("report.md:3: nothing is called {{nothing}} here", 0),
+        0u);
+    EXPECT_NE(usage_error_of([] { rendered("{{#items}}{{nam}}{{/items}}", {{"items", {{{"name", "x"}}}}}); }), "");
+    EXPECT_NE(usage_error_of([] { rendered("{{^nothing}}x{{/nothing}}", json::object()); }), "");
+}
+
+TEST(TemplateRender, SyntaxErrorIsNamedWithItsLine) {
+    EXPECT_NE(
+        usage_error_of([] { with_markdown("one\n{{#open}}\nthree"); }).find("report.md:2: template syntax: Unclosed section \"open\""),
+        std::string::npos);
+    EXPECT_NE(usage_error_of([] { with_markdown("one\n\n{{tag"); }).find("report.md:3: template syntax: Unclosed tag"), std::string::npos);
+    EXPECT_NE(usage_error_of([] { with_markdown("{{/a}}"); }).find("report.md:1:"), std::string::npos);
+    EXPECT_NE(usage_error_of([] { with_markdown("{{#a}}{{/b}}"); }).find("report.md:1:"), std::string::npos);
+}
+
+TEST(TemplateRender, ATemplateThatIncludesItselfIsRefused) {
+    EXPECT_NE(usage_error_of([] { rendered("{{>report.md}}", json::object()); }).find("includes itself"), std::string::npos);
+}
+
+TEST(TemplateRender, WhatIncludesNoTemplateIsNamedWithTheNearest) {
+    const std::string error = usage_error_of([] { rendered("{{>/etc/passwd}}", json::object()); });
+    EXPECT_TRUE(error.starts_with("report.md: {{>/etc/passwd}} includes what is no template; did you mean '")) << error;
+}
+
+TEST(Templates, OneThatIsThereButCannotBeReadIsNotPassedOver) {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("nowhere", folder.path() / "report.html");
+    EXPECT_NE(usage_error_of([&] { Templates(folder.path()); }).find("report.html"), std::string::npos);
+}
+
+TEST(Templates, FolderReplacesFileByFile) {
+    const Templates replaced = with_markdown("mine");
+    EXPECT_EQ(replaced["report.md"], "mine");
+    EXPECT_EQ(replaced["report.html"], Templates()["report.html"]);
+}
+
+TEST(Templates, WhatCannotBeUsedIsToldAsAUsageError) {
+    EXPECT_NE(usage_error_of([] { Templates("/nowhere/at/all"); }).find("/nowhere/at/all"), std::string::npos);
+    EXPECT_NE(usage_error_of([] { (void)Templates()["unknown.html"]; }).find("unknown.html"), std::string::npos);
+    EXPECT_NE(usage_error_of([] { Templates().replace("report.md", "/nowhere"); }).find("/nowhere"), std::string::npos);
+    const TemporaryFolder folder;
+    folder.write("formulas.json", "{\n\n  oops }");
+    EXPECT_NE(usage_error_of([&] { Templates(folder.path()); }).find("formulas.json:3"), std::string::npos);
+    folder.write("formulas.json", "[1]");
+    EXPECT_NE(usage_error_of([&] { (void)write_html({}, {}, Templates(folder.path())); }).find("formulas.json"), std::string::npos);
+    std::filesystem::remove(folder.path() / "formulas.json");
+    folder.write("report.css", "a { content: '</style>' }");
+    EXPECT_NE(usage_error_of([&] { (void)write_html({}, {}, Templates(folder.path())); }).find("report.css"), std::string::npos);
+}
+
+json model_of(const Document& document, const ViewOptions& options = {}, const DrawnFigures& figures = sample_figures()) {
+    json model = view_model(document, figures, Templates(), options);
+    for (const char* extra : {"style", "scheme_script", "script", "policy", "viewer"}) model[extra] = "";   // of the page
+    model["has_viewer"] = options.models;
+    return model;
+}
+
+/// Between them these have everything in them: the sample has failed checks and no files of plots, the other has it the other way.
+std::vector<json> complete_models() {
+    Document all_well = sample_document();
+    for (Section& section : all_well.sections) std::erase_if(section.checks, [](const Check& check) { return !check.passed(); });
+    ViewOptions with_files;
+    with_files.plot_files = true;
+    ViewOptions with_models;
+    with_models.models = true;
+    // And on paper, where the sections that answer no question are brief.
+    Document supporting = sample_document();
+    supporting.sections[0].id = "truth";
+    ViewOptions on_paper;
+    on_paper.page_numbers = on_paper.plain_formulas = true;
+    on_paper.extent = Extent::brief;
+    ViewOptions without_mathml;
+    without_mathml.plain_formulas = true;
+    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), without_mathml),
+            model_of(sample_document(), with_models, sample_models()), model_of(supporting, on_paper)};
+}
+
+/// Every tag of the template is known to the models, and every tag is met with one of them.
+void expect_all_tags_known(const std::string& name) {
+    std::set<Tag> never_met;
+    const auto models = complete_models();
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const TagUse use = use_of_tags(Templates(), name, models[i]);
+        for (const Tag& tag : use.unknown) ADD_FAILURE() << tag.file << ":" << tag.line << ": unknown {{" << tag.name << "}}";
+        const std::set<Tag> unreached(use.unreached.begin(), use.unreached.end());
+        if (i == 0) never_met = unreached;
+        std::erase_if(never_met, [&](const Tag& tag) { return !unreached.contains(tag); });
+    }
+    for (const Tag& tag : never_met) ADD_FAILURE() << tag.file << ":" << tag.line << ": never met {{" << tag.name << "}}";
+}
+
+TEST(ViewModel, KnowsEveryTagOfTheHtmlTemplate) { expect_all_tags_known("report.html"); }
+
+TEST(ViewModel, KnowsEveryTagOfTheMarkdownTemplate) { expect_all_tags_known("report.md"); }
+
+TEST(ViewModel, KnowsEveryTagOfThePrintTemplate) { expect_all_tags_known("print.html"); }
+
+TEST(ViewModel, UnknownFormulaIsNamed) {
+    Document document = sample_document();
+    document.sections[0].blocks.push_back(Formula{"no_such_formula", ""});
+    try {
+        (void)view_model(document, {}, Templates(), {});
+        FAIL() << "no exception";
+    } catch (const std::logic_error& error) {
+        EXPECT_NE(std::string(error.what()).find("no_such_formula"), std::string::npos);
+    }
+}
+
+}   // namespace
+}   // namespace meshfolio::report

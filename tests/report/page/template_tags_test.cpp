@@ -1,0 +1,69 @@
+// What is documented is there, what is there is documented.
+#include "report/page/template_tags.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "report/page/view_model.h"
+#include "report/sample_document.h"
+
+namespace meshfolio::report {
+namespace {
+
+using nlohmann::json;
+
+/// Texts are alike wherever they stand: what they hold is named from the last "runs" on.
+std::string short_path(const std::string& path) {
+    const std::size_t runs = path.rfind(".runs");
+    const bool whole_word = runs != std::string::npos && (runs + 5 == path.size() || path[runs + 5] == '.');
+    return whole_word ? path.substr(runs + 1) : path;
+}
+
+void collect(const json& value, const std::string& path, std::set<std::string>& tags) {
+    if (value.is_array()) {
+        for (const json& item : value) collect(item, path, tags);
+    } else if (value.is_object()) {
+        for (const auto& [name, member] : value.items()) {
+            const std::string inner = (path.empty() ? "" : path + ".") + name;
+            tags.insert(short_path(inner));
+            collect(member, inner, tags);
+        }
+    }
+}
+
+std::set<std::string> tags_of_the_sample() {
+    std::set<std::string> tags{"style", "scheme_script", "script", "has_viewer", "viewer", "policy"};   // of the page: add_design()
+    collect(view_model(sample_document(), sample_models(), Templates(), {.plot_files = true}), "", tags);
+    return tags;
+}
+
+std::set<std::string> documented_tags() {
+    std::set<std::string> tags;
+    for (const auto& [tag, meaning] : tag_list()) tags.insert(tag);
+    return tags;
+}
+
+std::set<std::string> without(std::set<std::string> tags, const std::set<std::string>& others) {
+    for (const std::string& tag : others) tags.erase(tag);
+    return tags;
+}
+
+TEST(TemplateTags, EveryOneIsDocumented) {
+    for (const std::string& tag : without(tags_of_the_sample(), documented_tags())) ADD_FAILURE() << tag;
+}
+
+TEST(TemplateTags, EveryDocumentedOneIsThere) {
+    for (const std::string& tag : without(documented_tags(), tags_of_the_sample())) ADD_FAILURE() << tag;
+}
+
+TEST(TemplateTags, EachHasAMeaning) {
+    for (const auto& [tag, meaning] : tag_list()) {
+        EXPECT_FALSE(meaning.empty()) << tag;
+        EXPECT_NE(tag_documentation().find(tag + " "), std::string::npos) << tag;
+    }
+}
+
+}   // namespace
+}   // namespace meshfolio::report

@@ -1,0 +1,60 @@
+// What the report cites, against src.txt as this program writes it.
+#include "run/own_source.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "questions/core/chapter.h"
+
+using namespace meshfolio;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+}   // namespace
+
+TEST(OwnSource, EveryCitationOfEverySectionIsTheLineOfADefinition) {
+    const submission::SourceListing& listing = cli::own_source();
+    const auto lines = lines_of(listing.text());
+    for (const std::string& id : section_ids()) {
+        const auto code = chapter_of_id(id).code;
+        EXPECT_GE(code.size(), 3u) << id;
+        for (const report::CodeReference& reference : code) {
+            const int line = listing.line_of(reference.function, reference.file);
+            ASSERT_GT(line, 0) << id << " cites " << reference.function << " of " << reference.file;
+            const std::string& text = lines[static_cast<std::size_t>(line) - 1];
+            EXPECT_EQ(std::stoi(text.substr(0, 6)), line);
+            const bool is_class =
+                text.find("class " + reference.function) != text.npos || text.find("struct " + reference.function) != text.npos;
+            EXPECT_TRUE(is_class || text.find(" " + reference.function + "(") != text.npos ||
+                        text.find(reference.function + "::" + reference.function + "(") != text.npos)
+                << text;
+            EXPECT_FALSE(text.ends_with(";")) << "a declaration: " << text;
+        }
+    }
+}
+
+TEST(OwnSource, EveryChapterCitesItsOwnFile) {
+    for (const Chapter* chapter : chapter_list()) {
+        const std::string folder = "src/questions/" + std::string(chapter->id) + (chapter->is_question() ? "_" : "/");
+        EXPECT_TRUE(std::ranges::any_of(chapter->code, [&](const auto& reference) { return reference.file.starts_with(folder); }))
+            << chapter->id;
+    }
+}
+
+TEST(OwnSource, TheIndexNamesAllSectionsWithTheirLines) {
+    const auto& index = cli::own_source().index();
+    ASSERT_EQ(index.size(), section_ids().size());
+    EXPECT_EQ(index.front().label, "Q1");
+    EXPECT_EQ(index[7].label, "A");
+    for (const auto& section : index) {
+        for (const report::CodeReference& code : section.code) EXPECT_GT(code.line, 0) << section.label << " " << code.function;
+    }
+}

@@ -1,0 +1,227 @@
+#include "run/settings/report_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "base/file_bytes.h"
+#include "run/settings/settings_errors.h"
+#include "source_dir.h"
+#include "temporary_folder.h"
+
+using namespace meshfolio;
+using namespace meshfolio::cli;
+using testing_tools::TemporaryFolder;
+
+namespace {
+
+/// An environment variable for the length of a test.
+class Environment {
+public:
+    Environment(const char* name, const char* value) : name_(name) { ::setenv(name, value, 1); }
+    ~Environment() { ::unsetenv(name_); }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+private:
+    const char* name_;
+};
+
+std::string settings_in(const TemporaryFolder& folder, const std::string& text) {
+    const auto path = folder.path() / "my.toml";
+    write_file(path, text);
+    return path.string();
+}
+
+}   // namespace
+
+TEST(ReportSettings, DefaultsAreThoseOfTheBundledFile) {
+    const SettingsFile file = read_settings(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data" / "report.toml");
+    const ReportSettings settings = report_settings({});
+    EXPECT_EQ(settings.title, file.title);
+    EXPECT_EQ(settings.width, file.width);
+    EXPECT_EQ(settings.seed, file.seed);
+    EXPECT_EQ(settings.out, "out");
+    EXPECT_TRUE(settings.timings);
+    EXPECT_FALSE(settings.quick);
+}
+
+TEST(ReportSettings, FlagsOverFileOverEnvironmentOverDefaults) {
+    const TemporaryFolder folder;
+    ReportFlags flags;
+    EXPECT_EQ(report_settings(flags).width, 800);
+    flags.quick = true;
+    EXPECT_EQ(report_settings(flags).width, 400);
+    const Environment size("MESHFOLIO_SIZE", "100"), threads("MESHFOLIO_THREADS", "3"), out("MESHFOLIO_OUT", "elsewhere");
+    EXPECT_EQ(report_settings(flags).width, 100);
+    EXPECT_EQ(report_settings(flags).threads, 3);
+    EXPECT_EQ(report_settings(flags).out, "elsewhere");
+    flags.config = settings_in(folder, "threads = 4\nlaboratory = true\n[render]\nsize = 200\n");
+    EXPECT_TRUE(question_settings(report_settings(flags), "q7").laboratory);
+    EXPECT_EQ(report_settings(flags).width, 200);
+    EXPECT_EQ(report_settings(flags).threads, 4);
+    flags.size = "300";
+    flags.threads = "5";
+    flags.out = "here";
+    const ReportSettings settings = report_settings(flags);
+    EXPECT_EQ(settings.width, 300);
+    EXPECT_EQ(settings.height, 300);
+    EXPECT_EQ(settings.threads, 5);
+    EXPECT_EQ(settings.out, "here");
+}
+
+TEST(ReportSettings, DataFoldersOfTheEnvironmentAreSeparatedByColons) {
+    const Environment data("MESHFOLIO_DATA", "a:b");
+    EXPECT_EQ(report_settings({}).data, (std::vector<std::filesystem::path>{"a", "b"}));
+}
+
+TEST(ReportSettings, WrongFlagsAndEnvironmentAreUsageErrors) {
+    for (const char* size : {"0", "15", "4097", "-1", "1e3", "100x100", "x", "99999999999999999999"}) {
+        ReportFlags flags;
+        flags.size = size;
+        EXPECT_THROW(report_settings(flags), UsageError) << size;
+    }
+    ReportFlags flags;
+    flags.threads = "two";
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags = {};
+    flags.only = "q1,q8";
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags = {};
+    flags.pdf = "always";
+    EXPECT_THROW(report_settings(flags), UsageError);
+    const Environment threads("MESHFOLIO_THREADS", "many");
+    EXPECT_THROW(report_settings({}), UsageError);
+}
+
+TEST(ReportSettings, EverythingWrongIsToldAtOnce) {
+    const TemporaryFolder folder;
+    const Environment pdf("MESHFOLIO_PDF", "bogus"), threads("MESHFOLIO_THREADS", "x");
+    ReportFlags flags;
+    flags.config = settings_in(folder, "[report]\nwidht = 5\n");
+    flags.size = "1";
+    flags.only = "q99";
+    std::string told;
+    try {
+        report_settings(flags);
+    } catch (const SettingsErrors& errors) {
+        for (const UsageError& error : errors.problems()) told += std::string(error.what()) + "\n";
+    }
+    for (const char* name : {"MESHFOLIO_PDF 'bogus'", "MESHFOLIO_THREADS 'x'", "my.toml:2", "--size '1'", "q99"})
+        EXPECT_NE(told.find(name), std::string::npos) << name << " in\n" << told;
+}
+
+// The report takes the place of the earlier one as a whole: what is read from there would be lost.
+TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "out";
+    std::filesystem::create_directories(out / "data");
+    std::filesystem::create_directory_symlink(out, folder.path() / "link");
+    write_file(out / "my.obj", "");
+    write_file(folder.path() / "out.obj", "");
+    ReportFlags flags;
+    flags.out = out.string();
+    flags.meshes = {(out / "my.obj").string()};
+    EXPECT_NO_THROW(report_settings(flags)) << "no report of ours: Publication refuses what is not";
+    write_file(out / ".meshfolio", "");
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags.meshes = {(folder.path() / "link" / "my.obj").string()};
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags.out = (folder.path() / "nowhere" / ".." / "out").string();
+    EXPECT_THROW(report_settings(flags), UsageError) << "where the report goes, spelt by way of a folder that is not there";
+    flags.out = out.string();
+    flags.meshes = {(folder.path() / "out.obj").string()};
+    EXPECT_NO_THROW(report_settings(flags));
+    flags.data = {(out / "data").string()};
+    EXPECT_THROW(report_settings(flags), UsageError);
+    const auto outside = folder.path() / "meshes";
+    std::filesystem::create_directory(outside);
+    flags.data = {outside.string()};
+    EXPECT_NO_THROW(report_settings(flags));
+    std::filesystem::create_symlink(out / "my.obj", outside / "unused.obj");
+    EXPECT_NO_THROW(report_settings(flags)) << "nobody reads that link";
+    std::filesystem::create_directory(outside / "curvatures");
+    std::filesystem::create_symlink(out / "my.obj", outside / "curvatures" / "plane.obj");
+    EXPECT_THROW(report_settings(flags), UsageError) << "a folder beside the report with a link into it";
+    std::filesystem::remove(outside / "curvatures" / "plane.obj");
+    std::filesystem::create_symlink(out / "my.obj", outside / "bunny.off");
+    EXPECT_THROW(report_settings(flags), UsageError);
+    flags.data = {folder.path().string()};
+    EXPECT_NO_THROW(report_settings(flags)) << "the report lies beside the meshes";
+    flags.data = {};
+    flags.templates = (out / "data").string();
+    EXPECT_THROW(report_settings(flags), UsageError);
+}
+
+TEST(ReportSettings, SoAreThoseThatTheSettingsName) {
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "out";
+    std::filesystem::create_directories(out);
+    for (const char* name : {".meshfolio", "my.obj", "page.html"}) write_file(out / name, "");
+    ReportFlags flags;
+    flags.out = out.string();
+    const auto refused = [&](const std::string& text) {
+        flags.config = settings_in(folder, text);
+        try {
+            report_settings(flags);
+        } catch (const UsageError& error) {
+            return std::string(error.what()).find("replaces as a whole") != std::string::npos;
+        }
+        return false;
+    };
+    const std::string experiment =
+        "[[experiment]]\nrow = 7\nfrom = \"S0\"\nname = \"x\"\nkind = \"smoothing\"\nmesh = \"mine\"\nlambda = 1\niterations = 1";
+    EXPECT_FALSE(refused("[[question]]\nid = \"q5\"\nmesh = \"my.obj\""));
+    EXPECT_TRUE(refused("[[question]]\nid = \"q5\"\nmesh = \"out/my.obj\""));
+    EXPECT_TRUE(refused("[report]\ntemplate = \"out/page.html\""));
+    EXPECT_TRUE(refused("[original]\nmine = { file = \"out/my.obj\", stand_in = \"torus.obj\" }\n" + experiment));
+    flags.config = (out / "my.toml").string();
+    write_file(flags.config, "");
+    EXPECT_THROW(report_settings(flags), UsageError);
+}
+
+TEST(ReportSettings, OnlyListsQuestions) {
+    ReportFlags flags;
+    flags.only = "q1,q4";
+    EXPECT_EQ(report_settings(flags).only, (std::vector<std::string>{"q1", "q4"}));
+}
+
+TEST(ReportSettings, AQuestionGetsItsTableAndTheRest) {
+    const TemporaryFolder folder;
+    ReportFlags flags;
+    flags.config = settings_in(folder, "seed = 5\n[[question]]\nid = \"q4\"\nmesh = \"torus\"\nk = 7\nseed = 6\n");
+    ReportSettings settings = report_settings(flags);
+    const QuestionSettings q4 = question_settings(settings, "q4"), q5 = question_settings(settings, "q5");
+    EXPECT_EQ(q4.k, std::vector{7});
+    EXPECT_EQ(q4.meshes, std::vector<std::string>{"torus"});
+    EXPECT_EQ(q4.base, folder.path());
+    EXPECT_EQ(q4.seed, 6u);
+    EXPECT_EQ(q5.seed, 5u);
+    EXPECT_TRUE(q5.k.empty() && q5.meshes.empty());
+    settings.meshes = {"mine.obj"};
+    EXPECT_TRUE(question_settings(settings, "q4").meshes.empty()) << "meshes on the command line take every role";
+}
+
+TEST(ReportSettings, ProvenanceHasNeitherThreadsNorPaths) {
+    const TemporaryFolder folder;
+    ReportFlags flags;
+    flags.config =
+        settings_in(folder, "threads = 2\n[[question]]\nid = \"q4\"\nmesh = \"" + folder.path().string() + "/a.obj\"\nk = [3, 4]\n");
+    flags.out = folder.path().string();
+    flags.threads = "1";
+    const auto values = described(report_settings(flags));
+    for (const auto& [key, value] : values) {
+        EXPECT_EQ(key.find("threads"), std::string::npos);
+        EXPECT_EQ(value.find(folder.path().string()), std::string::npos) << key;
+    }
+    EXPECT_EQ(values.at("q4 k"), "3, 4");
+}
+
+TEST(ReportSettings, SectionsOfTheFileAreTakenUnlessOnlyIsGiven) {
+    const TemporaryFolder folder;
+    ReportFlags flags;
+    flags.config = settings_in(folder, "[report]\nsections = [\"q2\", \"truth\"]\n");
+    EXPECT_EQ(report_settings(flags).only, (std::vector<std::string>{"q2", "truth"}));
+    flags.only = "q5";
+    EXPECT_EQ(report_settings(flags).only, std::vector<std::string>{"q5"});
+}

@@ -1,0 +1,303 @@
+#include "run/settings/settings_file.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "base/file_bytes.h"
+#include "source_dir.h"
+#include "temporary_folder.h"
+
+using namespace meshfolio;
+using namespace meshfolio::cli;
+using testing_tools::TemporaryFolder;
+
+namespace {
+
+/// The messages about a text, in order; empty when it is good.
+std::vector<std::string> problems_of(const std::string& text, const std::string& file = "my.toml") {
+    try {
+        parse_settings(text, file);
+        return {};
+    } catch (const SettingsErrors& errors) {
+        std::vector<std::string> messages;
+        for (const UsageError& error : errors.problems()) messages.emplace_back(error.what());
+        return messages;
+    }
+}
+
+/// Exactly one problem, at that line, whose message has every one of the words.
+void expect_problem(const std::string& text, long line, const std::vector<std::string>& words) {
+    const std::vector<std::string> problems = problems_of(text);
+    ASSERT_EQ(problems.size(), 1u) << text;
+    EXPECT_TRUE(problems[0].starts_with("my.toml:" + std::to_string(line) + ": ")) << problems[0];
+    for (const std::string& word : words) EXPECT_NE(problems[0].find(word), std::string::npos) << problems[0] << " lacks " << word;
+}
+
+std::string question(const std::string& keys) { return "[[question]]\nid = \"q4\"\n" + keys + "\n"; }
+
+}   // namespace
+
+TEST(SettingsFile, EmptyIsGoodAndSetsNothing) {
+    const SettingsFile settings = parse_settings("# nothing\n", "my.toml");
+    EXPECT_FALSE(settings.title || settings.width || settings.seed || settings.threads);
+    EXPECT_TRUE(settings.questions.empty());
+}
+
+TEST(SettingsFile, WordsOfTheReportAreOnOneLine) {
+    for (const std::string key : {"title", "author", "course"}) {
+        expect_problem("[report]\n" + key + " = \"a\\nb\"\n", 2, {key, "control character"});
+        expect_problem("[report]\n" + key + " = \"a\\u007fb\"\n", 2, {key, "control character"});
+    }
+}
+
+TEST(SettingsFile, EveryKeyIsRead) {
+    const SettingsFile settings = parse_settings(R"(
+seed = 9
+threads = 2
+laboratory = true
+[report]
+title = "T"
+author = "A"
+course = "C"
+[render]
+size = [300, 200]
+colormap = "viridis"
+[[question]]
+id = "q4"
+mesh = ["a.obj", "b/c.ply"]
+k = [5, 15]
+output = "modes"
+seed = 3
+threads = 1
+[[question]]
+id = "q6"
+mesh = "torus"
+lambda = 1
+iterations = 10
+[[question]]
+id = "q7"
+noise = [0, 0.5]
+)",
+                                                 "folder/my.toml");
+    EXPECT_EQ(settings.seed, 9u);
+    EXPECT_EQ(settings.threads, 2);
+    EXPECT_EQ(settings.laboratory, true);
+    EXPECT_EQ(settings.title, "T");
+    EXPECT_EQ(settings.author, "A");
+    EXPECT_EQ(settings.course, "C");
+    EXPECT_EQ(settings.width, 300);
+    EXPECT_EQ(settings.height, 200);
+    EXPECT_EQ(settings.colormap, "viridis");
+    EXPECT_EQ(settings.folder, "folder");
+    const QuestionTable& q4 = settings.questions.at("q4");
+    EXPECT_EQ(q4.meshes, (std::vector<std::string>{"a.obj", "b/c.ply"}));
+    EXPECT_EQ(q4.k, (std::vector{5, 15}));
+    EXPECT_EQ(q4.output, "modes");
+    EXPECT_EQ(q4.seed, 3u);
+    EXPECT_EQ(q4.threads, 1);
+    EXPECT_EQ(settings.questions.at("q6").lambda, std::vector{1.0});
+    EXPECT_EQ(settings.questions.at("q6").iterations, std::vector{10});
+    EXPECT_EQ(settings.questions.at("q7").noise, (std::vector{0.0, 0.5}));
+}
+
+TEST(SettingsFile, OneNumberIsBothSides) {
+    const SettingsFile settings = parse_settings("[render]\nsize = 640\n", "my.toml");
+    EXPECT_EQ(settings.width, 640);
+    EXPECT_EQ(settings.height, 640);
+}
+
+TEST(SettingsFile, UnknownKeysAndTablesNameTheNearest) {
+    expect_problem("sede = 1", 1, {"'sede'", "'seed'"});
+    expect_problem("\n[rendr]\nsize = 4", 2, {"'rendr'", "'render'"});
+    expect_problem("[report]\ntitel = \"x\"", 2, {"'titel'", "'title'", "[report]"});
+    expect_problem("[render]\nsize = 64\ncolourmap = \"viridis\"", 3, {"'colormap'"});
+    expect_problem(question("iteration = 4"), 3, {"'iterations'"});
+    expect_problem("[[questions]]\nid = \"q1\"", 1, {"'questions'", "'question'"});
+}
+
+TEST(SettingsFile, WrongTypes) {
+    expect_problem("seed = \"1\"", 1, {"seed", "a text", "integer"});
+    expect_problem("seed = 1.0", 1, {"fraction", "integer"});
+    expect_problem("threads = true", 1, {"truth value"});
+    expect_problem("laboratory = 1", 1, {"laboratory", "an integer", "true or false"});
+    expect_problem("report = 1", 1, {"report", "[report]"});
+    expect_problem("[report]\ntitle = 5", 2, {"title", "text"});
+    expect_problem("[render]\nsize = \"big\"", 2, {"size"});
+    expect_problem("[question]\nid = \"q1\"", 1, {"[[question]]"});
+    expect_problem("question = [1]", 1, {"[[question]]"});
+    expect_problem(question("mesh = 4"), 3, {"mesh"});
+    expect_problem(question("mesh = [\"a\", 4]"), 3, {"mesh[1]"});
+    expect_problem(question("k = 5.5"), 3, {"k", "integer"});
+    expect_problem(question("k = [5, [6]]"), 3, {"k[1]", "a list"});
+    expect_problem(question("lambda = \"small\""), 3, {"lambda", "number"});
+    expect_problem(question("lambda = 1979-05-27"), 3, {"lambda", "date"});
+    expect_problem(question("output = 1"), 3, {"output", "text"});
+}
+
+TEST(SettingsFile, OutOfRangeNamesTheLimits) {
+    expect_problem("seed = -1", 1, {"-1", "from 0 to"});
+    expect_problem("threads = 1025", 1, {"from 0 to 1024"});
+    expect_problem("threads = -1", 1, {"from 0 to 1024"});
+    expect_problem("[render]\nsize = 15", 2, {"from 16 to 4096"});
+    expect_problem("[render]\nsize = [64, 4097]", 2, {"size[1]", "from 16 to 4096"});
+    expect_problem("[render]\nsize = [64, 64, 64]", 2, {"N or [W, H]"});
+    expect_problem("[render]\nsize = [64]", 2, {"N or [W, H]"});
+    expect_problem("[report]\ntitle = \"" + std::string(201, 'x') + "\"", 2, {"201", "200"});
+    expect_problem(question("k = 0"), 3, {"from 1 to 100000"});
+    expect_problem(question("k = 100001"), 3, {"from 1 to 100000"});
+    expect_problem(question("k = []"), 3, {"empty"});
+    expect_problem(question("iterations = [1, 0]"), 3, {"iterations[1]", "from 1 to 100000"});
+    expect_problem(question("lambda = 0"), 3, {"above 0"});
+    expect_problem(question("lambda = -1e-3"), 3, {"-0.001", "above 0"});
+    expect_problem(question("lambda = 1e101"), 3, {"at most 1e100"});
+    expect_problem(question("noise = 11"), 3, {"from 0 to 10"});
+    EXPECT_TRUE(problems_of(question("noise = 0")).empty());
+    EXPECT_TRUE(problems_of("[report]\ntitle = \"" + std::string(200, 'x') + "\"").empty());
+}
+
+TEST(SettingsFile, NumbersMustBeFinite) {
+    for (const std::string value : {"nan", "-nan", "inf", "-inf"}) {
+        expect_problem(question("lambda = " + value), 3, {"not finite"});
+        expect_problem(question("noise = [0.1, " + value + "]"), 3, {"noise[1]", "not finite"});
+    }
+}
+
+TEST(SettingsFile, ListsAreLimited) {
+    std::string list = "k = [1";
+    for (int i = 2; i <= 101; ++i) list += ", " + std::to_string(i);
+    expect_problem(question(list + "]"), 3, {"101", "at most 100"});
+}
+
+TEST(SettingsFile, QuestionsAreKnownAndGivenOnce) {
+    expect_problem("[[question]]\nid = \"q8\"", 2, {"'q8'"});
+    expect_problem("[[question]]\nk = 3", 1, {"no id"});
+    expect_problem("[[question]]\nid = \"q1\"\n[[question]]\nid = \"q2\"\n[[question]]\nid = \"q1\"", 6, {"'q1'", "twice"});
+}
+
+TEST(SettingsFile, OutputsStayInTheFolderAndDoNotCollide) {
+    for (const std::string name : {"..", "../x", "/tmp/x", "a/b", ".hidden", "", "a b", "-o", "x\\\\y"}) {
+        expect_problem(question("output = \"" + name + "\""), 3, {"plain name"});
+    }
+    for (const std::string name : {"images", "tables", "index.html", "SHA256SUMS", "results.json"}) {
+        expect_problem(question("output = \"" + name + "\""), 3, {"collides"});
+    }
+    expect_problem("[[question]]\nid = \"q1\"\noutput = \"x\"\n[[question]]\nid = \"q4\"\noutput = \"x\"", 6, {"collides", "line 3"});
+    expect_problem(question("mesh = [\"a.obj\", \"a.obj\"]"), 3, {"twice"});
+    expect_problem(question("mesh = \"\""), 3, {"empty"});
+}
+
+TEST(SettingsFile, SectionsAreKnownAndGivenOnce) {
+    EXPECT_EQ(parse_settings("[report]\nsections = [\"q1\", \"truth\"]\n", "my.toml").sections, (std::vector<std::string>{"q1", "truth"}));
+    EXPECT_EQ(parse_settings("[report]\nsections = \"q4\"\n", "my.toml").sections, std::vector<std::string>{"q4"});
+    expect_problem("[report]\nsections = [\"q1\", \"thruth\"]\n", 2, {"thruth", "truth"});
+    expect_problem("[report]\n\nsections = [\"q1\", \"q1\"]\n", 3, {"q1", "twice"});
+    expect_problem("[report]\nsections = [1]\n", 2, {"not a text"});
+    expect_problem("[report]\nsections = []\n", 2, {"empty list"});
+}
+
+TEST(SettingsFile, TheDigestIsThatOfTheText) {
+    EXPECT_EQ(parse_settings("seed = 1", "a.toml").digest, parse_settings("seed = 1", "b.toml").digest);
+    EXPECT_NE(parse_settings("seed = 1", "a.toml").digest, parse_settings("seed = 2", "a.toml").digest);
+}
+
+TEST(SettingsFile, TemplateMustBeReadable) {
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "my.toml").string();
+    const auto missing = problems_of("[report]\ntemplate = \"page.html\"", file);
+    ASSERT_EQ(missing.size(), 1u);
+    EXPECT_NE(missing[0].find("my.toml:2: "), std::string::npos) << missing[0];
+    write_file(folder.path() / "page.html", "<p>{{title}}</p>");
+    EXPECT_EQ(parse_settings("[report]\ntemplate = \"page.html\"", file).page_template, folder.path() / "page.html");
+}
+
+TEST(SettingsFile, TheDesignAndTheExtentOfThePdfAreChosenByTheirNames) {
+    const SettingsFile file = parse_settings("[report]\ntemplate = \"print\"\npdf = \"full\"", "my.toml");
+    EXPECT_EQ(file.design, "print");
+    EXPECT_FALSE(file.page_template);
+    EXPECT_EQ(file.printed, report::Extent::whole);
+    EXPECT_EQ(parse_settings("[report]\npdf = \"brief\"", "my.toml").printed, report::Extent::brief);
+    expect_problem("[report]\npdf = \"short\"", 2, {"short", "full"});
+    expect_problem("[report]\npdf = true", 2, {"pdf"});
+}
+
+TEST(SettingsFile, AllProblemsAtOnceInTheOrderOfTheirLines) {
+    const auto problems = problems_of(R"(seed = -1
+sead = 2
+[render]
+size = 1
+colormap = "viridsi"
+[[question]]
+id = "q9"
+lambda = nan
+[[question]]
+id = "q4"
+k = "five"
+output = "../x"
+)");
+    const std::vector<long> lines{1, 2, 4, 5, 7, 8, 11, 12};
+    ASSERT_EQ(problems.size(), lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        EXPECT_TRUE(problems[i].starts_with("my.toml:" + std::to_string(lines[i]) + ": ")) << problems[i];
+        EXPECT_EQ(problems[i].find('\n'), std::string::npos);
+    }
+    EXPECT_NE(problems[3].find("'viridis'"), std::string::npos);
+}
+
+TEST(SettingsFile, BrokenTomlHasItsLine) {
+    for (const std::string text : {"a = 1\nb = \n", "a = 1\na = 2\n", "a = 1\n\"unclosed\n", "a = 1\nx = [1, 2\n", "a = 1\nk = 0x_1\n"}) {
+        const auto problems = problems_of(text);
+        ASSERT_EQ(problems.size(), 1u) << text;
+        EXPECT_TRUE(std::regex_search(problems[0], std::regex("^my.toml:[23]: "))) << problems[0];
+    }
+    EXPECT_EQ(problems_of("a = \"\xff\"").size(), 1u) << "not UTF-8";
+}
+
+TEST(SettingsFile, DeepNestingIsRefusedNotFollowed) {
+    const auto problems = problems_of("a = " + std::string(5000, '[') + std::string(5000, ']'));
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(problems[0].find("64"), std::string::npos) << problems[0];
+}
+
+TEST(SettingsFile, HostileNamesArePrintable) {
+    const auto problems = problems_of("\"\\u001b[31mred\" = 1");
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].find('\x1b'), std::string::npos);
+    EXPECT_NE(problems[0].find("\\x1b"), std::string::npos) << problems[0];
+}
+
+TEST(SettingsFile, AFileThatCannotBeReadIsAUsageError) {
+    const TemporaryFolder folder;
+    for (const auto& path : {folder.path() / "none.toml", folder.path()}) {
+        try {
+            read_settings(path);
+            FAIL() << path;
+        } catch (const UsageError& error) {
+            EXPECT_EQ(error.exit_code(), ExitCode::usage);
+            EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos);
+        }
+    }
+}
+
+// What data/report.toml documents must be what the program takes, commented-out examples included.
+TEST(DefaultSettings, AndTheirExamplesAreGood) {
+    const std::string text = read_file(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data" / "report.toml");
+    const SettingsFile plain = parse_settings(text, "report.toml");
+    EXPECT_TRUE(plain.title && plain.author && plain.course && plain.colormap && plain.width && plain.seed && plain.threads);
+
+    const std::regex commented("^# (\\[+[a-z]+\\]+.*|[a-z_]+ = .*)$", std::regex::multiline);
+    std::string uncommented = std::regex_replace(text, commented, "$1");
+    const TemporaryFolder folder;
+    const SettingsFile full = parse_settings(uncommented, (folder.path() / "report.toml").string());
+    EXPECT_TRUE(full.design && full.printed);
+    for (const char* id : {"q4", "q6", "q7"}) EXPECT_TRUE(full.questions.contains(id)) << id;
+    const QuestionTable& q4 = full.questions.at("q4");
+    EXPECT_TRUE(q4.output && q4.seed && q4.threads && !q4.k.empty() && !q4.meshes.empty());
+    EXPECT_FALSE(full.questions.at("q6").lambda.empty() || full.questions.at("q6").iterations.empty());
+    EXPECT_FALSE(full.questions.at("q7").noise.empty());
+    ASSERT_EQ(full.experiments.size(), 1u);
+    const Experiment& e = full.experiments.front();
+    EXPECT_EQ(e.kind, ExperimentKind::error_curve);
+    EXPECT_EQ(e.meshes.at(0).stand_in, "creature.obj");
+    EXPECT_FALSE(e.rows.empty() || e.lambda.empty() || e.minimum.empty() || e.said.empty() || e.lost.empty());
+}

@@ -1,0 +1,224 @@
+// The rules of settings files, row by row: a text, and all that must be said of it. A text is never partly taken: whatever is said, the
+// exit code is that of wrong usage, and there are no settings.
+#include <gtest/gtest.h>
+
+#include "questions/core/chapter.h"
+#include "run/settings/report_settings.h"
+#include "run/settings/settings_file.h"
+#include "run/settings/settings_reader.h"
+#include "temporary_folder.h"
+
+using namespace meshfolio;
+using namespace meshfolio::cli;
+
+namespace {
+
+/// "12: what is wrong; what to do", one a problem; the file's name is taken off.
+std::vector<std::string> said_of(const std::string& text) {
+    constexpr std::string_view file = "my.toml";
+    std::vector<std::string> said;
+    try {
+        parse_settings(text, std::string(file));
+    } catch (const SettingsErrors& errors) {
+        EXPECT_EQ(errors.exit_code(), ExitCode::usage);
+        for (const UsageError& problem : errors.problems()) {
+            const std::string line = problem.what();
+            EXPECT_TRUE(line.starts_with("my.toml:")) << line;
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+            said.push_back(line.substr(std::min(line.size(), file.size() + 1)));
+        }
+    }
+    return said;
+}
+
+struct Rule {
+    const char* name;
+    std::string text;
+    std::vector<std::string> said;   // the beginning of each line, in order
+};
+
+const std::string q4 = "[[question]]\nid = \"q4\"\n";
+
+std::vector<Rule> rules() {
+    return {
+        {"nothing", "", {}},
+        {"comment", "# only a comment", {}},
+        // unknown keys and tables, with the nearest known one of their kind
+        {"key", "treads = 1", {"1: unknown key 'treads'; did you mean 'threads'?"}},
+        {"table", "[reprot]\n", {"1: unknown table 'reprot'; did you mean 'report'?"}},
+        {"table that is like a key", "[bogus]\nx = 1", {"1: unknown table 'bogus'; did you mean '"}},
+        {"list of tables", "[[questin]]\nid = \"q1\"", {"1: unknown table 'questin'; did you mean 'question'?"}},
+        {"table within a table", "[report.page]\nx = 1", {"1: unknown table 'page' in [report]; [report] has no tables within it"}},
+        {"key in a table", "[render]\nsise = 64", {"2: unknown key 'sise' in [render]; did you mean 'size'?"}},
+        {"key in a question", q4 + "lamda = 1", {"3: unknown key 'lamda' in [[question]]; did you mean 'lambda'?"}},
+        {"dotted key", "report.titel = \"x\"", {"1: unknown key 'titel' in [report]; did you mean 'title'?"}},
+        {"quoted key", "\"\" = 1", {"1: unknown key ''"}},
+        {"long key", std::string(500, 'k') + " = 1", {"1: unknown key 'kkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkkk…'"}},
+        // wrong types
+        {"text for a number", "seed = \"1\"", {"1: seed is a text, not an integer"}},
+        {"number for a text", "[report]\ntitle = 1", {"2: [report] title is an integer, not a text"}},
+        {"fraction", "threads = 1.0", {"1: threads is a number with a fraction, not an integer"}},
+        {"truth", "laboratory = \"yes\"", {"1: laboratory is a text, not true or false"}},
+        {"date", q4 + "noise = 2001-01-01", {"3: [[question]] noise is a date or time, not a number"}},
+        {"table for a value", "seed = {}", {"1: seed is a table, not an integer"}},
+        {"value for a table", "render = 3", {"1: render is not a table; write [render]"}},
+        {"[question]", "[question]\nid = \"q9\"", {"1: question is not a list of tables", "2: unknown question 'q9'"}},
+        {"mixed list of questions",
+         "question = [{id = \"q9\"}, 3]",
+         {"1: unknown question 'q9'", "1: question[1] is an integer, not a table; write [[question]] above each"}},
+        {"empty list of questions", "question = []", {"1: question is not a list of tables"}},
+        // a list tells of every element, each on its own line
+        {"sections",
+         "[report]\nsections = [\"q1\", \"q9\", 3]",
+         {"2: [report] sections: no question 'q9'; did you mean '", "2: [report] sections[2] is an integer, not a text"}},
+        {"sections over lines",
+         "[report]\nsections = [\n  \"q1\",\n  \"q9\",\n  \"q1\"\n]",
+         {"4: [report] sections: no question 'q9'", "5: [report] sections: 'q1' is given twice"}},
+        {"size",
+         "[render]\nsize = [8, \"x\", 64]",
+         {"2: [render] size[0] = 8 is out of range", "2: [render] size[1] is a text, not an integer", "2: [render] size has 3 values"}},
+        {"k",
+         q4 + "k = [0, 5, \"x\"]",
+         {"3: [[question]] k[0] = 0 is out of range; it may be from 1 to 100000", "3: [[question]] k[2] is a text"}},
+        {"meshes",
+         q4 + "mesh = [\"\", 1, \"a\", \"a\"]",
+         {"3: [[question]] mesh is an empty path", "3: [[question]] mesh[1] is an integer", "3: [[question]] mesh 'a' is given twice"}},
+        // not finite, or out of range, with the limits
+        {"nan", q4 + "lambda = nan", {"3: [[question]] lambda is not finite"}},
+        {"inf", q4 + "noise = [inf, -inf]", {"3: [[question]] noise[0] is not finite", "3: [[question]] noise[1] is not finite"}},
+        {"zero step", q4 + "lambda = 0", {"3: [[question]] lambda = 0 is out of range; it may be above 0 and at most 1e100"}},
+        {"too much noise", q4 + "noise = 10.5", {"3: [[question]] noise = 10.5 is out of range; it may be from 0 to 10"}},
+        {"too many iterations",
+         q4 + "iterations = 100001",
+         {"3: [[question]] iterations = 100001 is out of range; it may be from 1 to 100000"}},
+        {"threads", "threads = 9223372036854775807", {"1: threads = 9223372036854775807 is out of range; it may be from 0 to 1024"}},
+        {"integer beyond TOML", "seed = 9223372036854775808", {"1: "}},
+        {"seed of a question", q4 + "seed = -1", {"3: [[question]] seed = -1 is out of range; it may be from 0 to 9223372036854775807"}},
+        {"title", "[report]\ntitle = \"" + std::string(201, 'x') + "\"", {"2: [report] title has 201 bytes; at most 200 are allowed"}},
+        {"control character", "[report]\nauthor = \"a\\u001bb\"", {"2: [report] author has a control character"}},
+        {"colour map", "[render]\ncolormap = \"vridis\"", {"2: unknown colour map 'vridis'; did you mean 'viridis'?"}},
+        // questions
+        {"twice", q4 + q4, {"4: question 'q4' is given twice"}},
+        {"no id", "[[question]]\nk = 5", {"1: [[question]] has no id"}},
+        {"no id, other things too", "[[question]]\nk = 0", {"1: [[question]] has no id", "2: [[question]] k = 0"}},
+        // outputs
+        {"output leaves", q4 + "output = \"../x\"", {"3: [[question]] output '../x' is not a plain name inside the output folder"}},
+        {"output absolute", q4 + "output = \"/tmp/x\"", {"3: [[question]] output '/tmp/x' is not a plain name"}},
+        {"output with NUL", q4 + "output = \"a\\u0000\"", {"3: [[question]] output 'a\\x00' is not a plain name"}},
+        {"output of the report", q4 + "output = \"tables\"", {"3: [[question]] output 'tables' collides with a part of the report"}},
+        {"same output",
+         q4 + "output = \"a\"\n[[question]]\nid = \"q5\"\noutput = \"a\"",
+         {"6: [[question]] output 'a' collides with that of line 3"}},
+        // templates
+        {"no template", "[report]\ntemplate = \"none.html\"", {"2: [report] template cannot be read: none.html: cannot open the file"}},
+        {"folder for a template", "[report]\ntemplate = \"/\"", {"2: [report] template cannot be read: /: is a folder"}},
+        {"template with NUL", "[report]\ntemplate = \"/etc/passwd\\u0000x\"", {"2: [report] template cannot be read: "}},
+        // experiments
+        {"words of an experiment",
+         "[[experiment]]\nrow = 7\nfrom = \"S\"\nname = \"n\"\nkind = \"forms\"\narea = [\"voronoy\", \"mixd\"]\n",
+         {"6: unknown area 'voronoy' in [[experiment]]; did you mean 'voronoi'?",
+          "6: unknown area 'mixd' in [[experiment]]; did you mean 'mixed'?", "6: [[experiment]] area has no meaning for kind 'forms'"}},
+        {"[experiment]",
+         "[experiment]\nrow = 7",
+         {"1: experiment is not a list of tables", "1: [[experiment]] has no from", "1: [[experiment]] has no name",
+          "1: [[experiment]] has no kind"}},
+        // TOML itself
+        {"same key twice", "seed = 1\nseed = 2", {"2: "}},
+        {"unclosed text", "[report]\ntitle = \"x\n", {"2: "}},
+        {"not UTF-8", "# \xff", {"1: "}},
+        {"UTF-16", std::string("\xff\xfes\0e\0", 6), {"1: "}},
+        {"NUL", std::string("seed = 1\n\0", 10), {"2: "}},
+        {"nested values", "x = " + std::string(100, '[') + std::string(100, ']'), {"1: "}},
+        {"nested keys",
+         "[report]\n" + std::string(200000, 'a') + "= 1\nx" +
+             [] {
+                 std::string parts;
+                 for (int i = 0; i < 100000; ++i) parts += ".x";
+                 return parts;
+             }() +
+             " = 1",
+         {"3: a key has more than 16 parts between dots"}},
+        {"nested tables", "[a.b . c.d.e.\"f.g\".h.i.j.'k'.l.m.n.o.p.q.r.s]", {"1: a key has more than 16 parts"}},
+    };
+}
+
+}   // namespace
+
+TEST(SettingsRules, EachRowSaysAllOfItAndNothingElse) {
+    for (const Rule& rule : rules()) {
+        const std::vector<std::string> said = said_of(rule.text);
+        std::string all;
+        for (const std::string& line : said) all += "\n  " + line;
+        ASSERT_EQ(said.size(), rule.said.size()) << rule.name << all;
+        for (std::size_t i = 0; i < said.size(); ++i) EXPECT_TRUE(said[i].starts_with(rule.said[i])) << rule.name << ": " << said[i];
+    }
+}
+
+TEST(SettingsRules, EveryProblemHasARemedy) {
+    for (const Rule& rule : rules()) {
+        for (const std::string& line : said_of(rule.text)) {
+            EXPECT_TRUE(line.find("; ") != std::string::npos || line.find("cannot be read") != std::string::npos)
+                << rule.name << ": " << line;
+        }
+    }
+}
+
+TEST(SettingsRules, DotsInTextsAndCommentsAreNotPartsOfKeys) {
+    const std::string dots(100, '.');
+    for (const std::string& text :
+         {"# " + dots, "title = \"" + dots + "\"", "title = '" + dots + "'", "title = \"\"\"\n" + dots + "\"\"\"\"\"",
+          "title = '''" + dots + "'''", "title = \"\\\"" + dots + "\"",
+          std::string("a = [1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5]")}) {
+        EXPECT_EQ(line_of_long_key(text), 0) << text;
+    }
+    std::string parts;
+    for (int i = 0; i < 20; ++i) parts += ". a";
+    for (const std::string before : {"x = \"\"\"a\"\"\"\"\n", "x = 'a\\'\n", "x = \"a\\\\\"\n", "# \"\n", "x = {"}) {
+        EXPECT_GT(line_of_long_key(before + "a" + parts), 0) << before;
+    }
+}
+
+TEST(SettingsRules, TheCommandLineAndTheFileTellOfAllTheirProblemsTogether) {
+    const testing_tools::TemporaryFolder folder;
+    ReportFlags flags;
+    flags.config = (folder.path() / "none.toml").string();
+    flags.size = "8";
+    flags.threads = "x";
+    flags.only = "q5,,q9,q5";
+    try {
+        report_settings(flags);
+        FAIL();
+    } catch (const SettingsErrors& errors) {
+        const std::vector<std::string> beginnings{flags.config + ": cannot open the file",
+                                                  "--size '8' is not an integer from 16 to 4096",
+                                                  "--threads 'x' is not an integer from 0 to 1024",
+                                                  "--only 'q5,,q9,q5' has a comma with nothing",
+                                                  "--only: no question 'q9'",
+                                                  "--only: 'q5' is given twice"};
+        ASSERT_EQ(errors.problems().size(), beginnings.size());
+        for (std::size_t i = 0; i < beginnings.size(); ++i)
+            EXPECT_TRUE(std::string(errors.problems()[i].what()).starts_with(beginnings[i]));
+    }
+    for (const char* only : {",", "q1,", ",q1", "q1 ,q2"}) {
+        ReportFlags wrong;
+        wrong.only = only;
+        EXPECT_THROW(report_settings(wrong), UsageError) << only;
+    }
+}
+
+// The smallest and largest good value of each number pass, their neighbours do not.
+TEST(SettingsRules, LimitsAreWhereTheyAreSaidToBe) {
+    const std::vector<std::pair<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>>> keys{
+        {"threads = ", {{"0", "1024"}, {"-1", "1025"}}},
+        {"seed = ", {{"0", "9223372036854775807"}, {"-1"}}},
+        {"[render]\nsize = ", {{"16", "4096"}, {"15", "4097"}}},
+        {q4 + "k = ", {{"1", "100000"}, {"0", "100001"}}},
+        {q4 + "iterations = ", {{"1", "100000"}, {"0", "100001"}}},
+        {q4 + "lambda = ", {{"5e-324", "1e100"}, {"0", "-0.0", "1.0000001e100", "1e-400"}}},
+        {q4 + "noise = ", {{"0", "-0.0", "10"}, {"-5e-324", "10.000001"}}},
+    };
+    for (const auto& [key, values] : keys) {
+        for (const std::string& good : values.first) EXPECT_EQ(said_of(key + good).size(), 0u) << key << good;
+        for (const std::string& bad : values.second) EXPECT_EQ(said_of(key + bad).size(), 1u) << key << bad;
+    }
+}
