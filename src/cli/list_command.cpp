@@ -19,7 +19,7 @@ nlohmann::ordered_json everything() {
                                 {"samples", nlohmann::ordered_json::array()}};
     for (const Chapter* chapter : chapter_list())
         json[chapter->is_question() ? "questions" : "supporting"].push_back(
-            {{"name", chapter->id}, {"description", std::string(chapter->title) + ": " + std::string(chapter->asked)}});
+            {{"name", chapter->id}, {"description", chapter->title() + ": " + chapter->asked()}});
     for (const MeshRole& role : mesh_role_list()) {
         json["meshes"].push_back(
             {{"name", role.role},

@@ -71,6 +71,7 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
 ExitCode run_report(const ReportFlags& flags) {
     const ReportSettings settings = report_settings(flags);
     report::Templates templates(settings.templates);
+    report::use_words_of(templates);
     if (settings.page_template) templates.replace("report.html", *settings.page_template);
     PaperCopy paper(settings, templates, settings.printed);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));

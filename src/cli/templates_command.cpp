@@ -29,7 +29,10 @@ void export_templates(const fs::path& folder, bool force) {
     }
     output::make_folder(folder);
     output::FileGroup files;
-    for (const std::string& name : templates.names()) files.add(folder / name, templates[name]);
+    for (const std::string& name : templates.names()) {
+        output::make_folder((folder / name).parent_path());
+        files.add(folder / name, templates[name]);
+    }
     files.publish();
     for (const std::string& name : templates.names()) print_path(folder / name);
 }

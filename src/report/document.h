@@ -43,7 +43,7 @@ struct Formula {
 using Cell = std::variant<std::monostate, double, std::string>;
 
 struct Column {
-    std::string name;                                                // "L2 error of H"
+    std::string name = {};                                           // "L2 error of H"
     std::string unit = {};                                           // "1/length"; empty: none
     int digits = 3;                                                  // significant digits for people; files get all
     enum class Best { none, smallest, largest } best = Best::none;   // which value is marked
@@ -63,17 +63,17 @@ struct Column {
 };
 
 struct Table {
-    std::string id;   // tables/<id>.csv
-    std::string caption;
-    std::vector<Column> columns;
-    std::vector<std::vector<Cell>> rows;   // each as long as `columns`
-    bool sortable = false;                 // readers of the page may sort it by any column
+    std::string id = {};   // tables/<id>.csv
+    std::string caption = {};
+    std::vector<Column> columns = {};
+    std::vector<std::vector<Cell>> rows = {};   // each as long as `columns`
+    bool sortable = false;                      // readers of the page may sort it by any column
     bool operator==(const Table&) const = default;
 };
 
 struct Series {
-    std::string name;
-    std::vector<double> x, y;                      // equally long; NaN leaves a gap
+    std::string name = {};
+    std::vector<double> x = {}, y = {};            // equally long; NaN leaves a gap
     std::vector<double> y_low = {}, y_high = {};   // error band; empty: none
     enum class Style { line, points, line_and_points, dashed } style = Style::line;
     /// Which of the colours, and which of the dashes and shapes of points; −1: those of the series' place in its plot. Given where a series
@@ -89,29 +89,29 @@ struct Marker {
 };
 
 struct Plot {
-    std::string id;   // tables/<id>.csv holds its data
-    std::string caption;
-    std::string alt;                // what is to be seen, in words and numbers
-    std::string x_label, y_label;   // with units: "iteration", "rms error [length]"
+    std::string id = {};   // tables/<id>.csv holds its data
+    std::string caption = {};
+    std::string alt = {};                     // what is to be seen, in words and numbers
+    std::string x_label = {}, y_label = {};   // with units: "iteration", "rms error [length]"
     bool log_x = false, log_y = false;
-    std::vector<Series> series;
-    std::vector<Marker> markers;
+    std::vector<Series> series = {};
+    std::vector<Marker> markers = {};
     struct VerticalLine {
         double x;
         std::string label;
         bool operator==(const VerticalLine&) const = default;
     };
-    std::vector<VerticalLine> vertical_lines;   // λ_crit, say
+    std::vector<VerticalLine> vertical_lines = {};   // λ_crit, say
     bool operator==(const Plot&) const = default;
 };
 
 /// Values over a plane as coloured cells: one panel or several beside each other, on common axes and one scale of colours.
 struct Map {
-    std::string id;   // tables/<id>.csv holds its data
-    std::string caption;
-    std::string alt;                             // what is to be seen, in words and numbers
-    std::string x_label, y_label, value_label;   // with units
-    std::vector<double> x, y;                    // centres of the cells, ascending
+    std::string id = {};   // tables/<id>.csv holds its data
+    std::string caption = {};
+    std::string alt = {};                                       // what is to be seen, in words and numbers
+    std::string x_label = {}, y_label = {}, value_label = {};   // with units
+    std::vector<double> x = {}, y = {};                         // centres of the cells, ascending
     bool log_x = false, log_y = false, log_values = false;
     enum class Colours { sequential, diverging } colours = Colours::sequential;
     double middle = 0;   // where a diverging map is palest; a thin line keeps the two sides apart in grey

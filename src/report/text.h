@@ -25,10 +25,18 @@ inline Run math(std::string s) { return {Run::Kind::math, std::move(s)}; }
 inline Run ref(std::string id) { return {Run::Kind::reference, std::move(id)}; }
 
 namespace detail {
-inline void append(Text& text, Run run) { text.push_back(std::move(run)); }
-inline void append(Text& text, std::string s) { text.push_back({Run::Kind::plain, std::move(s)}); }
-inline void append(Text& text, const char* s) { text.push_back({Run::Kind::plain, s}); }
-inline void append(Text& text, const Text& more) { text.insert(text.end(), more.begin(), more.end()); }
+/// Plain text joins plain text before it.
+inline void append(Text& text, Run run) {
+    if (run.kind == Run::Kind::plain && !text.empty() && text.back().kind == Run::Kind::plain)
+        text.back().content += run.content;
+    else
+        text.push_back(std::move(run));
+}
+inline void append(Text& text, std::string s) { append(text, Run{Run::Kind::plain, std::move(s)}); }
+inline void append(Text& text, const char* s) { append(text, std::string(s)); }
+inline void append(Text& text, const Text& more) {
+    for (const Run& run : more) append(text, run);
+}
 }   // namespace detail
 
 /// text("The error is ", readable(e), " (", ref("q1_errors"), ").")

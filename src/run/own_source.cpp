@@ -13,7 +13,7 @@ std::vector<submission::CitingSection> index_of_sections() {
     char letter = 'A';
     for (const Chapter* chapter : chapter_list()) {
         std::string label = chapter->is_question() ? "Q" + std::string(chapter->id.substr(1)) : std::string(1, letter++);
-        index.push_back({std::move(label), std::string(chapter->title), chapter->code});
+        index.push_back({std::move(label), chapter->title(), chapter->cited_code()});
     }
     return index;
 }

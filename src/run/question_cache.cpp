@@ -12,6 +12,7 @@
 #include "output/publish/folder_system.h"
 #include "report/json/json_reader.h"
 #include "report/json/read_json.h"
+#include "report/words.h"
 #include "report/writers.h"
 #include "run/program_identity.h"
 
@@ -138,7 +139,7 @@ QuestionCache::QuestionCache(output::ResultCache& store, const ReportSettings& s
 
 std::string QuestionCache::question_key(const std::string& question) const {
     output::KeyMaker key;
-    key.add(form).add(program_identity()).add(question);
+    key.add(form).add(program_identity()).add(report::words_identity()).add(question);
     add_settings(key, question_settings(settings_, question), settings_.experiments_digest);
     key.add(std::to_string(settings_.width)).add(std::to_string(settings_.height));
     std::vector<std::string> own;

@@ -9,6 +9,7 @@ FOLDER holds the course's meshes in coursework/ and others in classic/. Exit cod
 
 import argparse
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -21,8 +22,8 @@ DATA = Path(__file__).resolve().parents[2] / "data"
 NUMBER = re.compile(rb"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 TEXTS = {".csv", ".json", ".md", ".html", ".svg", ".txt", ".obj", ".out", ".err", ".css", ".js"}
 # What may differ always: the commit, and lines and lengths of cited files.
-COMMIT = re.compile(rb'("commit": ?"|commit |commit <code>)([0-9a-f]{12}|unknown)\b')
-CITED = re.compile(rb"src\.txt#L\d+|(?<=\.cpp):\d+|(?<=\.h):\d+|(\"line(s)?\": ?)\d+")
+COMMIT = re.compile(rb'("commit": ?"|commit |commit <code>|Commit[^\n]*?<code>)([0-9a-f]{12}|unknown)\b')
+CITED = re.compile(rb"src\.txt#L\d+|\| L\d+ \||>L\d+<|(?<=\.cpp):\d+|(?<=\.h):\d+|(\"line(s)?\": ?)\d+")
 CITED_NAME = re.compile(rb"(src|render)/[\w/.-]+\.(cpp|h)|\banswer(_\w+)?\b")
 
 
@@ -62,8 +63,25 @@ def ran(program, words, out):
     (out / "stderr.err").write_bytes(b"".join(lines) + b"exit code %d\n" % end.returncode)
 
 
+def joined(value):
+    """The same JSON with neighbouring pieces of plain text as one."""
+    if isinstance(value, dict):
+        return {key: joined(each) for key, each in value.items()}
+    if not isinstance(value, list):
+        return value
+    pieces = []
+    for each in map(joined, value):
+        if isinstance(each, str) and pieces and isinstance(pieces[-1], str):
+            pieces[-1] += each
+        else:
+            pieces.append(each)
+    return pieces
+
+
 def comparable(path):
     data = path.read_bytes()
+    if path.name == "results.json":
+        data = json.dumps(joined(json.loads(data)), indent=1, ensure_ascii=False).encode()
     return CITED_NAME.sub(b"CITED", CITED.sub(b"", COMMIT.sub(b"", data))) if path.suffix in TEXTS else data
 
 

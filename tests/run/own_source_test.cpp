@@ -24,7 +24,7 @@ TEST(OwnSource, EveryCitationOfEverySectionIsTheLineOfADefinition) {
     const submission::SourceListing& listing = cli::own_source();
     const auto lines = lines_of(listing.text());
     for (const std::string& id : section_ids()) {
-        const auto code = chapter_of_id(id).code;
+        const auto code = chapter_of_id(id).cited_code();
         EXPECT_GE(code.size(), 3u) << id;
         for (const report::CodeReference& reference : code) {
             const int line = listing.line_of(reference.function, reference.file);
@@ -44,7 +44,7 @@ TEST(OwnSource, EveryCitationOfEverySectionIsTheLineOfADefinition) {
 TEST(OwnSource, EveryChapterCitesItsOwnFile) {
     for (const Chapter* chapter : chapter_list()) {
         const std::string folder = "src/questions/" + std::string(chapter->id) + (chapter->is_question() ? "_" : "/");
-        EXPECT_TRUE(std::ranges::any_of(chapter->code, [&](const auto& reference) { return reference.file.starts_with(folder); }))
+        EXPECT_TRUE(std::ranges::any_of(chapter->cited_code(), [&](const auto& reference) { return reference.file.starts_with(folder); }))
             << chapter->id;
     }
 }

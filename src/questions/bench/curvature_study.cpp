@@ -124,6 +124,12 @@ std::string undefined_words(const CurvatureSubject& subject) {
            (undefined == 1 ? "is" : "are") + " drawn in the colour for undefined values.";
 }
 
+output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor) {
+    output::ColorRange range = output::robust_range(panels, std::move(colormap), std::move(quantity), "", floor);
+    range.low = 0;
+    return range_for(range, panels);
+}
+
 std::string name_of(Triangulation triangulation) { return triangulation == Triangulation::regular ? "regular" : "jittered"; }
 
 }   // namespace meshfolio

@@ -55,6 +55,9 @@ std::vector<output::Panel> equally_weighted(const std::vector<output::Panel>& pa
 /// `shared` with the clipped shares of these panels alone: several figures have one range, each says what it clips.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
 
+/// Robust range of unsigned values, from 0 on, with the clipped shares of the panels.
+output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor);
+
 std::string name_of(Triangulation triangulation);   // "regular", "jittered"
 
 /// " 12 vertices on the boundary … are drawn in the colour for undefined values.", or nothing: for captions.

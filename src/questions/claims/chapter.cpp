@@ -247,13 +247,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "claims",
-    .title = "Ledger of claims",
-    .asked = "Which claims of earlier reports and of papers hold when they are measured again?",
-    .code = {{"decide", "src/questions/claims/claim.cpp", "rule and numbers to verdict"},
-             {"claim_list", "src/questions/claims/claim_list.cpp", "all claims, from the files claims_*.cpp by subject"},
-             {"ClaimBench", "src/questions/claims/claim_bench.h", "meshes, operators, runs and spectra shared by the claims"},
-             {"report_mesh", "src/questions/core/stand_ins.cpp", "which mesh stands for which"},
-             {"answer", "src/questions/claims/chapter.cpp", "this section"}},
+    .code = {{"decide", "src/questions/claims/claim.cpp"},
+             {"claim_list", "src/questions/claims/claim_list.cpp"},
+             {"ClaimBench", "src/questions/claims/claim_bench.h"},
+             {"report_mesh", "src/questions/core/stand_ins.cpp"},
+             {"answer", "src/questions/claims/chapter.cpp"}},
     .answer = answer,
 };
 

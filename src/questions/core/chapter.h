@@ -13,6 +13,7 @@
 #include "questions/core/settings.h"
 #include "report/document.h"
 #include "report/numbering.h"
+#include "report/words.h"
 
 namespace meshfolio {
 
@@ -27,13 +28,21 @@ using Progress = std::function<void(std::string_view step)>;
 
 /// A question of the coursework, or a section that supports the answers. Its folder below src/questions defines one, named `chapter`.
 struct Chapter {
-    std::string_view id;   // "q1"; one that is not q and a number supports the answers, and has a letter in the report
-    std::string_view title;
-    std::string_view asked;                    // the assignment's question in one sentence
-    std::vector<report::CodeReference> code;   // what answers it, without lines; src/submission finds those
+    struct Code {
+        std::string function, file;   // its purpose is the message "code.<function>"
+    };
+
+    std::string_view id;      // "q1"; one that is not q and a number supports the answers, and has a letter in the report
+    std::vector<Code> code;   // what answers it
     Answer (*answer)(const MeshLibrary& meshes, const QuestionSettings& settings, const Progress& progress);
 
     bool is_question() const { return report::is_question(id); }
+    report::Words words() const { return report::Words(id); }   // templates/words/<id>.md
+    std::string title() const { return words().line("title"); }
+    /// The assignment's question in one sentence.
+    std::string asked() const { return words().line("asked"); }
+    /// Without lines; src/submission finds those.
+    std::vector<report::CodeReference> cited_code() const;
 };
 
 /// All, in their order. A new one is a folder and a line of chapter_list.cpp.

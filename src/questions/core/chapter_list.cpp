@@ -22,6 +22,12 @@ std::span<const Chapter* const> chapter_list() {
     return chapters;
 }
 
+std::vector<report::CodeReference> Chapter::cited_code() const {
+    std::vector<report::CodeReference> cited;
+    for (const Code& each : code) cited.push_back({each.function, each.file, words().line("code." + each.function)});
+    return cited;
+}
+
 const Chapter& chapter_of_id(std::string_view id) {
     const auto found = std::ranges::find(chapter_list(), id, &Chapter::id);
     if (found == chapter_list().end()) throw std::logic_error("no chapter " + std::string(id));

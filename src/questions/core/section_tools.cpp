@@ -18,9 +18,9 @@ report::Section section_of(std::string_view id) {
     const Chapter& chapter = chapter_of_id(id);
     report::Section section;
     section.id = chapter.id;
-    section.title = chapter.title;
-    section.asked = chapter.asked;
-    section.code = chapter.code;
+    section.title = chapter.title();
+    section.asked = chapter.asked();
+    section.code = chapter.cited_code();
     return section;
 }
 
@@ -55,6 +55,10 @@ bool lacks_a_mesh(const report::Section& section) {
 
 void append_checks(report::Section& section, const std::vector<report::Check>& checks) {
     section.checks.insert(section.checks.end(), checks.begin(), checks.end());
+}
+
+void add_words(report::Section& section, const report::Words& words, std::string_view key, const report::Facts& facts) {
+    for (report::Block& block : words.blocks(key, facts)) add(section, std::move(block));
 }
 
 void add_heading(report::Section& section, std::string title) { section.blocks.push_back(report::Heading{std::move(title)}); }

@@ -6,12 +6,16 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "questions/core/chapter.h"
 #include "report/text.h"
+#include "report/words.h"
 
 namespace meshfolio {
+
+using namespace report::literals;
 
 /// An empty section of the chapter `id`, with its title, what it asks and the code it cites.
 report::Section section_of(std::string_view id);
@@ -33,6 +37,12 @@ void append_checks(report::Section& section, const std::vector<report::Check>& c
 void enter_input(const LibraryMesh& mesh, report::Section& section);
 
 // Blocks, in the order they are read.
+inline void add(report::Section& section, report::Block block) { section.blocks.push_back(std::move(block)); }
+/// Heading, paragraphs, formulas: whatever the message has.
+void add_words(report::Section& section, const report::Words& words, std::string_view key, const report::Facts& facts);
+void add_words(report::Section& section, const report::Words& words, std::string_view key, auto... facts) {
+    add_words(section, words, key, report::Facts{std::move(facts)...});
+}
 void add_heading(report::Section& section, std::string title);
 void add_formula(report::Section& section, std::string name, std::string id = "");
 template <class... Parts>

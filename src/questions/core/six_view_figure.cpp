@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
@@ -40,6 +41,10 @@ void add_figure(Answer& answer, SixViewFigure figure) {
     answer.figures.push_back({std::move(figure.id), std::move(figure.title), std::move(figure.subtitle), std::move(figure.panels),
                               std::move(figure.range), figure.edges, figure.frame_panel});
     answer.figures.back().turnable = figure.turnable;
+}
+
+std::string subtitle_of(const LibraryMesh& mesh) {
+    return mesh.input.file + ", " + counted(mesh.mesh().vertex_count(), "vertex", "vertices");
 }
 
 output::Panel panel_of(const LibraryMesh& mesh, std::string name, std::string label, Vector values) {

@@ -10,10 +10,10 @@
 namespace meshfolio {
 
 struct SixViewFigure {
-    std::string id;                      // "q1_plane_h"
-    std::string title, subtitle;         // set in the picture
-    std::string caption;                 // says what to see
-    std::vector<output::Panel> panels;   // one: a 2 × 3 sheet; several share camera, scale and range
+    std::string id = {};                      // "q1_plane_h"
+    std::string title = {}, subtitle = {};    // set in the picture
+    std::string caption = {};                 // says what to see
+    std::vector<output::Panel> panels = {};   // one: a 2 × 3 sheet; several share camera, scale and range
     std::optional<output::ColorRange> range = {};
     bool edges = false;
     int frame_panel = 0;     // −1: frame on all panels
@@ -22,6 +22,9 @@ struct SixViewFigure {
 
 /// Appends the figure to the section, with an alternative text made from the data, and asks for its pictures.
 void add_figure(Answer& answer, SixViewFigure figure);
+
+/// "lily.obj, 1,284 vertices".
+std::string subtitle_of(const LibraryMesh& mesh);
 
 /// A panel of the library's own mesh; of other positions or another mesh.
 output::Panel panel_of(const LibraryMesh& mesh, std::string name, std::string label, Vector values = {});

@@ -100,12 +100,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "maps",
-    .title = "Smoothing maps",
-    .asked = "What does each step size do after each number of iterations, explicit and implicit, and where does it go wrong?",
-    .code = {{"smoothing_maps", "src/questions/maps/study.cpp", "both planes, measured as the runs pass"},
-             {"growing_modes", "src/questions/maps/study.cpp", "when a run beyond the limit blows up"},
-             {"ImplicitSolver::prepare", "src/geometry/smoothing/implicit_solver.cpp", "one symbolic analysis for every λ"},
-             {"answer", "src/questions/maps/chapter.cpp", "this section"}},
+    .code = {{"smoothing_maps", "src/questions/maps/study.cpp"},
+             {"growing_modes", "src/questions/maps/study.cpp"},
+             {"ImplicitSolver::prepare", "src/geometry/smoothing/implicit_solver.cpp"},
+             {"answer", "src/questions/maps/chapter.cpp"}},
     .answer = answer,
 };
 

@@ -229,15 +229,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "methods",
-    .title = "Denoising laboratory",
-    .asked = "Which method takes which noise off which mesh best, and at what level does each begin and cease to help?",
-    .code = {{"with_noise", "src/mesh/vertex_noise.cpp", "the kinds of noise"},
-             {"denoise", "src/geometry/denoising/denoising_methods.cpp", "every method, by name"},
-             {"filtered_normals", "src/geometry/denoising/normal_filters.cpp", "bilateral and guided normals, vertex update"},
-             {"conformalised", "src/geometry/smoothing/conformal_flow.cpp", "conformalised mean curvature flow"},
-             {"with_volumes", "src/geometry/denoising/component_size.cpp", "rescaling to a volume or an area"},
-             {"search", "src/questions/methods/search.cpp", "the best within the budget"},
-             {"answer", "src/questions/methods/chapter.cpp", "this section"}},
+    .code = {{"with_noise", "src/mesh/vertex_noise.cpp"},
+             {"denoise", "src/geometry/denoising/denoising_methods.cpp"},
+             {"filtered_normals", "src/geometry/denoising/normal_filters.cpp"},
+             {"conformalised", "src/geometry/smoothing/conformal_flow.cpp"},
+             {"with_volumes", "src/geometry/denoising/component_size.cpp"},
+             {"search", "src/questions/methods/search.cpp"},
+             {"answer", "src/questions/methods/chapter.cpp"}},
     .answer = answer,
 };
 

@@ -90,13 +90,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "modes",
-    .title = "Mode by mode",
-    .asked = "Does each eigenmode fade as the laws say, how far are the two schemes apart, and when is implicit cheaper?",
-    .code = {{"spectral_measure", "src/geometry/spectrum/spectral_measure.cpp", "coordinates over the spectrum, by Lanczos"},
-             {"factor_operations", "src/geometry/linear/factor_operations.cpp", "what a factorisation and its solves cost"},
-             {"mode_study", "src/questions/modes/study.cpp", "damping and gaps, measured and predicted"},
-             {"CostModel", "src/questions/modes/costs.cpp", "what a given smoothness costs either way"},
-             {"answer", "src/questions/modes/chapter.cpp", "this section"}},
+    .code = {{"spectral_measure", "src/geometry/spectrum/spectral_measure.cpp"},
+             {"factor_operations", "src/geometry/linear/factor_operations.cpp"},
+             {"mode_study", "src/questions/modes/study.cpp"},
+             {"CostModel", "src/questions/modes/costs.cpp"},
+             {"answer", "src/questions/modes/chapter.cpp"}},
     .answer = answer,
 };
 

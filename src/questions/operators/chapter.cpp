@@ -240,13 +240,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "operators",
-    .title = "Operator laboratory",
-    .asked = "What does each way of building the discrete Laplacian keep, what does it give up, and what does that change?",
-    .code = {{"laplace_operator", "src/geometry/operators/laplace_operator.cpp", "every operator, by name"},
-             {"intrinsic_delaunay", "src/geometry/operators/intrinsic_delaunay.cpp", "flips by edge lengths alone"},
-             {"tufted_cover", "src/geometry/operators/tufted_cover.cpp", "two-sided cover, mollified"},
-             {"operator_scores", "src/geometry/operators/operator_scores.cpp", "symmetry, inertia, weights, λ_crit"},
-             {"answer", "src/questions/operators/chapter.cpp", "this section"}},
+    .code = {{"laplace_operator", "src/geometry/operators/laplace_operator.cpp"},
+             {"intrinsic_delaunay", "src/geometry/operators/intrinsic_delaunay.cpp"},
+             {"tufted_cover", "src/geometry/operators/tufted_cover.cpp"},
+             {"operator_scores", "src/geometry/operators/operator_scores.cpp"},
+             {"answer", "src/questions/operators/chapter.cpp"}},
     .answer = answer,
 };
 

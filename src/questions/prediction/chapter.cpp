@@ -123,13 +123,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "prediction",
-    .title = "Predicted denoising",
-    .asked = "Can the error of denoising, and where it is smallest, be known before the noise, or without the clean mesh?",
-    .code = {{"denoising_prediction", "src/geometry/denoising/denoising_prediction.cpp", "expected error by all modes or probes"},
-             {"noise_level", "src/geometry/denoising/noise_level.cpp", "σ from the mesh alone"},
-             {"risk_estimate", "src/geometry/denoising/risk_estimate.cpp", "Stein's estimate, its best iteration, discrepancy principle"},
-             {"denoising_run", "src/questions/prediction/runs.cpp", "runs with the three operators"},
-             {"answer", "src/questions/prediction/chapter.cpp", "this section"}},
+    .code = {{"denoising_prediction", "src/geometry/denoising/denoising_prediction.cpp"},
+             {"noise_level", "src/geometry/denoising/noise_level.cpp"},
+             {"risk_estimate", "src/geometry/denoising/risk_estimate.cpp"},
+             {"denoising_run", "src/questions/prediction/runs.cpp"},
+             {"answer", "src/questions/prediction/chapter.cpp"}},
     .answer = answer,
 };
 

@@ -284,13 +284,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "preflight",
-    .title = "Preflight",
-    .asked = "What is each mesh, what is wrong with it, what does that affect, and what was done?",
-    .code = {{"prepare_mesh", "src/mesh/mesh_checks.cpp", "repairs and counts"},
-             {"consistent_orientation", "src/mesh/orientation.cpp", "one orientation a component"},
-             {"defect_list", "src/questions/preflight/defects.cpp", "what each defect affects and what is done"},
-             {"change_when_moved", "src/geometry/measures/mesh_facts.cpp", "that place and size do not matter"},
-             {"answer", "src/questions/preflight/chapter.cpp", "this section"}},
+    .code = {{"prepare_mesh", "src/mesh/mesh_checks.cpp"},
+             {"consistent_orientation", "src/mesh/orientation.cpp"},
+             {"defect_list", "src/questions/preflight/defects.cpp"},
+             {"change_when_moved", "src/geometry/measures/mesh_facts.cpp"},
+             {"answer", "src/questions/preflight/chapter.cpp"}},
     .answer = answer,
 };
 

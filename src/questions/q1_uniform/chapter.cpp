@@ -281,15 +281,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "q1",
-    .title = "Uniform Laplace curvature",
-    .asked = "Mean curvature from the uniform Laplacian and Gaussian curvature from the angle deficit: are they good approximations?",
-    .code = {{"uniform_laplacian", "src/geometry/operators/uniform_laplacian.cpp", "Δ with uniform weights, as a sparse matrix"},
-             {"uniform_mean_curvature", "src/geometry/curvature/curvature.cpp", "½‖Δx‖ with its sign; _scaled: times 4/h²"},
-             {"angle_deficit", "src/geometry/curvature/curvature.cpp", "2π − Σθ, on the boundary π − Σθ"},
-             {"gaussian_curvature", "src/geometry/curvature/curvature.cpp", "K = (2π − Σθ)/A"},
-             {"vertex_areas", "src/geometry/operators/vertex_areas.cpp", "barycentric, Voronoi and mixed areas"},
-             {"known_surfaces", "src/questions/bench/known_surfaces.cpp", "sphere, ellipsoid and torus, regular and jittered"},
-             {"answer", "src/questions/q1_uniform/chapter.cpp", "this section"}},
+    .code = {{"uniform_laplacian", "src/geometry/operators/uniform_laplacian.cpp"},
+             {"uniform_mean_curvature", "src/geometry/curvature/curvature.cpp"},
+             {"angle_deficit", "src/geometry/curvature/curvature.cpp"},
+             {"gaussian_curvature", "src/geometry/curvature/curvature.cpp"},
+             {"vertex_areas", "src/geometry/operators/vertex_areas.cpp"},
+             {"known_surfaces", "src/questions/bench/known_surfaces.cpp"},
+             {"answer", "src/questions/q1_uniform/chapter.cpp"}},
     .answer = answer,
 };
 

@@ -398,14 +398,12 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
 
 extern const Chapter chapter{
     .id = "q2",
-    .title = "Fundamental forms of the ellipsoid",
-    .asked = "First and second fundamental form in closed form, and the normal curvature at (a, 0, 0).",
-    .code = {{"ellipsoid_forms", "src/geometry/curvature/fundamental_forms.cpp", "E, F, G, e, f, g in closed form"},
-             {"ellipsoid_forms_by_differences", "src/geometry/curvature/fundamental_forms.cpp", "the same by central differences"},
-             {"normal_curvature", "src/geometry/curvature/fundamental_forms.cpp", "κ_n = II(t, t)/I(t, t)"},
-             {"principal_curvatures", "src/geometry/curvature/fundamental_forms.cpp", "extrema of κ_n and their directions"},
-             {"ellipsoid_curvature", "src/geometry/curvature/analytic_surfaces.cpp", "K and H from the implicit equation"},
-             {"answer", "src/questions/q2_ellipsoid/chapter.cpp", "this section"}},
+    .code = {{"ellipsoid_forms", "src/geometry/curvature/fundamental_forms.cpp"},
+             {"ellipsoid_forms_by_differences", "src/geometry/curvature/fundamental_forms.cpp"},
+             {"normal_curvature", "src/geometry/curvature/fundamental_forms.cpp"},
+             {"principal_curvatures", "src/geometry/curvature/fundamental_forms.cpp"},
+             {"ellipsoid_curvature", "src/geometry/curvature/analytic_surfaces.cpp"},
+             {"answer", "src/questions/q2_ellipsoid/chapter.cpp"}},
     .answer = answer,
 };
 

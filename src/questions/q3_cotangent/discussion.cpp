@@ -1,214 +1,177 @@
-// What question 3 says about its numbers.
 #include <algorithm>
 #include <cmath>
 
 #include "base/number_text.h"
+#include "questions/core/study_list.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
 
 namespace {
 
-using report::math;
-using report::ref;
-
 std::size_t best_form(const CotangentErrors& e) {
-    std::size_t best = 0;
-    for (std::size_t form = 1; form < area_forms.size(); ++form) {
-        if (e.H[form].l2 < e.H[best].l2) best = form;
-    }
-    return best;
+    const auto best = std::ranges::min_element(e.H, {}, &FieldError::l2);
+    return static_cast<std::size_t>(best - e.H.begin());
 }
 
 std::string times_smaller(double factor) {
-    if (factor > 1000) return "over 1000 times smaller";
-    return factor >= 1 ? readable(factor, 2) + " times smaller" : readable(1 / factor, 2) + " times larger";
+    if (factor > 1000) return words.line("times.over_1000");
+    return factor >= 1 ? words.line("times.smaller", "factor"_a = readable(factor, 2))
+                       : words.line("times.larger", "factor"_a = readable(1 / factor, 2));
 }
 
-/// "on the torus 0.02 % (mixed) against 14 % uniform, 680 times smaller".
-report::Text gains(const std::vector<CotangentRefinement>& refinements, Triangulation triangulation) {
-    report::Text t;
+/// Of every surface the best error of the cotangent operator beside that of the uniform one.
+std::string gains(const Refinements& refinements, Triangulation triangulation) {
+    std::string told;
     for (const CotangentRefinement& r : refinements) {
         if (r.triangulation != triangulation) continue;
         const CotangentErrors& e = r.finest();
         const std::size_t best = best_form(e);
-        report::extend(t, t.empty() ? "on the " : "; on the ", r.surface.name, " ", readable_percent(e.H[best].l2), " (",
-                       area_name(area_forms[best]), " areas) against ", readable_percent(e.uniform.l2), " of the uniform estimate, ",
-                       times_smaller(e.uniform.l2 / e.H[best].l2));
+        told += (told.empty() ? "" : "; ") + words.line("gains.surface", "surface"_a = r.surface.name,
+                                                        "error"_a = readable_percent(e.H[best].l2), "areas"_a = area_name(area_forms[best]),
+                                                        "uniform"_a = readable_percent(e.uniform.l2),
+                                                        "times"_a = times_smaller(e.uniform.l2 / e.H[best].l2));
     }
-    return t;
+    return told;
 }
 
-/// Which area forms converge on one surface, with the errors at the finest level.
-report::Text convergence_words(const CotangentRefinement& r) {
-    std::vector<std::string> parts;
-    for (std::size_t form = 0; form < area_forms.size(); ++form) {
-        parts.push_back("with " + area_name(area_forms[form]) + " areas it " + trend(cotangent_H(r, form)));
-    }
-    return report::text("Refining the ", name_of(r.triangulation), " ", r.surface.name,
-                        ", L2 error of cotangent H over the three finest levels: ", listed(parts), ".");
+/// Which area forms converge on one surface.
+report::Text refined(const CotangentRefinement& r) {
+    std::vector<std::string> trends;
+    for (std::size_t form = 0; form < area_forms.size(); ++form)
+        trends.push_back(words.line("refined.areas", "areas"_a = area_name(area_forms[form]), "trend"_a = trend(cotangent_H(r, form))));
+    return words.say("refined", "triangulation"_a = name_of(r.triangulation), "surface"_a = r.surface.name, "trends"_a = listed(trends));
 }
 
-report::Text sphere_words(const CotangentRefinement& regular, const CotangentRefinement& jittered) {
+report::Text about_sphere(const CotangentRefinement& regular, const CotangentRefinement& jittered) {
     const CotangentErrors& coarse = regular.levels.front();
     const CotangentErrors& fine = regular.finest();
-    report::Text t = report::text(
-        "At single vertices the barycentric area can be wrong at every resolution: on the icosphere its L∞ error goes from ",
-        readable_percent(coarse.H[barycentric].linf, 4), " at ", std::to_string(coarse.vertices), " vertices to ",
-        readable_percent(fine.H[barycentric].linf, 4), " at ", std::to_string(fine.vertices),
-        "; the limit at the twelve vertices of valence 5 is ", math("3 cot 54°/(2 sin 72°) − 1"), " = ",
-        readable_percent(pentagon_excess(), 4), ". With mixed areas it is ", readable_percent(fine.H[mixed].linf, 2), " there.");
+    report::Text t =
+        words.say("sphere", "coarse"_a = readable_percent(coarse.H[barycentric].linf, 4), "coarse_vertices"_a = coarse.vertices,
+                  "fine"_a = readable_percent(fine.H[barycentric].linf, 4), "fine_vertices"_a = fine.vertices,
+                  "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.H[mixed].linf, 2));
     const double identity = jittered.finest().H[voronoi].l2;
-    if (identity < 0.1 * jittered.finest().H[barycentric].l2) {
-        report::extend(t, " With Voronoi areas the sphere is a special case, off by only ", readable_percent(identity, 2),
-                       " (L2) even when jittered, for the normal part of ", math("Lx"),
-                       " is then exact at any points of a sphere; the other two surfaces are the ones to judge by.");
-    }
+    if (identity < 0.1 * jittered.finest().H[barycentric].l2)
+        report::extend(t, " ", words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
     return t;
 }
 
-report::Text plane_words(const PlaneTest& plane) {
-    report::Text t = report::text("Inside an irregular flat square of ", std::to_string(plane.mesh.vertex_count()), " vertices, ",
-                                  readable_percent(plane.negative_weights, 2),
-                                  " of whose edges have negative weights, the cotangent operator leaves |H| × mean edge at ",
-                                  readable(plane.cotangent, 2), ", rounding; the uniform one reads ", readable(plane.uniform),
-                                  " where there is no curvature");
-    if (plane.clamped > 1e3 * plane.cotangent) {
-        report::extend(t, ", and clamping the negative weights makes that ", readable(plane.clamped),
-                       " for the cotangent operator too: it gives up linear precision");
-    } else {
-        report::extend(t, ", and clamping changes nothing (", readable(plane.clamped, 2), ")");
-    }
-    report::extend(t, ".");
-    return t;
+report::Text about_square(const PlaneTest& plane) {
+    const bool costs = plane.clamped > 1e3 * plane.cotangent;
+    return words.say(costs ? "square.clamping_costs" : "square.clamping_free", "vertices"_a = plane.mesh.vertex_count(),
+                     "negative"_a = readable_percent(plane.negative_weights, 2), "cotangent"_a = readable(plane.cotangent, 2),
+                     "uniform"_a = readable(plane.uniform), "clamped"_a = readable(plane.clamped, costs ? 3 : 2));
 }
 
-report::Text flat_words(const CotangentComparison& c) {
-    const CurvatureSubject& s = c.subject;
-    report::Text t = report::text("The mesh ", s.name(), " is flat. ");
-    if (s.interior == 0) {
-        report::extend(t, "All its vertices lie on the boundary: there is no H to estimate.");
+report::Text about_flat(const CotangentComparison& c) {
+    report::Text t = words.say("flat", "mesh"_a = c.subject.name());
+    if (c.subject.interior == 0) {
+        report::extend(t, " ", words.say("flat.no_inside"));
         return t;
     }
-    const auto at_most = [](double x) { return x == 0 ? "exactly 0" : "at most " + readable(x, 2); };
-    report::extend(t, "Inside, |H| × mean edge is ", at_most(c.precision), " by the cotangent and ", at_most(c.drift),
-                   " by the uniform operator");
-    if (std::max(c.drift, c.precision) < 1e-4) {   // what six digits of the coordinates leave
-        report::extend(t, ": its triangles are so regular that the cotangent weights improve nothing here. ");
-    } else if (c.drift > 10 * c.precision) {
-        report::extend(t, ", ", readable(c.drift / std::max(c.precision, 1e-300), 2),
-                       " times more: there the cotangent weights are the improvement. ");
-    } else {
-        report::extend(t, ". ");
-    }
-    report::extend(t, "On its boundary ", math("½‖Lx‖"), " reaches ", readable(c.variants[0].boundary),
-                   " per mean edge with half the sum of cotangents and ", readable(c.variants[1].boundary),
-                   " with the mean over opposite vertices: a pull along the plane, which a picture without mask would show as curvature.");
+    const auto at_most = [](double x) {
+        return x == 0 ? words.line("flat.exactly") : words.line("flat.at_most", "value"_a = readable(x, 2));
+    };
+    std::string verdict = ".";
+    if (std::max(c.drift, c.precision) < 1e-4)   // what six digits of the coordinates leave
+        verdict = words.line("flat.regular");
+    else if (c.drift > 10 * c.precision)
+        verdict = words.line("flat.improved", "times"_a = readable(c.drift / std::max(c.precision, 1e-300), 2));
+    report::extend(
+        t, " ", words.say("flat.inside", "precision"_a = at_most(c.precision), "drift"_a = at_most(c.drift), "verdict"_a = verdict), " ",
+        words.say("flat.boundary", "half_sum"_a = readable(c.variants[0].boundary), "opposite_mean"_a = readable(c.variants[1].boundary)));
     return t;
 }
 
-report::Text curved_words(const CotangentComparison& c) {
-    const CurvatureSubject& s = c.subject;
-    if (summary_of(c.difference).count == 0) {
-        return report::text("On ", s.name(), " no vertex has a neighbourhood inside the surface, so there is nothing to compare.");
-    }
+report::Text about_negative_weights(const CotangentComparison& c) {
     const OperatorVariant& used = c.variants[0];
-    const OperatorVariant& clamped = c.variants[2];
-    report::Text t = report::text("On ", s.name(), " the two estimates differ by ", readable_percent(c.rms_difference / c.rms_uniform),
-                                  " of the uniform one (rms) and in sign at ", readable_percent(c.sign_change, 2), " of the vertices. ");
+    const double change = c.variants[2].change;
+    const int negative = used.negative_inside + used.negative_boundary;
+    if (negative == 0) return words.say("curved.no_negative", "edges"_a = c.subject.topology().edges.size());
+    return words.say("curved.negative", "negative"_a = negative, "edges"_a = c.subject.topology().edges.size(),
+                     "on_boundary"_a = used.negative_boundary, "smallest"_a = readable(used.smallest_weight),
+                     "clamped"_a = std::isfinite(change) ? words.line("curved.clamped", "change"_a = readable_percent(change, 2)) : "");
+}
+
+report::Text about_curved(const CotangentComparison& c) {
+    const CurvatureSubject& s = c.subject;
+    if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = s.name());
+    report::Text t = words.say("curved", "mesh"_a = s.name(), "difference"_a = readable_percent(c.rms_difference / c.rms_uniform),
+                               "sign"_a = readable_percent(c.sign_change, 2));
     if (c.jump_uniform > 0 && c.jump_cotangent > 0) {
         const double ratio = c.jump_uniform / c.jump_cotangent;
-        report::extend(t, "From a vertex to its neighbour H changes by ", readable(c.jump_cotangent), " (rms) with cotangent and by ",
-                       readable(c.jump_uniform), " with uniform weights: the cotangent estimate is ",
-                       readable(ratio >= 1 ? ratio : 1 / ratio, 2), " times ", ratio >= 1 ? "smoother. " : "rougher. ");
+        report::extend(t, " ",
+                       words.say(ratio >= 1 ? "curved.smoother" : "curved.rougher", "cotangent"_a = readable(c.jump_cotangent),
+                                 "uniform"_a = readable(c.jump_uniform), "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
     }
-    if (used.negative_inside + used.negative_boundary == 0) {
-        report::extend(t, "None of its ", std::to_string(s.topology().edges.size()),
-                       " edges has a negative weight, so clamping changes nothing.");
-    } else {
-        report::extend(t, std::to_string(used.negative_inside + used.negative_boundary), " of its ",
-                       counted(static_cast<int>(s.topology().edges.size()), "edge"),
-                       used.negative_inside + used.negative_boundary == 1 ? " has" : " have", " a negative weight (",
-                       std::to_string(used.negative_boundary), " on the boundary; the smallest is ", readable(used.smallest_weight), ")");
-        if (std::isfinite(clamped.change))
-            report::extend(t, "; clamping them changes H inside by ", readable_percent(clamped.change, 2), " (rms)");
-        report::extend(t, ".");
-    }
-    if (!s.source->prepared->preflight.closed()) {
-        report::extend(t, " On the boundary ", math("½‖Lx‖"), " × mean edge reaches ", readable(used.boundary),
-                       ", with the mean over opposite vertices ", readable(c.variants[1].boundary), ", against ", readable(used.inside),
-                       " inside: it is masked.");
-    }
+    report::extend(t, " ", about_negative_weights(c));
+    if (!s.source->prepared->preflight.closed())
+        report::extend(t, " ",
+                       words.say("curved.boundary", "boundary"_a = readable(c.variants[0].boundary),
+                                 "opposite_mean"_a = readable(c.variants[1].boundary), "inside"_a = readable(c.variants[0].inside)));
     return t;
 }
 
-report::Text verdict(const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane) {
-    int regular_wins = 0, jittered_wins = 0, regular_converging = 0, jittered_converging = 0, surfaces = 0;
-    double worst_regular = 0, worst_jittered = 0;
+/// How often cotangent H with mixed areas is the better one and converges, and its worst error, on one kind of triangulation.
+struct Tally {
+    int surfaces = 0, wins = 0, converging = 0;
+    double worst = 0;
+};
+Tally tally(const Refinements& refinements, Triangulation triangulation) {
+    Tally tally;
     for (const CotangentRefinement& r : refinements) {
-        const bool regular = r.triangulation == Triangulation::regular;
-        const bool better = r.finest().H[mixed].l2 < r.finest().uniform.l2, converging = converges(cotangent_H(r, mixed));
-        surfaces += regular ? 1 : 0;
-        (regular ? regular_wins : jittered_wins) += better ? 1 : 0;
-        (regular ? regular_converging : jittered_converging) += converging ? 1 : 0;
-        double& worst = regular ? worst_regular : worst_jittered;
-        worst = std::max(worst, r.finest().H[mixed].l2);
+        if (r.triangulation != triangulation) continue;
+        ++tally.surfaces;
+        tally.wins += r.finest().H[mixed].l2 < r.finest().uniform.l2 ? 1 : 0;
+        tally.converging += converges(cotangent_H(r, mixed)) ? 1 : 0;
+        tally.worst = std::max(tally.worst, r.finest().H[mixed].l2);
     }
-    const std::string of_surfaces = " of " + counted(surfaces, "surface");
-    report::Text t = report::text(report::strong("Does the cotangent discretisation improve the estimate? "),
-                                  "On regular triangulations it is the better one on ", std::to_string(regular_wins), of_surfaces,
-                                  " (mixed areas) and converges on ", std::to_string(regular_converging), ", with errors up to ",
-                                  readable_percent(worst_regular), " at the finest level, which is ", grade(worst_regular), ". ");
-    report::extend(
-        t, "On jittered ones it is the better one on ", std::to_string(jittered_wins), of_surfaces, " and converges on ",
-        std::to_string(jittered_converging), ", with errors up to ", readable_percent(worst_jittered), ", which is ", grade(worst_jittered),
-        jittered_converging < surfaces ? ": the weights repair the bias of the uniform average, not the dependence on the triangulation. "
-                                       : ". ");
-    report::extend(t, "On irregular planes the false curvature falls from ", readable(plane.uniform, 2), " to ",
-                   readable(plane.cotangent, 2), " per mean edge.");
-    return t;
+    return tally;
+}
+
+report::Text verdict(const Refinements& refinements, const PlaneTest& plane) {
+    const Tally regular = tally(refinements, Triangulation::regular), jittered = tally(refinements, Triangulation::jittered);
+    const bool converges = jittered.converging == regular.surfaces;
+    return words.say(
+        "verdict", "regular_wins"_a = regular.wins, "surfaces"_a = regular.surfaces, "regular_converging"_a = regular.converging,
+        "worst_regular"_a = readable_percent(regular.worst), "regular_grade"_a = grade(regular.worst), "jittered_wins"_a = jittered.wins,
+        "jittered_converging"_a = jittered.converging, "worst_jittered"_a = readable_percent(jittered.worst),
+        "jittered_grade"_a = grade(jittered.worst), "verdict"_a = words.line(converges ? "verdict.converging" : "verdict.not_converging"),
+        "uniform"_a = readable(plane.uniform, 2), "cotangent"_a = readable(plane.cotangent, 2));
 }
 
 /// Cotangent against uniform over every sequence of meshes of the ground-truth panel, and who does better still.
-report::Text panel_words(const GroundTruth& truth) {
-    const auto finest = [&](const PanelRun& run, const char* key) { return run.finest(Quantity::H, estimator_index(Quantity::H, key)).l2; };
-    int better_than_uniform = 0, jet_better = 0;
-    for (const PanelRun& run : truth.runs) {
-        better_than_uniform += finest(run, "mixed") < finest(run, "uniform") ? 1 : 0;
-        jet_better += finest(run, "jet") < finest(run, "mixed") ? 1 : 0;
-    }
-    const std::string runs = std::to_string(truth.runs.size());
-    const auto told = [&](const char* key) {
-        return readable_percent(truth.finest("ellipsoid", MeshKind::random, Quantity::H, key).l2, 2) + " (order " +
-               words_of(truth.order("ellipsoid", MeshKind::random, Quantity::H, key)) + ")";
+report::Text about_panel(const GroundTruth& truth) {
+    const auto nearer = [&](const char* one, const char* other) {
+        const std::size_t a = estimator_index(Quantity::H, one), b = estimator_index(Quantity::H, other);
+        return std::ranges::count_if(truth.runs,
+                                     [&](const PanelRun& run) { return run.finest(Quantity::H, a).l2 < run.finest(Quantity::H, b).l2; });
     };
-    return report::text("Over the ", runs, " sequences of meshes of the ground-truth panel (", ref("truth"),
-                        "), cotangent H with mixed areas is nearer to the truth on the finest mesh than scaled uniform H on ",
-                        std::to_string(better_than_uniform), ", and a degree-3 jet nearer than the cotangent operator on ",
-                        std::to_string(jet_better), " (tables of L2 errors, from ", ref("truth_errors_regular_l2"),
-                        " on). On random points of the ellipsoid the L2 error is ", told("mixed"), " for mixed areas and ", told("jet"),
-                        " for the jet (", ref("truth_errors_random_l2"), "; orders in ", ref("truth_orders_random_l2"), ").");
+    const auto error = [&](const char* key) {
+        return words.line("panel.error", "error"_a = readable_percent(truth.finest("ellipsoid", MeshKind::random, Quantity::H, key).l2, 2),
+                          "order"_a = words_of(truth.order("ellipsoid", MeshKind::random, Quantity::H, key)));
+    };
+    return words.say("panel", "runs"_a = truth.runs.size(), "better_than_uniform"_a = nearer("mixed", "uniform"),
+                     "jet_better"_a = nearer("jet", "mixed"), "mixed"_a = error("mixed"), "jet"_a = error("jet"));
 }
 
 }   // namespace
 
-void add_discussion(report::Section& section, const std::vector<CotangentComparison>& meshes,
-                    const std::vector<CotangentRefinement>& refinements, const PlaneTest& plane, const GroundTruth& truth) {
-    add_heading(section, "Discussion: does this improve the estimate?");
-    add_paragraph(section, "L2 error of H on the finest regular meshes: ", gains(refinements, Triangulation::regular),
-                  ". With jittered vertices: ", gains(refinements, Triangulation::jittered), " (", ref("q3_errors_l2"), ").");
+void add_discussion(report::Section& section, const Comparisons& meshes, const Refinements& refinements, const PlaneTest& plane,
+                    const GroundTruth& truth) {
+    add_words(section, words, "discussion");
+    add_paragraph(section, words.say("gains", "regular"_a = gains(refinements, Triangulation::regular),
+                                     "jittered"_a = gains(refinements, Triangulation::jittered)));
     for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
-        for (const char* surface : {"ellipsoid", "torus"}) {
-            section.blocks.push_back(report::Paragraph{convergence_words(refinement_on(refinements, surface, triangulation))});
-        }
+        for (const char* surface : {"ellipsoid", "torus"})
+            add_paragraph(section, refined(refinement_on(refinements, surface, triangulation)));
     }
-    section.blocks.push_back(report::Paragraph{sphere_words(refinement_on(refinements, "sphere", Triangulation::regular),
-                                                            refinement_on(refinements, "sphere", Triangulation::jittered))});
-    section.blocks.push_back(report::Paragraph{plane_words(plane)});
-    for (const CotangentComparison& c : meshes)
-        section.blocks.push_back(report::Paragraph{c.subject.plane_normal ? flat_words(c) : curved_words(c)});
-    section.blocks.push_back(report::Paragraph{panel_words(truth)});
-    section.blocks.push_back(report::Paragraph{verdict(refinements, plane)});
+    add_paragraph(section, about_sphere(refinement_on(refinements, "sphere", Triangulation::regular),
+                                        refinement_on(refinements, "sphere", Triangulation::jittered)));
+    add_paragraph(section, about_square(plane));
+    for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? about_flat(c) : about_curved(c));
+    add_paragraph(section, about_panel(truth));
+    add_paragraph(section, verdict(refinements, plane));
 }
 
 }   // namespace meshfolio::q3_cotangent

@@ -31,7 +31,4 @@ struct IndicatorTrial {
 /// On the finest regular and jittered known surfaces, and on random points of an ellipsoid.
 std::vector<IndicatorTrial> indicator_trials(const QuestionSettings& settings);
 
-/// The map of each curved mesh, the table of trials, words and checks.
-void add_error_indicator(Answer& answer, const std::vector<CotangentComparison>& meshes, const QuestionSettings& settings);
-
 }   // namespace meshfolio::q3_cotangent

@@ -259,17 +259,15 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "q4",
-    .title = "Spectral reconstruction",
-    .asked = "Reconstructions from the k smoothest eigenvectors: does a larger k give better ones?",
-    .code = {{"smallest_eigenpairs", "src/geometry/spectrum/laplace_spectrum.cpp", "the k smallest eigenpairs"},
-             {"certify_spectrum", "src/geometry/spectrum/spectrum_certificate.cpp", "that they are right and none is missing"},
-             {"reconstruct", "src/geometry/spectrum/spectral_reconstruction.cpp", "X_k = Φ_k Φ_kᵀ M X"},
-             {"reconstruction_rms", "src/geometry/spectrum/spectral_reconstruction.cpp", "error for every k by Parseval"},
-             {"filtered", "src/geometry/spectrum/spectral_filter.cpp", "gains on frequency bands"},
-             {"chebyshev_low_pass", "src/geometry/spectrum/chebyshev_filter.cpp", "low-pass by products with C alone"},
-             {"reconstruct_unmapped", "src/geometry/spectrum/spectral_mistakes.cpp", "the mistaken ways, for comparison"},
-             {"local_thickness", "src/geometry/measures/local_thickness.cpp", "how thick the shape is at each vertex"},
-             {"answer", "src/questions/q4_spectral/chapter.cpp", "this section"}},
+    .code = {{"smallest_eigenpairs", "src/geometry/spectrum/laplace_spectrum.cpp"},
+             {"certify_spectrum", "src/geometry/spectrum/spectrum_certificate.cpp"},
+             {"reconstruct", "src/geometry/spectrum/spectral_reconstruction.cpp"},
+             {"reconstruction_rms", "src/geometry/spectrum/spectral_reconstruction.cpp"},
+             {"filtered", "src/geometry/spectrum/spectral_filter.cpp"},
+             {"chebyshev_low_pass", "src/geometry/spectrum/chebyshev_filter.cpp"},
+             {"reconstruct_unmapped", "src/geometry/spectrum/spectral_mistakes.cpp"},
+             {"local_thickness", "src/geometry/measures/local_thickness.cpp"},
+             {"answer", "src/questions/q4_spectral/chapter.cpp"}},
     .answer = answer,
 };
 

@@ -247,13 +247,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "q5",
-    .title = "Explicit Laplacian smoothing",
-    .asked = "What is a good step size λ, and what happens when it is too large?",
-    .code = {{"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp", "the iteration, with blow-up caught"},
-             {"explicit_step", "src/geometry/smoothing/laplacian_smoothing.cpp", "X + λLX"},
-             {"ExplicitRows", "src/geometry/smoothing/diffusion_kernels.cpp", "its sum over the neighbours, λ Σ w(x_j − x_i), in vectors"},
-             {"largest_eigenvalue", "src/geometry/smoothing/stability.cpp", "μ_max by Lanczos, Gershgorin bound"},
-             {"answer", "src/questions/q5_explicit/chapter.cpp", "this section"}},
+    .code = {{"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp"},
+             {"explicit_step", "src/geometry/smoothing/laplacian_smoothing.cpp"},
+             {"ExplicitRows", "src/geometry/smoothing/diffusion_kernels.cpp"},
+             {"largest_eigenvalue", "src/geometry/smoothing/stability.cpp"},
+             {"answer", "src/questions/q5_explicit/chapter.cpp"}},
     .answer = answer,
 };
 

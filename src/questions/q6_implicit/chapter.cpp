@@ -243,12 +243,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "q6",
-    .title = "Implicit Laplacian smoothing",
-    .asked = "Backward Euler smoothing compared with the explicit method for several step sizes and iterations.",
-    .code = {{"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp", "factor once, solve three right-hand sides a step"},
-             {"implicit_step", "src/geometry/smoothing/laplacian_smoothing.cpp", "(M − λC)X' = MX"},
-             {"ImplicitSolver::prepare", "src/geometry/smoothing/implicit_solver.cpp", "M − λC factored by Cholesky"},
-             {"answer", "src/questions/q6_implicit/chapter.cpp", "this section"}},
+    .code = {{"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp"},
+             {"implicit_step", "src/geometry/smoothing/laplacian_smoothing.cpp"},
+             {"ImplicitSolver::prepare", "src/geometry/smoothing/implicit_solver.cpp"},
+             {"answer", "src/questions/q6_implicit/chapter.cpp"}},
     .answer = answer,
 };
 

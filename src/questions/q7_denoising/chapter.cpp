@@ -253,12 +253,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "q7",
-    .title = "Denoising",
-    .asked = "When does Laplacian denoising work, and when does it fail?",
-    .code = {{"with_gaussian_noise", "src/mesh/vertex_noise.cpp", "seeded noise"},
-             {"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp", "implicit smoothing"},
-             {"vertex_rms", "src/geometry/measures/mesh_error.cpp", "error against the clean mesh"},
-             {"answer", "src/questions/q7_denoising/chapter.cpp", "this section"}},
+    .code = {{"with_gaussian_noise", "src/mesh/vertex_noise.cpp"},
+             {"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp"},
+             {"vertex_rms", "src/geometry/measures/mesh_error.cpp"},
+             {"answer", "src/questions/q7_denoising/chapter.cpp"}},
     .answer = answer,
 };
 

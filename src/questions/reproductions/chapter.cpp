@@ -122,15 +122,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "reproductions",
-    .title = "Experiments of earlier reports",
-    .asked = "What do the experiments of four earlier reports show when they are done again with their own parameters?",
-    .code = {{"read_experiments", "src/run/settings/experiment_reader.cpp", "the settings of an experiment"},
-             {"experiment_meshes", "src/questions/reproductions/study.cpp", "the mesh it is done on, or its stand-in"},
-             {"smoothing_experiment", "src/questions/reproductions/study.cpp", "smoothing runs"},
-             {"noisy_experiment", "src/questions/reproductions/study.cpp", "noise and its removal"},
-             {"curvature_experiment", "src/questions/reproductions/field_study.cpp", "H and K as the reports drew them"},
-             {"reconstruction_experiment", "src/questions/reproductions/field_study.cpp", "meshes from few eigenvectors"},
-             {"answer", "src/questions/reproductions/chapter.cpp", "this section"}},
+    .code = {{"read_experiments", "src/run/settings/experiment_reader.cpp"},
+             {"experiment_meshes", "src/questions/reproductions/study.cpp"},
+             {"smoothing_experiment", "src/questions/reproductions/study.cpp"},
+             {"noisy_experiment", "src/questions/reproductions/study.cpp"},
+             {"curvature_experiment", "src/questions/reproductions/field_study.cpp"},
+             {"reconstruction_experiment", "src/questions/reproductions/field_study.cpp"},
+             {"answer", "src/questions/reproductions/chapter.cpp"}},
     .answer = answer,
 };
 

@@ -70,7 +70,7 @@ report::Cell cell(std::string_view words) { return words.empty() ? report::Cell{
 std::string section_words(std::string_view id) {
     if (id.empty()) return "";
     const bool numbered = id.size() == 2 && id[0] == 'q';
-    return numbered ? "Q" + std::string(id.substr(1)) : std::string(chapter_of_id(id).title);
+    return numbered ? "Q" + std::string(id.substr(1)) : chapter_of_id(id).title();
 }
 
 }   // namespace

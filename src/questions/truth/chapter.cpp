@@ -288,12 +288,10 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
 
 extern const Chapter chapter{
     .id = "truth",
-    .title = "Ground truth",
-    .asked = "How far are estimates of curvature from the truth, on surfaces where it is known, and does refinement help?",
-    .code = {{"jet_curvature", "src/geometry/curvature/jet_fit.cpp", "H and K of a cubic fitted to two rings"},
-             {"corrected_curvature", "src/geometry/curvature/corrected_curvature.cpp", "interpolated corrected curvature measures"},
-             {"truth_mesh", "src/questions/bench/ground_truth_meshes.cpp", "the meshes of the panel"},
-             {"panel_level", "src/questions/bench/ground_truth.cpp", "errors of all estimators on one mesh"}},
+    .code = {{"jet_curvature", "src/geometry/curvature/jet_fit.cpp"},
+             {"corrected_curvature", "src/geometry/curvature/corrected_curvature.cpp"},
+             {"truth_mesh", "src/questions/bench/ground_truth_meshes.cpp"},
+             {"panel_level", "src/questions/bench/ground_truth.cpp"}},
     .answer = answer,
 };
 

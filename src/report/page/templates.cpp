@@ -5,6 +5,7 @@
 #include "embedded_templates.h"
 #include "report/json/json_line.h"
 #include "report/page/template_render.h"
+#include "report/words.h"
 #include "report/writers.h"
 
 namespace meshfolio::report {
@@ -13,9 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// HTML and Markdown are Mustache; JSON is JSON; the style sheet and the script are taken as they are.
+/// HTML and Markdown are Mustache, words are lists of messages; JSON is JSON; the style sheet and the script are taken as they are.
 void require_syntax(const std::string& name, const std::string& text, const std::string& file) {
-    if (name.ends_with(".html") || name.ends_with(".md")) {
+    if (name.starts_with("words/")) {
+        messages_of(text, file);
+    } else if (name.ends_with(".html") || name.ends_with(".md")) {
         if (const auto problem = syntax_problem(text)) {
             throw UsageError("template syntax: " + problem->what, "close the tag or take it out", {file, problem->line});
         }

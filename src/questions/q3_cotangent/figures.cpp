@@ -1,0 +1,52 @@
+#include "base/number_text.h"
+#include "questions/core/six_view_figure.h"
+#include "questions/q3_cotangent/parts.h"
+
+namespace meshfolio::q3_cotangent {
+
+void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
+    const CurvatureSubject& s = c.subject;
+    const std::string id = "q3_" + s.name() + "_h";
+    SixViewFigure figure{.id = id,
+                         .title = words.line("comparison.title"),
+                         .subtitle = subtitle_of(*s.source),
+                         .caption = words.line("comparison.caption", "mesh"_a = s.name(), "mean_edge"_a = readable(s.mean_edge),
+                                               "undefined"_a = undefined_words(s)),
+                         .panels = {panel_of(*s.source, id + "_uniform", "uniform, × 4/h²", s.mean_edge * c.uniform),
+                                    panel_of(*s.source, id + "_cotangent", "cotangent", s.mean_edge * c.cotangent),
+                                    panel_of(*s.source, id + "_difference", "cotangent − uniform", s.mean_edge * c.difference)},
+                         .turnable = true};
+    // The two estimates set the range; the difference is drawn in it, so that its colours weigh the same.
+    const auto range = output::robust_range({figure.panels[0], figure.panels[1]}, "diverging", "H × mean edge", "", 0.01, 0.03);
+    figure.range = range_for(range, figure.panels);
+    add_figure(answer, std::move(figure));
+}
+
+/// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
+void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap) {
+    SixViewFigure figure{.id = "q3_h_irregular_plane",
+                         .title = words.line("plane.title"),
+                         .subtitle = words.line("plane.subtitle", "vertices"_a = plane.mesh.vertex_count()),
+                         .caption = words.line("plane.caption", "uniform"_a = readable(plane.uniform),
+                                               "cotangent"_a = readable(plane.cotangent, 2), "clamped"_a = readable(plane.clamped)),
+                         .panels = {panel_of(plane.mesh, "q3_uniform_irregular_plane", "uniform, × 4/h²", plane.uniform_H.cwiseAbs()),
+                                    panel_of(plane.mesh, "q3_cotangent_irregular_plane", "cotangent", plane.cotangent_H.cwiseAbs()),
+                                    panel_of(plane.mesh, "q3_clamped_irregular_plane", "cotangent, clamped", plane.clamped_H.cwiseAbs())},
+                         .edges = true};
+    figure.range = range_from_zero(figure.panels, colormap, "|H| × mean edge", 0.01);
+    add_figure(answer, std::move(figure));
+}
+
+void add_disagreement_figure(Answer& answer, const CotangentComparison& c, const Disagreement& d, const std::string& colormap) {
+    const CurvatureSubject& s = c.subject;
+    const std::string id = "q3_" + s.name() + "_disagreement";
+    SixViewFigure figure{.id = id,
+                         .title = words.line("disagreement.title"),
+                         .subtitle = subtitle_of(*s.source),
+                         .caption = words.line("disagreement.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)),
+                         .panels = {panel_of(*s.source, id, s.name(), s.mean_edge * d.size)}};
+    figure.range = range_from_zero(figure.panels, colormap, "|ΔH| × mean edge", 0.001);
+    add_figure(answer, std::move(figure));
+}
+
+}   // namespace meshfolio::q3_cotangent
