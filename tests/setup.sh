@@ -28,8 +28,8 @@ install_packages() {
     { $as_root apt-get update -qq && DEBIAN_FRONTEND=noninteractive $as_root apt-get install -qq -y --no-install-recommends $missing; } >&2
 }
 
-# build_release ROOT TESTS: the program at ROOT/build/release/meshfolio; TESTS is ON or OFF.
+# build_release ROOT TESTS: the program at ROOT/build/release/meshfolio; TESTS is ON or OFF. Warnings are errors where the tests are built.
 build_release() {
-    cmake -S "$1" -B "$1/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMESHFOLIO_TESTS="$2" -DMESHFOLIO_JOIN_SOURCES=ON >&2
+    cmake -S "$1" -B "$1/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMESHFOLIO_TESTS="$2" -DMESHFOLIO_WERROR="$2" -DMESHFOLIO_JOIN_SOURCES=ON >&2
     cmake --build "$1/build/release" >&2
 }

@@ -23,7 +23,7 @@ bool has_histogram(const ColorBar& bar) { return std::any_of(bar.histogram.begin
 int histogram_rows(const ColorBar& bar, double em) { return has_histogram(bar) ? rounded(histogram_height * em) : 0; }
 
 /// The bar proper lies in [x0, x1); tips outside of it stand for values beyond the range.
-struct Extent {
+struct BarBox {
     int x0, x1, top, bottom;
 
     double x_of(const ValueRange& range, double value) const {
@@ -31,7 +31,7 @@ struct Extent {
     }
 };
 
-void draw_tip(Image& image, const Extent& e, int base, int direction, Rgba color) {
+void draw_tip(Image& image, const BarBox& e, int base, int direction, Rgba color) {
     const double half = 0.5 * (e.bottom - e.top), middle = e.top + half;
     const int length = rounded(half * 1.2);
     for (int i = 0; i < length; ++i) {
@@ -44,7 +44,7 @@ void draw_tip(Image& image, const Extent& e, int base, int direction, Rgba color
     }
 }
 
-void draw_colors(Image& image, const ColorBar& bar, const Extent& e) {
+void draw_colors(Image& image, const ColorBar& bar, const BarBox& e) {
     const Colormap& map = bar.range.colormap != nullptr ? *bar.range.colormap : colormap_named("viridis");
     for (int x = e.x0; x < e.x1; ++x) fill_rectangle(image, x, e.top, x + 1, e.bottom, color_at(map, (x + 0.5 - e.x0) / (e.x1 - e.x0)));
     if (bar.clipped_below > 0) draw_tip(image, e, e.x0, -1, color_at(map, 0));
@@ -62,7 +62,7 @@ double root_share(const std::vector<double>& histogram, double t) {
 }
 
 /// A profile over the colours of its values: pale below a thin line. It stands on the row `bottom`.
-void draw_histogram(Image& image, const ColorBar& bar, const Extent& e, int bottom, double height, double thickness, Rgba ink) {
+void draw_histogram(Image& image, const ColorBar& bar, const BarBox& e, int bottom, double height, double thickness, Rgba ink) {
     double highest = 0;
     for (const double share : bar.histogram)
         if (is_share(share)) highest = std::max(highest, std::sqrt(share));
@@ -80,7 +80,7 @@ void draw_histogram(Image& image, const ColorBar& bar, const Extent& e, int bott
 }
 
 /// As many ticks as stand apart, seven at most.
-std::vector<double> readable_ticks(const ColorBar& bar, const Extent& e, const TextStyle& style) {
+std::vector<double> readable_ticks(const ColorBar& bar, const BarBox& e, const TextStyle& style) {
     for (int wanted = 7; wanted > 1; --wanted) {
         std::vector<double> ticks = round_ticks(bar.range.low, bar.range.high, wanted);
         const TickLabels labels = tick_labels(ticks);
@@ -97,7 +97,7 @@ std::string title_of(const ColorBar& bar, const std::string& power) {
     return unit.empty() ? bar.quantity : bar.quantity + "  [" + unit + "]";
 }
 
-void draw_ticks(Image& image, const ColorBar& bar, const Extent& e, const std::vector<double>& ticks, const TickLabels& labels, double em,
+void draw_ticks(Image& image, const ColorBar& bar, const BarBox& e, const std::vector<double>& ticks, const TickLabels& labels, double em,
                 Rgba ink) {
     const TextStyle style{0.9 * em, ink, Align::centre};
     for (std::size_t i = 0; i < ticks.size(); ++i) {
@@ -108,7 +108,7 @@ void draw_ticks(Image& image, const ColorBar& bar, const Extent& e, const std::v
     }
 }
 
-void draw_notes(Image& image, const ColorBar& bar, const Extent& e, double em, Rgba ink) {
+void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, Rgba ink) {
     const double baseline = e.bottom + (ticks_height + 0.95) * em, third = (e.x1 - e.x0) / 3.0 - 0.5 * em;
     TextStyle style{0.85 * em, ink};
     if (bar.clipped_below > 0) draw_text(image, e.x0, baseline, fit_text(share_text(bar.clipped_below) + " below", third, style), style);
@@ -135,7 +135,7 @@ void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int wi
     const int inset = std::min(rounded(2.5 * em), width / 8);
     const int length = std::min(width - 2 * inset, rounded(44 * em)), x0 = left + (width - length) / 2;
     const int bar_top = top + rounded(title_height * em) + histogram_rows(bar, em);
-    const Extent e{x0, x0 + length, bar_top, bar_top + rounded(bar_height * em)};
+    const BarBox e{x0, x0 + length, bar_top, bar_top + rounded(bar_height * em)};
     const std::vector<double> ticks = readable_ticks(bar, e, {0.9 * em});
     const TickLabels labels = tick_labels(ticks);
     const TextStyle title{em, ink, Align::centre};

@@ -10,9 +10,9 @@
 #include "base/at.h"
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "base/prefetch.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/orientation.h"
+#include "mesh/prefetch.h"
 #include "mesh/repeated_points.h"
 #include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
@@ -219,7 +219,7 @@ private:
         const auto tallies = of_blocks(mesh().face_count(), [&](int begin, int end) {
             Tally tally;
             for (int t = begin; t < end; ++t) {
-                send_for_corners(mesh(), t);
+                prefetch_corners(mesh(), t);
                 const TriangleKind kind = kind_of(mesh(), t);
                 if (kind == TriangleKind::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
                 if (kind == TriangleKind::needle) ++tally.needles;

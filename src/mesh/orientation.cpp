@@ -8,7 +8,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
-#include "base/prefetch.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 
@@ -182,7 +182,7 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
         if (topology.on_boundary[at(v)] != 0) component_of(*topology.vertex_faces.begin(v)).closed = false;
     }
     const auto volume_of = [&](int t) {
-        send_for_corners(mesh, t);
+        prefetch_corners(mesh, t);
         return component_of(t).closed ? six_volumes(mesh, t, component_of(t).origin) : 0;
     };
     in_order(mesh.face_count(), volume_of, [&](int t, double volume) { component_of(t).volume.add(volume); });

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "base/prefetch.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 
@@ -108,7 +108,7 @@ CornerValues corner_angles(const TriangleMesh& mesh) {
 Vector face_areas(const TriangleMesh& mesh) {
     Vector A(mesh.face_count());
     for_each_index(mesh.face_count(), [&](int t) {
-        send_for_corners(mesh, t);
+        prefetch_corners(mesh, t);
         A[t] = 0.5 * length(area_vector(mesh, t));
     });
     return A;
@@ -120,7 +120,7 @@ double signed_volume(const TriangleMesh& mesh) { return signed_volume(mesh, boun
 
 double signed_volume(const TriangleMesh& mesh, const Vector3& centre) {
     const auto six_volumes = [&](int t) {
-        send_for_corners(mesh, t);
+        prefetch_corners(mesh, t);
         return (corner(mesh, t, 0) - centre).dot((corner(mesh, t, 1) - centre).cross(corner(mesh, t, 2) - centre));
     };
     return ordered_sum(mesh.face_count(), six_volumes) / 6;

@@ -29,9 +29,9 @@ std::map<std::string, FormulaForms> formulas_of(const Templates& templates) {
     });
 }
 
-std::vector<Work> bibliography_of(const Templates& templates) {
+std::vector<CitedWork> bibliography_of(const Templates& templates) {
     return read_json(templates, "references.json", [](const nlohmann::json& json) {
-        std::vector<Work> works;
+        std::vector<CitedWork> works;
         for (const auto& work : json)
             works.push_back({work.at("id"), work.at("authors"), work.at("year"), work.at("title"), work.at("where")});
         return works;

@@ -18,13 +18,13 @@ struct FormulaForms {
 /// @throws UsageError if a replaced file is not of that shape
 std::map<std::string, FormulaForms> formulas_of(const Templates& templates);
 
-struct Work {
+struct CitedWork {
     std::string id;   // "desbrun_1999", to be cited with ref("desbrun_1999")
     std::string authors, year, title, where;
 };
 
 /// templates/references.json in the order of their numbers.
 /// @throws UsageError if a replaced file is not of that shape
-std::vector<Work> bibliography_of(const Templates& templates);
+std::vector<CitedWork> bibliography_of(const Templates& templates);
 
 }   // namespace meshfolio::report

@@ -28,7 +28,7 @@ std::vector<std::string> section_numbers(const Document& document) {
     return numbers;
 }
 
-Numbering::Numbering(const Document& document, const std::vector<Work>& works) {
+Numbering::Numbering(const Document& document, const std::vector<CitedWork>& works) {
     const auto numbers = section_numbers(document);
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         const Section& section = document.sections[s];

@@ -22,7 +22,7 @@ class Numbering {
 public:
     /// Plots, maps and figures share one count. Equations count when they have an id.
     /// @throws std::logic_error naming an id that is used twice
-    Numbering(const Document& document, const std::vector<Work>& works);
+    Numbering(const Document& document, const std::vector<CitedWork>& works);
 
     /// Of a figure, table, plot, map, formula, entry, question or cited work. "t:q1_errors" means "q1_errors".
     /// What belongs to a section that failed or was not asked for is called by that section, without an anchor: one failure must

@@ -161,6 +161,19 @@ std::string only_paragraph(const Message& message) {
     return message.paragraphs.empty() ? "" : message.paragraphs.front();
 }
 
+/// A message of a replaced file whose marks do not close would fail only where it is told.
+void require_readable(const Message& message, const std::string& file) {
+    Facts facts;
+    const std::vector<std::string> names = facts_in(message);
+    for (const std::string& name : names) facts.emplace_back(name, 1);
+    try {
+        for (const std::string& paragraph : message.paragraphs)
+            if (!paragraph.starts_with("$$")) running_text(paragraph, facts);
+    } catch (const std::logic_error& problem) {
+        throw UsageError(problem.what(), "close every mark, or put a backslash before it", {file, message.line});
+    }
+}
+
 }   // namespace
 
 std::vector<Message> messages_of(std::string_view text, const std::string& file) {
@@ -192,6 +205,8 @@ std::vector<Message> messages_of(std::string_view text, const std::string& file)
     return messages;
 }
 
+Text running_text(std::string_view paragraph, const Facts& facts) { return Reader(paragraph, facts, true).text(); }
+
 std::vector<std::string> facts_in(const Message& message) {
     std::set<std::string> names;
     for (const std::string& paragraph : message.paragraphs) {
@@ -201,9 +216,7 @@ std::vector<std::string> facts_in(const Message& message) {
     return {names.begin(), names.end()};
 }
 
-Text Words::say(std::string_view key, const Facts& facts) const {
-    return Reader(only_paragraph(message_of(file_, key)), facts, true).text();
-}
+Text Words::say(std::string_view key, const Facts& facts) const { return running_text(only_paragraph(message_of(file_, key)), facts); }
 
 std::string Words::line(std::string_view key, const Facts& facts) const {
     return plain(Reader(only_paragraph(message_of(file_, key)), facts, false).text());
@@ -242,6 +255,7 @@ void use_words_of(const Templates& templates) {
                     throw UsageError("the message " + key + " is not told the fact " + fact, "name one of those that its own text has",
                                      {name, message.line});
             }
+            require_readable(message, name);
             told[file][key] = message;
         }
     }
@@ -252,5 +266,20 @@ void use_words_of(const Templates& templates) {
 }
 
 std::string words_identity() { return identity(); }
+
+std::string words_documentation() {
+    std::string text =
+        "Words of the report, words/FILE.md: \"## key\" begins a message. {{fact}} is what the program found, {{count|one|many}} the word "
+        "that\n"
+        "goes with a count; $mathematics$, **strong**, *emphasised*, `code`, [[reference]]. What a message may tell:\n\n";
+    for (const auto& [file, messages] : catalogue()) {
+        for (const auto& [key, message] : messages) {
+            text += file + ": " + key;
+            for (const std::string& fact : facts_in(message)) text += " {{" + fact + "}}";
+            text += "\n";
+        }
+    }
+    return text;
+}
 
 }   // namespace meshfolio::report

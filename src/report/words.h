@@ -78,6 +78,9 @@ void use_words_of(const Templates& templates);
 /// Tells these messages from others: a digest; empty for those of the program itself.
 std::string words_identity();
 
+/// What the messages of every file may tell, as text for people: one line a message, with the names of its facts.
+std::string words_documentation();
+
 /// One message of a file: "limit.spot", and what stands below it, line by line.
 struct Message {
     std::string key;
@@ -86,6 +89,9 @@ struct Message {
 };
 /// @throws UsageError naming file and line where the text is no list of messages
 std::vector<Message> messages_of(std::string_view text, const std::string& file);
+/// One paragraph of a message with its facts.
+/// @throws std::logic_error if a fact is missing, or a mark is not closed
+Text running_text(std::string_view paragraph, const Facts& facts);
 /// The names between {{ and }} or |, each once, sorted.
 std::vector<std::string> facts_in(const Message& message);
 

@@ -26,11 +26,11 @@ using IntVector = hn::Vec<Ints>;
 
 HWY_INLINE std::size_t lanes() { return hn::Lanes(Doubles()); }
 
-struct Truth {
+struct Mask {
     hn::Mask<Doubles> mask;
 };
-HWY_INLINE Truth operator&(Truth a, Truth b) { return {hn::And(a.mask, b.mask)}; }
-HWY_INLINE Truth operator|(Truth a, Truth b) { return {hn::Or(a.mask, b.mask)}; }
+HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.mask, b.mask)}; }
+HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.mask, b.mask)}; }
 
 struct Number {
     hn::Vec<Doubles> lanes;
@@ -42,28 +42,26 @@ HWY_INLINE Number operator-(Number a, Number b) { return hn::Sub(a.lanes, b.lane
 HWY_INLINE Number operator-(Number a) { return hn::Neg(a.lanes); }
 HWY_INLINE Number operator*(Number a, Number b) { return hn::Mul(a.lanes, b.lanes); }
 HWY_INLINE Number operator/(Number a, Number b) { return hn::Div(a.lanes, b.lanes); }
-HWY_INLINE Truth operator<(Number a, Number b) { return {hn::Lt(a.lanes, b.lanes)}; }
-HWY_INLINE Truth operator>(Number a, Number b) { return {hn::Gt(a.lanes, b.lanes)}; }
-HWY_INLINE Truth operator<=(Number a, Number b) { return {hn::Le(a.lanes, b.lanes)}; }
-HWY_INLINE Truth operator==(Number a, Number b) { return {hn::Eq(a.lanes, b.lanes)}; }
-HWY_INLINE Truth operator!=(Number a, Number b) { return {hn::Ne(a.lanes, b.lanes)}; }
+HWY_INLINE Mask operator<(Number a, Number b) { return {hn::Lt(a.lanes, b.lanes)}; }
+HWY_INLINE Mask operator>(Number a, Number b) { return {hn::Gt(a.lanes, b.lanes)}; }
+HWY_INLINE Mask operator<=(Number a, Number b) { return {hn::Le(a.lanes, b.lanes)}; }
+HWY_INLINE Mask operator==(Number a, Number b) { return {hn::Eq(a.lanes, b.lanes)}; }
+HWY_INLINE Mask operator!=(Number a, Number b) { return {hn::Ne(a.lanes, b.lanes)}; }
 HWY_INLINE Number square_root(Number a) { return hn::Sqrt(a.lanes); }
-HWY_INLINE Number either(Truth first, Number a, Number b) { return hn::IfThenElse(first.mask, a.lanes, b.lanes); }
+HWY_INLINE Number either(Mask first, Number a, Number b) { return hn::IfThenElse(first.mask, a.lanes, b.lanes); }
 HWY_INLINE Number larger(Number a, Number b) { return either(a > b, a, b); }
 
 HWY_INLINE Number numbers_at(const double* values) { return hn::LoadU(Doubles(), values); }
 HWY_INLINE void store(Number a, double* values) { hn::StoreU(a.lanes, Doubles(), values); }
 
-struct Arrow {
+struct Vec3 {
     Number x, y, z;
 };
-HWY_INLINE Arrow operator*(Number s, Arrow a) { return {s * a.x, s * a.y, s * a.z}; }
-HWY_INLINE Arrow operator-(Arrow a, Arrow b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-HWY_INLINE Number dot(Arrow a, Arrow b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-HWY_INLINE Arrow cross(Arrow a, Arrow b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-HWY_INLINE Arrow either(Truth first, Arrow a, Arrow b) {
-    return {either(first, a.x, b.x), either(first, a.y, b.y), either(first, a.z, b.z)};
-}
+HWY_INLINE Vec3 operator*(Number s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
+HWY_INLINE Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE Number dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+HWY_INLINE Vec3 either(Mask first, Vec3 a, Vec3 b) { return {either(first, a.x, b.x), either(first, a.y, b.y), either(first, a.z, b.z)}; }
 
 }   // namespace meshfolio::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

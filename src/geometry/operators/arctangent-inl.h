@@ -31,11 +31,11 @@ HWY_INLINE Number arctangent_of_small(Number t) {
 HWY_INLINE Number angle_of(Number sine, Number cosine) {
     constexpr double quarter = 0x1.921fb54442d18p-1, rest_of_quarter = 0x1.1a62633145c07p-55;   // π/4 = quarter + rest
     constexpr double tan_eighth = 0.41421356237309503;
-    const Truth obtuse = cosine < 0;
+    const Mask obtuse = cosine < 0;
     const Number x = either(obtuse, -cosine, cosine);
-    const Truth flat = sine <= x;
+    const Mask flat = sine <= x;
     const Number s = either(flat, sine, x), c = either(flat, x, sine);
-    const Truth wide = s > tan_eighth * c;
+    const Mask wide = s > tan_eighth * c;
     const Number above = either(wide, s - c, s), below = either(wide, s + c, c);
     const Number small = arctangent_of_small(above / either(below > 0, below, std::numeric_limits<double>::min()));
     // θ = quarters · π/4 ± (atan of the small one)

@@ -26,7 +26,7 @@ void FindSides(const TriangleMesh& mesh, CornerBatch& b) {
     }
 }
 
-HWY_INLINE Arrow points_of(const TriangleMesh& mesh, const int* vertices) {
+HWY_INLINE Vec3 points_of(const TriangleMesh& mesh, const int* vertices) {
     const Doubles d;
     const auto v = hn::PromoteTo(Longs(), hn::LoadU(Ints(), vertices)), x = hn::Add(v, hn::Add(v, v));
     return {hn::GatherIndex(d, mesh.X.data(), x), hn::GatherIndex(d, mesh.X.data() + 1, x), hn::GatherIndex(d, mesh.X.data() + 2, x)};
@@ -34,18 +34,18 @@ HWY_INLINE Arrow points_of(const TriangleMesh& mesh, const int* vertices) {
 
 void FindShapes(const TriangleMesh& mesh, double scale, CornerBatch& b) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
-        const Arrow at_here = points_of(mesh, b.here.data() + i), at_next = points_of(mesh, b.next.data() + i);
-        const Arrow at_previous = points_of(mesh, b.previous.data() + i);
-        const Arrow here = scale * (at_previous - at_next), next = scale * (at_here - at_previous);   // edges opposite
-        const Arrow previous = scale * (at_next - at_here);
+        const Vec3 at_here = points_of(mesh, b.here.data() + i), at_next = points_of(mesh, b.next.data() + i);
+        const Vec3 at_previous = points_of(mesh, b.previous.data() + i);
+        const Vec3 here = scale * (at_previous - at_next), next = scale * (at_here - at_previous);   // edges opposite
+        const Vec3 previous = scale * (at_next - at_here);
         const Number l = dot(here, here), m = dot(next, next), n = dot(previous, previous), place = numbers_at(b.place.data() + i);
         // The longest edge; of equal ones the first in the order in which the triangle is stored: here comes before next unless it is
         // corner 2, before previous if it is corner 0, next before previous unless here is corner 1.
-        const Truth over_next = (l > m) | ((l == m) & (place != 2)), over_previous = (l > n) | ((l == n) & (place == 0));
-        const Truth next_over = (m > n) | ((m == n) & (place != 1)), longest = over_next & over_previous;
-        const Arrow u = either(longest, next, either(next_over, previous, here));
-        const Arrow v = either(longest, previous, either(next_over, here, next));
-        const Arrow normal = cross(u, v);
+        const Mask over_next = (l > m) | ((l == m) & (place != 2)), over_previous = (l > n) | ((l == n) & (place == 0));
+        const Mask next_over = (m > n) | ((m == n) & (place != 1)), longest = over_next & over_previous;
+        const Vec3 u = either(longest, next, either(next_over, previous, here));
+        const Vec3 v = either(longest, previous, either(next_over, here, next));
+        const Vec3 normal = cross(u, v);
         store(-dot(next, previous), b.dot_here.data() + i);
         store(-dot(previous, here), b.dot_next.data() + i);
         store(-dot(here, next), b.dot_previous.data() + i);
@@ -60,14 +60,14 @@ void FindShapes(const TriangleMesh& mesh, double scale, CornerBatch& b) {
 }
 
 /// Not where |u × v| is rounding: a triangle without area has neither stiffness nor mass.
-HWY_INLINE Truth has_area(const CornerBatch& b, std::size_t i) {
+HWY_INLINE Mask has_area(const CornerBatch& b, std::size_t i) {
     const Number l = numbers_at(b.squared_here.data() + i), m = numbers_at(b.squared_next.data() + i);
     return numbers_at(b.cross.data() + i) > no_area * larger(l, larger(m, numbers_at(b.squared_previous.data() + i)));
 }
 
 void FindCotangents(CornerBatch& b) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
-        const Truth sound = has_area(b, i);
+        const Mask sound = has_area(b, i);
         const Number divisor = either(sound, numbers_at(b.cross.data() + i), 1);
         store(either(sound, numbers_at(b.dot_next.data() + i) / divisor, 0), b.cotangent_next.data() + i);
         store(either(sound, numbers_at(b.dot_previous.data() + i) / divisor, 0), b.cotangent_previous.data() + i);
@@ -80,8 +80,8 @@ void FindAreaShares(CornerBatch& b) {
         const Number of_next = numbers_at(b.cotangent_next.data() + i) * numbers_at(b.squared_next.data() + i) * 0.125;
         const Number of_previous = numbers_at(b.cotangent_previous.data() + i) * numbers_at(b.squared_previous.data() + i) * 0.125;
         const Number cell = of_next + of_previous;
-        const Truth obtuse_here = numbers_at(b.dot_here.data() + i) < 0;
-        const Truth obtuse_elsewhere = (numbers_at(b.dot_next.data() + i) < 0) | (numbers_at(b.dot_previous.data() + i) < 0);
+        const Mask obtuse_here = numbers_at(b.dot_here.data() + i) < 0;
+        const Mask obtuse_elsewhere = (numbers_at(b.dot_next.data() + i) < 0) | (numbers_at(b.dot_previous.data() + i) < 0);
         store(area / 3, b.barycentric.data() + i);
         store(cell, b.voronoi.data() + i);
         store(either(obtuse_here, area * 0.5, either(obtuse_elsewhere, area * 0.25, cell)), b.mixed.data() + i);
@@ -94,8 +94,8 @@ void FindAngles(CornerBatch& b) {
     constexpr double tan_third = 1.7320508075688772;   // tan π/3
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.size); i += lanes()) {
         const Number cross = numbers_at(b.cross.data() + i), dot_here = numbers_at(b.dot_here.data() + i);
-        const Truth no_angle = larger(cross, larger(dot_here, -dot_here)) <= 0;
-        const Truth one_point = no_angle & (numbers_at(b.squared_here.data() + i) <= 0);
+        const Mask no_angle = larger(cross, larger(dot_here, -dot_here)) <= 0;
+        const Mask one_point = no_angle & (numbers_at(b.squared_here.data() + i) <= 0);
         const Number sine = either(no_angle, either(one_point, tan_third, 1), cross), cosine = either(one_point, 1, dot_here);
         store(angle_of(sine, cosine), b.angle.data() + i);
     }

@@ -33,7 +33,7 @@ namespace meshfolio::output {
 namespace {
 
 /// A figure while its panels are being drawn: only the small pictures of the sheet are kept.
-struct Work {
+struct FigureJob {
     const FigureRequest* request = nullptr;
     render::DrawOptions options;
     std::vector<render::SheetRow> rows;
@@ -128,29 +128,29 @@ bool has_undefined(const FigureRequest& request) {
     return false;
 }
 
-render::ColorBar legend_of(const Work& work) {
-    return color_bar_of(*work.request->range, has_undefined(*work.request), work.options.undefined_color);
+render::ColorBar legend_of(const FigureJob& job) {
+    return color_bar_of(*job.request->range, has_undefined(*job.request), job.options.undefined_color);
 }
 
 /// Six pictures into files; the sheet keeps them small.
-void draw_panel(Work& work, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
-    const Panel& panel = work.request->panels[index];
-    render::DrawOptions options = work.options;
+void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
+    const Panel& panel = job.request->panels[index];
+    render::DrawOptions options = job.options;
     options.marked_vertices = panel.marked_vertices;
-    const bool colored = panel.values.size() > 0 && work.request->range.has_value();
-    const std::vector<render::View> directions = views_of(*work.request);
+    const bool colored = panel.values.size() > 0 && job.request->range.has_value();
+    const std::vector<render::View> directions = views_of(*job.request);
     std::vector<render::Image> views = render::draw_views(surface_of(*panel.mesh, colored ? &panel.values : nullptr), directions, options);
-    const int cell = cell_of(*work.request, settings);
-    render::SheetRow& row = work.rows[index];
-    row.label = work.request->panels.size() > 1 ? panel.label : "";
+    const int cell = cell_of(*job.request, settings);
+    render::SheetRow& row = job.rows[index];
+    row.label = job.request->panels.size() > 1 ? panel.label : "";
     row.pictures.resize(views.size());
     for_each_task(views.size(), [&](std::size_t i) {
         row.pictures[i] = render::shrink(views[i], cell, cell * views[i].height / views[i].width);
         label_view(views[i], directions[i].name);
-        if (work.request->comparison) {
-            const render::ColorBar bar = colored ? legend_of(work) : render::ColorBar{};
+        if (job.request->comparison) {
+            const render::ColorBar bar = colored ? legend_of(job) : render::ColorBar{};
             views[i] = with_room_below(views[i], settings.height, colored ? &bar : nullptr);
-            work.previews[index] = preview_of(views[i], settings.panel_width, settings.jpeg_quality);
+            job.previews[index] = preview_of(views[i], settings.panel_width, settings.jpeg_quality);
         }
         write_file(folder / view_file(panel, directions[i]), render::encode_png(views[i]));
         views[i] = {};
@@ -167,45 +167,45 @@ void fold_into_grid(render::ContactSheet& sheet) {
     sheet.rows = {std::move(all)};
 }
 
-void draw_sheet(Work& work, const std::filesystem::path& folder, const DrawSettings& settings) {
-    const FigureRequest& request = *work.request;
+void draw_sheet(FigureJob& job, const std::filesystem::path& folder, const DrawSettings& settings) {
+    const FigureRequest& request = *job.request;
     render::ContactSheet sheet;
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
     if (!request.three_quarter)
         for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
-    sheet.rows = std::move(work.rows);
+    sheet.rows = std::move(job.rows);
     if (request.three_quarter && request.panels.size() > 1) fold_into_grid(sheet);
     if (request.range) {
-        sheet.color_bar = legend_of(work);
+        sheet.color_bar = legend_of(job);
         // of these panels: several figures may share a range
         sheet.color_bar->histogram = histogram(finite_values(request.panels), request.range->low, request.range->high);
     }
     const render::Image image = render::compose(sheet);
-    work.drawn.sheet = "images/" + request.id + "_sheet.png";
-    write_file(folder / work.drawn.sheet, render::encode_png(image));
+    job.drawn.sheet = "images/" + request.id + "_sheet.png";
+    write_file(folder / job.drawn.sheet, render::encode_png(image));
 
-    if (settings.on_paper.contains(request.id)) work.drawn.print_jpeg = render::encode_jpeg(image, settings.print_quality);
+    if (settings.on_paper.contains(request.id)) job.drawn.print_jpeg = render::encode_jpeg(image, settings.print_quality);
     Preview preview = preview_of(image, settings.preview_width, settings.jpeg_quality);
-    work.drawn.width = preview.width;
-    work.drawn.height = preview.height;
-    work.drawn.preview_jpeg = std::move(preview.jpeg);
+    job.drawn.width = preview.width;
+    job.drawn.height = preview.height;
+    job.drawn.preview_jpeg = std::move(preview.jpeg);
 }
 
-void name_views(Work& work) {
-    for (const Panel& panel : work.request->panels) {
-        for (const render::View& view : views_of(*work.request)) {
-            const std::string prefix = work.request->panels.size() > 1 ? panel.label + ", " : "";
-            work.drawn.views.emplace_back(prefix + std::string(view.name), view_file(panel, view));
+void name_views(FigureJob& job) {
+    for (const Panel& panel : job.request->panels) {
+        for (const render::View& view : views_of(*job.request)) {
+            const std::string prefix = job.request->panels.size() > 1 ? panel.label + ", " : "";
+            job.drawn.views.emplace_back(prefix + std::string(view.name), view_file(panel, view));
         }
     }
 }
 
-void name_comparison(Work& work) {
-    for (std::size_t p = 0; p < work.previews.size(); ++p) {
-        const Panel& panel = work.request->panels[p];
-        Preview& preview = work.previews[p];
-        work.drawn.comparison.push_back(
+void name_comparison(FigureJob& job) {
+    for (std::size_t p = 0; p < job.previews.size(); ++p) {
+        const Panel& panel = job.request->panels[p];
+        Preview& preview = job.previews[p];
+        job.drawn.comparison.push_back(
             {panel.label, view_file(panel, render::three_quarter_view()), std::move(preview.jpeg), preview.width, preview.height});
     }
 }
@@ -222,7 +222,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     require_good_names(requests);
     make_folder(folder / "images");
 
-    std::vector<Work> figures(requests.size());
+    std::vector<FigureJob> figures(requests.size());
     std::vector<Piece> pieces;
     for (std::size_t f = 0; f < requests.size(); ++f) {
         figures[f].request = &requests[f];
@@ -238,9 +238,9 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         // Isolated: a thread that waits for the views of this panel does not begin another one, so that at most one panel a thread is
         // in memory at full size.
         tbb::this_task_arena::isolate([&] {
-            Work& work = figures[pieces[i].figure];
-            draw_panel(work, pieces[i].panel, folder, settings);
-            if (--work.panels_left == 0) draw_sheet(work, folder, settings);
+            FigureJob& job = figures[pieces[i].figure];
+            draw_panel(job, pieces[i].panel, folder, settings);
+            if (--job.panels_left == 0) draw_sheet(job, folder, settings);
         });
         const std::lock_guard lock(telling);
         if (progress) progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
@@ -249,10 +249,10 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     arena.execute([&] { for_each_task(pieces.size(), draw_piece); });
 
     report::DrawnFigures all;
-    for (Work& work : figures) {
-        name_views(work);
-        name_comparison(work);
-        all.emplace(work.request->id, std::move(work.drawn));
+    for (FigureJob& job : figures) {
+        name_views(job);
+        name_comparison(job);
+        all.emplace(job.request->id, std::move(job.drawn));
     }
     add_models(requests, folder, all);
     return all;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "report/words.h"
+
 namespace meshfolio::report {
 
 const std::map<std::string, std::string>& tag_list() {
@@ -332,7 +334,7 @@ std::string tag_documentation() {
     std::size_t width = 0;
     for (const auto& [tag, meaning] : tag_list()) width = std::max(width, tag.size());
     for (const auto& [tag, meaning] : tag_list()) text += tag + std::string(width + 2 - tag.size(), ' ') + meaning + "\n";
-    return text;
+    return text + "\n" + words_documentation();
 }
 
 }   // namespace meshfolio::report

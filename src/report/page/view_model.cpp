@@ -243,9 +243,9 @@ json answered_view(const Document& document) {
             {"all_answered", asked == answered}};
 }
 
-json works_view(const std::vector<Work>& works, const Numbering& numbering) {
+json works_view(const std::vector<CitedWork>& works, const Numbering& numbering) {
     json list = json::array();
-    for (const Work& work : works) {
+    for (const CitedWork& work : works) {
         const Reference reference = numbering.resolve(work.id);
         list.push_back({{"number", reference.number},
                         {"anchor", reference.anchor},
@@ -275,7 +275,7 @@ json timings_view(const Document& document, const Numbering& numbering) {
 }   // namespace
 
 json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options) {
-    const std::vector<Work> works = bibliography_of(templates);
+    const std::vector<CitedWork> works = bibliography_of(templates);
     const auto formulas = formulas_of(templates);
     Numbering numbering(document, works);
     leave_out_untold(document, options.extent, numbering);

@@ -1,0 +1,115 @@
+#include "report/words.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "base/errors.h"
+#include "report/writers.h"
+#include "temporary_folder.h"
+
+namespace meshfolio::report {
+namespace {
+
+using namespace literals;
+
+std::vector<std::string> paragraphs_of(const std::string& text) { return messages_of("## key\n" + text, "file").front().paragraphs; }
+
+}   // namespace
+
+TEST(Words, LinesAreOneParagraphUntilAnEmptyOne) {
+    EXPECT_EQ(paragraphs_of("one\n  two\n\nthree\n# a remark\nfour"), (std::vector<std::string>{"one two", "three", "four"}));
+    EXPECT_EQ(paragraphs_of("one\n### Title\ntwo\n$$ formula $$\n- a\n  b\n- c"),
+              (std::vector<std::string>{"one", "### Title", "two", "$$ formula $$", "- a b", "- c"}));
+}
+
+TEST(Words, ASentenceNeedsAKey) { EXPECT_THROW(messages_of("# remark\nA sentence.\n", "file"), UsageError); }
+
+TEST(Words, FactsOfAMessage) {
+    const Message message = messages_of("## key\n{{b}} of {{a}} {{a|one|many}} [[q3_{{id}}]]", "file").front();
+    EXPECT_EQ(facts_in(message), (std::vector<std::string>{"a", "b", "id"}));
+}
+
+TEST(Words, MarkupBecomesRuns) {
+    const Text expected = text("The limit ", math("λ_crit = 3"), " is ", strong("here"), ", ", emphasis("so"), " ", code("call()"), " (",
+                               ref("q3_ball"), ") * $.");
+    EXPECT_EQ(
+        running_text("The limit $λ_crit = {{n}}$ is **here**, *so* `call()` ([[q3_{{mesh}}]]) \\* \\$.", {"n"_a = 3, "mesh"_a = "ball"}),
+        expected);
+}
+
+TEST(Words, FactsAreNoMarkup) {
+    EXPECT_EQ(running_text("on {{mesh}}", {"mesh"_a = "a*b$c[[d"}), text("on a*b$c[[d"));
+    EXPECT_EQ(running_text("on {{mesh}}.", {"mesh"_a = text("the ", strong("cube"))}), text("on the ", strong("cube"), "."));
+}
+
+TEST(Words, CountsChooseTheWord) {
+    const auto of = [](int n) { return plain(running_text("{{n}} {{n|mesh has|meshes have}}", {"n"_a = n})); };
+    EXPECT_EQ(of(1), "1 mesh has");
+    EXPECT_EQ(of(0), "0 meshes have");
+    EXPECT_EQ(of(12), "12 meshes have");
+    EXPECT_THROW(running_text("{{n|mesh|meshes}}", {"n"_a = "1"}), std::logic_error) << "no count";
+}
+
+TEST(Words, WhatIsMissingIsAMistakeOfTheProgram) {
+    EXPECT_THROW(Words("q3").say("no such message"), std::logic_error);
+    EXPECT_THROW(Words("no such file").say("title"), std::logic_error);
+    EXPECT_THROW(Words("q3").line("plane.subtitle"), std::logic_error) << "without its fact";
+}
+
+TEST(Words, EveryMessageOfTheProgramCanBeRead) {
+    const Templates templates;
+    for (const std::string& name : templates.names()) {
+        if (!name.starts_with("words/")) continue;
+        for (const Message& message : messages_of(templates[name], name)) {
+            const auto names = facts_in(message);
+            Facts facts;
+            for (const std::string& fact : names) facts.emplace_back(fact, 1);
+            EXPECT_FALSE(message.paragraphs.empty()) << name << ": " << message.key;
+            for (const std::string& paragraph : message.paragraphs)
+                if (!paragraph.starts_with("$$")) EXPECT_NO_THROW(running_text(paragraph, facts)) << name << ": " << message.key;
+        }
+    }
+}
+
+TEST(Words, BlocksOfAMessage) {
+    const auto blocks = Words("q3").blocks("method", {});
+    ASSERT_GE(blocks.size(), 3u);
+    EXPECT_EQ(std::get<Heading>(blocks[0]).title, "Method");
+    EXPECT_EQ(std::get<Formula>(blocks[2]), (Formula{"cotangent_weights", "q3_eq_weights"}));
+}
+
+TEST(Words, ATemplateReplacesAMessageAndKeepsTheOthers) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "words");
+    folder.write("words/q3.md", "## plane.subtitle\nN = {{vertices}}\n");
+    use_words_of(Templates(folder.path()));
+    EXPECT_EQ(Words("q3").line("plane.subtitle", "vertices"_a = 7), "N = 7");
+    EXPECT_EQ(Words("q3").line("title"), "Cotangent Laplace–Beltrami curvature");
+    EXPECT_NE(words_identity(), "");
+    use_words_of(Templates());
+    EXPECT_EQ(Words("q3").line("plane.subtitle", "vertices"_a = 7), "7 vertices, inner ones moved within the plane");
+    EXPECT_EQ(words_identity(), "");
+}
+
+TEST(Words, AReplacedMessageThatCannotBeToldIsRefusedWithItsLine) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "words");
+    const auto problem_of = [&](const std::string& text) -> std::string {
+        folder.write("words/q3.md", text);
+        try {
+            use_words_of(Templates(folder.path()));
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    EXPECT_NE(problem_of("## title\nA\n## tittle\nB\n").find("q3.md:3"), std::string::npos);
+    EXPECT_NE(problem_of("## plane.subtitle\n{{edges}}\n").find("edges"), std::string::npos);
+    EXPECT_NE(problem_of("## title\nA\n\n## title\nB\n").find("q3.md:4"), std::string::npos);
+    EXPECT_NE(problem_of("## title\n{{unclosed\n"), "none");
+    EXPECT_NE(problem_of("## title\n**unclosed\n"), "none");
+    use_words_of(Templates());
+}
+
+}   // namespace meshfolio::report
