@@ -8,7 +8,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
-#include "base/prefetch.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 

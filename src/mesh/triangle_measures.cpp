@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "base/prefetch.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 

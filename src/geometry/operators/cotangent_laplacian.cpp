@@ -6,10 +6,10 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "base/prefetch.h"
 #include "geometry/operators/intrinsic_input.h"
 #include "geometry/operators/stiffness_rows.h"
 #include "geometry/operators/triangle_shape.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
