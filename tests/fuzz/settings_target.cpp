@@ -5,8 +5,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace meshfolio;
     try {
-        cli::parse_settings(fuzzing::text_of(bytes, size), "fuzz.toml");
-    } catch (const cli::SettingsErrors& errors) {
+        run::parse_settings(fuzzing::text_of(bytes, size), "fuzz.toml");
+    } catch (const run::SettingsErrors& errors) {
         fuzzing::require(!errors.problems().empty(), "a refusal has a reason");
         for (const UsageError& problem : errors.problems()) {
             fuzzing::require(std::string_view(problem.what()).find('\n') == std::string_view::npos, "an error is one line");

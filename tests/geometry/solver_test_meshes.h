@@ -1,5 +1,5 @@
 /// @file
-/// Meshes for the tests of spectra, stability and smoothing.
+/// Meshes for the tests of spectra, stability and smoothing, and how far they are apart.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,6 +25,8 @@ inline TriangleMesh side_by_side(const TriangleMesh& a, const TriangleMesh& b) {
     both.F << a.F, (b.F.array() + a.vertex_count()).matrix();
     return both;
 }
+
+inline double largest_difference(const Positions& a, const Positions& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
 /// One more vertex, first in order, that no triangle uses.
 inline TriangleMesh with_unreferenced_vertex(const TriangleMesh& mesh, const Vector3& where) {

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "color/srgb.h"
+#include "render/picture_box.h"
 #include "render/shapes.h"
 #include "scene/outline.h"
 #include "scene/projection.h"
@@ -27,8 +28,7 @@ using render_tests::differing_pixels;
 using render_tests::grid;
 using render_tests::Mesh;
 using render_tests::pebble;
-
-constexpr Rgba white{255, 255, 255, 255};
+using render_tests::white;
 
 /// What `render --plain` uses.
 DrawOptions plain(int width, int height) { return {.width = width, .height = height, .fill = 0.95, .shading = false, .samples = 1}; }
@@ -37,7 +37,9 @@ DrawOptions shaded(int size, const char* colormap, double low, double high) {
     return {.width = size, .height = size, .range = {&render::colormap_named(colormap), low, high}};
 }
 
-std::vector<Image> drawn(const Mesh& mesh, const DrawOptions& options) { return render::draw_views(mesh.surface(), six_views, options); }
+std::vector<Image> six_pictures(const Mesh& mesh, const DrawOptions& options) {
+    return render::draw_views(mesh.surface(), six_views, options);
+}
 
 int inked_pixels(const Image& image) {
     return static_cast<int>(std::count_if(image.pixels.begin(), image.pixels.end(), [](Rgba p) { return p != white; }));
@@ -71,7 +73,7 @@ TEST(SixViews, EachAxisPointsWhereTheContractSays) {
         for (const glm::dvec3& p : mesh.positions) mesh.values.push_back(p[axis]);
         DrawOptions options = plain(101, 101);
         options.range = {&render::colormap_named("grey"), -1, 1};
-        const std::vector<Image> images = drawn(mesh, options);
+        const std::vector<Image> images = six_pictures(mesh, options);
         for (std::size_t v = 0; v < 6; ++v) {
             ASSERT_EQ(six_views[v].name, table[v].name);
             const Image& image = images[v];
@@ -94,7 +96,7 @@ TEST(SixViews, AnUnevenBoxIsCentredAndOnOneScale) {
     const Mesh mesh = box({10, -7, 100}, {14, 1, 102});   // 4 × 8 × 2
     const int width = 400, height = 320;
     const double scale = 0.95 * height / 8;
-    const std::vector<Image> images = drawn(mesh, plain(width, height));
+    const std::vector<Image> images = six_pictures(mesh, plain(width, height));
     const std::array<std::array<double, 2>, 6> sizes{{{2, 8}, {2, 8}, {4, 2}, {4, 2}, {4, 8}, {4, 8}}};
     for (std::size_t v = 0; v < 6; ++v) {
         const Extent e = extent_of(images[v]);
@@ -113,7 +115,7 @@ TEST(SixViews, TheNearerOfTwoSquaresIsSeenFromEachSide) {
     mesh.values = {0, 0, 0, 0, 1, 1, 1, 1};
     DrawOptions options = plain(50, 50);
     options.range = {&render::colormap_named("diverging"), 0, 1};
-    const std::vector<Image> images = drawn(mesh, options);
+    const std::vector<Image> images = six_pictures(mesh, options);
     EXPECT_EQ(images[4].at(25, 25), render::color_at(*options.range.colormap, 1));   // +z
     EXPECT_EQ(images[5].at(25, 25), render::color_at(*options.range.colormap, 0));   // −z
 }
@@ -121,7 +123,7 @@ TEST(SixViews, TheNearerOfTwoSquaresIsSeenFromEachSide) {
 // ---- colours --------------------------------------------------------------------------------------------------------
 
 TEST(DrawViews, PlainPicturesHaveTwoColours) {
-    for (const Image& image : drawn(pebble(), [] {
+    for (const Image& image : six_pictures(pebble(), [] {
              DrawOptions o = plain(120, 90);
              o.range.colormap = nullptr;
              return o;
@@ -129,7 +131,7 @@ TEST(DrawViews, PlainPicturesHaveTwoColours) {
         EXPECT_GT(inked_pixels(image), 1000);
     Mesh mesh = pebble();
     mesh.values.clear();
-    for (const Image& image : drawn(mesh, plain(120, 90)))
+    for (const Image& image : six_pictures(mesh, plain(120, 90)))
         for (const Rgba p : image.pixels) ASSERT_TRUE(p == white || p == DrawOptions{}.surface_color);
 }
 
@@ -137,7 +139,7 @@ TEST(DrawViews, NumbersOfTrianglesAreReadFromTheColours) {
     Mesh mesh = grid(20);   // 800 triangles: the green channel is needed
     DrawOptions options = plain(400, 400);
     options.face_colors_from_id = true;
-    const Image image = drawn(mesh, options)[4];
+    const Image image = six_pictures(mesh, options)[4];
     const double scale = 0.95 * 400 / 2;
     for (int y = 15; y < 385; y += 7)
         for (int x = 15; x < 385; x += 7) {
@@ -158,7 +160,7 @@ TEST(DrawViews, ValuesAreInterpolatedBeforeTheyAreColoured) {
     for (const glm::dvec3& p : mesh.positions) mesh.values.push_back(p.x);
     DrawOptions options = plain(200, 200);
     options.range = {&render::colormap_named("viridis"), -1, 1};
-    const Image image = drawn(mesh, options)[4];
+    const Image image = six_pictures(mesh, options)[4];
     for (int x = 6; x < 194; ++x) {
         const double value = (x + 0.5 - 100) / (0.95 * 100);
         const Rgba expected = render::color_at(*options.range.colormap, (value + 1) / 2);
@@ -176,9 +178,9 @@ TEST(DrawViews, ValuesBeyondTheRangeHaveTheColoursOfItsEnds) {
         mesh.values.assign(4, value);
         DrawOptions options = plain(20, 20);
         options.range = {&render::colormap_named("magma"), 0, 1};
-        EXPECT_EQ(drawn(mesh, options)[4].at(10, 10), options.range.colormap->stops.back());
+        EXPECT_EQ(six_pictures(mesh, options)[4].at(10, 10), options.range.colormap->stops.back());
         mesh.values.assign(4, -value);
-        EXPECT_EQ(drawn(mesh, options)[4].at(10, 10), options.range.colormap->stops.front());
+        EXPECT_EQ(six_pictures(mesh, options)[4].at(10, 10), options.range.colormap->stops.front());
     }
 }
 
@@ -188,7 +190,7 @@ TEST(DrawViews, AnUndefinedValueColoursWhatIsNearestToItsVertex) {
     mesh.values[4] = std::nan("");   // the middle
     DrawOptions options = plain(200, 200);
     options.range = {&render::colormap_named("viridis"), 0, 1};
-    const Image image = drawn(mesh, options)[4];
+    const Image image = six_pictures(mesh, options)[4];
     EXPECT_EQ(image.at(100, 100), options.undefined_color);
     EXPECT_EQ(image.at(110, 97), options.undefined_color);
     EXPECT_EQ(image.at(10, 10), render::color_at(*options.range.colormap, 0.5));
@@ -202,7 +204,7 @@ TEST(DrawViews, ShadingKeepsTheHueOfTheColours) {
     const DrawOptions options = shaded(150, "magma", 0, 1);
     const render::LinearColor base = render::linear_of(render::color_at(*options.range.colormap, 0.4));
     int shades = 0;
-    for (const Image& image : drawn(mesh, options))
+    for (const Image& image : six_pictures(mesh, options))
         for (int y = 40; y < 110; ++y)
             for (int x = 50; x < 100; ++x) {
                 const render::LinearColor c = render::linear_of(image.at(x, y));
@@ -216,7 +218,7 @@ TEST(DrawViews, ShadingKeepsTheHueOfTheColours) {
 
 TEST(DrawViews, TheBackOfAnOpenSurfaceIsToldApart) {
     DrawOptions options{.width = 60, .height = 60};
-    const auto middle = [&](std::size_t view) { return drawn(grid(3), options)[view].at(30, 30); };
+    const auto middle = [&](std::size_t view) { return six_pictures(grid(3), options)[view].at(30, 30); };
     EXPECT_NE(middle(4), middle(5));
     options.backface_tint = false;
     EXPECT_EQ(middle(4), middle(5));
@@ -224,9 +226,9 @@ TEST(DrawViews, TheBackOfAnOpenSurfaceIsToldApart) {
 
 TEST(DrawViews, EdgesDarkenOnlyTheNeighbourhoodOfEdges) {
     DrawOptions options{.width = 200, .height = 200};
-    const Image without = drawn(grid(2), options)[4];
+    const Image without = six_pictures(grid(2), options)[4];
     options.edges = true;
-    const Image with = drawn(grid(2), options)[4];
+    const Image with = six_pictures(grid(2), options)[4];
     EXPECT_LT(with.at(100, 150).r, without.at(100, 150).r - 30);   // beside the line x = 0
     EXPECT_EQ(with.at(130, 170), without.at(130, 170));            // inside a triangle
     for (std::size_t i = 0; i < with.pixels.size(); ++i) ASSERT_LE(with.pixels[i].r, without.pixels[i].r);
@@ -240,9 +242,9 @@ TEST(DrawViews, IsolinesRunWhereTheValueIsAMultipleOfTheirSpacing) {
     for (const glm::dvec3& p : mesh.positions) mesh.values.push_back(p.x);
     DrawOptions options = plain(200, 200);
     options.range = {&render::colormap_named("viridis"), -1, 1};
-    const Image without = drawn(mesh, options)[4];
+    const Image without = six_pictures(mesh, options)[4];
     options.isoline_spacing = 0.5;
-    const Image with = drawn(mesh, options)[4];
+    const Image with = six_pictures(mesh, options)[4];
     for (int x = 0; x < 200; ++x) {
         const double value = (x + 0.5 - 100) / 95, from_line = std::abs(value / 0.5 - std::round(value / 0.5)) * 0.5 * 95;
         const bool inside = std::abs(value) < 0.98;
@@ -260,29 +262,29 @@ TEST(DrawViews, AFlatPartThatLiesOnALevelIsNoLine) {
     mesh.values.assign(9, 0.5);
     DrawOptions options = plain(60, 60);
     options.range = {&render::colormap_named("viridis"), 0, 1};
-    const Image without = drawn(mesh, options)[4];
+    const Image without = six_pictures(mesh, options)[4];
     options.isoline_spacing = 0.5;
-    EXPECT_EQ(differing_pixels(drawn(mesh, options)[4], without), 0);
+    EXPECT_EQ(differing_pixels(six_pictures(mesh, options)[4], without), 0);
 }
 
 TEST(DrawViews, AMarkOnTheVeryEdgeOfThePictureIsRinged) {
     const Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
     DrawOptions options = plain(200, 200);
     options.fill = 1;   // corners of the box lie in those of the picture
-    const auto unmarked = drawn(mesh, options);
+    const auto unmarked = six_pictures(mesh, options);
     const std::vector<int> corners{0, 1, 2, 3, 4, 5, 6, 7};
     options.marked_vertices = corners;
-    const auto marked = drawn(mesh, options);
+    const auto marked = six_pictures(mesh, options);
     for (std::size_t v = 0; v < 6; ++v) EXPECT_NE(marked[v].at(0, 4), unmarked[v].at(0, 4)) << render::six_views[v].name;
 }
 
 TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {
     const Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
     DrawOptions options = plain(200, 200);
-    const auto unmarked = drawn(mesh, options);
+    const auto unmarked = six_pictures(mesh, options);
     const std::vector<int> marks{7, 99, -1};   // the corner (1, 1, 1), and two that are not there
     options.marked_vertices = marks;
-    const auto marked = drawn(mesh, options);
+    const auto marked = six_pictures(mesh, options);
     for (std::size_t v = 0; v < 6; ++v) {
         const bool faces_it = glm::dot(render::six_views[v].from, glm::dvec3(1)) > 0;
         EXPECT_EQ(differing_pixels(marked[v], unmarked[v]) > 0, faces_it) << render::six_views[v].name;
@@ -293,10 +295,10 @@ TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {
     layers.positions.push_back({0, 0, -0.06});
     layers.triangles.insert(layers.triangles.end(), {{4, 5, 8}, {5, 7, 8}, {7, 6, 8}, {6, 4, 8}});
     options.marked_vertices = {};
-    const auto bare = drawn(layers, options);
+    const auto bare = six_pictures(layers, options);
     const std::vector<int> inner{8};
     options.marked_vertices = inner;
-    const auto ringed = drawn(layers, options);
+    const auto ringed = six_pictures(layers, options);
     EXPECT_EQ(differing_pixels(ringed[4], bare[4]), 0);
     EXPECT_GT(differing_pixels(ringed[5], bare[5]), 0);
 }
@@ -304,7 +306,7 @@ TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {
 TEST(DrawViews, FourSamplesGiveQuartersOfCoverage) {
     DrawOptions options{.width = 64, .height = 64, .background = {255, 255, 255, 0}};
     int partial = 0;
-    for (const Image& image : drawn(pebble(), options))
+    for (const Image& image : six_pictures(pebble(), options))
         for (const Rgba p : image.pixels) {
             ASSERT_TRUE(p.a == 0 || p.a == 64 || p.a == 128 || p.a == 191 || p.a == 255) << int(p.a);
             partial += p.a > 0 && p.a < 255 ? 1 : 0;
@@ -315,13 +317,13 @@ TEST(DrawViews, FourSamplesGiveQuartersOfCoverage) {
 TEST(DrawViews, APlaneSeenEdgeOnKeepsAnOutline) {
     DrawOptions options{.width = 100, .height = 100};
     for (const std::size_t v : {0, 1, 2, 3}) {
-        const Image image = drawn(grid(4), options)[v];
+        const Image image = six_pictures(grid(4), options)[v];
         const Extent e = extent_of(image);
         EXPECT_NEAR(std::max(e.x1 - e.x0, e.y1 - e.y0), 92, 2) << six_views[v].name;
         EXPECT_LE(std::min(e.x1 - e.x0, e.y1 - e.y0), 4) << six_views[v].name;
     }
     options.shading = false;
-    EXPECT_EQ(inked_pixels(drawn(grid(4), options)[0]), 0);
+    EXPECT_EQ(inked_pixels(six_pictures(grid(4), options)[0]), 0);
 }
 
 // ---- robustness -----------------------------------------------------------------------------------------------------
@@ -345,7 +347,7 @@ TEST(DrawViews, BrokenTrianglesBesideRibbonsAreLeftOut) {
     mesh.triangles = {{2000000000, 0, 1}, {0, 1, 2}, {-1, 2, 3}, {0, 2, 3}};
     Mesh whole = mesh;
     whole.triangles = {{0, 1, 2}, {0, 2, 3}};
-    const auto with = drawn(mesh, {.width = 80, .height = 80}), without = drawn(whole, {.width = 80, .height = 80});
+    const auto with = six_pictures(mesh, {.width = 80, .height = 80}), without = six_pictures(whole, {.width = 80, .height = 80});
     for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(with[v], without[v]), 0) << six_views[v].name;
 }
 
@@ -353,7 +355,7 @@ TEST(DrawViews, TrianglesWithoutVerticesAndNoViewsAreHarmless) {
     Mesh mesh;
     mesh.triangles = {{0, 1, 2}};
     const DrawOptions options{.width = 30, .height = 20, .frame = render::Frame{}};
-    for (const Image& image : drawn(mesh, options)) EXPECT_EQ(inked_pixels(image), 0);
+    for (const Image& image : six_pictures(mesh, options)) EXPECT_EQ(inked_pixels(image), 0);
     EXPECT_TRUE(render::draw_views(grid(2).surface(), {}, options).empty());
 }
 
@@ -363,7 +365,7 @@ TEST(DrawViews, OcclusionHidesNothingHoweverDeepItLies) {
         Mesh mesh = grid(1);
         for (glm::dvec3& p : mesh.positions) p = {100 * p.x, 100 * p.y, depth};
         DrawOptions options{.width = 60, .height = 60, .frame = render::Frame{{0, 0, 0}, 1}};
-        EXPECT_EQ(inked_pixels(drawn(mesh, options)[4]), 3600) << depth;
+        EXPECT_EQ(inked_pixels(six_pictures(mesh, options)[4]), 3600) << depth;
     }
 }
 
@@ -394,24 +396,24 @@ TEST(DrawViews, BrokenTrianglesAreLeftOut) {
          {glm::ivec3(0, 1, first), {first + 1, 5, 9}, {4, first + 2, 2}, {-1, 2, 3}, {0, 1, 1 << 30}, {7, 7, 7}, {3, 3, 60}})
         broken.triangles.push_back(t);
     const DrawOptions options = shaded(90, "viridis", -400, 400);
-    const std::vector<Image> expected = drawn(mesh, options), got = drawn(broken, options);
+    const std::vector<Image> expected = six_pictures(mesh, options), got = six_pictures(broken, options);
     for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(expected[v], got[v]), 0);
 }
 
 TEST(DrawViews, NothingToDrawGivesTheBackground) {
     for (const Mesh& mesh : {Mesh{}, Mesh{{{std::nan(""), 0, 0}}, {{0, 0, 0}}}, Mesh{{{1, 2, 3}}, {{0, 0, 0}}}})
-        for (const Image& image : drawn(mesh, {.width = 30, .height = 20})) EXPECT_EQ(inked_pixels(image), 0);
+        for (const Image& image : six_pictures(mesh, {.width = 30, .height = 20})) EXPECT_EQ(inked_pixels(image), 0);
 }
 
 // Powers of two and integer offsets are exact in double, so the pictures must be equal to the byte.
 TEST(DrawViews, ScaleAndPlaceOfTheModelDoNotMatter) {
     const Mesh mesh = pebble();
     const DrawOptions options = shaded(100, "viridis", -400, 400);
-    const std::vector<Image> expected = drawn(mesh, options);
+    const std::vector<Image> expected = six_pictures(mesh, options);
     const auto expect_same = [&](double scale, const glm::dvec3& offset) {
         Mesh moved = mesh;
         for (glm::dvec3& p : moved.positions) p = scale * p + offset;
-        const std::vector<Image> got = drawn(moved, options);
+        const std::vector<Image> got = six_pictures(moved, options);
         for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(expected[v], got[v]), 0) << scale << " " << offset.x;
     };
     for (const int exponent : {100, 900, -40, -900}) expect_same(std::ldexp(1.0, exponent), glm::dvec3(0));
@@ -422,18 +424,18 @@ TEST(DrawViews, ScaleAndPlaceOfTheModelDoNotMatter) {
 TEST(DrawViews, DecimalScalesGiveTheSamePictureUpToRounding) {
     const Mesh mesh = pebble();
     const DrawOptions options = shaded(100, "viridis", -400, 400);
-    const std::vector<Image> expected = drawn(mesh, options);
+    const std::vector<Image> expected = six_pictures(mesh, options);
     for (const double scale : {1e30, 1e-12, 1e300, 3e-300}) {
         Mesh scaled = mesh;
         for (glm::dvec3& p : scaled.positions) p *= scale;
-        const std::vector<Image> got = drawn(scaled, options);
+        const std::vector<Image> got = six_pictures(scaled, options);
         for (std::size_t v = 0; v < 6; ++v) EXPECT_LE(differing_pixels(expected[v], got[v]), 20) << scale;
     }
 }
 
 TEST(DrawViews, TheWholeRangeOfDoubleCanBeFramed) {
     const double most = std::numeric_limits<double>::max();
-    const Image image = drawn(box(glm::dvec3(-most), glm::dvec3(most)), plain(40, 40))[4];
+    const Image image = six_pictures(box(glm::dvec3(-most), glm::dvec3(most)), plain(40, 40))[4];
     EXPECT_NEAR(inked_pixels(image), 38 * 38, 80);
 }
 
@@ -443,11 +445,11 @@ TEST(DrawViews, CornersFarOutsideThePictureAreHarmless) {
         Mesh mesh{{{-far, -far, 0}, {far, -far, 0}, {0, far, 0}}, {{0, 1, 2}}};
         DrawOptions options = plain(64, 64);
         options.frame = render::Frame{{0, 0, 0}, 32};
-        EXPECT_EQ(inked_pixels(drawn(mesh, options)[4]), 64 * 64) << far;
+        EXPECT_EQ(inked_pixels(six_pictures(mesh, options)[4]), 64 * 64) << far;
     }
     Mesh mesh{{{-1e250, -1e250, 0}, {1e250, -1e250, 0}, {0, 1e250, 1e300}}, {{0, 1, 2}}};
     DrawOptions options{.width = 64, .height = 64, .frame = render::Frame{{0, 0, 0}, 1e100}};
-    EXPECT_EQ(drawn(mesh, options).size(), 6U);
+    EXPECT_EQ(six_pictures(mesh, options).size(), 6U);
 }
 
 TEST(DrawViews, AnyNumberOfThreadsGivesTheSameBytes) {
@@ -456,7 +458,7 @@ TEST(DrawViews, AnyNumberOfThreadsGivesTheSameBytes) {
     options.edges = true;
     const auto with_threads = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return drawn(mesh, options);
+        return six_pictures(mesh, options);
     };
     const std::vector<Image> one = with_threads(1), two = with_threads(2);
     for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(one[v], two[v]), 0);
@@ -467,21 +469,21 @@ TEST(DrawViews, PicturesAreCutIntoTilesWithoutSeams) {
     const Mesh mesh = pebble();
     DrawOptions options = shaded(100, "viridis", -400, 400);
     options.frame = render::Frame{{0, 0, 0}, 0.1};
-    const Image square = drawn(mesh, options)[4];
+    const Image square = six_pictures(mesh, options)[4];
     options.height = 132;   // sixteen rows more above: the pattern of samples repeats every other row
-    const Image high = drawn(mesh, options)[4];
+    const Image high = six_pictures(mesh, options)[4];
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 100; ++x) ASSERT_EQ(square.at(x, y), high.at(x, y + 16)) << x << " " << y;
 }
 
 TEST(DrawViews, WrongOptionsAreRefused) {
     const Mesh mesh = grid(1);
-    EXPECT_THROW(drawn(mesh, {.width = 0}), std::invalid_argument);
-    EXPECT_THROW(drawn(mesh, {.height = 20000}), std::invalid_argument);
-    EXPECT_THROW(drawn(mesh, {.samples = 3}), std::invalid_argument);
+    EXPECT_THROW(six_pictures(mesh, {.width = 0}), std::invalid_argument);
+    EXPECT_THROW(six_pictures(mesh, {.height = 20000}), std::invalid_argument);
+    EXPECT_THROW(six_pictures(mesh, {.samples = 3}), std::invalid_argument);
     Mesh odd = grid(1);
     odd.values = {1, 2};
-    EXPECT_THROW(drawn(odd, {}), std::invalid_argument);
+    EXPECT_THROW(six_pictures(odd, {}), std::invalid_argument);
 }
 
 }   // namespace

@@ -12,13 +12,8 @@
 #include <sstream>
 #include <string>
 
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#include <stb/stb_image.h>
-
 #include "png/png.h"
+#include "render/decode_picture.h"
 #include "scene/picture_difference.h"
 #include "sheet/contact_sheet.h"
 

@@ -46,7 +46,7 @@ Mesh bowl() {
     return mesh;
 }
 
-Image drawn(const Mesh& mesh, DrawOptions options) {
+Image small_picture(const Mesh& mesh, DrawOptions options) {
     options.width = options.height = 144;
     return render::draw_views(mesh.surface(), std::array{render::view_named("+z")}, options).front();
 }
@@ -59,10 +59,12 @@ void expect_golden(const std::string& name, const Image& image) {
 }
 
 TEST(Golden, PebbleWithValues) {
-    expect_golden("pebble", drawn(render_tests::pebble(), {.range = {&render::colormap_named("viridis"), -500, 500}}));
+    expect_golden("pebble", small_picture(render_tests::pebble(), {.range = {&render::colormap_named("viridis"), -500, 500}}));
 }
 
-TEST(Golden, BoxWithEdges) { expect_golden("box_edges", drawn(turned(render_tests::box({-2, -1, -1.5}, {2, 1, 1.5})), {.edges = true})); }
+TEST(Golden, BoxWithEdges) {
+    expect_golden("box_edges", small_picture(turned(render_tests::box({-2, -1, -1.5}, {2, 1, 1.5})), {.edges = true}));
+}
 
 TEST(Golden, IsolinesMarksAndCreasesFromThreeQuarters) {
     Mesh mesh = render_tests::box({-1, -1, -1}, {1, 1, 1});
@@ -76,13 +78,13 @@ TEST(Golden, IsolinesMarksAndCreasesFromThreeQuarters) {
     expect_golden("hero", render::draw_views(mesh.surface(), std::array{render::three_quarter_view()}, options).front());
 }
 
-TEST(Golden, BowlShowsItsBack) { expect_golden("bowl", drawn(turned(bowl()), {})); }
+TEST(Golden, BowlShowsItsBack) { expect_golden("bowl", small_picture(turned(bowl()), {})); }
 
 TEST(Golden, SaddleWithSignedAndUndefinedValues) {
     Mesh mesh = saddle();
     for (std::size_t i = 0; i < mesh.values.size(); ++i)
         if (glm::length(mesh.positions[i] - glm::dvec3(0.5, 0.4, 0)) < 0.25) mesh.values[i] = std::numeric_limits<double>::quiet_NaN();
-    expect_golden("saddle", drawn(turned(mesh), {.range = {&render::colormap_named("diverging"), -0.6, 0.6}}));
+    expect_golden("saddle", small_picture(turned(mesh), {.range = {&render::colormap_named("diverging"), -0.6, 0.6}}));
 }
 
 TEST(Golden, PhasesOnATransparentGround) {
@@ -92,7 +94,7 @@ TEST(Golden, PhasesOnATransparentGround) {
         mesh.values.push_back(1.5 * p.x);
     }
     expect_golden("phases",
-                  drawn(turned(mesh), {.range = {&render::colormap_named("cyclic"), -1.5, 1.5}, .background = {255, 255, 255, 0}}));
+                  small_picture(turned(mesh), {.range = {&render::colormap_named("cyclic"), -1.5, 1.5}, .background = {255, 255, 255, 0}}));
 }
 
 // ---- the harness itself ---------------------------------------------------------------------------------------------
@@ -101,7 +103,7 @@ class GoldenHarness : public testing::Test {
 protected:
     const meshfolio::testing_tools::TemporaryFolder temporary_;
     const fs::path folder_ = temporary_.path();
-    const Image picture_ = drawn(render_tests::pebble(), {.background = {0, 0, 0, 0}});
+    const Image picture_ = small_picture(render_tests::pebble(), {.background = {0, 0, 0, 0}});
 
     std::string complaint_about(const Image& image, bool update = false) const {
         return render_tests::golden_complaint("pebble", image, folder_ / "golden", folder_ / "review", update);

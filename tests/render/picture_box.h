@@ -12,6 +12,8 @@ namespace render_tests {
 using render::Image;
 using render::Rgba;
 
+inline constexpr Rgba white{255, 255, 255, 255};
+
 struct Box {
     int x0 = 1 << 20, x1 = -1, y0 = 1 << 20, y1 = -1, count = 0;
     bool is_full(int width, int height) const { return x1 - x0 + 1 == width && y1 - y0 + 1 == height && count == width * height; }

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "report/test_tools.h"
+
 namespace meshfolio::report {
 
 namespace {
-
-const double undefined = std::nan("");
 
 Table error_table() {
     Table table{"q1_errors",

@@ -21,7 +21,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }   // namespace
 
 TEST(OwnSource, EveryCitationOfEverySectionIsTheLineOfADefinition) {
-    const submission::SourceListing& listing = cli::own_source();
+    const submission::SourceListing& listing = run::own_source();
     const auto lines = lines_of(listing.text());
     for (const std::string& id : section_ids()) {
         const auto code = chapter_of_id(id).cited_code();
@@ -50,7 +50,7 @@ TEST(OwnSource, EveryChapterCitesItsOwnFile) {
 }
 
 TEST(OwnSource, TheIndexNamesAllSectionsWithTheirLines) {
-    const auto& index = cli::own_source().index();
+    const auto& index = run::own_source().index();
     ASSERT_EQ(index.size(), section_ids().size());
     EXPECT_EQ(index.front().label, "Q1");
     EXPECT_EQ(index[7].label, "A");

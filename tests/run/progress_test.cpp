@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-using namespace meshfolio::cli;
+using namespace meshfolio::run;
 
 namespace {
 
@@ -45,31 +45,31 @@ TEST(StageLine, KeepsTheSecondsHoweverNarrowTheTerminal) {
 }
 
 TEST(ProgressDisplay, WithoutATerminalItPrintsLines) {
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     {
         ProgressDisplay display(false);
         display.step("q1: begins");
         display.advance(0.5);
         display.milestone("q1: answered");
     }
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "meshfolio: q1: answered\n");
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "meshfolio: q1: answered\n");
 }
 
 TEST(ProgressDisplay, OnATerminalItRedrawsOneLineAndClearsIt) {
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     {
         ProgressDisplay display(true);
         for (int i = 0; i < 1000; ++i) display.step("step " + std::to_string(i));
         display.advance(1);
     }
-    const std::string shown = testing::internal::GetCapturedStderr();
+    const std::string shown = ::testing::internal::GetCapturedStderr();
     EXPECT_EQ(shown.find('\n'), std::string::npos);
     EXPECT_LT(std::count(shown.begin(), shown.end(), '\r'), 30) << "at most ten times a second";
     EXPECT_TRUE(shown.ends_with("\r\x1b[K"));
 }
 
 TEST(ProgressDisplay, TakesCallsFromManyThreads) {
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     {
         ProgressDisplay display(false);
         std::vector<std::jthread> threads;
@@ -78,6 +78,6 @@ TEST(ProgressDisplay, TakesCallsFromManyThreads) {
                 for (int i = 0; i < 50; ++i) display.milestone("line");
             });
     }
-    const std::string shown = testing::internal::GetCapturedStderr();
+    const std::string shown = ::testing::internal::GetCapturedStderr();
     EXPECT_EQ(shown.size(), 200 * std::string("meshfolio: line\n").size());
 }

@@ -8,7 +8,7 @@ namespace meshfolio::submission {
 namespace {
 
 /// Everything that is not the definition comes before it.
-const std::string text = R"text(#include "area.h"
+const std::string cpp_text = R"text(#include "area.h"
 // double area(double r) { in a comment }
 /* double area(double r) {
 } */
@@ -61,11 +61,11 @@ inline constexpr bool operator==(const Disk& a, const Disk& b) { return true; }
 
 /// The line itself.
 std::string found(const std::string& name) {
-    long line = definition_line(text, name);
+    long line = definition_line(cpp_text, name);
     if (line == 0) return "";
     std::size_t begin = 0;
-    for (; line > 1; --line) begin = text.find('\n', begin) + 1;
-    return text.substr(begin, text.find('\n', begin) - begin);
+    for (; line > 1; --line) begin = cpp_text.find('\n', begin) + 1;
+    return cpp_text.substr(begin, cpp_text.find('\n', begin) - begin);
 }
 
 }   // namespace
@@ -85,7 +85,7 @@ TEST(Definition, OfTypesAndMembers) {
 
 TEST(Definition, OfWhatIsNotDefinedIsNowhere) {
     for (const char* name : {"", "volume", "words", "unit", "are", "rea", "shapes", "other_", "third_", "MAKE", "if", "Wrapper::area"})
-        EXPECT_EQ(definition_line(text, name), 0) << name;
+        EXPECT_EQ(definition_line(cpp_text, name), 0) << name;
     EXPECT_EQ(definition_line("double area(double r);\ndouble s = area(2);\n", "area"), 0);
     EXPECT_EQ(definition_line("", "area"), 0);
 }

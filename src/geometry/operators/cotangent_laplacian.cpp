@@ -6,10 +6,10 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "mesh/prefetch.h"
 #include "geometry/operators/intrinsic_input.h"
 #include "geometry/operators/stiffness_rows.h"
 #include "geometry/operators/triangle_shape.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
@@ -137,7 +137,7 @@ CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int*
 CornerValues corner_cotangents(const TriangleMesh& mesh, int* without_area) {
     const double scale = unit_scale(mesh);
     const auto shape_of = [&](int t) {
-        prefetch_corners(mesh, t);
+        send_for_corners(mesh, t);
         return triangle_shape(mesh, t, scale);
     };
     return cotangents_of_shapes(mesh.F.rows(), shape_of, without_area);

@@ -4,9 +4,9 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "mesh/prefetch.h"
 #include "geometry/operators/intrinsic_input.h"
 #include "geometry/operators/triangle_shape.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
@@ -85,7 +85,7 @@ AreaForm area_form_named(const std::string& name) {
 Vector vertex_areas(const TriangleMesh& mesh, AreaForm form) {
     const double scale = unit_scale(mesh);
     const auto shape_of = [&](int t) {
-        prefetch_corners(mesh, t);
+        send_for_corners(mesh, t);
         return triangle_shape(mesh, t, scale);
     };
     return areas_from_shapes(mesh.F, mesh.X.rows(), form, shape_of, 1 / (scale * scale));

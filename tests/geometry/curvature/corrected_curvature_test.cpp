@@ -15,17 +15,17 @@ using namespace meshfolio::testing;
 
 namespace {
 
-const Vector3 half_axes(1.5, 1, 0.7);
+const Vector3 hull_axes(1.5, 1, 0.7);
 
 TriangleMesh random_ellipsoid(int points) {
     TriangleMesh hull = random_sphere(points, 1);
-    hull.X.array().rowwise() *= half_axes.transpose().array();
+    hull.X.array().rowwise() *= hull_axes.transpose().array();
     return hull;
 }
 
 Positions exact_normals(const TriangleMesh& ellipsoid) {
     Positions normals = ellipsoid.X;
-    normals.array().rowwise() /= half_axes.transpose().array().square();
+    normals.array().rowwise() /= hull_axes.transpose().array().square();
     normals.rowwise().normalize();
     return normals;
 }
@@ -36,7 +36,7 @@ double l2_error_of_H(const TriangleMesh& mesh, const Positions& normals) {
     const Vector A = vertex_areas(mesh, AreaForm::barycentric);
     double error = 0, size = 0;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
-        const double truth = ellipsoid_curvature(half_axes, mesh.X.row(v).transpose()).H;
+        const double truth = ellipsoid_curvature(hull_axes, mesh.X.row(v).transpose()).H;
         error += A[v] * std::pow(curvature.H[v] - truth, 2);
         size += A[v] * truth * truth;
     }

@@ -16,17 +16,17 @@ using namespace meshfolio::testing;
 
 namespace {
 
-const Vector3 half_axes(1.7, 1.1, 0.6);
+const Vector3 egg_axes(1.7, 1.1, 0.6);
 
 CurvaturePair on_torus(const Vector3& p) { return torus_curvature(1, 0.4, p); }
-CurvaturePair on_ellipsoid(const Vector3& p) { return ellipsoid_curvature(half_axes, p); }
+CurvaturePair on_ellipsoid(const Vector3& p) { return ellipsoid_curvature(egg_axes, p); }
 
-struct Errors {
+struct ErrorPair {
     double H, K;
 };
 
 /// Area-weighted root mean squares of the errors over those of the truth.
-Errors l2_errors(const TriangleMesh& mesh, CurvaturePair (*truth)(const Vector3&)) {
+ErrorPair l2_errors(const TriangleMesh& mesh, CurvaturePair (*truth)(const Vector3&)) {
     const JetCurvature jets = jet_curvature(mesh, topology_of(mesh));
     const Vector A = vertex_areas(mesh, AreaForm::barycentric);
     double H = 0, K = 0, H0 = 0, K0 = 0;
@@ -91,12 +91,12 @@ TEST(JetFit, OfACubicGraph) {
 }
 
 TEST(JetFit, ConvergesAtSecondOrderOnRegularAndIrregularMeshes) {
-    const auto expect_second_order = [](const Errors& coarse, const Errors& fine, const char* name) {
+    const auto expect_second_order = [](const ErrorPair& coarse, const ErrorPair& fine, const char* name) {
         EXPECT_GT(std::log2(coarse.H / fine.H), 1.85) << name;
         EXPECT_GT(std::log2(coarse.K / fine.K), 1.85) << name;
     };
     expect_second_order(l2_errors(torus_mesh(48, 24, 1, 0.4), on_torus), l2_errors(torus_mesh(96, 48, 1, 0.4), on_torus), "torus");
-    expect_second_order(l2_errors(ellipsoid_mesh(4, half_axes), on_ellipsoid), l2_errors(ellipsoid_mesh(5, half_axes), on_ellipsoid),
+    expect_second_order(l2_errors(ellipsoid_mesh(4, egg_axes), on_ellipsoid), l2_errors(ellipsoid_mesh(5, egg_axes), on_ellipsoid),
                         "ellipsoid");
     expect_second_order(l2_errors(irregular_torus(64), on_torus), l2_errors(irregular_torus(128), on_torus), "irregular torus");
 }
@@ -105,7 +105,7 @@ TEST(JetFit, ConvergesAtSecondOrderOnRegularAndIrregularMeshes) {
 TEST(JetFit, OnARandomEllipsoid) {
     TriangleMesh hull = random_sphere(10000, 1);
     hull.X.array().rowwise() *= Eigen::RowVector3d(1.5, 1, 0.7).array();
-    const Errors errors = l2_errors(hull, [](const Vector3& p) { return ellipsoid_curvature({1.5, 1, 0.7}, p); });
+    const ErrorPair errors = l2_errors(hull, [](const Vector3& p) { return ellipsoid_curvature({1.5, 1, 0.7}, p); });
     EXPECT_NEAR(errors.H, 0.0041, 0.0002);
     EXPECT_NEAR(errors.K, 0.0084, 0.0003);
 }

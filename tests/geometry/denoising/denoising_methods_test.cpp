@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "geometry/denoising/component_size.h"
+#include "geometry/denoising/noisy_mesh.h"
 #include "geometry/denoising/normal_filters.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
@@ -17,10 +18,6 @@ using namespace meshfolio;
 using namespace meshfolio::testing;
 
 namespace {
-
-TriangleMesh noisy(const TriangleMesh& mesh, double edges, std::uint64_t seed = 3) {
-    return moved_to(mesh, with_gaussian_noise(mesh.X, Vector3::Constant(edges * mean_edge_length(mesh)), seed));
-}
 
 /// A parameter that suits the mesh: a tenth of a squared mean edge, half the stable step, a pass band of 0.1, or σ_r of 0.4.
 double suiting(DenoisingMethod method, const TriangleMesh& mesh, double largest) {

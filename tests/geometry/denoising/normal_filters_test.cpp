@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "geometry/denoising/noisy_mesh.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
 
@@ -19,10 +20,6 @@ double largest_change(const Positions& a, const Positions& b) { return (a - b).r
 Positions bilateral(const TriangleMesh& mesh, double sigma_r) {
     const Positions N = face_normals(mesh);
     return filtered_normals(normal_kernel(mesh), N, N, sigma_r);
-}
-
-TriangleMesh noisy(const TriangleMesh& mesh, double edges, std::uint64_t seed = 3) {
-    return moved_to(mesh, with_gaussian_noise(mesh.X, Vector3::Constant(edges * mean_edge_length(mesh)), seed));
 }
 
 }   // namespace

@@ -14,7 +14,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-constexpr int steps = 8;
+constexpr int step_count = 8;
 constexpr double amount = 1e-5;
 
 /// Implicit steps with the operator of the input mesh, the noise's own.
@@ -23,7 +23,7 @@ Trajectory own_run(const TriangleMesh& mesh, const Positions& Y, double lambda) 
     SmoothingOptions options;
     options.scheme = SmoothingScheme::implicit_euler;
     options.lambda = lambda;
-    options.iterations = steps;
+    options.iterations = step_count;
     options.after_step = [&](int, const Positions& X) {
         run.push_back(X);
         return true;
@@ -34,7 +34,7 @@ Trajectory own_run(const TriangleMesh& mesh, const Positions& Y, double lambda) 
 
 Trajectory fixed_run(const LaplaceBeltrami& laplacian, const Positions& Y, double lambda) {
     Trajectory run{Y};
-    for (int t = 0; t < steps; ++t) run.push_back(implicit_step(laplacian, lambda, run.back()));
+    for (int t = 0; t < step_count; ++t) run.push_back(implicit_step(laplacian, lambda, run.back()));
     return run;
 }
 
@@ -42,16 +42,16 @@ Trajectory fixed_run(const LaplaceBeltrami& laplacian, const Positions& Y, doubl
 template <class Run>
 double distance_from_error(const TriangleMesh& mesh, double sigma, Run run, double sigma_told) {
     constexpr int seeds = 30;
-    DenseMatrix off(seeds, steps + 1);
+    DenseMatrix off(seeds, step_count + 1);
     for (int s = 0; s < seeds; ++s) {
         const Positions Y = with_gaussian_noise(mesh.X, Vector3::Constant(sigma), 70 + static_cast<std::uint64_t>(s));
         const Positions z = random_signs(Y.rows(), 900 + static_cast<std::uint64_t>(s));
         const Trajectory straight = run(Y);
         const Vector risk = risk_estimate(straight, run(Y + amount * z), z, amount).risk(sigma_told);
-        for (int t = 0; t <= steps; ++t) off(s, t) = risk[t] - (straight[static_cast<std::size_t>(t)] - mesh.X).squaredNorm();
+        for (int t = 0; t <= step_count; ++t) off(s, t) = risk[t] - (straight[static_cast<std::size_t>(t)] - mesh.X).squaredNorm();
     }
     double farthest = 0;
-    for (int t = 0; t <= steps; ++t) {
+    for (int t = 0; t <= step_count; ++t) {
         const double mean = off.col(t).mean();
         farthest = std::max(farthest, std::abs(mean) / std::sqrt((off.col(t).array() - mean).square().sum() / (seeds - 1.0) / seeds));
     }
@@ -74,21 +74,21 @@ TEST(RiskEstimate, DivergenceOfAGivenOperatorIsItsTrace) {
     const TriangleMesh mesh = lopsided_ellipsoid(2);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     const double lambda = 0.02;
-    Vector trace = Vector::Zero(steps + 1);
+    Vector trace = Vector::Zero(step_count + 1);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         Positions unit = Positions::Zero(mesh.vertex_count(), 3);
         unit(v, 0) = 1;
         const Trajectory run = fixed_run(laplacian, unit, lambda);
-        for (int t = 0; t <= steps; ++t) trace[t] += 3 * run[static_cast<std::size_t>(t)](v, 0);
+        for (int t = 0; t <= step_count; ++t) trace[t] += 3 * run[static_cast<std::size_t>(t)](v, 0);
     }
     constexpr int probes = 40;
-    DenseMatrix values(probes, steps + 1);
+    DenseMatrix values(probes, step_count + 1);
     for (int p = 0; p < probes; ++p) {
         const Positions z = random_signs(mesh.X.rows(), 10 + static_cast<std::uint64_t>(p));
         values.row(p) = risk_estimate(fixed_run(laplacian, mesh.X, lambda), fixed_run(laplacian, mesh.X + amount * z, lambda), z, amount)
                             .divergence.transpose();
     }
-    for (int t = 1; t <= steps; ++t) {
+    for (int t = 1; t <= step_count; ++t) {
         const double mean = values.col(t).mean();
         const double spread = std::sqrt((values.col(t).array() - mean).square().sum() / (probes - 1.0) / probes);
         EXPECT_LT(std::abs(mean - trace[t]), 4 * spread) << t;

@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "geometry/linear/special_values.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 double angle_of(double sine, double cosine) { return hwy::HWY_NAMESPACE::GetLane(HWY_NAMESPACE::angle_of(sine, cosine).lanes); }
 

@@ -27,8 +27,6 @@ SmoothingOptions implicit_options(double lambda, int iterations, double memory_l
     return options;
 }
 
-double largest_difference(const Positions& a, const Positions& b) { return (a - b).cwiseAbs().maxCoeff(); }
-
 }   // namespace
 
 TEST(ImplicitSolver, ConjugateGradientsEqualTheFactor) {

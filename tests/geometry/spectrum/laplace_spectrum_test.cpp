@@ -6,24 +6,12 @@
 
 #include "base/errors.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/spectrum_expectations.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;
 
 namespace {
-
-const SpectrumOptions by_lanczos{.dense_below = 0};
-const SpectrumOptions by_dense{.dense_below = 100'000};
-
-/// Eigenvalues of the five-point stencil on an n × n torus of unit squares: 4 sin²(πp/n) + 4 sin²(πq/n), ascending.
-Vector five_point_spectrum(int n) {
-    Vector mu(n * n);
-    for (int p = 0; p < n; ++p) {
-        for (int q = 0; q < n; ++q) mu[p + n * q] = 4 * std::pow(std::sin(pi * p / n), 2) + 4 * std::pow(std::sin(pi * q / n), 2);
-    }
-    std::sort(mu.begin(), mu.end());
-    return mu;
-}
 
 /// Largest relative error of the eigenvalues of degree l on the unit sphere, l(l+1) with multiplicity 2l + 1.
 double sphere_error(const Spectrum& spectrum, int l) {

@@ -34,8 +34,6 @@ struct Filtering {
     }
 };
 
-double largest_difference(const Positions& a, const Positions& b) { return (a - b).cwiseAbs().maxCoeff(); }
-
 }   // namespace
 
 TEST(SpectralFilter, AllGainsOneIsTheIdentity) {

@@ -13,8 +13,6 @@ using namespace meshfolio::testing;
 
 namespace {
 
-double largest_move(const Positions& a, const Positions& b) { return (a - b).cwiseAbs().maxCoeff(); }
-
 /// An icosahedron whose vertices have the area `area` each. Its eigenvalues come as 1, 3, 5, 3: the prefixes that are well defined.
 TriangleMesh icosahedron_of(double area) {
     const TriangleMesh mesh = icosphere(0);
@@ -31,8 +29,8 @@ TEST(SpectralMistakes, EqualAreasHideTheMissingMapping) {
         const Spectrum spectrum = smallest_eigenpairs(laplacian, 12);
         for (const int k : whole_clusters) {
             const Positions right = reconstruct(spectrum, laplacian.M, mesh.X, k);
-            EXPECT_LT(largest_move(reconstruct_unmapped(spectrum, laplacian.M, mesh.X, k), right), 1e-12);
-            EXPECT_LT(largest_move(area * reconstruct_unweighted(spectrum, laplacian.M, mesh.X, k), right), 1e-12)
+            EXPECT_LT(largest_difference(reconstruct_unmapped(spectrum, laplacian.M, mesh.X, k), right), 1e-12);
+            EXPECT_LT(largest_difference(area * reconstruct_unweighted(spectrum, laplacian.M, mesh.X, k), right), 1e-12)
                 << "off by the area, and by nothing where that is 1";
         }
     }
@@ -44,7 +42,7 @@ TEST(SpectralMistakes, EqualAreasHideTheEdgeNormalisedOperator) {
     const Spectrum spectrum = smallest_eigenpairs(right, 12), others = smallest_eigenpairs(other, 12);
     EXPECT_LT(largest_relative_difference(others.eigenvalues, spectrum.eigenvalues), 1e-12);
     for (const int k : whole_clusters) {
-        EXPECT_LT(largest_move(reconstruct(others, other.M, mesh.X, k), reconstruct(spectrum, right.M, mesh.X, k)), 1e-12);
+        EXPECT_LT(largest_difference(reconstruct(others, other.M, mesh.X, k), reconstruct(spectrum, right.M, mesh.X, k)), 1e-12);
     }
 }
 
@@ -67,7 +65,7 @@ TEST(SpectralMistakes, DependOnTheOrigin) {
     const Eigen::RowVector3d offset(10, 0, 0);
     const auto moves = [&](auto rebuild) {
         const Positions there = rebuild(spectrum, laplacian.M, Positions(mesh.X.rowwise() + offset), 10);
-        return largest_move(there.rowwise() - offset, rebuild(spectrum, laplacian.M, mesh.X, 10));
+        return largest_difference(there.rowwise() - offset, rebuild(spectrum, laplacian.M, mesh.X, 10));
     };
     EXPECT_LT(moves(reconstruct), 1e-12);
     EXPECT_GT(moves(reconstruct_unmapped), 0.1);
@@ -79,7 +77,7 @@ TEST(SpectralMistakes, AllUnmappedModesAreABasisAllTheSame) {
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     const Spectrum spectrum = smallest_eigenpairs(laplacian, 1000);
     const int n = static_cast<int>(spectrum.eigenvalues.size());
-    EXPECT_LT(largest_move(reconstruct_unmapped(spectrum, laplacian.M, mesh.X, n), mesh.X), 1e-12);
+    EXPECT_LT(largest_difference(reconstruct_unmapped(spectrum, laplacian.M, mesh.X, n), mesh.X), 1e-12);
     EXPECT_THROW(reconstruct_unmapped(spectrum, laplacian.M, mesh.X, n + 1), MeshError);
     EXPECT_THROW(reconstruct_unweighted(spectrum, laplacian.M, icosphere(2).X, 1), MeshError);
 }

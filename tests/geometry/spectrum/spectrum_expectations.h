@@ -1,5 +1,5 @@
 /// @file
-/// What every spectrum must be, for the tests of its solvers.
+/// What every spectrum must be, and ways to compute one, for the tests of its solvers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,9 +8,23 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/linear/special_values.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio::testing {
+
+inline const SpectrumOptions by_lanczos{.dense_below = 0};
+inline const SpectrumOptions by_dense{.dense_below = 100'000};
+
+/// Eigenvalues of the five-point stencil on an n × n torus of unit squares: 4 sin²(πp/n) + 4 sin²(πq/n), ascending.
+inline Vector five_point_spectrum(int n) {
+    Vector mu(n * n);
+    for (int p = 0; p < n; ++p) {
+        for (int q = 0; q < n; ++q) mu[p + n * q] = 4 * std::pow(std::sin(pi * p / n), 2) + 4 * std::pow(std::sin(pi * q / n), 2);
+    }
+    std::sort(mu.begin(), mu.end());
+    return mu;
+}
 
 inline void expect_eigenpairs(const LaplaceBeltrami& laplacian, const Spectrum& s, double residual_limit, const std::string& what) {
     double worst = 0;

@@ -1,13 +1,11 @@
 // Small files of each format, damaged in every place: a mesh that holds together, or one line about the file.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 
 #include "base/errors.h"
 #include "damaged_bytes.h"
+#include "mesh/io/append_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/mesh_checks.h"
 #include "mesh/small_meshes.h"
@@ -18,14 +16,6 @@ using testing_tools::for_each_damage;
 using testing_tools::is_one_line_about;
 
 namespace {
-
-template <class T>
-void append(std::string& bytes, T value, bool big_endian = false) {
-    std::string raw(sizeof(T), '\0');
-    std::memcpy(raw.data(), &value, sizeof(T));
-    if (big_endian != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
-    bytes += raw;
-}
 
 std::string ply_of(const TriangleMesh& mesh, bool big_endian, bool quality) {
     std::string bytes = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +

@@ -9,32 +9,26 @@ using namespace meshfolio::testing;
 
 namespace {
 
-const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";         // lines 1 to 4
-const std::string tet = points + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";   // lines 5 to 8
+const std::string obj_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";             // lines 1 to 4
+const std::string obj_tet = obj_points + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";   // lines 5 to 8
 
-void expect_tetrahedron(const std::string& text) {
-    const LoadedMesh loaded = parse_obj(text, "m.obj");
-    EXPECT_EQ(loaded.mesh.X, tetrahedron().X) << text;
-    EXPECT_EQ(loaded.mesh.F, tetrahedron().F) << text;
-    EXPECT_EQ(warnings_of(loaded), "") << text;
-}
+void expect_in_obj(const std::string& text) { expect_tetrahedron(parse_obj(text, "m.obj"), "", text); }
 
 }   // namespace
 
 TEST(ObjFile, TheSameTetrahedronInManySpellings) {
-    expect_tetrahedron(tet);
-    expect_tetrahedron("\xef\xbb\xbf" + tet);
-    expect_tetrahedron("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" + points);
-    expect_tetrahedron(points + "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1");
-    expect_tetrahedron("# comment\r\n" + points +
-                       "\r\nvt 0 0\rvn 0 0 1\rf 1/1 3/1 2/1\rf 1//1 2//1 4//1\r\nf 1/1/1 4/1/1 3/1/1\nf 2 +3 4\n");
-    expect_tetrahedron(
-        "v 0 \\\n0 0\nv 1\\\r\n 0 0 # x\nv 0. 1E0 -0 1 0 0\n  v\t+0 .0 1.0 1\nf 1 3 2\n\vf 1 2 \\\n 4\f\nf 1 4 3\nf 2 3 4\n");
-    expect_tetrahedron("mtllib /dev/zero\no\ng a b\ns 1\nusemtl \xff\n" + tet + "vn nan 0 0\n");
+    expect_in_obj(obj_tet);
+    expect_in_obj("\xef\xbb\xbf" + obj_tet);
+    expect_in_obj("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" + obj_points);
+    expect_in_obj(obj_points + "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1");
+    expect_in_obj("# comment\r\n" + obj_points +
+                  "\r\nvt 0 0\rvn 0 0 1\rf 1/1 3/1 2/1\rf 1//1 2//1 4//1\r\nf 1/1/1 4/1/1 3/1/1\nf 2 +3 4\n");
+    expect_in_obj("v 0 \\\n0 0\nv 1\\\r\n 0 0 # x\nv 0. 1E0 -0 1 0 0\n  v\t+0 .0 1.0 1\nf 1 3 2\n\vf 1 2 \\\n 4\f\nf 1 4 3\nf 2 3 4\n");
+    expect_in_obj("mtllib /dev/zero\no\ng a b\ns 1\nusemtl \xff\n" + obj_tet + "vn nan 0 0\n");
 }
 
 TEST(ObjFile, FaceLinesArePhysical) {
-    const LoadedMesh loaded = parse_obj(points + "\nf 1 \\\n 3 \\\n 2\nf 1 2 4 3\n", "m.obj");
+    const LoadedMesh loaded = parse_obj(obj_points + "\nf 1 \\\n 3 \\\n 2\nf 1 2 4 3\n", "m.obj");
     EXPECT_EQ(loaded.face_lines, (std::vector<long>{6, 9, 9}));
 }
 
@@ -53,36 +47,36 @@ TEST(ObjFile, RelativeIndicesCountFromWhereTheyStand) {
 TEST(ObjFile, RefusesBadIndicesWithTheirLine) {
     for (const char* index : {"0", "5", "-5", "4.0", "0x4", "4x", "2147483648", "-2147483648", "4294967297", "9223372036854775808",
                               "999999999999999999999999999999", "nan", "²"}) {
-        EXPECT_TRUE(refused(tet + "f 1 2 " + index + "\n", "m.obj:9", "is not a valid index")) << index;
+        EXPECT_TRUE(refused(obj_tet + "f 1 2 " + index + "\n", "m.obj:9", "is not a valid index")) << index;
     }
     for (const char* corner : {"1/", "1//", "1/1/", "1/1/1/1", "1/x", "//1", "1/1.5"}) {
-        EXPECT_TRUE(refused(tet + "f 3 2 " + corner + "\n", "m.obj:9", "'")) << corner;
+        EXPECT_TRUE(refused(obj_tet + "f 3 2 " + corner + "\n", "m.obj:9", "'")) << corner;
     }
     EXPECT_TRUE(refused("f 1 2 3\n", "m.obj:1", "file has 0 vertices"));
     EXPECT_TRUE(refused("V 0 0 0\nv 0 0 0\nf 1 2 3\n", "m.obj:3", "the first unknown statement is 'V' at line 1"));
-    EXPECT_TRUE(refused(points + "f 1 \\\n3 2\nf 2 3 9\n", "m.obj:7", "vertex index 9"));
+    EXPECT_TRUE(refused(obj_points + "f 1 \\\n3 2\nf 2 3 9\n", "m.obj:7", "vertex index 9"));
 }
 
 TEST(ObjFile, RefusesBadNumbersWithTheirLine) {
     for (const char* number : {"nan", "inf", "-1.#IND", "0,5", "abc", "--1", "1.2.3", "0x1p3", "1e400", "1e", "0#"}) {
-        EXPECT_TRUE(refused("v 0 0 0\nv 0 " + std::string(number) + " 0\n" + points + "f 1 2 3\n", "m.obj:2", "is not a finite number"))
+        EXPECT_TRUE(refused("v 0 0 0\nv 0 " + std::string(number) + " 0\n" + obj_points + "f 1 2 3\n", "m.obj:2", "is not a finite number"))
             << number;
     }
-    EXPECT_TRUE(refused("\nv 0 0 1e101\n" + tet, "m.obj:2", "1e100"));
+    EXPECT_TRUE(refused("\nv 0 0 1e101\n" + obj_tet, "m.obj:2", "1e100"));
     EXPECT_TRUE(refused("v 0 0 0\nv 1 0\n", "m.obj:2", "needs 3 coordinates, has 2"));
-    EXPECT_TRUE(refused("v 0 0 0 nan\n" + tet, "m.obj:1", "'nan'"));
+    EXPECT_TRUE(refused("v 0 0 0 nan\n" + obj_tet, "m.obj:1", "'nan'"));
 }
 
 TEST(ObjFile, RefusesFilesWithoutAMesh) {
     EXPECT_TRUE(refused("# nothing\n", "m.obj", "no vertices"));
-    EXPECT_TRUE(refused(points, "m.obj", "no polygon faces"));
-    EXPECT_TRUE(refused(points + "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nend\n", "m.obj", "free-form"));
-    EXPECT_TRUE(refused(points + "f 1 2\n", "m.obj", "no polygon faces"));
+    EXPECT_TRUE(refused(obj_points, "m.obj", "no polygon faces"));
+    EXPECT_TRUE(refused(obj_points + "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nend\n", "m.obj", "free-form"));
+    EXPECT_TRUE(refused(obj_points + "f 1 2\n", "m.obj", "no polygon faces"));
     EXPECT_TRUE(refused(std::string("v 0 0 0\nv\0 1", 13), "m.obj:2", "NUL byte"));
 }
 
 TEST(ObjFile, WarnsOnceAKindWithTheFirstLine) {
-    std::string text = tet;
+    std::string text = obj_tet;
     for (int i = 0; i < 100; ++i) text += "f 1 2\n";
     text += "p 1\nl 1 2\ncsh -rm x\ncall y.obj\nv 1 2 3 4 5\nnonsense 1\nv 1 1 1 2\nf 1 2 3 \\";
     EXPECT_EQ(warnings_of(parse_obj(text, "m.obj")),
@@ -96,8 +90,8 @@ TEST(ObjFile, WarnsOnceAKindWithTheFirstLine) {
 }
 
 TEST(ObjFile, WarnsOfUnusedIndicesThatMiss) {
-    EXPECT_EQ(warnings_of(parse_obj(points + "vt 0 0\nf 1/1 2/0 3/-2\n", "m.obj")), "6: 2 texture indices ignored (first 0)\n");
-    EXPECT_EQ(warnings_of(parse_obj(points + "f 1//1 2//2 3//3\nf 1//9 2//2 4//3\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\n", "m.obj")),
+    EXPECT_EQ(warnings_of(parse_obj(obj_points + "vt 0 0\nf 1/1 2/0 3/-2\n", "m.obj")), "6: 2 texture indices ignored (first 0)\n");
+    EXPECT_EQ(warnings_of(parse_obj(obj_points + "f 1//1 2//2 3//3\nf 1//9 2//2 4//3\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\n", "m.obj")),
               "6: normal index ignored (9, the file has 3 normals)\n");
 }
 
@@ -115,7 +109,7 @@ TEST(ObjFile, PolygonsOfAnySize) {
 }
 
 TEST(ObjFile, RepeatedCornersOfAQuadAreOneCorner) {
-    const LoadedMesh loaded = parse_obj(points + "f 1 2 2 3\nf 1 2 3 1\nf 2 2 2 2\n", "m.obj");
+    const LoadedMesh loaded = parse_obj(obj_points + "f 1 2 2 3\nf 1 2 3 1\nf 2 2 2 2\n", "m.obj");
     EXPECT_EQ(loaded.mesh.F, (Faces(2, 3) << 0, 1, 2, 0, 1, 2).finished());
     EXPECT_EQ(warnings_of(loaded), "5: 3 polygons with repeated corners, which are ignored\n7: face with fewer than 3 vertices ignored\n");
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "mesh/io/append_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/rejections.h"
 #include "mesh/small_meshes.h"
@@ -13,11 +14,6 @@ using namespace meshfolio;
 using namespace meshfolio::testing;
 
 namespace {
-
-template <class T>
-void append(std::string& bytes, T value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
-}
 
 /// A grid of points with floats as coordinates and an odd property on either side of them, and of each face's corners.
 struct GridFile {

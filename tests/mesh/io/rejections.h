@@ -1,5 +1,5 @@
 /// @file
-/// What a reader says of a text: where it stops, and what it warns of.
+/// What a reader says of a text: where it stops, what it warns of, and whether it has read the tetrahedron.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "mesh/io/mesh_files.h"
+#include "mesh/small_meshes.h"
 
 namespace meshfolio::testing {
 
@@ -35,6 +36,13 @@ inline std::string warnings_of(const LoadedMesh& loaded) {
     std::string all;
     for (const MeshWarning& warning : loaded.warnings) all += std::to_string(warning.line) + ": " + warning.message + "\n";
     return all;
+}
+
+/// The tetrahedron, with these warnings. `text`: what was read.
+inline void expect_tetrahedron(const LoadedMesh& loaded, const std::string& warnings = "", const std::string& text = "") {
+    EXPECT_EQ(loaded.mesh.X, tetrahedron().X) << text;
+    EXPECT_EQ(loaded.mesh.F, tetrahedron().F) << text;
+    EXPECT_EQ(warnings_of(loaded), warnings) << text;
 }
 
 }   // namespace meshfolio::testing

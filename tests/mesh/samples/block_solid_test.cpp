@@ -3,18 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "mesh/mesh_topology.h"
+#include "mesh/samples/euler_characteristic.h"
 #include "mesh/triangle_measures.h"
 
 using namespace meshfolio;
+using meshfolio::testing::euler_characteristic;
 
 namespace {
 
 TriangleMesh solid(const BlockDivisions& divisions, const std::function<bool(int, int, int)>& filled) {
     return triangulated(surface_of_blocks(divisions, filled), [](const BlockSurface&, int q) { return q % 2 == 0; });
-}
-
-int euler_characteristic(const TriangleMesh& mesh) {
-    return mesh.vertex_count() - static_cast<int>(topology_of(mesh).edges.size()) + mesh.face_count();
 }
 
 }   // namespace

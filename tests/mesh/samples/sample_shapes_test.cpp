@@ -10,16 +10,14 @@
 #include "base/file_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/mesh_topology.h"
+#include "mesh/samples/euler_characteristic.h"
 #include "mesh/triangle_measures.h"
 #include "source_dir.h"
 
 using namespace meshfolio;
+using meshfolio::testing::euler_characteristic;
 
 namespace {
-
-int euler_characteristic(const TriangleMesh& mesh) {
-    return mesh.vertex_count() - static_cast<int>(topology_of(mesh).edges.size()) + mesh.face_count();
-}
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
@@ -51,7 +49,7 @@ const std::vector<Expected> expectations{
     {"creature", true, 2, 5000, 6500, 20},    {"plane_noisy", false, 1, 1900, 2100, 0}, {"fandisk_like", true, 2, 6000, 7000, 20},
     {"fandisk_noisy", true, 2, 6000, 7000, 0}};
 
-class EverySample : public testing::TestWithParam<Expected> {};
+class EverySample : public ::testing::TestWithParam<Expected> {};
 
 /// Edges of dihedral angle (between normals) above 40°: their total length and number.
 struct SharpEdges {
@@ -233,7 +231,7 @@ TEST_P(EverySample, IsBundledByteForByte) {
         << "data/" << file << " is not what `meshfolio sample " << GetParam().name << "` makes";
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, EverySample, testing::ValuesIn(expectations), [](const auto& p) { return p.param.name; });
+INSTANTIATE_TEST_SUITE_P(Samples, EverySample, ::testing::ValuesIn(expectations), [](const auto& p) { return p.param.name; });
 
 TEST(Samples, AreAllExpected) {
     ASSERT_EQ(sample_list().size(), expectations.size());

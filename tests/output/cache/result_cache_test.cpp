@@ -22,7 +22,7 @@ constexpr std::uintmax_t roomy = 1 << 20;
 
 std::string key_of(std::string_view word) { return KeyMaker().add(word).key(); }
 
-std::vector<fs::path> files_below(const fs::path& folder) {
+std::vector<fs::path> paths_below(const fs::path& folder) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.is_regular_file()) files.push_back(entry.path());
@@ -92,10 +92,10 @@ TEST(ResultCache, DamageCountsAsAbsence) {
         ResultCache cache(folder.path() / "cache", roomy);
         const std::string digest = cache.keep("picture");
         cache.put(key_of("a"), "bytes");
-        for (const fs::path& file : files_below(folder.path())) spoil(file, damaged);
+        for (const fs::path& file : paths_below(folder.path())) spoil(file, damaged);
         EXPECT_FALSE(cache.get(key_of("a")));
         EXPECT_FALSE(cache.place(digest, folder.path() / "b"));
-        EXPECT_TRUE(files_below(folder.path()).empty()) << "what is damaged is removed";
+        EXPECT_TRUE(paths_below(folder.path()).empty()) << "what is damaged is removed";
         cache.put(key_of("a"), "bytes");
         EXPECT_EQ(cache.keep("picture"), digest);
         EXPECT_EQ(cache.get(key_of("a")), "bytes");
@@ -109,7 +109,7 @@ TEST(ResultCache, KeepingRepairsWhatIsDamaged) {
     write_file(folder.path() / "a", "picture");
     const std::string digest = cache.keep("picture");
     for (const bool as_file : {true, false}) {
-        for (const fs::path& file : files_below(folder.path() / "cache")) spoil(file, "damaged");
+        for (const fs::path& file : paths_below(folder.path() / "cache")) spoil(file, "damaged");
         EXPECT_EQ(as_file ? cache.keep_file(folder.path() / "a") : cache.keep("picture"), digest);
         EXPECT_EQ(cache.bytes_of(digest), "picture");
     }
@@ -145,7 +145,7 @@ TEST(ResultCache, ClearingRemovesWhatIsStoredAndNothingElse) {
     cache.keep("picture");
     write_file(folder.path() / "mine", "x");
     cache.clear();
-    EXPECT_EQ(files_below(folder.path()), std::vector<fs::path>{folder.path() / "mine"});
+    EXPECT_EQ(paths_below(folder.path()), std::vector<fs::path>{folder.path() / "mine"});
     cache.put(key_of("a"), "bytes");
     EXPECT_EQ(cache.get(key_of("a")), "bytes");
 }

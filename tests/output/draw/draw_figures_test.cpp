@@ -50,7 +50,7 @@ DrawSettings small_pictures(int threads = 0) {
     return settings;
 }
 
-std::map<std::string, std::string> files_below(const fs::path& folder) {
+std::map<std::string, std::string> bytes_below(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.is_regular_file()) files[entry.path().lexically_relative(folder).generic_string()] = read_file(entry.path());
@@ -85,7 +85,7 @@ TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
         for (const auto& [label, path] : figure.views) named.insert(path);
     }
     std::set<std::string> written;
-    for (const auto& [name, bytes] : files_below(folder.path())) written.insert(name);
+    for (const auto& [name, bytes] : bytes_below(folder.path())) written.insert(name);
     EXPECT_EQ(named, written);
     EXPECT_EQ(written.size(), 2u + 3u * 6u);
     EXPECT_TRUE(written.contains("images/q1_ball_h_+x.png"));
@@ -136,7 +136,7 @@ TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
     const TemporaryFolder one, two;
     const auto first = draw_figures(requests(), one.path(), small_pictures(1));
     const auto second = draw_figures(requests(), two.path(), small_pictures(2));
-    EXPECT_EQ(files_below(one.path()), files_below(two.path()));
+    EXPECT_EQ(bytes_below(one.path()), bytes_below(two.path()));
     for (const auto& [id, figure] : first) EXPECT_EQ(figure.preview_jpeg, second.at(id).preview_jpeg) << id;
 }
 
@@ -157,7 +157,7 @@ TEST(DrawFigures, TheFramingPanelSetsTheScaleOfAll) {
             "q5_a", "",    "",         {panel_of(cube_mesh(1), "q5_small", false), panel_of(cube_mesh(1, 5), "q5_large", false)},
             {},     false, frame_panel};
         draw_figures(std::vector{request}, folder.path(), small_pictures());
-        return files_below(folder.path());
+        return bytes_below(folder.path());
     };
     const auto on_small = bytes_of(0), on_large = bytes_of(1), on_union = bytes_of(-1);
     EXPECT_NE(on_small.at("images/q5_small_+x.png"), on_large.at("images/q5_small_+x.png"));
@@ -172,7 +172,7 @@ TEST(DrawFigures, RefusesNamesThatCollideOrLeaveTheFolder) {
     auto outside = requests();
     outside[0].panels[0].name = "../x";
     EXPECT_THROW(draw_figures(outside, folder.path(), small_pictures()), std::logic_error);
-    EXPECT_TRUE(files_below(folder.path()).empty());
+    EXPECT_TRUE(bytes_below(folder.path()).empty());
 }
 
 namespace {

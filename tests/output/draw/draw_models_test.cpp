@@ -4,18 +4,18 @@
 
 #include "base/file_bytes.h"
 #include "mesh/samples/sample_shapes.h"
+#include "output/draw/flat_mesh.h"
 #include "output/draw/robust_range.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;
+using testing_tools::flat_mesh;
 using testing_tools::TemporaryFolder;
 
 namespace {
 
-TriangleMesh flat_mesh(int points) { return grid_mesh(points, points, 2, 2); }
-
-Panel panel_of(TriangleMesh mesh, const std::string& name) {
+Panel turnable_panel(TriangleMesh mesh, const std::string& name) {
     Panel panel{name, "label of " + name, nullptr};
     panel.values = mesh.X.col(2);
     panel.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
@@ -53,9 +53,9 @@ report::DrawnFigures models_of(const std::vector<FigureRequest>& requests) {
 }   // namespace
 
 TEST(DrawModels, OnlyWhereItIsAskedFor) {
-    FigureRequest quiet = turnable({panel_of(icosphere(1), "q1_quiet")});
+    FigureRequest quiet = turnable({turnable_panel(icosphere(1), "q1_quiet")});
     quiet.turnable = false;
-    const auto figures = models_of({turnable({panel_of(icosphere(2), "q1_ball")}), quiet});
+    const auto figures = models_of({turnable({turnable_panel(icosphere(2), "q1_ball")}), quiet});
     ASSERT_EQ(figures.at("q1_ball").models.size(), 1U);
     EXPECT_TRUE(figures.at("q1_quiet").models.empty());
     const report::DrawnModel& model = figures.at("q1_ball").models[0];
@@ -68,11 +68,13 @@ TEST(DrawModels, TwoOfTheSameTrianglesAreTurnedTogetherInOneFrame) {
     TriangleMesh shrunk = icosphere(2);
     shrunk.X *= 0.25;
     const auto frame_of = [](const report::DrawnModel& model) { return model.glb.substr(model.glb.find("\"frame\""), 40); };
-    const auto pair = models_of({turnable({panel_of(icosphere(2), "before"), panel_of(shrunk, "after"), panel_of(icosphere(2), "third")})});
+    const auto pair = models_of(
+        {turnable({turnable_panel(icosphere(2), "before"), turnable_panel(shrunk, "after"), turnable_panel(icosphere(2), "third")})});
     ASSERT_EQ(pair.at("before").models.size(), 2U);
     EXPECT_EQ(pair.at("before").models[1].label, "label of after");
     EXPECT_EQ(frame_of(pair.at("before").models[0]), frame_of(pair.at("before").models[1]));
-    EXPECT_EQ(models_of({turnable({panel_of(icosphere(2), "ball"), panel_of(cube_mesh(2), "cube")})}).at("ball").models.size(), 1U);
+    EXPECT_EQ(models_of({turnable({turnable_panel(icosphere(2), "ball"), turnable_panel(cube_mesh(2), "cube")})}).at("ball").models.size(),
+              1U);
 }
 
 TEST(DrawModels, LargeOrBlownUpMeshesKeepTheirPictures) {
@@ -80,15 +82,15 @@ TEST(DrawModels, LargeOrBlownUpMeshesKeepTheirPictures) {
     blown_up.X(0, 0) = std::numeric_limits<double>::infinity();
     const TriangleMesh large = flat_mesh(176);
     ASSERT_GT(large.face_count(), most_model_triangles);
-    const auto figures =
-        models_of({turnable({panel_of(large, "large")}), turnable({panel_of(icosphere(2), "a"), panel_of(blown_up, "b")})});
+    const auto figures = models_of(
+        {turnable({turnable_panel(large, "large")}), turnable({turnable_panel(icosphere(2), "a"), turnable_panel(blown_up, "b")})});
     for (const auto& [id, figure] : figures) EXPECT_TRUE(figure.models.empty()) << id;
 }
 
 TEST(DrawModels, AllTogetherStayBelowTheLimitFirstComeFirstServed) {
     std::vector<FigureRequest> requests;
-    for (int i = 0; i < 6; ++i) requests.push_back(turnable({panel_of(flat_mesh(170), "plane" + std::to_string(i))}));
-    requests.push_back(turnable({panel_of(icosphere(2), "small")}));
+    for (int i = 0; i < 6; ++i) requests.push_back(turnable({turnable_panel(flat_mesh(170), "plane" + std::to_string(i))}));
+    requests.push_back(turnable({turnable_panel(icosphere(2), "small")}));
     const auto figures = models_of(requests);
     std::size_t total = 0;
     for (const auto& [id, figure] : figures)

@@ -4,11 +4,13 @@
 #include <limits>
 #include <numeric>
 
+#include "output/draw/flat_mesh.h"
 #include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;
+using testing_tools::undefined;
 
 namespace {
 
@@ -24,8 +26,6 @@ Panel ramp(int n) {
     p.values = Vector::LinSpaced(n, 0, n - 1);
     return p;
 }
-
-const double undefined = std::numeric_limits<double>::quiet_NaN();
 
 }   // namespace
 

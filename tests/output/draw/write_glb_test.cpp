@@ -13,16 +13,15 @@
 #include "draw_mesh.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "output/draw/flat_mesh.h"
 #include "output/draw/robust_range.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;
+using testing_tools::flat_mesh;
+using testing_tools::undefined;
 
 namespace {
-
-TriangleMesh flat_mesh(int points) { return grid_mesh(points, points, 2, 2); }
-
-const double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// What a reader of the format sees.
 struct Glb {

@@ -1,5 +1,4 @@
 #include "questions/bench/ground_truth.h"
-#include "questions/truth/parts.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +6,11 @@
 #include <set>
 
 #include "mesh/triangle_measures.h"
+#include "questions/truth/parts.h"
 #include "report/bibliography.h"
 #include "report/writers.h"
 
 using namespace meshfolio;
-using namespace meshfolio::truth;
 
 namespace {
 
@@ -125,7 +124,7 @@ TEST(GroundTruth, ChecksNoticeWhenAnEstimatorIsWrong) {
 
 TEST(GroundTruth, SectionIsWellFormedAndCanBeWritten) {
     report::Document document;
-    document.sections.push_back(ground_truth_section(quick_truth()));
+    document.sections.push_back(truth::ground_truth_section(quick_truth()));
     for (const report::Block& block : document.sections[0].blocks) {
         if (const auto* table = std::get_if<report::Table>(&block)) {
             for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->columns.size()) << table->id;
@@ -136,12 +135,12 @@ TEST(GroundTruth, SectionIsWellFormedAndCanBeWritten) {
     }
     EXPECT_FALSE(report::write_html(document, {}, report::Templates()).empty());   // throws where a reference leads nowhere
     EXPECT_FALSE(report::write_json(document, {}).empty());
-    const report::Table all = ground_truth_table(quick_truth());
+    const report::Table all = truth::ground_truth_table(quick_truth());
     EXPECT_EQ(all.rows.size(), quick_truth().runs.size() * 3 * (estimators_of(Quantity::H).size() + estimators_of(Quantity::K).size()));
     EXPECT_EQ(all.rows[0].size(), all.columns.size());
 }
 
 TEST(GroundTruth, SameSeedSameNumbers) {
     const GroundTruth again = ground_truth(1, true, [](std::string_view) {});
-    EXPECT_EQ(report::write_csv(ground_truth_table(again)), report::write_csv(ground_truth_table(quick_truth())));
+    EXPECT_EQ(report::write_csv(truth::ground_truth_table(again)), report::write_csv(truth::ground_truth_table(quick_truth())));
 }

@@ -14,7 +14,7 @@ using namespace meshfolio::testing_tools;
 
 namespace {
 
-SmoothingSubject ball() { return smoothing_subject(library_mesh(icosphere(2), "ball")); }
+SmoothingSubject ball_subject() { return smoothing_subject(library_mesh(icosphere(2), "ball")); }
 
 constexpr SmoothingScheme both_schemes[] = {SmoothingScheme::explicit_euler, SmoothingScheme::implicit_euler};
 
@@ -37,7 +37,7 @@ TEST(EnergyCheck, PassesFailsOrDecidesNothing) {
 }
 
 TEST(SmoothingStudy, NoStepLeavesTheMesh) {
-    const SmoothingSubject subject = ball();
+    const SmoothingSubject subject = ball_subject();
     for (const auto& step : {explicit_step, implicit_step}) {
         EXPECT_LT((step(subject.laplacian, 0, subject.mesh().X) - subject.mesh().X).cwiseAbs().maxCoeff(), 1e-14);
     }
@@ -51,7 +51,7 @@ TEST(SmoothingStudy, NoStepLeavesTheMesh) {
 }
 
 TEST(SmoothingStudy, OneValueForEveryIterationAndTheInput) {
-    const SmoothingSubject subject = ball();
+    const SmoothingSubject subject = ball_subject();
     for (const SmoothingScheme scheme : both_schemes) {
         const SmoothingRun run = run_smoothing(subject, scheme, 0.4 * subject.critical, 6, {1, 4, 6});
         EXPECT_EQ(run.result.iterations, 6);
@@ -71,7 +71,7 @@ TEST(SmoothingStudy, OneValueForEveryIterationAndTheInput) {
 }
 
 TEST(SmoothingStudy, ABallShrinksAndItsEnergyFalls) {
-    const SmoothingSubject subject = ball();
+    const SmoothingSubject subject = ball_subject();
     for (const SmoothingScheme scheme : both_schemes) {
         const SmoothingRun run = run_smoothing(subject, scheme, 0.4 * subject.critical, 6);
         for (std::size_t t = 1; t < run.energy.size(); ++t) {
@@ -93,7 +93,7 @@ TEST(SmoothingStudy, AnOpenMeshHasNoVolume) {
 }
 
 TEST(SmoothingStudy, APictureShowsTheLastPositionsInView) {
-    const SmoothingSubject subject = ball();
+    const SmoothingSubject subject = ball_subject();
     const SmoothingRun run = run_smoothing(subject, SmoothingScheme::explicit_euler, 20 * subject.critical, 30);
     ASSERT_TRUE(run.result.blew_up);
     EXPECT_LT(run.in_view_iteration, run.result.blow_up_iteration);
@@ -105,7 +105,7 @@ TEST(SmoothingStudy, APictureShowsTheLastPositionsInView) {
 }
 
 TEST(SmoothingStudy, StepsAreTheGivenOnesOrMultiplesOfTheLimit) {
-    const SmoothingSubject subject = ball();
+    const SmoothingSubject subject = ball_subject();
     QuestionSettings settings;
     expect_near(steps_of(settings, subject, {2, 0.5}), {0.5 * subject.critical, 2 * subject.critical});
     settings.lambda = {0.3, 0.1, 0.3};
@@ -113,7 +113,7 @@ TEST(SmoothingStudy, StepsAreTheGivenOnesOrMultiplesOfTheLimit) {
 }
 
 TEST(SmoothingStudy, ColoursAreCurvatureInMeanEdges) {
-    const SmoothingSubject subject = ball();
+    const SmoothingSubject subject = ball_subject();
     const Vector once = curvature_colours(subject, subject.mesh().X), twice = curvature_colours(subject, 2 * subject.mesh().X);
     EXPECT_NEAR(once.mean(), subject.mean_edge, 0.05 * subject.mean_edge);   // H = 1, positive on a ball
     EXPECT_NEAR(twice.mean(), once.mean() / 2, 1e-9);

@@ -7,7 +7,6 @@
 #include "geometry/measures/mesh_error.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/study_laws.h"
-#include "questions/q4_spectral/use_discussion.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
@@ -128,21 +127,4 @@ TEST(ModeCost, GrowsAsCounted) {
     EXPECT_EQ(mode_cost(100, 1000, 5e4).solve_operations, mode_cost(100, 1000, 5e4).orthogonalise_operations) << "k = 2 entries/n";
     const SpectralStudy study = spectral_study_on(egg(), "egg_cost", {5});
     EXPECT_GE(factor_entries(study), (study.laplacian.C.nonZeros() + study.vertices()) / 2.0) << "half of C at least";
-}
-
-TEST(SpectralUseDiscussion, TheTextFollowsTheData) {
-    const SpectralStudy study = spectral_study_on(egg(), "egg_text", {5, 30});
-    LimbStudy limbs = limb_study(study);
-    limbs.errors[1] = {30, 0.3, 0.1, 0.5, -1};
-    limbs.modes_needed = 0;
-    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("ghosts, 3.0 times"), std::string::npos);
-    limbs.errors[1].thin = 0.05;
-    EXPECT_EQ(report::plain(thin_parts(study, limbs)).find("ghosts"), std::string::npos);
-    limbs.errors[1].thin = 0.3;
-    limbs.modes_needed = 7;
-    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("such modes are in use"), std::string::npos);
-    EXPECT_TRUE(thin_parts(study, LimbStudy()).empty());
-    EXPECT_TRUE(what_bands_do(study, BandStudy()).empty());
-    EXPECT_TRUE(low_pass_without_modes(study, SpectralUses()).empty());
-    EXPECT_TRUE(cost_of_mistakes(study, MistakeStudy()).empty());
 }

@@ -4,8 +4,8 @@
 #include "questions/certificates/planted_faults.h"
 #include "questions/core/study_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::certificates {
+using namespace testing_tools;
 
 namespace {
 
@@ -58,3 +58,5 @@ TEST(CertificatesSection, TheTableOfSpectraHasWhatWasMeasured) {
     EXPECT_NEAR(numbers(table, "σ")[0], 9, 0.2);   // in the middle between l(l + 1) = 6 and 12
     EXPECT_LT(numbers(table, "δ")[0], 1e-3 * numbers(table, "gap")[0]);
 }
+
+}   // namespace meshfolio::certificates

@@ -8,8 +8,7 @@
 
 #include "mesh/samples/sample_shapes.h"
 
-using namespace meshfolio;
-
+namespace meshfolio::certificates {
 namespace {
 
 const Specimen& specimen() {
@@ -105,3 +104,5 @@ TEST(PlantedFaults, AreCaughtOnAnotherShapeToo) {
     for (const report::Check& check : sound) EXPECT_TRUE(check.passed()) << check.name << ": " << check.measured;
     for (const PlantedFault& fault : planted_faults()) EXPECT_TRUE(trial_of(genus_one, sound, fault).caught()) << fault.name;
 }
+
+}   // namespace meshfolio::certificates

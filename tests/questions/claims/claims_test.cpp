@@ -16,8 +16,8 @@
 #include "shared_meshes.h"
 #include "temporary_folder.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::claims {
+using namespace testing_tools;
 using enum Rule::Relation;
 
 namespace {
@@ -475,3 +475,5 @@ TEST(ClaimsOnOriginals, RestOfTheTable) {
     const JudgedClaim cheaper = judged_on_originals("claims_s0_cheaper");
     EXPECT_GT(cheaper.measurement.cases[0].value, 5) << "at equal λ and t implicit costs more: 0.39 s beside 0.03 s";
 }
+
+}   // namespace meshfolio::claims

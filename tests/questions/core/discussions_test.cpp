@@ -1,6 +1,4 @@
 // The discussions of questions 5 to 7 say what the numbers say: a number is changed in a study, and the words change with it.
-#include "questions/discussions.h"
-
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -8,9 +6,17 @@
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/study_laws.h"
+#include "questions/q5_explicit/parts.h"
+#include "questions/q6_implicit/parts.h"
+#include "questions/q7_denoising/parts.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
+using q5_explicit::explicit_study;
+using q5_explicit::ExplicitStudy;
+using q6_implicit::implicit_study;
+using q6_implicit::ImplicitStudy;
+using q6_implicit::SmoothingCell;
 
 namespace {
 
@@ -20,9 +26,9 @@ std::string told(void (*add)(report::Section&, const std::vector<Study>&), const
     add(section, studies);
     return prose_of(section);
 }
-std::string told(const ExplicitStudy& study) { return told(add_explicit_discussion, std::vector{study}); }
-std::string told(const ImplicitStudy& study) { return told(add_implicit_discussion, std::vector{study}); }
-std::string told(const DenoisingStudy& study) { return told(add_denoising_discussion, std::vector{study}); }
+std::string told(const ExplicitStudy& study) { return told(q5_explicit::add_discussion, std::vector{study}); }
+std::string told(const ImplicitStudy& study) { return told(q6_implicit::add_discussion, std::vector{study}); }
+std::string told(const DenoisingStudy& study) { return told(q7_denoising::add_discussion, std::vector{study}); }
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
@@ -46,9 +52,9 @@ void expect_a_number_in_every_paragraph(void (*discuss)(report::Section&)) {
 
 TEST(Discussions, NoParagraphIsWithoutItsNumber) {
     expect_a_number_in_every_paragraph([](report::Section& section) {
-        add_explicit_discussion(section, {explicit_study(cube, quick_settings()), explicit_study(ball, quick_settings())});
-        add_implicit_discussion(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
-        add_denoising_discussion(section, {denoising_study(cube, quick_settings()), denoising_study(ball, quick_settings())});
+        q5_explicit::add_discussion(section, {explicit_study(cube, quick_settings()), explicit_study(ball, quick_settings())});
+        q6_implicit::add_discussion(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
+        q7_denoising::add_discussion(section, {denoising_study(cube, quick_settings()), denoising_study(ball, quick_settings())});
     });
 }
 

@@ -10,8 +10,8 @@
 #include "questions/core/study_laws.h"
 #include "questions/maps/parts.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::maps {
+using namespace testing_tools;
 
 namespace {
 
@@ -169,7 +169,7 @@ TEST(SmoothingMapsSection, TurnedTrianglesAreCountedAmongTheCellsThatHaveThem) {
     maps.explicit_map.inverted[2] = 0.5;
     std::fill(maps.implicit_map.inverted.begin(), maps.implicit_map.inverted.end(), 0);
     report::Section section;
-    add_map_discussion(section, {maps});
+    add_discussion(section, {maps});
     const std::string prose = prose_of(section), cells = std::to_string(maps.implicit_map.inverted.size());
     EXPECT_NE(
         prose.find("in 2 of the 3 cells of the explicit plane that can be measured, at most 50.0\u202f% of the triangles, and in none "
@@ -215,3 +215,5 @@ TEST(SmoothingMapsSection, StandsMeshesThatAreHardlyAny) {
 }
 
 TEST(SmoothingMapsSection, RealMeshesPassTheirChecks) { check_real_meshes(chapter_of_id("maps").answer); }
+
+}   // namespace meshfolio::maps

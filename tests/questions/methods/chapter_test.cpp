@@ -8,8 +8,8 @@
 #include "questions/methods/parts.h"
 #include "questions/methods/study.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::methods {
+using namespace testing_tools;
 
 namespace {
 
@@ -188,7 +188,7 @@ TEST(Methods, ATieInNormalsIsNoOtherWinner) {
             trial.results[1].by_angle.angle = angle_of_the_second;
         }
         report::Section section;
-        add_methods_discussion(section, laboratory);
+        add_discussion(section, laboratory);
         return prose_of(section);
     };
     const std::string tied = told_with_angle(0.4), beaten = told_with_angle(0.41);
@@ -237,3 +237,5 @@ TEST(Methods, OddMeshesAreBorne) {
 }
 
 TEST(Methods, RealMeshesPassTheChecks) { check_real_meshes(chapter_of_id("methods").answer); }
+
+}   // namespace meshfolio::methods

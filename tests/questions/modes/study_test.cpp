@@ -10,8 +10,8 @@
 #include "questions/core/study_laws.h"
 #include "questions/modes/parts.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::modes {
+using namespace testing_tools;
 
 namespace {
 
@@ -195,3 +195,5 @@ TEST(ModesSection, StandsMeshesThatAreHardlyAny) {
 }
 
 TEST(ModesSection, RealMeshesPassTheirChecks) { check_real_meshes(chapter_of_id("modes").answer); }
+
+}   // namespace meshfolio::modes

@@ -10,8 +10,8 @@
 #include "questions/bench/cotangent_study.h"
 #include "questions/core/study_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::operators {
+using namespace testing_tools;
 
 namespace {
 
@@ -106,3 +106,5 @@ TEST(OperatorLaboratory, WordsFollowTheFlips) {
     EXPECT_NE(report::plain(ball.section.findings.front().text).find("no longer steps"), std::string::npos);
     EXPECT_EQ(prose_of(ball.section).find("do not make an operator indefinite"), std::string::npos) << "not a law";
 }
+
+}   // namespace meshfolio::operators

@@ -14,8 +14,8 @@
 #include "questions/core/study_laws.h"
 #include "questions/prediction/parts.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::prediction {
+using namespace testing_tools;
 
 namespace {
 
@@ -229,3 +229,5 @@ TEST(PredictionSection, TablesShowTheStudy) {
 }
 
 TEST(PredictionSection, RealMeshes) { check_real_meshes(chapter_of_id("prediction").answer); }
+
+}   // namespace meshfolio::prediction

@@ -6,9 +6,8 @@
 #include "questions/preflight/defects.h"
 #include "temporary_folder.h"
 
-using namespace meshfolio;
-using namespace meshfolio::preflight;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::preflight {
+using namespace testing_tools;
 
 namespace {
 
@@ -100,3 +99,5 @@ TEST(PreflightSection, WordsFollowTheShapeAndTheFindings) {
     const Answer one = answer_on(grid_mesh(4, 4, 1, 1), "pre_sheet");
     EXPECT_NE(report::plain(one.section.findings.front().text).find("1 kind of finding, with what it affects"), std::string::npos);
 }
+
+}   // namespace meshfolio::preflight

@@ -8,9 +8,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/chapter.h"
 
-using namespace meshfolio;
-using namespace meshfolio::preflight;
-
+namespace meshfolio::preflight {
 namespace {
 
 MeshFacts facts_of(const TriangleMesh& mesh) { return mesh_facts(prepare_mesh({mesh, "m.obj", {}, {}})); }
@@ -109,3 +107,5 @@ TEST(MeshDefects, EachNamesQuestionsThatExistAndSaysWhatItBreaksAndWhatWasDone) 
     }
     EXPECT_EQ(affected_for_people(defect_list()[2]), "Q1, Q3, Q7");
 }
+
+}   // namespace meshfolio::preflight

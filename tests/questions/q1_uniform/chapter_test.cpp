@@ -7,8 +7,8 @@
 #include "questions/bench/known_surfaces.h"
 #include "questions/core/answer_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q1_uniform {
+using namespace testing_tools;
 
 namespace {
 
@@ -104,3 +104,5 @@ TEST(Q1, EveryRealMesh) {
         expect_checks_pass(answer.section);
     }
 }
+
+}   // namespace meshfolio::q1_uniform

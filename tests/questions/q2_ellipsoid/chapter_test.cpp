@@ -5,8 +5,8 @@
 #include "base/number_text.h"
 #include "questions/core/answer_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q2_ellipsoid {
+using namespace testing_tools;
 
 namespace {
 
@@ -84,3 +84,5 @@ TEST(Q2, OtherSeedsTryOtherPoints) {
     expect_checks_pass(other.section);
     EXPECT_NE(prose_of(other.section), prose_of(answer().section));
 }
+
+}   // namespace meshfolio::q2_ellipsoid

@@ -7,8 +7,8 @@
 #include "questions/bench/known_surfaces.h"
 #include "questions/core/answer_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q3_cotangent {
+using namespace testing_tools;
 
 namespace {
 
@@ -89,3 +89,5 @@ TEST(Q3, EveryRealMesh) {
         expect_checks_pass(answer.section);
     }
 }
+
+}   // namespace meshfolio::q3_cotangent

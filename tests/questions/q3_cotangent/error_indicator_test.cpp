@@ -7,8 +7,8 @@
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/study_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q3_cotangent {
+using namespace testing_tools;
 
 namespace {
 
@@ -83,3 +83,5 @@ TEST(ErrorIndicator, IsShownForAMeshOfTheUsersOwn) {
     }
     EXPECT_NE(prose_of(answer.section).find("On indicator_own cotangent and jet differ by"), std::string::npos);
 }
+
+}   // namespace meshfolio::q3_cotangent

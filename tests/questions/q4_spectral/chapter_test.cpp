@@ -7,8 +7,8 @@
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q4_spectral {
+using namespace testing_tools;
 
 namespace {
 
@@ -110,3 +110,5 @@ TEST(Q4, EveryRealMesh) {
     settings.k = {5, 20};
     check_real_meshes(chapter_of_id("q4").answer, settings);
 }
+
+}   // namespace meshfolio::q4_spectral

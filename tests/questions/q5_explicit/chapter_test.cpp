@@ -7,8 +7,8 @@
 #include "questions/core/study_laws.h"
 #include "questions/q5_explicit/study.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q5_explicit {
+using namespace testing_tools;
 
 TEST(Q5, BundledMeshesPassTheirOwnChecks) {
     const Answer answer = chapter_of_id("q5").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
@@ -88,3 +88,5 @@ TEST(Q5, TheTextFollowsTheData) {
 }
 
 TEST(Q5, EveryRealMesh) { check_real_meshes(chapter_of_id("q5").answer); }
+
+}   // namespace meshfolio::q5_explicit

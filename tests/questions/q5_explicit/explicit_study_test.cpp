@@ -8,8 +8,8 @@
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q5_explicit {
+using namespace testing_tools;
 
 namespace {
 
@@ -106,3 +106,5 @@ TEST(ExplicitStudy, VolumeIsKeptUntilItFallsBelow) {
     run.volume.clear();   // open
     EXPECT_EQ(iterations_keeping_volume(run, 0.95), -1);
 }
+
+}   // namespace meshfolio::q5_explicit

@@ -7,8 +7,8 @@
 #include "questions/core/study_laws.h"
 #include "questions/q6_implicit/study.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q6_implicit {
+using namespace testing_tools;
 
 TEST(Q6, BundledMeshesPassTheirOwnChecks) {
     const Answer answer = chapter_of_id("q6").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
@@ -88,3 +88,5 @@ TEST(Q6, TheTextFollowsTheData) {
 }
 
 TEST(Q6, EveryRealMesh) { check_real_meshes(chapter_of_id("q6").answer); }
+
+}   // namespace meshfolio::q6_implicit

@@ -10,8 +10,8 @@
 #include "mesh/vertex_noise.h"
 #include "questions/core/study_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q6_implicit {
+using namespace testing_tools;
 
 namespace {
 
@@ -139,3 +139,5 @@ TEST(ImplicitStudy, BothWaysOfTheCostReachTheSameEnergy) {
     EXPECT_EQ(cost.implicit_operations, 6.0 * cost.implicit_steps * double(cost.factor_nonzeros));   // forward and back, three columns
     EXPECT_EQ(cost.explicit_operations, 3.0 * cost.explicit_steps * double(cost.operator_nonzeros));
 }
+
+}   // namespace meshfolio::q6_implicit

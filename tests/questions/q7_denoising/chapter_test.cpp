@@ -9,8 +9,8 @@
 #include "questions/bench/denoising_study.h"
 #include "questions/core/study_laws.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::q7_denoising {
+using namespace testing_tools;
 
 TEST(Q7, BundledMeshesPassTheirOwnChecks) {
     const Answer answer = chapter_of_id("q7").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
@@ -118,3 +118,5 @@ TEST(Q7, TheTextFollowsTheData) {
 }
 
 TEST(Q7, EveryRealMesh) { check_real_meshes(chapter_of_id("q7").answer); }
+
+}   // namespace meshfolio::q7_denoising

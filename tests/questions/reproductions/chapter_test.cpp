@@ -6,8 +6,8 @@
 #include "questions/core/study_laws.h"
 #include "questions/reproductions/parts.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::reproductions {
+using namespace testing_tools;
 
 namespace {
 
@@ -138,3 +138,5 @@ TEST(ReproductionWords, AreThoseOfTheReport) {
     EXPECT_EQ(sentence_case("row 1"), "Row 1");
     EXPECT_EQ(sentence_case("λ"), "λ");
 }
+
+}   // namespace meshfolio::reproductions

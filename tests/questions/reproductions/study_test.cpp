@@ -13,8 +13,8 @@
 #include "questions/reproductions/field_study.h"
 #include "temporary_folder.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::reproductions {
+using namespace testing_tools;
 
 namespace {
 
@@ -274,3 +274,5 @@ TEST(ReconstructionExperiments, ErrorFallsInTheOperatorsOwnMass) {
     }
     EXPECT_LT(done.rebuilt[0].difference.rms / done.meshes[0].diagonal, 0.01) << "four modes of a sphere are its coordinates";
 }
+
+}   // namespace meshfolio::reproductions

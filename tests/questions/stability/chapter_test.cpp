@@ -9,8 +9,8 @@
 #include "questions/core/study_laws.h"
 #include "questions/stability/figures.h"
 
-using namespace meshfolio;
-using namespace meshfolio::testing_tools;
+namespace meshfolio::stability {
+using namespace testing_tools;
 
 TEST(StabilitySection, BundledMeshesPassTheirOwnChecks) {
     const Answer answer = chapter_of_id("stability").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
@@ -145,3 +145,5 @@ TEST(StabilityFigures, ANeighbourhoodIsWhatLiesWithinSoManyEdges) {
 }
 
 TEST(StabilitySection, RealMeshes) { check_real_meshes(chapter_of_id("stability").answer); }
+
+}   // namespace meshfolio::stability

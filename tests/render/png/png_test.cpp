@@ -13,12 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#define STBI_ONLY_JPEG
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#include <stb/stb_image.h>
+#include "render/decode_picture.h"
 
 namespace {
 

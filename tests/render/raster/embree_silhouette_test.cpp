@@ -24,21 +24,22 @@ using render::Image;
 using render::View;
 using render_tests::Mesh;
 
-constexpr int side = 600;
+constexpr int picture_side = 600;
 constexpr double snapping = 1.0 / 512;   // our corners move by at most this along x and along y [pixel]
-constexpr int nothing = -1;
+constexpr int no_triangle = -1;
 
 /// The corners of a mesh as a view sees them: x right and y down in pixels from the corner of the picture, z towards the viewer.
 std::vector<glm::dvec3> on_screen(const Mesh& mesh, const View& view, const render::Frame& frame) {
     std::vector<glm::dvec3> points;
     for (const glm::dvec3& position : mesh.positions) {
         const glm::dvec3 p = (position - frame.centre) * frame.pixels_per_unit;
-        points.push_back({side / 2.0 + glm::dot(p, view.right()), side / 2.0 - glm::dot(p, view.up), glm::dot(p, view.from)});
+        points.push_back(
+            {picture_side / 2.0 + glm::dot(p, view.right()), picture_side / 2.0 - glm::dot(p, view.up), glm::dot(p, view.from)});
     }
     return points;
 }
 
-/// One triangle number or `nothing` a pixel.
+/// One triangle number or `no_triangle` a pixel.
 using Ids = std::vector<int>;
 
 using Device = std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)>;
@@ -63,16 +64,16 @@ Scene scene_of(RTCDevice device, const std::vector<glm::dvec3>& points, const st
 }
 
 Ids ray_cast(RTCScene scene) {
-    Ids ids(side * side, nothing);
+    Ids ids(picture_side * picture_side, no_triangle);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    for (int i = 0; i < side * side; ++i) {
+    for (int i = 0; i < picture_side * picture_side; ++i) {
         RTCRayHit ray{};
-        ray.ray.org_x = static_cast<float>(i % side) + 0.5F;
-        ray.ray.org_y = static_cast<float>(i / side) + 0.5F;
-        ray.ray.org_z = 2 * side;
+        ray.ray.org_x = static_cast<float>(i % picture_side) + 0.5F;
+        ray.ray.org_y = static_cast<float>(i / picture_side) + 0.5F;
+        ray.ray.org_z = 2 * picture_side;
         ray.ray.dir_z = -1;
-        ray.ray.tfar = 4 * side;
+        ray.ray.tfar = 4 * picture_side;
         ray.ray.mask = ~0U;
         ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(scene, &context, &ray);
@@ -84,7 +85,7 @@ Ids ray_cast(RTCScene scene) {
 /// `face_colors_from_id`, undone.
 Ids ids_of(const Image& image) {
     Ids ids;
-    for (const render::Rgba& p : image.pixels) ids.push_back(p.a == 0 ? nothing : (p.r << 16 | p.g << 8 | p.b) - 1);
+    for (const render::Rgba& p : image.pixels) ids.push_back(p.a == 0 ? no_triangle : (p.r << 16 | p.g << 8 | p.b) - 1);
     return ids;
 }
 
@@ -113,16 +114,16 @@ Plane plane_at(const std::vector<glm::dvec3>& points, const glm::ivec3& t, doubl
 }
 
 /// How far snapping can move a point of a triangle, and the rounding of the rays to float [pixel].
-constexpr double reach = std::numbers::sqrt2 * snapping + 1e-3;
+constexpr double tolerated = std::numbers::sqrt2 * snapping + 1e-3;
 
 /// The point lies on the outline of one of two triangles, or they meet there, as far as snapping goes.
 bool is_close_call(const std::vector<glm::dvec3>& points, const std::vector<glm::ivec3>& triangles, int id, int other, double x, double y) {
     for (const int i : {id, other})
-        if (i != nothing && distance_from_outline(points, triangles[static_cast<std::size_t>(i)], x, y) <= reach) return true;
-    if (id == nothing || other == nothing) return false;
+        if (i != no_triangle && distance_from_outline(points, triangles[static_cast<std::size_t>(i)], x, y) <= tolerated) return true;
+    if (id == no_triangle || other == no_triangle) return false;
     const Plane p = plane_at(points, triangles[static_cast<std::size_t>(id)], x, y);
     const Plane q = plane_at(points, triangles[static_cast<std::size_t>(other)], x, y);
-    return std::abs(p.depth - q.depth) <= reach * (1 + p.slope + q.slope);
+    return std::abs(p.depth - q.depth) <= tolerated * (1 + p.slope + q.slope);
 }
 
 struct Comparison {
@@ -137,11 +138,11 @@ struct Comparison {
 Comparison compared(const Ids& ours, const Ids& theirs, const std::vector<glm::dvec3>& points, const std::vector<glm::ivec3>& triangles) {
     Comparison result;
     for (std::size_t i = 0; i < ours.size(); ++i) {
-        const bool in_ours = ours[i] != nothing, in_theirs = theirs[i] != nothing;
+        const bool in_ours = ours[i] != no_triangle, in_theirs = theirs[i] != no_triangle;
         result.both += in_ours && in_theirs ? 1 : 0;
         result.either += in_ours || in_theirs ? 1 : 0;
         result.same_id += in_ours && ours[i] == theirs[i] ? 1 : 0;
-        const double x = static_cast<double>(i % side) + 0.5, y = static_cast<double>(i / side) + 0.5;
+        const double x = static_cast<double>(i % picture_side) + 0.5, y = static_cast<double>(i / picture_side) + 0.5;
         if (ours[i] != theirs[i] && !is_close_call(points, triangles, ours[i], theirs[i], x, y)) ++result.unexplained;
     }
     return result;
@@ -211,8 +212,9 @@ TEST(Silhouettes, AreThoseOfRayCasting) {
     const Device device(rtcNewDevice("threads=1"), rtcReleaseDevice);
     for (const auto& [name, mesh, least_agreement] : cases()) {
         ASSERT_FALSE(mesh.triangles.empty()) << name;
-        render::DrawOptions options{.width = side, .height = side, .background = {0, 0, 0, 0}, .face_colors_from_id = true, .samples = 1};
-        options.frame = render::frame_of(render::bounds_of(mesh.positions, mesh.triangles), side, side, options.fill);
+        render::DrawOptions options{
+            .width = picture_side, .height = picture_side, .background = {0, 0, 0, 0}, .face_colors_from_id = true, .samples = 1};
+        options.frame = render::frame_of(render::bounds_of(mesh.positions, mesh.triangles), picture_side, picture_side, options.fill);
         const std::vector<Image> images = render::draw_views(mesh.surface(), render::six_views, options);
         double coverage = 1, agreement = 1;   // least over the views
         for (std::size_t v = 0; v < images.size(); ++v) {
@@ -220,7 +222,7 @@ TEST(Silhouettes, AreThoseOfRayCasting) {
             const std::vector<glm::dvec3> points = on_screen(mesh, render::six_views[v], *options.frame);
             const Scene scene = scene_of(device.get(), points, mesh.triangles);
             const Comparison c = compared(ids_of(images[v]), ray_cast(scene.get()), points, mesh.triangles);
-            EXPECT_GT(c.both, side);
+            EXPECT_GT(c.both, picture_side);
             EXPECT_GE(c.coverage(), 0.999);
             EXPECT_GE(c.agreement(), least_agreement);
             EXPECT_EQ(c.unexplained, 0);

@@ -14,22 +14,23 @@ namespace {
 using render::HeightField;
 using render::Sky;
 
-constexpr int side = 240;
+constexpr int field_side = 240;
 
 HeightField field_of(const std::function<double(double, double)>& height) {
-    HeightField field(side, side);
-    std::vector<float> row(side);
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) row[static_cast<std::size_t>(x)] = static_cast<float>(height(x - side / 2, y - side / 2));
+    HeightField field(field_side, field_side);
+    std::vector<float> row(field_side);
+    for (int y = 0; y < field_side; ++y) {
+        for (int x = 0; x < field_side; ++x)
+            row[static_cast<std::size_t>(x)] = static_cast<float>(height(x - field_side / 2, y - field_side / 2));
         field.set(0, y, row);
     }
     return field;
 }
 
 float openness_at(const HeightField& field, int x, int y) {
-    std::vector<float> row(side);
-    Sky(field).openness(0, side / 2 + y, row);
-    return row[static_cast<std::size_t>(side / 2 + x)];
+    std::vector<float> row(field_side);
+    Sky(field).openness(0, field_side / 2 + y, row);
+    return row[static_cast<std::size_t>(field_side / 2 + x)];
 }
 
 TEST(Occlusion, PlanesSeeTheWholeSkyHoweverInclined) {
@@ -83,8 +84,8 @@ TEST(Occlusion, WhatStandsFarInFrontCastsNoShade) {
 TEST(Occlusion, NothingRoundASurfaceHidesNoSky) {
     const HeightField strip = field_of([](double x, double) { return std::abs(x) < 4 ? 0 : double(HeightField::nothing); });
     EXPECT_EQ(openness_at(strip, 0, 0), 1);
-    std::vector<float> row(side);
-    Sky(HeightField(side, side)).openness(0, 5, row);
+    std::vector<float> row(field_side);
+    Sky(HeightField(field_side, field_side)).openness(0, 5, row);
     for (const float open : row) ASSERT_EQ(open, 1);
 }
 

@@ -16,8 +16,7 @@ using render::Rgba;
 using render_tests::Box;
 using render_tests::box_of;
 using render_tests::long_bar;
-
-constexpr Rgba white{255, 255, 255, 255};
+using render_tests::white;
 
 Image bar_image(const render::ColorBar& bar, int width) {
     Image image(width, render::color_bar_height(bar, 16) + 10);

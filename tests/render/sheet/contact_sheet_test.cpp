@@ -18,8 +18,8 @@ using render::Rgba;
 using render_tests::Box;
 using render_tests::box_of;
 using render_tests::long_bar;
+using render_tests::white;
 
-constexpr Rgba white{255, 255, 255, 255};
 constexpr std::array<Rgba, 6> paints{
     {{200, 0, 0, 255}, {100, 0, 0, 255}, {0, 200, 0, 255}, {0, 100, 0, 255}, {0, 0, 200, 255}, {0, 0, 100, 255}}};
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "render/picture_box.h"
+
 namespace {
 
 using render::Align;
@@ -11,23 +13,22 @@ using render::Image;
 using render::Rgba;
 using render::TextStyle;
 using render::Weight;
+using render_tests::white;
 
-constexpr Rgba white{255, 255, 255, 255};
-
-struct Extent {
+struct Ink {
     int x0 = 1 << 20, x1 = -1, y0 = 1 << 20, y1 = -1;
     bool empty() const { return x1 < 0; }
 };
 
-Extent extent_of(const Image& image) {
-    Extent e;
+Ink ink_of(const Image& image) {
+    Ink e;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             if (image.at(x, y) != white) e = {std::min(e.x0, x), std::max(e.x1, x), std::min(e.y0, y), std::max(e.y1, y)};
     return e;
 }
 
-Image drawn(std::string_view text, const TextStyle& style, double x = 100) {
+Image drawn_text(std::string_view text, const TextStyle& style, double x = 100) {
     Image image(400, 60);
     render::draw_text(image, x, 40, text, style);
     return image;
@@ -37,7 +38,7 @@ TEST(Text, InkStaysWithinTheMeasuredWidthAndTheHeight) {
     for (const double size : {11.0, 13.0, 20.0, 30.0})
         for (const char* text : {"mean curvature H", "λ = 0.01, 20 iterations", "−1.5 × 10⁻⁷", "gjpq", "|"}) {
             const TextStyle style{size};
-            const Extent e = extent_of(drawn(text, style));
+            const Ink e = ink_of(drawn_text(text, style));
             ASSERT_FALSE(e.empty()) << text;
             EXPECT_GE(e.x0, 99) << text;
             EXPECT_LE(e.x1, 100 + render::text_width(text, style) + 1) << text;
@@ -58,27 +59,27 @@ TEST(Text, IsAlignedAtItsLeftMiddleOrRight) {
     for (const auto& [align, share] : {std::pair{Align::left, 0.0}, {Align::centre, 0.5}, {Align::right, 1.0}}) {
         const TextStyle style{.size = 20, .align = align};
         const double width = render::text_width("HHHH", style);
-        const Extent e = extent_of(drawn("HHHH", style, 200));
+        const Ink e = ink_of(drawn_text("HHHH", style, 200));
         EXPECT_NEAR(e.x0, 200 - share * width, 3);
         EXPECT_NEAR(e.x1, 200 + (1 - share) * width, 3);
     }
 }
 
-TEST(Text, LettersStandOnTheBaseline) { EXPECT_EQ(extent_of(drawn("HEN", {20})).y1, 39); }
+TEST(Text, LettersStandOnTheBaseline) { EXPECT_EQ(ink_of(drawn_text("HEN", {20})).y1, 39); }
 
 // From the size of notes to that of titles, in both weights: flat and round letters begin and end with the same rows.
 TEST(Text, SmallLettersShareTheirRows) {
     for (const Weight weight : {Weight::regular, Weight::bold})
         for (double size = 10; size <= 24; size += 0.5) {
             const TextStyle style{.size = size, .weight = weight};
-            const int x_height = extent_of(drawn("x", style)).y0, capital = extent_of(drawn("H", style)).y0;
+            const int x_height = ink_of(drawn_text("x", style)).y0, capital = ink_of(drawn_text("H", style)).y0;
             for (const char* letter : {"z", "v", "o", "e", "s", "a", "c"}) {
-                EXPECT_EQ(extent_of(drawn(letter, style)).y0, x_height) << letter << size;
-                EXPECT_EQ(extent_of(drawn(letter, style)).y1, 39) << letter << size;
+                EXPECT_EQ(ink_of(drawn_text(letter, style)).y0, x_height) << letter << size;
+                EXPECT_EQ(ink_of(drawn_text(letter, style)).y1, 39) << letter << size;
             }
             for (const char* letter : {"E", "O", "S", "0", "8"}) {
-                EXPECT_EQ(extent_of(drawn(letter, style)).y0, capital) << letter << size;
-                EXPECT_EQ(extent_of(drawn(letter, style)).y1, 39) << letter << size;
+                EXPECT_EQ(ink_of(drawn_text(letter, style)).y0, capital) << letter << size;
+                EXPECT_EQ(ink_of(drawn_text(letter, style)).y1, 39) << letter << size;
             }
         }
 }
@@ -100,15 +101,15 @@ TEST(Text, HorizontalBarsAreFullyInked) {
         for (const char* letter : {"z", "E", "H", "e", "=", "\u2212", "+", "t", "2", "["}) {
             const TextStyle style{size};
             const double least = *letter == 't' || *letter == '[' ? 0 : 0.12 * size;
-            EXPECT_GT(longest_bar(drawn(letter, style), style.color), least) << letter << " at " << size;
+            EXPECT_GT(longest_bar(drawn_text(letter, style), style.color), least) << letter << " at " << size;
         }
 }
 
 // Heights are rounded to rows, no more: capitals within half a pixel of 1493/2384 of the size (DejaVu Sans), small letters of 1120.
 TEST(Text, FittingMovesEdgesByHalfAPixelAtMost) {
     for (double size = 10; size <= 50; size += 0.7) {
-        EXPECT_NEAR(40 - extent_of(drawn("H", {size})).y0, size * 1493 / 2384, 0.51) << size;
-        EXPECT_NEAR(40 - extent_of(drawn("x", {size})).y0, size * 1120 / 2384, 0.51) << size;
+        EXPECT_NEAR(40 - ink_of(drawn_text("H", {size})).y0, size * 1493 / 2384, 0.51) << size;
+        EXPECT_NEAR(40 - ink_of(drawn_text("x", {size})).y0, size * 1120 / 2384, 0.51) << size;
     }
 }
 
@@ -116,29 +117,29 @@ TEST(Text, FittingMovesEdgesByHalfAPixelAtMost) {
 TEST(Text, StemsAreDarkAtAnyPlace) {
     for (const double size : {11.0, 12.0, 13.0, 16.0})
         for (double x = 100; x < 101; x += 0.125) {
-            const Image image = drawn("l", {.size = size, .color = {0, 0, 0, 255}}, x);
+            const Image image = drawn_text("l", {.size = size, .color = {0, 0, 0, 255}}, x);
             const int darkest = std::min_element(image.pixels.begin(), image.pixels.end(), [](Rgba a, Rgba b) { return a.r < b.r; })->r;
             EXPECT_LT(darkest, 115) << size << " at " << x;
         }
 }
 
 TEST(Text, SmallTextIsDark) {
-    const Image image = drawn("lineill", {12});
+    const Image image = drawn_text("lineill", {12});
     const int darkest = std::min_element(image.pixels.begin(), image.pixels.end(), [](Rgba a, Rgba b) { return a.r < b.r; })->r;
     EXPECT_LT(darkest, 110);
 }
 
 TEST(Text, ControlCharactersAndDirectionMarksAreNotDrawn) {
-    EXPECT_TRUE(extent_of(drawn("\n\t\x01\x7f", {20})).empty());
-    EXPECT_EQ(drawn("a\u202e\u200bb\n", {20}).pixels, drawn("ab", {20}).pixels);
+    EXPECT_TRUE(ink_of(drawn_text("\n\t\x01\x7f", {20})).empty());
+    EXPECT_EQ(drawn_text("a\u202e\u200bb\n", {20}).pixels, drawn_text("ab", {20}).pixels);
 }
 
 TEST(Text, WhatTheFontLacksAndWhatIsNoUtf8IsABox) {
-    EXPECT_FALSE(extent_of(drawn("\U0001F9FF", {20})).empty());
-    EXPECT_EQ(drawn("\xff", {20}).pixels, drawn("\uFFFD", {20}).pixels);
-    EXPECT_EQ(drawn("\xc3", {20}).pixels, drawn("\uFFFD", {20}).pixels);             // cut short
-    EXPECT_EQ(drawn("\xc0\xaf", {20}).pixels, drawn("\uFFFD\uFFFD", {20}).pixels);   // overlong
-    EXPECT_EQ(drawn("\xe2\x82z", {20}).pixels, drawn("\uFFFD\uFFFDz", {20}).pixels);
+    EXPECT_FALSE(ink_of(drawn_text("\U0001F9FF", {20})).empty());
+    EXPECT_EQ(drawn_text("\xff", {20}).pixels, drawn_text("\uFFFD", {20}).pixels);
+    EXPECT_EQ(drawn_text("\xc3", {20}).pixels, drawn_text("\uFFFD", {20}).pixels);             // cut short
+    EXPECT_EQ(drawn_text("\xc0\xaf", {20}).pixels, drawn_text("\uFFFD\uFFFD", {20}).pixels);   // overlong
+    EXPECT_EQ(drawn_text("\xe2\x82z", {20}).pixels, drawn_text("\uFFFD\uFFFDz", {20}).pixels);
 }
 
 TEST(Text, OutsideThePictureIsCutOff) {
@@ -146,7 +147,7 @@ TEST(Text, OutsideThePictureIsCutOff) {
     render::draw_text(image, -20, 5, "Wide text on a small picture", {24});
     render::draw_text(image, 25, -30, "above", {24});
     render::draw_text(image, 1e6, 5, "beside", {24});
-    EXPECT_FALSE(extent_of(image).empty());
+    EXPECT_FALSE(ink_of(image).empty());
 }
 
 TEST(FitText, FitsAndKeepsWhatFits) {

@@ -17,11 +17,6 @@ std::string sample_page() { return write_html(sample_document(), sample_figures(
 std::string hostile_page() { return write_html(hostile_document(), hostile_figures(), Templates()); }
 
 /// Judged by a reader that is not ours.
-bool is_well_formed(const std::string& html) {
-    const TemporaryFolder folder;
-    return succeeds("xmllint --noout '" + folder.write("page.html", html).string() + "'");
-}
-
 std::vector<std::size_t> positions_of(const std::string& text, const std::vector<std::string>& parts) {
     std::vector<std::size_t> positions;
     for (const std::string& part : parts) {

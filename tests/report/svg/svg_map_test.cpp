@@ -11,8 +11,6 @@
 namespace meshfolio::report {
 namespace {
 
-const double undefined = std::nan("");
-
 Map map_of(std::vector<double> x, std::vector<double> y, std::vector<double> values) {
     Map map{"m", "caption", "what is seen", "λ [length²]", "iteration", "error [length]", std::move(x), std::move(y)};
     map.undefined = "blew up";
@@ -185,8 +183,8 @@ TEST(SvgMap, CellsLieWhereTheirValuesAre) {
     const std::string corner = matches(svg, "<path d=\"M([0-9.]+ [0-9.]+)H[^\"]*\" fill=\"#fde725\"").at(0);
     EXPECT_NEAR(std::stod(corner), left + across * 2 / 3, 0.2);
     EXPECT_NEAR(std::stod(corner.substr(corner.find(' '))), top + down / 2, 0.2);
-    const std::string end = matches(svg, "<path d=\"M[0-9. ]+H[0-9.]+V([0-9.]+)H[^\"]*\" fill=\"#fde725\"").at(0);
-    EXPECT_NEAR(std::stod(end), top + down, 0.2) << "rows go up";
+    const std::string right = matches(svg, "<path d=\"M[0-9. ]+H[0-9.]+V([0-9.]+)H[^\"]*\" fill=\"#fde725\"").at(0);
+    EXPECT_NEAR(std::stod(right), top + down, 0.2) << "rows go up";
 }
 
 TEST(SvgMap, UndefinedCellsAreHatchedAndNamed) {

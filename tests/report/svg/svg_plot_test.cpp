@@ -12,8 +12,6 @@
 namespace meshfolio::report {
 namespace {
 
-const double undefined = std::nan("");
-
 Plot plot_of(std::vector<double> x, std::vector<double> y, bool log = false) {
     return {"p", "caption", "what is seen", "x [length]", "y [1/length]", log, log, {{"series", std::move(x), std::move(y), {}, {}}},
             {},  {}};
@@ -120,21 +118,16 @@ TEST(PlotLabels, KeepClearOfTheCurveAlsoAtTheEdgeOfTheFrame) {
 
 TEST(PlotLabels, WrappedLinesFitAndLoseNothing) {
     const std::string words = "a rather long name of a series that would not fit into the width of the plot";
-    std::string joined;
+    std::string rejoined;
     for (const std::string& line : wrapped(words, 150)) {
         EXPECT_LE(text_width(line), 150);
-        joined += (joined.empty() ? "" : " ") + line;
+        rejoined += (rejoined.empty() ? "" : " ") + line;
     }
-    EXPECT_EQ(joined, words);
+    EXPECT_EQ(rejoined, words);
     EXPECT_EQ(wrapped("", 100).size(), 1u);
 }
 
 // ---- the drawing ----------------------------------------------------------------------------------------------------------
-
-bool is_well_formed(const std::string& svg) {
-    const TemporaryFolder folder;
-    return succeeds("xmllint --noout '" + folder.write("plot.svg", svg).string() + "'");
-}
 
 /// No coordinate is NaN, infinite or outside the picture.
 void expect_sane(const Plot& plot) {

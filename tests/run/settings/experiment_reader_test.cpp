@@ -9,11 +9,15 @@
 #include "questions/reproductions/parts.h"
 #include "run/settings/report_settings.h"
 #include "run/settings/settings_file.h"
+#include "run/settings/settings_problems.h"
 #include "source_dir.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;
-using namespace meshfolio::cli;
+using namespace meshfolio::run;
+using reproductions::uncovered_rows;
+using testing_tools::expect_problem;
+using testing_tools::problems_of;
 using testing_tools::TemporaryFolder;
 
 namespace {
@@ -25,24 +29,6 @@ std::string experiment(const std::string& keys, const std::string& kind = "smoot
     return originals + "[[experiment]]\nrow = 20\nfrom = \"S0\"\nname = \"x\"\nkind = \"" + kind + "\"\n" + keys + "\n";
 }
 const std::string smoothing = "mesh = \"bunny\"\nlambda = 1e-7\niterations = 10\n";
-
-std::vector<std::string> problems_of(const std::string& text) {
-    try {
-        parse_settings(text, "my.toml");
-        return {};
-    } catch (const SettingsErrors& errors) {
-        std::vector<std::string> messages;
-        for (const UsageError& error : errors.problems()) messages.emplace_back(error.what());
-        return messages;
-    }
-}
-
-void expect_problem(const std::string& text, long line, const std::vector<std::string>& words) {
-    const std::vector<std::string> problems = problems_of(text);
-    ASSERT_EQ(problems.size(), 1u) << text << (problems.size() > 1 ? problems[1] : "");
-    EXPECT_TRUE(problems[0].starts_with("my.toml:" + std::to_string(line) + ": ")) << problems[0];
-    for (const std::string& word : words) EXPECT_NE(problems[0].find(word), std::string::npos) << problems[0] << " lacks " << word;
-}
 
 std::string bundled_path(const std::string& name) { return std::string(MESHFOLIO_SOURCE_DIR) + "/data/reports/" + name + ".toml"; }
 

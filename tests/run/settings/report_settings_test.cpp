@@ -10,7 +10,7 @@
 #include "temporary_folder.h"
 
 using namespace meshfolio;
-using namespace meshfolio::cli;
+using namespace meshfolio::run;
 using testing_tools::TemporaryFolder;
 
 namespace {

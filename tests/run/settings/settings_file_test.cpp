@@ -5,34 +5,17 @@
 #include <regex>
 
 #include "base/file_bytes.h"
+#include "run/settings/settings_problems.h"
 #include "source_dir.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;
-using namespace meshfolio::cli;
+using namespace meshfolio::run;
+using testing_tools::expect_problem;
+using testing_tools::problems_of;
 using testing_tools::TemporaryFolder;
 
 namespace {
-
-/// The messages about a text, in order; empty when it is good.
-std::vector<std::string> problems_of(const std::string& text, const std::string& file = "my.toml") {
-    try {
-        parse_settings(text, file);
-        return {};
-    } catch (const SettingsErrors& errors) {
-        std::vector<std::string> messages;
-        for (const UsageError& error : errors.problems()) messages.emplace_back(error.what());
-        return messages;
-    }
-}
-
-/// Exactly one problem, at that line, whose message has every one of the words.
-void expect_problem(const std::string& text, long line, const std::vector<std::string>& words) {
-    const std::vector<std::string> problems = problems_of(text);
-    ASSERT_EQ(problems.size(), 1u) << text;
-    EXPECT_TRUE(problems[0].starts_with("my.toml:" + std::to_string(line) + ": ")) << problems[0];
-    for (const std::string& word : words) EXPECT_NE(problems[0].find(word), std::string::npos) << problems[0] << " lacks " << word;
-}
 
 std::string question(const std::string& keys) { return "[[question]]\nid = \"q4\"\n" + keys + "\n"; }
 

@@ -9,7 +9,7 @@
 #include "temporary_folder.h"
 
 using namespace meshfolio;
-using namespace meshfolio::cli;
+using namespace meshfolio::run;
 
 namespace {
 

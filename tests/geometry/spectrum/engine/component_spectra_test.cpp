@@ -16,9 +16,6 @@ using namespace meshfolio::testing;
 
 namespace {
 
-const SpectrumOptions by_lanczos{.dense_below = 0};
-const SpectrumOptions by_dense{.dense_below = 100'000};
-
 TriangleMesh in_a_row(const std::vector<TriangleMesh>& parts) {
     TriangleMesh all;
     double x = 0;

@@ -1,0 +1,17 @@
+/// @file
+/// Meshes to be denoised.
+#pragma once
+
+#include <cstdint>
+
+#include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
+
+namespace meshfolio::testing {
+
+/// Gaussian noise on each coordinate, of so many mean edges.
+inline TriangleMesh noisy(const TriangleMesh& mesh, double edges, std::uint64_t seed = 3) {
+    return moved_to(mesh, with_gaussian_noise(mesh.X, Vector3::Constant(edges * mean_edge_length(mesh)), seed));
+}
+
+}   // namespace meshfolio::testing

@@ -1,0 +1,34 @@
+/// @file
+/// What is wrong with the text of a settings file.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "run/settings/settings_file.h"
+
+namespace meshfolio::testing_tools {
+
+/// The messages about a text, in order; empty when it is good.
+inline std::vector<std::string> problems_of(const std::string& text, const std::string& file = "my.toml") {
+    try {
+        run::parse_settings(text, file);
+        return {};
+    } catch (const run::SettingsErrors& errors) {
+        std::vector<std::string> messages;
+        for (const UsageError& error : errors.problems()) messages.emplace_back(error.what());
+        return messages;
+    }
+}
+
+/// Exactly one problem, at that line, whose message has every one of the words.
+inline void expect_problem(const std::string& text, long line, const std::vector<std::string>& words) {
+    const std::vector<std::string> problems = problems_of(text);
+    ASSERT_EQ(problems.size(), 1u) << text << (problems.size() > 1 ? problems[1] : "");
+    EXPECT_TRUE(problems[0].starts_with("my.toml:" + std::to_string(line) + ": ")) << problems[0];
+    for (const std::string& word : words) EXPECT_NE(problems[0].find(word), std::string::npos) << problems[0] << " lacks " << word;
+}
+
+}   // namespace meshfolio::testing_tools
