@@ -2,9 +2,9 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "geometry/operators/definiteness.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/definiteness.h"
+#include "geometry/spectrum/stability.h"
 #include "mesh/triangle_measures.h"
 #include "run/arguments.h"
 #include "run/console.h"

@@ -9,7 +9,7 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/mesh_checks.h"
 #include "shared_meshes.h"
 

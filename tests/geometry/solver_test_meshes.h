@@ -9,7 +9,7 @@
 
 #include "geometry/operator_test_meshes.h"
 #include "geometry/operators/cotangent_laplacian.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 #include "mesh/io/mesh_files.h"
 #include "shared_meshes.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/measures/mesh_error.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "geometry/operators/cotangent_laplacian.h"
-#include "geometry/operators/definiteness.h"
+#include "geometry/spectrum/definiteness.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {

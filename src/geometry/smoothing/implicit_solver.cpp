@@ -12,7 +12,7 @@
 #include "geometry/measures/spatial_order.h"
 #include "geometry/smoothing/conjugate_gradients.h"
 #include "geometry/smoothing/position_rows.h"
-#include "geometry/spectrum/engine/spectrum_memory.h"
+#include "geometry/spectrum/spectrum_memory.h"
 
 namespace meshfolio {
 

@@ -12,7 +12,7 @@
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/limit_watch.h"
 #include "geometry/smoothing/position_rows.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {

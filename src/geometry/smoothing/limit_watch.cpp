@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 namespace meshfolio {
 

@@ -4,7 +4,7 @@
 
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 namespace meshfolio {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 namespace meshfolio {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "geometry/spectrum/engine/eigenvalue_enclosure.h"
+#include "geometry/spectrum/eigenvalue_enclosure.h"
 
 namespace meshfolio {
 

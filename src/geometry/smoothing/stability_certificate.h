@@ -7,7 +7,7 @@
 #include <functional>
 #include <string_view>
 
-#include "geometry/operators/definiteness.h"
+#include "geometry/spectrum/definiteness.h"
 
 namespace meshfolio {
 

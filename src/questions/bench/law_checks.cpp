@@ -6,7 +6,7 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "geometry/measures/mesh_laws.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {

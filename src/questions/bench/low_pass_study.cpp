@@ -2,8 +2,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "geometry/smoothing/stability.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
+#include "geometry/spectrum/stability.h"
 #include "questions/bench/spectral_uses.h"
 #include "questions/core/value_lists.h"
 

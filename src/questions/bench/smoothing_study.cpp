@@ -5,7 +5,7 @@
 
 #include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
 #include "questions/core/value_lists.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "geometry/measures/mesh_error.h"
-#include "geometry/operators/definiteness.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/definiteness.h"
+#include "geometry/spectrum/stability.h"
 #include "questions/core/mesh_library.h"
 #include "questions/core/settings.h"
 #include "questions/core/six_view_figure.h"

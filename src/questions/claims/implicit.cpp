@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "questions/claims/claim_bench.h"
 #include "questions/claims/claim_list.h"
 #include "questions/core/section_tools.h"

@@ -12,7 +12,7 @@
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/operators/vertex_areas.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 namespace meshfolio {
 

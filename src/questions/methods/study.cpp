@@ -8,7 +8,7 @@
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "geometry/denoising/component_size.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 #include "mesh/surface_patch.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/value_lists.h"

@@ -243,7 +243,7 @@ extern const Chapter chapter{
     .code = {{"laplace_operator", "src/geometry/operators/laplace_operator.cpp"},
              {"intrinsic_delaunay", "src/geometry/operators/intrinsic_delaunay.cpp"},
              {"tufted_cover", "src/geometry/operators/tufted_cover.cpp"},
-             {"operator_scores", "src/geometry/operators/operator_scores.cpp"},
+             {"operator_scores", "src/geometry/measures/operator_scores.cpp"},
              {"answer", "src/questions/operators/chapter.cpp"}},
     .answer = answer,
 };

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/measures/operator_scores.h"
 #include "geometry/operators/laplace_operator.h"
-#include "geometry/operators/operator_scores.h"
 #include "questions/bench/curvature_study.h"
 #include "questions/core/settings.h"
 

@@ -250,7 +250,7 @@ extern const Chapter chapter{
     .code = {{"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp"},
              {"explicit_step", "src/geometry/smoothing/laplacian_smoothing.cpp"},
              {"ExplicitRows", "src/geometry/smoothing/diffusion_kernels.cpp"},
-             {"largest_eigenvalue", "src/geometry/smoothing/stability.cpp"},
+             {"largest_eigenvalue", "src/geometry/spectrum/stability.cpp"},
              {"answer", "src/questions/q5_explicit/chapter.cpp"}},
     .answer = answer,
 };

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "geometry/measures/mesh_error.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "questions/core/value_lists.h"
 

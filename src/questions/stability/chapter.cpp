@@ -79,9 +79,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 extern const Chapter chapter{
     .id = "stability",
     .code = {{"stability_certificate", "src/geometry/smoothing/stability_certificate.cpp"},
-             {"definiteness", "src/geometry/operators/definiteness.cpp"},
+             {"definiteness", "src/geometry/spectrum/definiteness.cpp"},
              {"enclose_largest", "src/geometry/spectrum/engine/eigenvalue_enclosure.cpp"},
-             {"largest_eigenvalue", "src/geometry/smoothing/stability.cpp"},
+             {"largest_eigenvalue", "src/geometry/spectrum/stability.cpp"},
              {"mode_growth", "src/geometry/smoothing/mode_growth.cpp"},
              {"LimitWatch", "src/geometry/smoothing/limit_watch.h"},
              {"answer", "src/questions/stability/chapter.cpp"}},

@@ -12,7 +12,7 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operator_test_meshes.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

@@ -9,8 +9,8 @@
 #include "base/errors.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/stability.h"
 #include "mesh/triangle_measures.h"
 
 using namespace meshfolio;

@@ -8,8 +8,8 @@
 #include "geometry/linear/panel_kernels.h"
 #include "geometry/linear/solver_versions.h"
 #include "geometry/smoothing/position_rows.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

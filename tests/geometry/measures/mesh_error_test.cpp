@@ -6,7 +6,7 @@
 #include "geometry/measures/closest_point.h"
 #include "geometry/operator_test_meshes.h"
 #include "geometry/operators/cotangent_laplacian.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 
 namespace meshfolio {
 namespace {

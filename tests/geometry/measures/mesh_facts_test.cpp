@@ -4,9 +4,9 @@
 
 #include "geometry/operators/mesh_operators.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
 #include "geometry/spectrum/spectrum_certificate.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

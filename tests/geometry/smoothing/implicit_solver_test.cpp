@@ -8,8 +8,8 @@
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/conjugate_gradients.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

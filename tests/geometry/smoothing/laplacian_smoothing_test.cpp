@@ -10,9 +10,9 @@
 
 #include "base/errors.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
 #include "geometry/spectrum/laplace_spectrum.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

@@ -5,10 +5,10 @@
 
 #include "base/errors.h"
 #include "geometry/measures/mesh_error.h"
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/stability.h"
 #include "mesh/samples/sample_shapes.h"
 
 using namespace meshfolio;

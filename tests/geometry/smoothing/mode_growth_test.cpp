@@ -7,8 +7,8 @@
 
 #include "base/errors.h"
 #include "geometry/measures/mesh_error.h"
-#include "geometry/operators/dirichlet_energy.h"
 #include "geometry/operators/uniform_laplacian.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/solver_test_meshes.h"
 #include "mesh/samples/sample_shapes.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
 #include "geometry/spectrum/spectral_filter.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

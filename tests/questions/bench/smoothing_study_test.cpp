@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"

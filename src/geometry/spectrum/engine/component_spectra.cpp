@@ -10,7 +10,7 @@
 #include "base/errors.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/spectrum/engine/spectrum_memory.h"
+#include "geometry/spectrum/spectrum_memory.h"
 
 namespace meshfolio {
 

@@ -9,8 +9,8 @@
 
 #include "base/errors.h"
 #include "geometry/linear/sparse_factor.h"
-#include "geometry/spectrum/engine/spectrum_memory.h"
 #include "geometry/spectrum/engine/zero_modes.h"
+#include "geometry/spectrum/spectrum_memory.h"
 
 namespace meshfolio {
 

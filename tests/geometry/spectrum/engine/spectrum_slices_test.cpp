@@ -9,9 +9,9 @@
 #include "geometry/solver_test_meshes.h"
 #include "geometry/spectrum/engine/slice_limits.h"
 #include "geometry/spectrum/engine/slice_overlaps.h"
-#include "geometry/spectrum/engine/spectrum_memory.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/spectrum_expectations.h"
+#include "geometry/spectrum/spectrum_memory.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

@@ -17,7 +17,7 @@
 
 #include <algorithm>
 
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 namespace meshfolio {
 

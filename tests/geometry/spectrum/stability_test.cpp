@@ -1,4 +1,4 @@
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/spectrum/engine/spectrum_memory.h"
+#include "geometry/spectrum/spectrum_memory.h"
 
 #include <tbb/task_arena.h>
 

@@ -1,11 +1,11 @@
-#include "geometry/operators/definiteness.h"
+#include "geometry/spectrum/definiteness.h"
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "geometry/linear/special_values.h"
-#include "geometry/spectrum/engine/eigenvalue_enclosure.h"
+#include "geometry/spectrum/eigenvalue_enclosure.h"
 
 namespace meshfolio {
 

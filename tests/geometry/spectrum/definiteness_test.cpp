@@ -1,4 +1,4 @@
-#include "geometry/operators/definiteness.h"
+#include "geometry/spectrum/definiteness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "geometry/spectrum/engine/eigenvalue_enclosure.h"
-#include "geometry/spectrum/engine/top_lanczos.h"
+#include "geometry/spectrum/eigenvalue_enclosure.h"
+#include "geometry/spectrum/top_lanczos.h"
 
 namespace meshfolio {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/linear/inertia.h"
-#include "geometry/operators/definiteness.h"
+#include "geometry/spectrum/definiteness.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {

@@ -1,4 +1,4 @@
-#include "geometry/operators/dirichlet_energy.h"
+#include "geometry/smoothing/dirichlet_energy.h"
 
 #include <algorithm>
 #include <cmath>

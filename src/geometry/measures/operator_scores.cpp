@@ -1,4 +1,4 @@
-#include "geometry/operators/operator_scores.h"
+#include "geometry/measures/operator_scores.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_laws.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/spectrum/laplace_spectrum.h"
+#include "geometry/spectrum/stability.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {

@@ -1,4 +1,4 @@
-#include "geometry/spectrum/engine/top_lanczos.h"
+#include "geometry/spectrum/top_lanczos.h"
 
 #include <algorithm>
 #include <cmath>

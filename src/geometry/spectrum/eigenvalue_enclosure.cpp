@@ -1,4 +1,4 @@
-#include "geometry/spectrum/engine/eigenvalue_enclosure.h"
+#include "geometry/spectrum/eigenvalue_enclosure.h"
 
 #include <Spectra/SymEigsSolver.h>
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/smoothing/stability.h"
+#include "geometry/spectrum/stability.h"
 
 namespace meshfolio {
 

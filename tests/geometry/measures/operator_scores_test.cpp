@@ -1,4 +1,4 @@
-#include "geometry/operators/operator_scores.h"
+#include "geometry/measures/operator_scores.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "geometry/operators/laplace_operator.h"
-#include "geometry/smoothing/stability.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;
