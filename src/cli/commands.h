@@ -2,10 +2,10 @@
 /// The subcommands, one file each (<name>_command.cpp). A new one is a function here and a line in the table of cli.cpp.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "base/errors.h"
+#include "cli/options.h"
 
 namespace meshfolio::run {}
 

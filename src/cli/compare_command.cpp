@@ -72,11 +72,11 @@ Command compare_command(CLI::App& parent) {
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("compare", "Errors between two meshes with the same triangles, in model units");
-    app->add_option("A", options->a, "the reference")->required();
-    app->add_option("B", options->b, "the other")->required();
-    app->add_flag("--json", options->json, "for programs");
-    app->footer("Example: meshfolio compare clean.ply denoised.ply --json");
+    Options app(parent, "compare", "Errors between two meshes with the same triangles, in model units");
+    app.required("A", options->a, "the reference");
+    app.required("B", options->b, "the other");
+    app.flag("--json", options->json, "for programs");
+    app.footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] {
                 const MeshDifference difference = about_mesh(options->b, [&] { return difference_of(options->a, options->b); });
                 print(options->json ? as_json(difference) : told(difference));

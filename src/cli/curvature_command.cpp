@@ -79,14 +79,13 @@ Command curvature_command(CLI::App& parent) {
         bool jets = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("curvature", "Areas and curvatures of every vertex as CSV");
-    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
-    app->add_option("--area", options->area, "barycentric, voronoi or mixed")->capture_default_str();
-    app->add_option("--operator", options->laplacian, "adds the mean curvature by another operator, as h_<its name>: " + operator_names())
-        ->capture_default_str();
-    app->add_flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
-    app->add_option("--csv", options->csv, "file, or - for standard output")->capture_default_str();
-    app->footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
+    Options app(parent, "curvature", "Areas and curvatures of every vertex as CSV");
+    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.text("--area", options->area, "barycentric, voronoi or mixed");
+    app.text("--operator", options->laplacian, "adds the mean curvature by another operator, as h_<its name>: " + operator_names());
+    app.flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
+    app.text("--csv", options->csv, "file, or - for standard output");
+    app.footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);
                 const OperatorKind kind = operator_named(options->laplacian);

@@ -107,9 +107,9 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
 
 Command doctor_command(CLI::App& parent) {
     const auto json = std::make_shared<bool>(false);
-    CLI::App* app = parent.add_subcommand("doctor", "What was found on this machine, and what is missing");
-    app->add_flag("--json", *json, "for programs");
-    app->footer("Example: meshfolio doctor");
+    Options app(parent, "doctor", "What was found on this machine, and what is missing");
+    app.flag("--json", *json, "for programs");
+    app.footer("Example: meshfolio doctor");
     return {app, [json] {
                 const auto all = findings();
                 print(*json ? all.dump(2) + "\n" : doctor_text(all));

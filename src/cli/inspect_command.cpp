@@ -212,11 +212,11 @@ Command inspect_command(CLI::App& parent) {
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
-    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
-    app->add_option("--operator", options->laplacian, "whose largest stable step: " + operator_names())->capture_default_str();
-    app->add_flag("--json", options->json, "for programs");
-    app->footer("Example: meshfolio inspect bunny.off --json");
+    Options app(parent, "inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
+    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.text("--operator", options->laplacian, "whose largest stable step: " + operator_names());
+    app.flag("--json", options->json, "for programs");
+    app.footer("Example: meshfolio inspect bunny.off --json");
     return {app, [options] {
                 const OperatorKind kind = operator_named(options->laplacian);
                 const Inspection inspection = about_mesh(options->mesh, [&] { return inspection_of(options->mesh, kind); });

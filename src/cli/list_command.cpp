@@ -49,9 +49,9 @@ std::string list_text(const nlohmann::ordered_json& json) {
 
 Command list_command(CLI::App& parent) {
     const auto json = std::make_shared<bool>(false);
-    CLI::App* app = parent.add_subcommand("list", "Questions, meshes, colour maps, samples");
-    app->add_flag("--json", *json, "for programs");
-    app->footer("Example: meshfolio list --json");
+    Options app(parent, "list", "Questions, meshes, colour maps, samples");
+    app.flag("--json", *json, "for programs");
+    app.footer("Example: meshfolio list --json");
     return {app, [json] {
                 const auto all = everything();
                 print(*json ? all.dump(2) + "\n" : list_text(all));

@@ -16,14 +16,13 @@ Command noise_command(CLI::App& parent) {
         std::string mesh, output, sigma, unit = "raw", seed = "1";
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("noise", "Seeded Gaussian noise on every vertex");
-    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
-    app->add_option("-o,--output", options->output, "OBJ, OFF or PLY")->required();
-    app->add_option("--sigma", options->sigma, "standard deviation of each coordinate")->required();
-    app->add_option("--unit", options->unit, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)")
-        ->capture_default_str();
-    app->add_option("--seed", options->seed, "the same seed gives the same noise")->capture_default_str();
-    app->footer("Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
+    Options app(parent, "noise", "Seeded Gaussian noise on every vertex");
+    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("-o,--output", options->output, "OBJ, OFF or PLY");
+    app.required("--sigma", options->sigma, "standard deviation of each coordinate");
+    app.text("--unit", options->unit, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)");
+    app.text("--seed", options->seed, "the same seed gives the same noise");
+    app.footer("Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {
                 const double sigma = number_not_negative("--sigma", options->sigma);
                 if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100");

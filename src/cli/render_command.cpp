@@ -225,23 +225,22 @@ std::string other_curvatures() {
 
 Command render_command(CLI::App& parent) {
     const auto options = std::make_shared<RenderFlags>();
-    CLI::App* app = parent.add_subcommand("render", "Pictures of a mesh from six directions, and a contact sheet");
-    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
-    app->add_option("--out", options->out, "folder for +x.png … -z.png and sheet.png")->capture_default_str();
-    app->add_option("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
-    app->add_option("--size", options->size, "pixels of one view: N or WxH")->capture_default_str();
-    app->add_option("--field", options->field,
-                    "none, h-uniform, h-cotan, gauss, area, x, y, z, id, or the mean curvature by another operator: " + other_curvatures())
-        ->capture_default_str();
-    app->add_option("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
-    app->add_option("--colormap", options->colormap, "see meshfolio list; default: diverging for signed values, viridis otherwise");
-    app->add_option("--range", options->range, "lo,hi of the colours; default: robust");
-    app->add_option("--isolines", options->isolines, "lines where the value is a multiple of this");
-    app->add_option("--glb", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
-    app->add_flag("--edges", options->edges, "draw triangle edges");
-    app->add_flag("--transparent", options->transparent, "no ground behind the surface");
-    app->add_flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");
-    app->footer("Example: meshfolio render bunny.off --field h-cotan --range -20,20 --views +z,-z --out views");
+    Options app(parent, "render", "Pictures of a mesh from six directions, and a contact sheet");
+    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.text("--out", options->out, "folder for +x.png … -z.png and sheet.png");
+    app.text("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
+    app.text("--size", options->size, "pixels of one view: N or WxH");
+    app.text("--field", options->field,
+             "none, h-uniform, h-cotan, gauss, area, x, y, z, id, or the mean curvature by another operator: " + other_curvatures());
+    app.text("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
+    app.text("--colormap", options->colormap, "see meshfolio list; default: diverging for signed values, viridis otherwise");
+    app.text("--range", options->range, "lo,hi of the colours; default: robust");
+    app.text("--isolines", options->isolines, "lines where the value is a multiple of this");
+    app.text("--glb", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
+    app.flag("--edges", options->edges, "draw triangle edges");
+    app.flag("--transparent", options->transparent, "no ground behind the surface");
+    app.flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");
+    app.footer("Example: meshfolio render bunny.off --field h-cotan --range -20,20 --views +z,-z --out views");
     return {app, [options] { return run_render(*options); }};
 }
 

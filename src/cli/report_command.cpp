@@ -118,27 +118,23 @@ ExitCode run_report(const ReportFlags& flags) {
 
 Command report_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
-    CLI::App* app = parent.add_subcommand("report", "All seven questions: the full report");
-    app->add_option("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
-    app->add_option("--only", flags->only, "some of the questions: q1,q4")->check([](const std::string& ids) {
-        return std::string(ids.empty() ? "names no question" : "");
-    });
-    app->add_option("--data", flags->data,
-                    "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)")
-        ->allow_extra_args(false);
-    app->add_option("--out", flags->out, "folder of the report, replaced as a whole; default: out");
-    app->add_option("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
-    app->add_option("--threads", flags->threads, "at most so many threads; default: all");
-    app->add_option("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
-    app->add_option("--pdf", flags->pdf, "report.pdf: auto, where an engine is there (the default); require; or off");
-    app->add_option("--pdf-browser", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
-    app->add_option("--templates", flags->templates, "folder of templates that replace those of the same name");
-    app->add_flag("--quick", flags->quick, "small settings for a first look");
-    app->add_flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
-    app->add_flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
-    app->add_flag("--no-cache", flags->no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
-    app->add_option("--from", flags->from, "results.json of an earlier report, which is rendered again without computing anything");
-    app->footer("Example: meshfolio report --data meshes/coursework --out out\n         meshfolio report my.obj --only q1,q3 --quick");
+    Options app(parent, "report", "All seven questions: the full report");
+    app.texts("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
+    app.text("--only", flags->only, "some of the questions: q1,q4");
+    app.texts("--data", flags->data, "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");
+    app.text("--out", flags->out, "folder of the report, replaced as a whole; default: out");
+    app.text("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
+    app.text("--threads", flags->threads, "at most so many threads; default: all");
+    app.text("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
+    app.text("--pdf", flags->pdf, "report.pdf: auto, where an engine is there (the default); require; or off");
+    app.text("--pdf-browser", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
+    app.text("--templates", flags->templates, "folder of templates that replace those of the same name");
+    app.flag("--quick", flags->quick, "small settings for a first look");
+    app.flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
+    app.flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
+    app.flag("--no-cache", flags->no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
+    app.text("--from", flags->from, "results.json of an earlier report, which is rendered again without computing anything");
+    app.footer("Example: meshfolio report --data meshes/coursework --out out\n         meshfolio report my.obj --only q1,q3 --quick");
     return {app, [flags] { return flags->from.empty() ? run_report(*flags) : report_from_results(*flags); }};
 }
 

@@ -14,13 +14,12 @@ Command sample_command(CLI::App& parent) {
         bool list = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("sample", "A bundled procedural mesh");
-    app->add_option("NAME", options->name, "see --list");
-    app->add_option("-o,--output", options->output, "OBJ, OFF or PLY");
-    app->add_option("--subdivide", options->subdivide, "extra 1-to-4 subdivisions, 0 to " + std::to_string(most_subdivisions))
-        ->capture_default_str();
-    app->add_flag("--list", options->list, "names and what they are");
-    app->footer("Example: meshfolio sample creature -o creature.ply --subdivide 1");
+    Options app(parent, "sample", "A bundled procedural mesh");
+    app.text("NAME", options->name, "see --list");
+    app.text("-o,--output", options->output, "OBJ, OFF or PLY");
+    app.text("--subdivide", options->subdivide, "extra 1-to-4 subdivisions, 0 to " + std::to_string(most_subdivisions));
+    app.flag("--list", options->list, "names and what they are");
+    app.footer("Example: meshfolio sample creature -o creature.ply --subdivide 1");
     return {app, [options] {
                 if (options->list) {
                     std::string text;

@@ -144,19 +144,18 @@ ExitCode run_smooth(const SmoothFlags& options) {
 
 Command smooth_command(CLI::App& parent) {
     const auto options = std::make_shared<SmoothFlags>();
-    CLI::App* app = parent.add_subcommand("smooth", "One Laplacian smoothing run");
-    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
-    app->add_option("-o,--output", options->output, "OBJ, OFF or PLY")->required();
-    app->add_option("--scheme", options->scheme, "explicit, implicit or taubin")->capture_default_str();
-    app->add_option("--operator", options->laplacian, operator_names())->capture_default_str();
-    app->add_option("--lambda", options->lambda, "step; default: half the largest stable one");
-    app->add_option("--unit", options->unit, "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)")
-        ->capture_default_str();
-    app->add_option("--mu", options->mu, "Taubin's negative step, in model units; default: from pass-band 0.1");
-    app->add_option("--iterations", options->iterations, "how many")->capture_default_str();
-    app->add_flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");
-    app->add_flag("--adaptive", options->adaptive, "cut explicit steps below 2 over a proved bound of mu_max");
-    app->footer("Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
+    Options app(parent, "smooth", "One Laplacian smoothing run");
+    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("-o,--output", options->output, "OBJ, OFF or PLY");
+    app.text("--scheme", options->scheme, "explicit, implicit or taubin");
+    app.text("--operator", options->laplacian, operator_names());
+    app.text("--lambda", options->lambda, "step; default: half the largest stable one");
+    app.text("--unit", options->unit, "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)");
+    app.text("--mu", options->mu, "Taubin's negative step, in model units; default: from pass-band 0.1");
+    app.text("--iterations", options->iterations, "how many");
+    app.flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");
+    app.flag("--adaptive", options->adaptive, "cut explicit steps below 2 over a proved bound of mu_max");
+    app.footer("Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
     return {app, [options] { return run_smooth(*options); }};
 }
 

@@ -115,16 +115,16 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
 
 Command spectrum_command(CLI::App& parent) {
     const auto options = std::make_shared<SpectrumFlags>();
-    CLI::App* app = parent.add_subcommand("spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
-    app->add_option("MESH", options->mesh, "OBJ, OFF, PLY or STL")->required();
-    app->add_option("-k", options->k, "how many eigenpairs, 1 to 100000")->required();
-    app->add_option("--area", options->area, "barycentric, voronoi or mixed")->capture_default_str();
-    app->add_option("--operator", options->laplacian, operator_names())->capture_default_str();
-    app->add_option("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
-    app->add_option("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
-    app->add_option("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
-    app->add_option("--out", options->out, "folder for <mesh>_k<k>.ply");
-    app->footer(
+    Options app(parent, "spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
+    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("-k", options->k, "how many eigenpairs, 1 to 100000");
+    app.text("--area", options->area, "barycentric, voronoi or mixed");
+    app.text("--operator", options->laplacian, operator_names());
+    app.text("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
+    app.text("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
+    app.text("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
+    app.text("--out", options->out, "folder for <mesh>_k<k>.ply");
+    app.footer(
         "Prints a certificate of the eigenpairs on stderr: that none is missing is proved, refuted, or cannot be proved here because\n"
         "rounding of the count exceeds the gap. Exit code 1 when something is refuted or beyond its limit.\n"
         "Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");

@@ -40,13 +40,12 @@ ExitCode run_submit(SubmitFlags options) {
 
 Command submit_command(CLI::App& parent) {
     const auto options = std::make_shared<SubmitFlags>();
-    CLI::App* app = parent.add_subcommand("submit", "submission.zip from a built report, checked");
-    app->add_option("--out", options->out, "folder of the report; the archive is put into it")->capture_default_str();
-    app->add_option("--author", options->submission.author, "whose work it is; default: the author the report names");
-    app->add_flag("--without-pdf", options->without_pdf, "hand in without report.pdf");
-    app->add_flag("--without-images", options->without_images,
-                  "leave out images/ and report.md: a smaller archive, the page is still whole");
-    app->footer(
+    Options app(parent, "submit", "submission.zip from a built report, checked");
+    app.text("--out", options->out, "folder of the report; the archive is put into it");
+    app.text("--author", options->submission.author, "whose work it is; default: the author the report names");
+    app.flag("--without-pdf", options->without_pdf, "hand in without report.pdf");
+    app.flag("--without-images", options->without_images, "leave out images/ and report.md: a smaller archive, the page is still whole");
+    app.footer(
         "Refuses, and changes nothing, when a question is missing, a citation does not resolve, the report is of another version,\n"
         "something in its folder was changed, or a program is among its files.\n"
         "Example: meshfolio submit --out out --author 'Ada Lovelace'");

@@ -50,11 +50,11 @@ ExitCode run_templates(const TemplatesFlags& flags) {
 
 Command templates_command(CLI::App& parent) {
     const auto flags = std::make_shared<TemplatesFlags>();
-    CLI::App* app = parent.add_subcommand("templates", "The templates of the report, to be changed and used with report --templates");
-    app->add_option("DIR", flags->folder, "folder to write them into");
-    app->add_flag("--tags", flags->tags, "what every tag in them stands for");
-    app->add_flag("--force", flags->force, "replace files that are there");
-    app->footer("Example: meshfolio templates mine && meshfolio report --templates mine");
+    Options app(parent, "templates", "The templates of the report, to be changed and used with report --templates");
+    app.text("DIR", flags->folder, "folder to write them into");
+    app.flag("--tags", flags->tags, "what every tag in them stands for");
+    app.flag("--force", flags->force, "replace files that are there");
+    app.footer("Example: meshfolio templates mine && meshfolio report --templates mine");
     return {app, [flags] { return run_templates(*flags); }};
 }
 

@@ -81,12 +81,11 @@ ExitCode run_verify(const VerifyFlags& options) {
 
 Command verify_command(CLI::App& parent) {
     const auto options = std::make_shared<VerifyFlags>();
-    CLI::App* app =
-        parent.add_subcommand("verify", "Curvature against closed forms, certificates of bundled meshes, planted faults: named checks");
-    app->add_option("--out", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");
-    app->add_option("--seed", options->seed, "of the random meshes")->capture_default_str();
-    app->add_flag("--quick", options->quick, "three refinements in place of four");
-    app->footer("Example: meshfolio verify --out truth");
+    Options app(parent, "verify", "Curvature against closed forms, certificates of bundled meshes, planted faults: named checks");
+    app.text("--out", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");
+    app.text("--seed", options->seed, "of the random meshes");
+    app.flag("--quick", options->quick, "three refinements in place of four");
+    app.footer("Example: meshfolio verify --out truth");
     return {app, [options] { return run_verify(*options); }};
 }
 
