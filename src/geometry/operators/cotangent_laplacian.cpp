@@ -137,7 +137,7 @@ CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int*
 CornerValues corner_cotangents(const TriangleMesh& mesh, int* without_area) {
     const double scale = unit_scale(mesh);
     const auto shape_of = [&](int t) {
-        send_for_corners(mesh, t);
+        prefetch_corners(mesh, t);
         return triangle_shape(mesh, t, scale);
     };
     return cotangents_of_shapes(mesh.F.rows(), shape_of, without_area);

@@ -85,7 +85,7 @@ AreaForm area_form_named(const std::string& name) {
 Vector vertex_areas(const TriangleMesh& mesh, AreaForm form) {
     const double scale = unit_scale(mesh);
     const auto shape_of = [&](int t) {
-        send_for_corners(mesh, t);
+        prefetch_corners(mesh, t);
         return triangle_shape(mesh, t, scale);
     };
     return areas_from_shapes(mesh.F, mesh.X.rows(), form, shape_of, 1 / (scale * scale));

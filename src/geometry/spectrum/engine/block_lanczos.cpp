@@ -22,8 +22,6 @@ constexpr int width = EightColumns::width;
 /// Sums over the rows are taken in chunks of this many, whether by one thread or by several.
 constexpr Eigen::Index chunk_rows = 16 * panel_rows;
 
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 template <class Work>   // (chunk, first row, last row)
 void for_each_chunk(Eigen::Index rows, bool parallel, const Work& work) {
     const Eigen::Index chunks = (rows + chunk_rows - 1) / chunk_rows;

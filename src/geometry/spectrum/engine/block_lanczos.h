@@ -4,6 +4,7 @@
 /// Private to the layer.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,9 @@
 #include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio {
+
+/// Since some moment: differences are what work took.
+inline double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Eigenpairs of the projected problem, μ ascending.
 struct RitzPairs {

@@ -11,7 +11,6 @@ namespace meshfolio {
 
 namespace {
 
-constexpr int lanes = EightColumns::width;
 using Small = EightColumns::Small;
 
 /// Overlaps smaller than this are left: the sum of k rounding errors.

@@ -8,6 +8,8 @@
 
 namespace meshfolio {
 
+inline constexpr int lanes = EightColumns::width;
+
 /// Makes the first k columns of the groups orthonormal, one after the other, E = XᵀX − I being so small that its square does not count.
 /// The later one of two gives way: its eigenvalue is the larger, and so is what its residual may be.
 /// @return ‖E‖ before, largest entry

@@ -15,8 +15,6 @@ namespace meshfolio {
 
 namespace {
 
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 SparseMatrix with_whole_diagonal(const SparseMatrix& B) {
     SparseMatrix zero(B.rows(), B.cols());
     zero = Vector::Zero(B.rows()).asDiagonal();

@@ -20,8 +20,6 @@ namespace meshfolio {
 
 namespace {
 
-constexpr int lanes = EightColumns::width;
-
 /// Shares of all slices added up; called from several threads, tells one at a time and never less than before.
 class SharedProgress {
 public:
