@@ -144,7 +144,7 @@ output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& 
 void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure) {
     figure.panels.insert(figure.panels.begin(),
                          panel_of(*subject.source, std::move(before), "before", curvature_colours(subject, subject.mesh().X)));
-    figure.range = output::robust_range({figure.panels.front()}, "diverging", "mean curvature × mean edge", "", 0.02);
+    figure.range = output::robust_range({figure.panels.front()}, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
     add_figure(answer, std::move(figure));
 }
 
