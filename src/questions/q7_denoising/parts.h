@@ -16,7 +16,7 @@ using Studies = std::vector<DenoisingStudy>;
 using Case = Within<DenoisingStudy, DenoisingTrial>;
 
 inline std::vector<Case> cases_of(const Studies& studies) { return parts_within(studies, &DenoisingStudy::trials); }
-/// mesh, noise, edges, best, best_angle, last, gain: what sentences about a trial may tell.
+/// What sentences about a trial may tell, in names and numbers.
 report::Facts facts_of(const DenoisingStudy& study, const DenoisingTrial& trial);
 /// "at twice the best iteration, but at t = 40 at least and 600 at most".
 std::string length_of_runs(const DenoisingStudy& study);
