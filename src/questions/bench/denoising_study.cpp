@@ -32,11 +32,7 @@ double rms_where(const DenoisingStudy& study, const Positions& X, char flag) {
 }
 
 SmoothingOptions denoiser(const DenoisingStudy& study) {
-    SmoothingOptions options;
-    options.scheme = SmoothingScheme::implicit_euler;
-    options.lambda = study.lambda;
-    options.iterations = study.most_iterations;
-    return options;
+    return {.scheme = SmoothingScheme::implicit_euler, .lambda = study.lambda, .iterations = study.most_iterations};
 }
 
 DenoisingTrial trial_of(const DenoisingStudy& study, double relative, std::uint64_t seed, ImplicitSolver& solver) {
@@ -54,11 +50,11 @@ DenoisingTrial trial_of(const DenoisingStudy& study, double relative, std::uint6
     options.after_step = [&](int iteration, const Positions& X) {
         trial.rms.push_back(vertex_rms(clean.X, X));
         trial.angle.push_back(mean_normal_angle(normals, face_normals(moved_to(clean, X))));
-        if (trial.rms.back() < trial.rms[static_cast<std::size_t>(trial.best_rms)]) {
+        if (trial.rms.back() < trial.least_rms()) {
             trial.best_rms = iteration;
             trial.best.X = X;
         }
-        if (trial.angle.back() < trial.angle[static_cast<std::size_t>(trial.best_angle)]) trial.best_angle = iteration;
+        if (trial.angle.back() < trial.least_angle()) trial.best_angle = iteration;
         return iteration < std::max(study.iterations, 2 * trial.best_rms);
     };
     trial.last = moved_to(clean, smooth(trial.noisy, options, solver).X);
@@ -78,7 +74,7 @@ DenoisingStudy denoising_study(std::shared_ptr<const LibraryMesh> clean, const Q
     study.iterations = last_or(settings.iterations, settings.quick ? 20 : 40);
     study.most_iterations = settings.iterations.empty() ? 15 * study.iterations : study.iterations;
     study.on_feature = feature_vertices(study.clean->mesh(), study.clean->prepared->topology);
-    study.feature_vertices = static_cast<int>(std::count(study.on_feature.begin(), study.on_feature.end(), 1));
+    study.feature_vertices = static_cast<int>(std::ranges::count(study.on_feature, 1));
 
     study.without_noise = {0};
     SmoothingOptions options = denoiser(study);
@@ -107,11 +103,10 @@ NoiseSplit noise_split(const std::vector<DenoisingStudy>& studies) {
     for (const DenoisingStudy& study : studies) {
         for (const DenoisingTrial& trial : study.trials) {
             const double edges = trial.sigma / study.mean_edge;
-            if (trial.gain() >= 1.2) {
+            if (trial.gain() >= 1.2)
                 split.smallest_helped = std::min(split.smallest_helped, edges);
-            } else {
+            else
                 split.largest_failed = std::max(split.largest_failed, edges);
-            }
         }
     }
     return split;

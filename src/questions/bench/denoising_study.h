@@ -25,8 +25,10 @@ struct DenoisingTrial {
     double feature_rms = 0, smooth_rms = 0;   // at the best iteration, on and off the feature edges [length]
 
     bool minimum_reached() const { return best_rms < iterations(); }
-
-    double gain() const { return rms.front() / rms[static_cast<std::size_t>(best_rms)]; }
+    /// The smallest error and the smallest angle reached.
+    double least_rms() const { return rms[static_cast<std::size_t>(best_rms)]; }
+    double least_angle() const { return angle[static_cast<std::size_t>(best_angle)]; }
+    double gain() const { return rms.front() / least_rms(); }
 };
 
 struct DenoisingStudy {

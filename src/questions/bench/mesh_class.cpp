@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
+#include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -28,7 +30,7 @@ std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology&
         if (faces.size() != 2) continue;
         const Vector3 n = N.row(faces[0]), m = N.row(faces[1]);
         if (n.isZero(0) || m.isZero(0)) continue;
-        angles.push_back({edge.a, edge.b, 180 / M_PI * std::atan2(n.cross(m).norm(), n.dot(m))});
+        angles.push_back({edge.a, edge.b, 180 / pi * std::atan2(n.cross(m).norm(), n.dot(m))});
     }
     return angles;
 }
@@ -57,17 +59,8 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
 }
 
 std::string_view title_of(MeshClass kind) {
-    switch (kind) {
-        case MeshClass::flat:
-            return "flat";
-        case MeshClass::smooth:
-            return "smooth";
-        case MeshClass::sharp_edged:
-            return "sharp-edged";
-        case MeshClass::rough:
-            break;
-    }
-    return "rough or coarse";
+    static constexpr std::array<std::string_view, 4> titles{"flat", "smooth", "sharp-edged", "rough or coarse"};
+    return titles[static_cast<std::size_t>(kind)];
 }
 
 MeshClass MeshCharacter::kind() const {
@@ -89,10 +82,8 @@ MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topol
         character.typical_angle = *middle;
     }
     const std::vector<char> on_feature = feature_vertices(mesh, topology);
-    if (!on_feature.empty()) {
-        character.feature_share =
-            static_cast<double>(std::count(on_feature.begin(), on_feature.end(), 1)) / static_cast<double>(on_feature.size());
-    }
+    if (!on_feature.empty())
+        character.feature_share = static_cast<double>(std::ranges::count(on_feature, 1)) / static_cast<double>(on_feature.size());
     character.open = topology.boundary_edge_count() > 0;
     return character;
 }

@@ -8,6 +8,7 @@
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
+#include "questions/core/section_tools.h"
 #include "questions/core/value_lists.h"
 
 namespace meshfolio {
@@ -65,13 +66,8 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     const double first_volume = signed_volume(subject.mesh());
     if (closed) run.volume = {1};
 
-    SmoothingOptions options;
-    options.scheme = scheme;
-    options.laplacian = subject.kind;
-    options.area = subject.area;
-    options.rebuild = rebuild;
-    options.lambda = lambda;
-    options.iterations = iterations;
+    SmoothingOptions options{
+        .scheme = scheme, .laplacian = subject.kind, .lambda = lambda, .iterations = iterations, .rebuild = rebuild, .area = subject.area};
     EnergyWatch watch(subject.laplacian, scheme, lambda, subject.mesh().X);
     options.after_step = [&](int iteration, const Positions& X) {
         watch.look(X);
@@ -80,7 +76,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
             run.in_view = X;
             run.in_view_iteration = iteration;
         }
-        if (std::find(keep.begin(), keep.end(), iteration) != keep.end()) run.snapshots.push_back(X);
+        if (std::ranges::find(keep, iteration) != keep.end()) run.snapshots.push_back(X);
         return true;
     };
     run.result = smooth(subject.mesh(), options, solver);
@@ -96,7 +92,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 
 report::Check energy_check(std::string name, const SmoothingRun& run) {
     constexpr double seen = 1e-9;
-    double rise = 0, rounding = *std::max_element(run.energy_rounding.begin(), run.energy_rounding.end());
+    double rise = 0, rounding = std::ranges::max(run.energy_rounding);
     double beyond = 0;   // of the step that rose farthest beyond its rounding
     for (std::size_t t = 1; t < run.energy.size(); ++t) {
         const double step = run.energy[t] - run.energy[t - 1];
@@ -108,7 +104,7 @@ report::Check energy_check(std::string name, const SmoothingRun& run) {
     if (run.result.blew_up) rise = INFINITY;
     report::Check check = report::check_at_most(std::move(name), 0, rise, rounding);
     if (!check.passed() || rounding <= seen) return check;
-    return report::undecided(std::move(check), "rounding alone could hide a rise of 1e-9");
+    return report::undecided(std::move(check), smoothing_words.line("check.energy.undecided"));
 }
 
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps) {
@@ -124,10 +120,19 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
 }
 
-std::string energy_fall(double left) { return left < 0.99 ? "to " + readable_percent(left) : "by " + readable_percent(1 - left, 2); }
+std::string energy_fall(double left) {
+    return left < 0.99 ? smoothing_words.line("fall.to", "left"_a = readable_percent(left))
+                       : smoothing_words.line("fall.by", "lost"_a = readable_percent(1 - left, 2));
+}
+
+std::string in_limits(const SmoothingSubject& subject, double lambda) { return plain_text(lambda / subject.critical, 3); }
 
 std::string step_label(const SmoothingSubject& subject, double lambda) {
-    return readable(lambda) + " = " + plain_text(lambda / subject.critical, 3) + "\u202fλ_crit";
+    return smoothing_words.line("step", "lambda"_a = readable(lambda), "limits"_a = in_limits(subject, lambda));
+}
+
+std::string at_step(const SmoothingSubject& subject, double lambda) {
+    return smoothing_words.line("at_step", "limits"_a = in_limits(subject, lambda));
 }
 
 std::string step_name(double lambda) { return "lambda" + plain_text(lambda, 3); }
@@ -139,7 +144,7 @@ output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& 
 void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure) {
     figure.panels.insert(figure.panels.begin(),
                          panel_of(*subject.source, std::move(before), "before", curvature_colours(subject, subject.mesh().X)));
-    figure.range = output::robust_range({figure.panels.front()}, "diverging", "mean curvature × mean edge", "", 0.02);
+    figure.range = output::robust_range({figure.panels.front()}, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
     add_figure(answer, std::move(figure));
 }
 

@@ -17,6 +17,8 @@
 
 namespace meshfolio {
 
+inline constexpr report::Words smoothing_words("smoothing");
+
 /// A mesh with its operator and the limit of explicit smoothing on it.
 struct SmoothingSubject {
     std::shared_ptr<const LibraryMesh> source;
@@ -83,8 +85,12 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 /// What an energy falls by when this share of it is left: "to 87 %"; "by 0.036 %" where the share left would read as all of it.
 std::string energy_fall(double left);
 
+/// λ over λ_crit for people: "0.5".
+std::string in_limits(const SmoothingSubject& subject, double lambda);
 /// λ for people: "0.0123 = 0.5 λ_crit".
 std::string step_label(const SmoothingSubject& subject, double lambda);
+/// "at 0.5 λ_crit".
+std::string at_step(const SmoothingSubject& subject, double lambda);
 /// λ for file names: "lambda0.0123".
 std::string step_name(double lambda);
 

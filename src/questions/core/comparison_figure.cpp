@@ -4,10 +4,13 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
 namespace {
+
+constexpr report::Words comparison_words("smoothing");
 
 struct Displacement {
     double rms = 0, largest = 0;   // of the finite values
@@ -43,17 +46,17 @@ void add_comparison(Answer& answer, ComparisonFigure figure) {
     request.subtitle = figure.subtitle;
     request.three_quarter = request.three_quarter_frame = request.comparison = request.turnable = true;
     request.frame_panel = figure.frame_panel;
-    output::Panel moved{figure.id + "_moved", "how far it moved", figure.after.mesh,
+    output::Panel moved{figure.id + "_moved", comparison_words.line("comparison.moved"), figure.after.mesh,
                         displacement_percent(figure.before.mesh->X, figure.after.mesh->X, figure.diagonal)};
     request.range = output::robust_range({moved}, figure.colormap, "displacement", "% of the box diagonal", 0.01);
     request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
 
     const Displacement d = displacement_of(moved.values);
-    const std::string measured =
-        "the vertices moved by " + readable(d.rms) + "\u202f% of the box diagonal (rms), " + readable(d.largest) + "\u202f% at most";
-    const std::string alt = figure.title + ", seen from the right front and above: " + figure.before.label + ", " + figure.after.label +
-                            ", and the second coloured by how far each vertex moved; " + measured + ".";
-    answer.section.blocks.push_back(report::Figure{figure.id, figure.caption + " Coloured, the displacement: " + measured + ".", alt});
+    const report::Facts facts{
+        "caption"_a = figure.caption, "title"_a = figure.title, "before"_a = figure.before.label, "after"_a = figure.after.label,
+        "measured"_a = comparison_words.line("comparison.measured", "rms"_a = readable(d.rms), "largest"_a = readable(d.largest))};
+    add(answer.section,
+        report::Figure{figure.id, comparison_words.line("comparison.caption", facts), comparison_words.line("comparison.alt", facts)});
     request.panels = {std::move(figure.before), std::move(figure.after), std::move(moved)};
     answer.figures.push_back(std::move(request));
 }

@@ -14,8 +14,8 @@ UniformLimit uniform_limit(const LibraryMesh& mesh) {
     return {top, 2 / top};
 }
 
-/// The recommended run: of those in which no mode changes its sign, the one that removes most Dirichlet energy;
-/// if there is none, the same among the stable ones.
+/// Of the runs in which no mode changes its sign the one that removes most Dirichlet energy; if there is none, the same among the stable
+/// ones.
 int recommended(const ExplicitStudy& study) {
     for (const double limit : {0.5, 1.0}) {
         int best = -1;
@@ -52,7 +52,7 @@ double barycentre_drift(const SmoothingSubject& subject, const Positions& X) {
 }
 
 int iterations_keeping_volume(const SmoothingRun& run, double share) {
-    const auto lost = std::find_if(run.volume.begin(), run.volume.end(), [&](double v) { return v < share; });
+    const auto lost = std::ranges::find_if(run.volume, [&](double v) { return v < share; });
     return lost != run.volume.end() ? static_cast<int>(lost - run.volume.begin()) - 1 : -1;
 }
 

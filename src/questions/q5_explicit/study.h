@@ -24,6 +24,8 @@ struct ExplicitStudy {
     int best = -1;   // run recommended; −1: none is stable
 
     const std::string& name() const { return subject.name(); }
+    const SmoothingRun& recommended() const { return runs[static_cast<std::size_t>(best)]; }
+    double critical_in_edges() const { return subject.critical / (subject.mean_edge * subject.mean_edge); }
     bool stable(std::size_t run) const { return runs[run].lambda <= subject.critical; }
 };
 

@@ -1,9 +1,8 @@
-// What the numbers of question 6 say: one theme a paragraph, all meshes side by side in it.
 #include <algorithm>
 #include <cmath>
 
 #include "base/number_text.h"
-#include "questions/core/section_tools.h"
+#include "questions/bench/sentences.h"
 #include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
@@ -11,18 +10,18 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-using report::math;
-using report::ref;
+using Names = std::vector<std::string>;
 
-using Studies = std::vector<ImplicitStudy>;
-
-std::string in_limits(const ImplicitStudy& study, double lambda) { return plain_text(lambda / study.subject.critical, 3) + "\u202fλ_crit"; }
+/// "after 10 iterations at 0.5 λ_crit".
+std::string run_of(const ImplicitStudy& study, const SmoothingCell& cell) {
+    return words.line("run", "iterations"_a = cell.iterations, "at_step"_a = at_step(study.subject, cell.lambda));
+}
 
 /// How far apart the two schemes end within the explicit limit, as a share of the motion; NaN where there is nothing to compare.
 double gap_within_the_limit(const ImplicitStudy& study) {
-    const SmoothingCell& cell = study.cell(0, study.middle_iteration());
+    const SmoothingCell& cell = study.middle_cell(0);
     const double moved = vertex_rms(study.subject.mesh().X, cell.implicit_X);
-    if (cell.explicit_X.size() == 0 || moved <= 0 || cell.lambda > study.subject.critical) return NAN;
+    if (!cell.has_explicit() || moved <= 0 || cell.lambda > study.subject.critical) return NAN;
     return vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
 }
 
@@ -31,64 +30,50 @@ report::Text agreement(const Studies& studies) {
     for (const ImplicitStudy& study : studies) {
         const double gap = gap_within_the_limit(study);
         if (std::isnan(gap)) continue;
-        const SmoothingCell& cell = study.cell(0, study.middle_iteration());
-        gaps.push_back({std::string(gap < 0.05  ? "closely"
-                                    : gap < 0.3 ? "roughly"
-                                                : "badly") +
-                            " on " + study.name() + " (" + readable_percent(gap, 2) + " of the motion apart)",
-                        "after " + counted(cell.iterations, "iteration") + " at " + in_limits(study, cell.lambda)});
+        gaps.push_back({words.line(gap < 0.05  ? "agreement.close"
+                                   : gap < 0.3 ? "agreement.rough"
+                                               : "agreement.bad",
+                                   "mesh"_a = study.name(), "gap"_a = readable_percent(gap, 2)),
+                        run_of(study, study.middle_cell(0))});
     }
-    if (gaps.empty()) return {};
-    return report::text("Within the explicit limit the two methods agree ", listed_observed(gaps), ". The factors ", math("1 − λμ"),
-                        " and ", math("1/(1 + λμ)"), " differ by ", math("(λμ)²"), " only where ", math("λμ"),
-                        " is small; the modes near the limit tell them apart.");
+    return said_of(gaps, words, "agreement");
 }
 
-/// Where the explicit runs end, one entry a mesh that has one.
+/// Where the explicit runs end, one entry a mesh that has one: at the smallest step that blew up.
 std::vector<Observed> explicit_ends(const Studies& studies) {
     std::vector<Observed> ends;
     for (const ImplicitStudy& study : studies) {
-        const SmoothingCell* blown = nullptr;
-        for (const SmoothingCell& cell : study.grid) {
-            if (cell.explicit_blow_up > 0 && (blown == nullptr || cell.lambda < blown->lambda)) blown = &cell;
-        }
-        if (blown == nullptr) continue;
-        ends.push_back(
-            {"in iteration " + std::to_string(blown->explicit_blow_up) + " on " + study.name(), "at " + in_limits(study, blown->lambda)});
+        // The grid ascends.
+        const auto blown = std::ranges::find_if(study.grid, [](const SmoothingCell& cell) { return cell.explicit_blow_up > 0; });
+        if (blown == study.grid.end()) continue;
+        ends.push_back({words.line("beyond.mesh", "iteration"_a = blown->explicit_blow_up, "mesh"_a = study.name()),
+                        at_step(study.subject, blown->lambda)});
     }
     return ends;
 }
 
 /// What the largest implicit step leaves of a mesh.
-Observed remains_of(const ImplicitStudy& study) {
-    const SmoothingCell& far = study.cell(study.lambdas.size() - 1, study.middle_iteration());
-    const std::string when = "after " + counted(far.iterations, "iteration") + " at " + in_limits(study, far.lambda);
-    if (far.collapsed()) return {study.name() + " has collapsed to a point", when};
-    std::string told = study.name() + " keeps " + readable_percent(far.implicit_energy, 2) + " of its Dirichlet energy";
-    if (std::isfinite(far.volume_ratio)) told += " and " + readable_percent(far.volume_ratio, 2) + " of its volume";
-    if (far.inverted_faces > 0) told += ", with " + counted(far.inverted_faces, "face") + " turned over";
-    return {told, when};
+std::string remains_of(const ImplicitStudy& study, const SmoothingCell& far) {
+    if (far.collapsed()) return words.line("remains.collapsed", "mesh"_a = study.name());
+    const int faces = far.inverted_faces;
+    return words.line(std::isfinite(far.volume_ratio) ? "remains.closed" : "remains.open", "mesh"_a = study.name(),
+                      "energy"_a = readable_percent(far.implicit_energy, 2), "volume"_a = readable_percent(far.volume_ratio, 2),
+                      "turned"_a = faces > 0 ? words.line("remains.turned", "faces"_a = faces) : "");
 }
 
-bool has_lost_its_shape(const ImplicitStudy& study) {
-    const SmoothingCell& far = study.cell(study.lambdas.size() - 1, study.middle_iteration());
-    // An open mesh has no volume; what it has lost shows in its energy.
+/// An open mesh has no volume; what it has lost shows in its energy.
+bool has_lost_its_shape(const SmoothingCell& far) {
     return far.collapsed() || (std::isfinite(far.volume_ratio) ? far.volume_ratio < 0.5 : far.implicit_energy < 0.05);
 }
 
 report::Text beyond_the_limit(const Studies& studies) {
-    report::Text t;
-    const std::vector<Observed> ends = explicit_ends(studies);
-    if (!ends.empty())
-        report::extend(t, "Beyond the limit they part: the explicit run blows up ", listed_observed(ends),
-                       "; the implicit one does so nowhere. ");
     std::vector<Observed> lost, kept;
-    for (const ImplicitStudy& study : studies) (has_lost_its_shape(study) ? lost : kept).push_back(remains_of(study));
-    if (!lost.empty()) report::extend(t, "Stable is not the same as useful: ", listed_observed(lost), ".");
-    if (!kept.empty()) {
-        report::extend(t, lost.empty() ? "Nothing stops the implicit method from going on: " : " Elsewhere ", listed_observed(kept), ".");
+    for (const ImplicitStudy& study : studies) {
+        const SmoothingCell& far = study.middle_cell(study.lambdas.size() - 1);
+        (has_lost_its_shape(far) ? lost : kept).push_back({remains_of(study, far), run_of(study, far)});
     }
-    return t;
+    return paragraph_of({said_of(explicit_ends(studies), words, "beyond"), said_of(lost, words, "remains.lost"),
+                         said_of(kept, words, lost.empty() ? "remains.all_kept" : "remains.kept")});
 }
 
 /// Two cells of equal λt: one step of 10 λ against ten of λ, say.
@@ -114,51 +99,43 @@ report::Text iterations_against_steps(const Studies& studies) {
         const EqualTime pair = equal_time(study);
         if (!std::isfinite(pair.share)) continue;
         worst = std::max(worst, pair.share);
-        compared.push_back({readable_percent(pair.share, 2) + " of the motion on " + study.name(),
-                            counted(pair.many->iterations, "step") + " of " + in_limits(study, pair.many->lambda) + " against " +
-                                std::to_string(pair.few->iterations) + " of " + in_limits(study, pair.few->lambda)});
+        compared.push_back(
+            {words.line("equal_time.mesh", "share"_a = readable_percent(pair.share, 2), "mesh"_a = study.name()),
+             words.line("equal_time.steps", "many"_a = pair.many->iterations, "few"_a = pair.few->iterations,
+                        "small"_a = in_limits(study.subject, pair.many->lambda), "large"_a = in_limits(study.subject, pair.few->lambda))});
     }
     if (compared.empty()) return {};
-    return report::text("More iterations and larger steps are ",
-                        worst < 0.1   ? "nearly"
-                        : worst < 0.4 ? "roughly, but not quite,"
-                                      : "not",
-                        " interchangeable. After the same time λt the results lie apart by ", listed_observed(compared),
-                        ": many small steps damp the high modes exponentially, one large step only like ", math("1/(1 + λμ)"), ".");
+    return paragraph_of({words.say(worst < 0.1   ? "equal_time.near"
+                                   : worst < 0.4 ? "equal_time.rough"
+                                                 : "equal_time.far"),
+                         said_of(compared, words, "equal_time")});
 }
 
 report::Text price(const Studies& studies) {
-    std::vector<std::string> steps, step_ratios, ratios, speedless, hopeless;
+    Names prices, step_ratios, ratios, no_speed, only;
     for (const ImplicitStudy& study : studies) {
         const SmoothingCost& cost = study.cost;
-        const bool first = steps.empty();
-        steps.push_back(study.name() + " to " + readable_percent(cost.energy) + (first ? " of its energy takes " : ": ") +
-                        (first ? counted(cost.implicit_steps, "implicit step") : std::to_string(cost.implicit_steps)) + " or " +
-                        (cost.explicit_steps > 0 ? std::to_string(cost.explicit_steps) : "more than 3000") +
-                        (first ? " explicit ones" : ""));
-        if (cost.explicit_steps == 0) {
-            hopeless.push_back(study.name());
+        prices.push_back(words.line(prices.empty() ? "price.first" : "price.other", "mesh"_a = study.name(),
+                                    "energy"_a = readable_percent(cost.energy), "implicit"_a = cost.implicit_steps,
+                                    "explicit"_a = cost.reached() ? std::to_string(cost.explicit_steps) : words.line("price.unreached")));
+        if (!cost.reached()) {
+            only.push_back(study.name());
             continue;
         }
         step_ratios.push_back(readable(2.0 * double(cost.factor_nonzeros) / double(cost.operator_nonzeros), 2));
         ratios.push_back(readable(cost.explicit_operations / cost.implicit_operations, 2));
-        if (cost.explicit_operations <= cost.implicit_operations) speedless.push_back(study.name());
+        if (cost.explicit_operations <= cost.implicit_operations) no_speed.push_back(study.name());
     }
-    report::Text t = report::text("Is implicit cheaper? To bring ", listed(steps), " (", ref("q6_cost"), ").");
-    if (!ratios.empty()) {
-        report::extend(t, " An implicit step costs ", listed(step_ratios),
-                       " times an explicit one, so in multiply–adds the explicit way is ", listed(ratios),
-                       " times as expensive, before the one factorisation is counted.");
-    }
-    if (!speedless.empty()) report::extend(t, " On ", listed(speedless), " the implicit method buys stability, not speed.");
-    if (!hopeless.empty()) report::extend(t, " For so much smoothing it is the only practical one on ", listed(hopeless), ".");
-    return t;
+    const report::Text times =
+        ratios.empty() ? report::Text() : words.say("price.ratios", "steps"_a = listed(step_ratios), "ratios"_a = listed(ratios));
+    return paragraph_of(
+        {said_of(prices, words, "price"), times, said_of(no_speed, words, "price.no_speed"), said_of(only, words, "price.only")});
 }
 
 }   // namespace
 
-void add_discussion(report::Section& section, const std::vector<ImplicitStudy>& studies) {
-    add_heading(section, "Discussion");
+void add_discussion(report::Section& section, const Studies& studies) {
+    add_words(section, words, "discussion");
     add_paragraphs(section, {agreement(studies), beyond_the_limit(studies), iterations_against_steps(studies), price(studies)});
 }
 

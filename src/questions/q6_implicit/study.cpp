@@ -75,17 +75,14 @@ SmoothingCost cost_of(const ImplicitStudy& study) {
     for (std::size_t i = 0; i < study.lambdas.size(); ++i) {
         if (study.lambdas[i] < 100 * study.subject.critical) l = i;
     }
-    const SmoothingCell& cell = study.cell(l, study.middle_iteration());
+    const SmoothingCell& cell = study.middle_cell(l);
     cost.energy = cell.implicit_energy;
     cost.implicit_lambda = cell.lambda;
     cost.implicit_steps = cell.iterations;
     using Clock = std::chrono::steady_clock;
     const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
 
-    SmoothingOptions options;
-    options.scheme = SmoothingScheme::implicit_euler;
-    options.lambda = cell.lambda;
-    options.iterations = cell.iterations;
+    SmoothingOptions options{.scheme = SmoothingScheme::implicit_euler, .lambda = cell.lambda, .iterations = cell.iterations};
     Clock::time_point start = Clock::now();
     const Smoothed implicit_result = smooth(study.subject.mesh(), options);
     cost.implicit_seconds = seconds_since(start);

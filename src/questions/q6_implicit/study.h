@@ -22,6 +22,7 @@ struct SmoothingCell {
     int inverted_faces = 0;     // of the implicit result
 
     bool collapsed() const { return implicit_energy < 1e-12; }   // to a point
+    bool has_explicit() const { return explicit_X.size() > 0; }
 };
 
 /// What reaching the same smoothness costs: the energy of the implicit run with the largest λ below 100 λ_crit after the middle number of
@@ -32,6 +33,8 @@ struct SmoothingCost {
     double implicit_operations = 0, explicit_operations = 0;   // multiply–adds of the steps, without factorisation
     long long factor_nonzeros = 0, operator_nonzeros = 0;
     double implicit_seconds = 0, explicit_seconds = 0;
+
+    bool reached() const { return explicit_steps > 0; }
 };
 
 struct ImplicitStudy {
@@ -49,6 +52,7 @@ struct ImplicitStudy {
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
     /// Index of the iteration count that is looked at where one must do: the middle one.
     std::size_t middle_iteration() const { return iterations.size() / 2; }
+    const SmoothingCell& middle_cell(std::size_t lambda) const { return cell(lambda, middle_iteration()); }
 };
 
 /// With the steps of the settings, else four in units of the explicit limit: within it, a little beyond, far beyond, absurdly far.
