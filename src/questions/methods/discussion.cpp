@@ -13,7 +13,7 @@ namespace {
 /// Every noisy mesh: its clean one as `whole`, itself as `part`.
 auto all_trials(const DenoisingLaboratory& laboratory) { return parts_within(laboratory.meshes, &DenoisingTrials::trials); }
 
-void go_on(report::Text& text, const report::Text& sentence) { report::extend(text, text.empty() ? "" : " ", sentence); }
+void go_on(report::Text& text, const report::Text& sentence) { report::extend(text, " ", sentence); }
 
 report::Text about_winner(const ClassResult& c) {
     const int best = c.best(), by_angle = c.best_by_angle();
@@ -52,14 +52,15 @@ report::Text about_winners(const DenoisingLaboratory& laboratory) {
     }
     report::Text t;
     const auto count = [&](const char* key, const Tally& tally) {
-        if (tally.trials > 0) go_on(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials));
+        if (tally.trials == 0) return;
+        report::extend(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials), " ");
     };
     count("filters.sharp", sharp);
     count("filters.other", other);
     const char* verdict = 3 * differ > compared ? "agreement.rare" : differ > 0 ? "agreement.frequent" : "agreement.always";
     if (compared > 0)
-        go_on(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
-                           "verdict"_a = words.line(verdict)));
+        report::extend(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
+                                    "verdict"_a = words.line(verdict)));
     return t;
 }
 
