@@ -1,264 +1,205 @@
-// What the numbers of the denoising laboratory say.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/number_text.h"
-#include "questions/core/section_tools.h"
 #include "questions/core/study_list.h"
+#include "questions/core/table.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
 
 namespace {
 
-using report::ref;
+/// Every noisy mesh: its clean one as `whole`, itself as `part`.
+auto all_trials(const DenoisingLaboratory& laboratory) { return parts_within(laboratory.meshes, &DenoisingTrials::trials); }
 
-template <class Visit>
-void for_each_trial(const DenoisingLaboratory& laboratory, Visit visit) {
-    for (const DenoisingTrials& mesh : laboratory.meshes) {
-        for (const NoiseTrial& trial : mesh.trials) visit(mesh, trial);
-    }
-}
+void go_on(report::Text& text, const report::Text& sentence) { report::extend(text, " ", sentence); }
 
-double of(const std::vector<double>& gains, int method) { return gains[static_cast<std::size_t>(method)]; }
-
-report::Text winner_words(const ClassResult& c) {
+report::Text about_winner(const ClassResult& c) {
     const int best = c.best(), by_angle = c.best_by_angle();
-    report::Text t = report::text("On ", listed(c.meshes), " (", c.title, ") ");
-    if (best < 0) return report::text(std::move(t), "the noise changed no shape.");
-    report::extend(t, "“", method_title(best), "” restores the shape best, ", readable(of(c.gain, best)), "-fold over ",
-                   counted(c.trials, "noisy mesh", "noisy meshes"), " (geometric mean)");
-    if (by_angle >= 0 && ties(of(c.angle_gain, best), of(c.angle_gain, by_angle))) {
-        report::extend(t, ", and the normals too, ", readable(of(c.angle_gain, by_angle)), "-fold.");
-    } else if (by_angle >= 0) {
-        report::extend(t, "; for the normals it is “", method_title(by_angle), "”, ", readable(of(c.angle_gain, by_angle)), "-fold");
-        if (std::isfinite(of(c.angle_gain, best)))
-            report::extend(t, ", where “", method_title(best), "” gains ", readable(of(c.angle_gain, best)));
-        report::extend(t, ".");
-    } else {
-        report::extend(t, ".");
+    if (best < 0) return words.say("winner.none", "meshes"_a = listed(c.meshes), "class"_a = c.title);
+    std::string normals = words.line("winner.in_shape_alone");
+    if (by_angle >= 0) {
+        const std::string method = method_title(by_angle), gain = readable(c.angle_gain[by_angle]);
+        if (ties(c.angle_gain[best], c.angle_gain[by_angle]))
+            normals = words.line("winner.in_both", "gain"_a = gain);
+        else if (std::isfinite(c.angle_gain[best]))
+            normals = words.line("winner.other_compared", "method"_a = method, "gain"_a = gain, "best"_a = method_title(best),
+                                 "best_gain"_a = readable(c.angle_gain[best]));
+        else
+            normals = words.line("winner.other", "method"_a = method, "gain"_a = gain);
     }
-    return t;
+    return words.say("winner", "meshes"_a = listed(c.meshes), "class"_a = c.title, "method"_a = method_title(best),
+                     "gain"_a = readable(c.gain[best]), "trials"_a = c.trials, "normals"_a = normals);
 }
 
 /// How often filters of normals win, on meshes with sharp edges and on the others; and whether both measures agree.
-report::Text winners_counted(const DenoisingLaboratory& laboratory) {
-    int trials[2] = {0, 0}, by_shape[2] = {0, 0}, by_angle[2] = {0, 0}, differ = 0, compared = 0;
-    for_each_trial(laboratory, [&](const DenoisingTrials& mesh, const NoiseTrial& trial) {
-        const int sharp = mesh.subject.character.kind() == MeshClass::sharp_edged ? 1 : 0;
-        const int shape = winner(trial, &SearchResult::gain), angle = winner(trial, &SearchResult::angle_gain);
-        const auto filters = [](int method) {
-            return method >= 0 && filters_normals(denoising_list()[static_cast<std::size_t>(method)].method) ? 1 : 0;
-        };
-        ++trials[sharp];
-        by_shape[sharp] += filters(shape);
-        by_angle[sharp] += filters(angle);
-        if (shape < 0 || angle < 0) return;
+report::Text about_winners(const DenoisingLaboratory& laboratory) {
+    struct Tally {
+        int trials = 0, by_shape = 0, by_angle = 0;
+    } sharp, other;
+    int differ = 0, compared = 0;
+    const auto filters = [](const SearchResult* r) { return r != nullptr && filters_normals(r->method) ? 1 : 0; };
+    for (const auto& [mesh, trial] : all_trials(laboratory)) {
+        Tally& tally = mesh.subject.character.kind() == MeshClass::sharp_edged ? sharp : other;
+        const SearchResult *shape = winner(trial, &SearchResult::gain), *angle = winner(trial, &SearchResult::angle_gain);
+        ++tally.trials;
+        tally.by_shape += filters(shape);
+        tally.by_angle += filters(angle);
+        if (shape == nullptr || angle == nullptr) continue;
         ++compared;
-        const auto angle_gain = [&](int method) { return trial.results[static_cast<std::size_t>(method)].angle_gain(); };
-        differ += ties(angle_gain(shape), angle_gain(angle)) ? 0 : 1;
-    });
-    report::Text t;
-    const auto say = [&](int sharp, const char* where) {
-        report::extend(t, "Filters of normals are best in shape on ", std::to_string(by_shape[sharp]), ", in normals on ",
-                       std::to_string(by_angle[sharp]), " of ", counted(trials[sharp], "noisy mesh", "noisy meshes"), where);
-    };
-    if (trials[1] > 0) say(1, " with sharp edges. ");
-    if (trials[0] > 0) say(0, " without them. ");
-    if (compared > 0) {
-        report::extend(t, "The method that is best in shape is not the best in normals too on ", std::to_string(differ), " of ",
-                       counted(compared, "noisy mesh", "noisy meshes"), " on which both can be told (tables of gains, from ",
-                       ref(id_of("methods", laboratory.meshes.front().name(), "gains")), " on): ",
-                       3 * differ > compared ? "which one is best depends on what is asked for."
-                       : differ > 0          ? "mostly they agree."
-                                             : "here they agree.");
+        differ += ties(shape->angle_gain(), angle->angle_gain()) ? 0 : 1;
     }
+    report::Text t;
+    const auto count = [&](const char* key, const Tally& tally) {
+        if (tally.trials == 0) return;
+        report::extend(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials), " ");
+    };
+    count("filters.sharp", sharp);
+    count("filters.other", other);
+    const char* verdict = 3 * differ > compared ? "agreement.rare" : differ > 0 ? "agreement.frequent" : "agreement.always";
+    if (compared > 0)
+        report::extend(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
+                                    "verdict"_a = words.line(verdict)));
     return t;
 }
 
 /// The largest gains in places and in shape against Gaussian noise below half a mean edge.
-report::Text places_words(const DenoisingLaboratory& laboratory) {
+report::Text about_places(const DenoisingLaboratory& laboratory) {
     double places = 0, shape = 0;
-    for_each_trial(laboratory, [&](const DenoisingTrials&, const NoiseTrial& trial) {
-        if (trial.kind != NoiseKind::gaussian || trial.edges > 0.5) return;
+    for (const auto& [mesh, trial] : all_trials(laboratory)) {
+        if (trial.kind != NoiseKind::gaussian || trial.edges > 0.5) continue;
         for (const SearchResult& r : trial.results) {
             if (std::isfinite(r.rms_gain())) places = std::max(places, r.rms_gain());
             if (std::isfinite(r.gain())) shape = std::max(shape, r.gain());
         }
-    });
+    }
     if (places == 0 || shape == 0) return {};
-    return report::text("Against Gaussian noise of up to half a mean edge the largest gain in places is ", readable(places),
-                        ", the largest in shape ", readable(shape),
-                        shape > 1.5 * places ? ": of what vertices lost within the surface less comes back than of the shape." : ".");
+    return words.say(shape > 1.5 * places ? "places.less" : "places", "places"_a = readable(places), "shape"_a = readable(shape));
 }
 
-int defined_methods(const NoiseTrial& trial) {
-    return static_cast<int>(std::count_if(trial.results.begin(), trial.results.end(), [](const SearchResult& r) { return r.defined; }));
-}
-
-/// The methods whose gain in shape is as large in a trial: "by none", "by explicit and guided normals".
+/// The methods whose gain in shape is as large in a trial: "none", "explicit and guided normals".
 std::string those_with(const NoiseTrial& trial, double gain) {
     std::vector<std::string> titles;
-    for (const SearchResult& r : trial.results) {
-        if (r.gain() >= gain) titles.emplace_back(denoising_entry(r.method).title);
-    }
-    if (titles.empty()) return "by none";
-    if (static_cast<int>(titles.size()) == defined_methods(trial)) return "by every method";
-    return "by " + listed(titles);
+    for (const SearchResult& r : trial.results)
+        if (r.gain() >= gain) titles.push_back(method_title(r));
+    if (titles.empty()) return "none";
+    return std::ranges::ssize(titles) == std::ranges::count_if(trial.results, &SearchResult::defined) ? "every method" : listed(titles);
 }
 
 /// From where and up to where, on one mesh.
-report::Text limit_words(const DenoisingTrials& mesh) {
+report::Text about_limits(const DenoisingTrials& mesh) {
     const auto levels = mesh.of_kind(NoiseKind::gaussian);
     const NoiseTrial &low = *levels.front(), &high = *levels.back();
-    report::Text t = report::text("On ", mesh.name(), " the error of shape by Gaussian noise of ", readable(low.edges, 2),
-                                  " mean edges is lowered (gain ≥ 1.2) ", those_with(low, helps));
-    if (levels.size() == 1) {
-        report::extend(t, ".");
-        return t;
-    }
-    report::extend(t, "; that of ", readable(high.edges, 2), " is halved ", those_with(high, works), " (", ref("methods_limits"), ").");
-    const int best = winner(high, &SearchResult::gain);
-    if (best < 0) {
-        report::extend(t, " There the best is to leave it alone.");
-        return t;
-    }
-    const SearchResult& result = high.results[static_cast<std::size_t>(best)];
-    const double angle = degrees * result.difference.mean_normal_angle;
-    report::extend(t, " The best there, ", method_title(best), ", leaves an error of ",
-                   readable(result.by_shape.shape / mesh.subject.mean_edge, 2), " mean edges and normals ", readable(angle, 2),
-                   "° off on average");
-    report::extend(t, angle > 30 ? ": the error is lower, but the surface is not there again." : ".");
+    const std::string edges = readable(low.edges, 2), lowering = those_with(low, helps);
+    if (levels.size() == 1) return words.say("limits.one_level", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering);
+    report::Text t = words.say("limits", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering,
+                               "high"_a = readable(high.edges, 2), "halving"_a = those_with(high, works));
+    const SearchResult* best = winner(high, &SearchResult::gain);
+    const double angle = best == nullptr ? 0 : degrees * best->difference.mean_normal_angle;
+    go_on(t, best == nullptr
+                 ? words.say("limits.leave_alone")
+                 : words.say(angle > 30 ? "limits.best_fails" : "limits.best", "method"_a = method_title(*best),
+                             "error"_a = readable(best->by_shape.shape / mesh.subject.mean_edge, 2), "angle"_a = readable(angle, 2)));
     return t;
 }
 
 /// What the noise of the pictures does to the limit of explicit steps and to the area, and what follows.
-report::Text spoilt_words(const DenoisingLaboratory& laboratory) {
+report::Text about_spoilt_triangles(const DenoisingLaboratory& laboratory) {
     std::vector<std::string> limits, areas;
-    double largest_limit = 0, smallest_area = INFINITY;
+    double largest_limit = 0, smallest_area = infinity;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
-        const NoiseTrial& trial = mesh.trials[static_cast<std::size_t>(mesh.pictured)];
+        const NoiseTrial& trial = mesh.pictured_trial();
         const double limit = mesh.subject.largest_eigenvalue / trial.largest_eigenvalue;
         largest_limit = std::max(largest_limit, limit);
         smallest_area = std::min(smallest_area, trial.spoilt.area_ratio);
         limits.push_back(readable_percent(limit, 2) + " on " + mesh.name());
         areas.push_back(readable(trial.spoilt.area_ratio) + " on " + mesh.name());
     }
-    report::Text t = report::text("The worst triangle sets the limit of explicit steps. With the noise of the pictures λ_crit is ",
-                                  listed(limits), " of that of the clean mesh");
-    report::extend(t, largest_limit < 1 ? ": noise spoils triangles, and holds back explicit smoothing and Taubin, which have no other "
-                                          "steps to take than the operator of the noisy mesh allows."
-                                        : ".");
-    report::extend(t, " The area is ", listed(areas), " times that of the clean mesh");
-    report::extend(t, smallest_area > 1.02 ? ", all of which the conformalised flow gives back after every step: it was made to lead to a "
-                                             "sphere without singularities, not to denoise."
-                                           : ".");
-    return t;
+    return report::text(words.say(largest_limit < 1 ? "spoilt.limit_lower" : "spoilt.limit", "limits"_a = listed(limits)), " ",
+                        words.say(smallest_area > 1.02 ? "spoilt.area_larger" : "spoilt.area", "areas"_a = listed(areas)));
 }
 
 /// The kinds of noise at the level of the picture, the best gain against each.
-report::Text kind_words(const DenoisingTrials& mesh) {
-    const double edges = mesh.trials[static_cast<std::size_t>(mesh.pictured)].edges;
+report::Text about_kinds(const DenoisingTrials& mesh) {
+    const double edges = mesh.pictured_trial().edges;
     std::vector<std::string> told;
-    double smallest = INFINITY, largest = 0;
-    std::string_view with_least, with_most;
+    double least_gain = infinity, most_gain = 0;
+    std::string_view least, most;
     for (const NoiseTrial& trial : mesh.trials) {
         if (trial.edges != edges) continue;
         const std::string_view title = noise_entry(trial.kind).title;
-        const int best = winner(trial, &SearchResult::gain);
-        const double gain = best >= 0 ? trial.results[static_cast<std::size_t>(best)].gain() : 1;
-        told.push_back(std::string(title) + " " + readable(gain) + (best >= 0 ? " (" + method_title(best) + ")" : ""));
-        if (gain < smallest) smallest = gain, with_least = title;
-        if (gain > largest) largest = gain, with_most = title;
+        const SearchResult* best = winner(trial, &SearchResult::gain);
+        const double gain = best != nullptr ? best->gain() : 1;
+        told.push_back(std::string(title) + " " + readable(gain) + (best != nullptr ? " (" + method_title(*best) + ")" : ""));
+        if (gain < least_gain) least_gain = gain, least = title;
+        if (gain > most_gain) most_gain = gain, most = title;
     }
     if (told.size() < 2) return {};
-    report::Text t = report::text("Kinds of noise of the same strength, ", readable(edges, 2), " mean edges on ", mesh.name(),
-                                  ", and the largest gain in shape against each: ", listed(told), ".");
-    if (largest > 1.1 * smallest) {
-        report::extend(t, " The gain is largest for the noise called “", std::string(with_most), "”, smallest for “",
-                       std::string(with_least), "”.");
-    }
+    report::Text t = words.say("kinds", "edges"_a = readable(edges, 2), "mesh"_a = mesh.name(), "gains"_a = listed(told));
+    if (most_gain > 1.1 * least_gain) go_on(t, words.say("kinds.differ", "most"_a = most, "least"_a = least));
     return t;
 }
 
 /// What 20 % of the box leaves.
-report::Text hopeless_words(const DenoisingLaboratory& laboratory) {
-    report::Text t;
-    for_each_trial(laboratory, [&](const DenoisingTrials& mesh, const NoiseTrial& trial) {
-        if (!trial.s1_level) return;
-        if (t.empty())
-            report::extend(t, "Noise of 20 % of the box, the highest of an earlier report:");
-        else
-            report::extend(t, ";");
-        const int best_method = winner(trial, &SearchResult::gain);
-        if (best_method < 0) {
-            report::extend(t, " on ", mesh.name(), " nothing helps");
-            return;
-        }
-        const SearchResult& best = trial.results[static_cast<std::size_t>(best_method)];
-        report::extend(t, " on ", mesh.name(), " ", method_title(best_method), " gains ", readable(best.gain(), 2), ", which leaves ",
-                       readable_percent(best.by_shape.shape / mesh.subject.diagonal, 2), " of the diagonal and normals ",
-                       readable(degrees * best.difference.mean_normal_angle, 2), "° off");
-    });
-    if (t.empty()) return t;
-    report::extend(t,
-                   ". Such a gain need not be a cure: a smooth blob of the right size is nearer to any shape than vertices scattered all "
-                   "over the box.");
-    return t;
+report::Text about_box_level(const DenoisingLaboratory& laboratory) {
+    std::vector<std::string> told;
+    for (const auto& [mesh, trial] : all_trials(laboratory)) {
+        if (!trial.s1_level) continue;
+        const SearchResult* best = winner(trial, &SearchResult::gain);
+        told.push_back(best == nullptr ? words.line("box.nothing", "mesh"_a = mesh.name())
+                                       : words.line("box.best", "mesh"_a = mesh.name(), "method"_a = method_title(*best),
+                                                    "gain"_a = readable(best->gain(), 2),
+                                                    "error"_a = readable_percent(best->by_shape.shape / mesh.subject.diagonal, 2),
+                                                    "angle"_a = readable(degrees * best->difference.mean_normal_angle, 2)));
+    }
+    return told.empty() ? report::Text() : words.say("box", "meshes"_a = in_a_row(told));
 }
 
-report::Text volume_words(const DenoisingLaboratory& laboratory) {
-    report::Text t;
+report::Text about_volumes(const DenoisingLaboratory& laboratory) {
+    std::vector<std::string> told;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         if (!mesh.subject.encloses_volume) continue;
-        const NoiseTrial& trial = mesh.trials[static_cast<std::size_t>(mesh.pictured)];
-        std::vector<std::string> told;
-        for (const SearchResult& r : trial.results) {
-            if (r.defined) told.push_back(std::string(denoising_entry(r.method).title) + " " + readable(r.difference.volume_ratio));
-        }
-        report::extend(t, t.empty() ? "Volume over that of the clean mesh, each method at its best: on " : "; on ", mesh.name(), " (",
-                       trial.words(), "; noisy ", readable(trial.spoilt.volume_ratio), ") ", listed(told));
+        const NoiseTrial& trial = mesh.pictured_trial();
+        std::vector<std::string> methods;
+        for (const SearchResult& r : trial.results)
+            if (r.defined) methods.push_back(method_title(r) + " " + readable(r.difference.volume_ratio));
+        told.push_back(words.line("volumes.mesh", "mesh"_a = mesh.name(), "noise"_a = trial.title(),
+                                  "noisy"_a = readable(trial.spoilt.volume_ratio), "methods"_a = listed(methods)));
     }
-    if (!t.empty()) report::extend(t, ".");
-    return t;
+    return told.empty() ? report::Text() : words.say("volumes", "meshes"_a = in_a_row(told));
 }
 
-report::Text failure_words(const DenoisingLaboratory& laboratory) {
-    std::vector<int> failed(denoising_list().size(), 0);
-    for_each_trial(laboratory, [&](const DenoisingTrials&, const NoiseTrial& trial) {
-        for (std::size_t i = 0; i < failed.size(); ++i) failed[i] += trial.results[i].failed;
-    });
+report::Text about_failures(const DenoisingLaboratory& laboratory) {
     std::vector<std::string> told;
-    for (std::size_t i = 0; i < failed.size(); ++i) {
-        if (failed[i] > 0) told.push_back(counted(failed[i], "run") + " of " + method_title(int(i)));
+    for (std::size_t i = 0; i < denoising_list().size(); ++i) {
+        int failed = 0;
+        for (const auto& [mesh, trial] : all_trials(laboratory)) failed += trial.results[i].failed;
+        if (failed > 0) told.push_back(words.line("failures.runs", "runs"_a = failed, "method"_a = method_title(i)));
     }
-    if (told.empty()) return {};
-    return report::text("Ended before their time, because the mesh collapsed, blew up, or left a system that cannot be factored: ",
-                        listed(told), ". What they had reached until then counts.");
+    return told.empty() ? report::Text() : words.say("failures", "runs"_a = listed(told));
 }
 
-report::Text patch_words(const DenoisingLaboratory& laboratory) {
+report::Text about_patches(const DenoisingLaboratory& laboratory) {
     std::vector<std::string> told;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
-        if (mesh.subject.is_patch())
-            told.push_back(mesh.name() + " (" + std::to_string(mesh.subject.mesh.vertex_count()) + " of " +
-                           std::to_string(mesh.subject.whole_vertices) + " vertices)");
+        const DenoisingSubject& s = mesh.subject;
+        if (s.is_patch())
+            told.push_back(
+                words.line("patches.mesh", "mesh"_a = s.name, "vertices"_a = s.mesh.vertex_count(), "whole"_a = s.whole_vertices));
     }
-    if (told.empty()) return {};
-    return report::text("Of meshes that are too large for so many runs a patch around the sharpest edge was taken: ", listed(told),
-                        ". Where it was cut it has a boundary, which diffusion pulls inwards.");
+    return told.empty() ? report::Text() : words.say("patches", "meshes"_a = listed(told));
 }
 
 }   // namespace
 
 void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory) {
-    add_heading(section, "Discussion: which method for which mesh, and when does it fail?");
-    for (const ClassResult& c : class_results(laboratory)) add_paragraphs(section, {winner_words(c)});
-    add_paragraphs(section, {winners_counted(laboratory), places_words(laboratory)});
-    for (const DenoisingTrials& mesh : laboratory.meshes) add_paragraphs(section, {limit_words(mesh), kind_words(mesh)});
-    add_paragraphs(section, {spoilt_words(laboratory), hopeless_words(laboratory), volume_words(laboratory), failure_words(laboratory),
-                             patch_words(laboratory)});
+    add_words(section, words, "discussion");
+    for (const ClassResult& c : class_results(laboratory)) add_paragraph(section, about_winner(c));
+    add_paragraphs(section, {about_winners(laboratory), about_places(laboratory)});
+    for (const DenoisingTrials& mesh : laboratory.meshes) add_paragraphs(section, {about_limits(mesh), about_kinds(mesh)});
+    add_paragraphs(section, {about_spoilt_triangles(laboratory), about_box_level(laboratory), about_volumes(laboratory),
+                             about_failures(laboratory), about_patches(laboratory)});
 }
 
 }   // namespace meshfolio::methods

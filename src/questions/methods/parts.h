@@ -1,17 +1,25 @@
 /// @file
-/// The blocks of the section "methods". Private to the layer.
+/// The parts of the denoising laboratory.
 #pragma once
 
-#include <numbers>
+#include <string>
 #include <vector>
 
+#include "geometry/linear/special_values.h"
 #include "questions/core/chapter.h"
+#include "questions/core/section_tools.h"
 #include "questions/methods/study.h"
 
 namespace meshfolio::methods {
 
+inline constexpr report::Words words("methods");
+
 /// Tables tell angles in degrees.
-inline constexpr double degrees = 180 / std::numbers::pi;
+inline constexpr double degrees = 180 / pi;
+
+/// "explicit": the title of a method by its place in denoising_list(), of that of a result.
+inline std::string method_title(std::size_t method) { return std::string(denoising_list()[method].title); }
+inline std::string method_title(const SearchResult& result) { return std::string(denoising_entry(result.method).title); }
 
 report::Table subject_table(const DenoisingLaboratory& laboratory);
 /// What a method is judged by: the shape, the places of the vertices, the normals of the faces.
@@ -25,12 +33,15 @@ report::Table limit_table(const DenoisingLaboratory& laboratory);
 report::Plot gain_plot(const DenoisingTrials& mesh);
 /// Clean, noisy and every method at its best, one small picture each.
 void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseTrial& trial);
-std::vector<report::Check> method_checks(const DenoisingLaboratory& laboratory);
 
-/// What the numbers say. Appends its heading and its paragraphs.
+/// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory);
 
-/// "explicit": the title of a method by its place in denoising_list().
-std::string method_title(int method);
+/// "a; b; c"
+inline std::string in_a_row(const std::vector<std::string>& told) {
+    std::string row;
+    for (const std::string& each : told) row += (row.empty() ? "" : "; ") + each;
+    return row;
+}
 
 }   // namespace meshfolio::methods

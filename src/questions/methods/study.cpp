@@ -1,5 +1,3 @@
-#include "questions/methods/study.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +10,7 @@
 #include "mesh/surface_patch.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/value_lists.h"
+#include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
 
@@ -123,9 +122,9 @@ DenoisingSubject denoising_subject(std::string name, const TriangleMesh& mesh, i
     return subject;
 }
 
-std::string NoiseTrial::words() const {
-    if (s1_level) return "20 % of the box, axis by axis";
-    return std::string(noise_entry(kind).title) + ", " + readable(edges, 2) + " mean edges";
+std::string NoiseTrial::title() const {
+    return s1_level ? words.line("noise.box_level")
+                    : words.line("noise.level", "noise"_a = noise_entry(kind).title, "edges"_a = readable(edges, 2));
 }
 
 std::string NoiseTrial::id() const {
@@ -134,15 +133,10 @@ std::string NoiseTrial::id() const {
     return std::string(noise_entry(kind).name) + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
 }
 
-int winner(const NoiseTrial& trial, Gain gain) {
-    int best = -1;
-    double largest = 1;
-    for (std::size_t i = 0; i < trial.results.size(); ++i) {
-        const double value = (trial.results[i].*gain)();
-        if (!(value > largest)) continue;
-        largest = value;
-        best = static_cast<int>(i);
-    }
+const SearchResult* winner(const NoiseTrial& trial, Gain gain) {
+    const SearchResult* best = nullptr;
+    for (const SearchResult& result : trial.results)
+        if ((result.*gain)() > (best == nullptr ? 1 : (best->*gain)())) best = &result;
     return best;
 }
 

@@ -45,15 +45,15 @@ struct NoiseTrial {
     double largest_eigenvalue = 0;   // of its operator [1/length²]
     std::vector<SearchResult> results;
 
-    std::string words() const;   // "Gaussian, 0.3 mean edges"
+    std::string title() const;   // "Gaussian, 0.3 mean edges"
     std::string id() const;      // "gaussian0300", thousandths of a mean edge; "box_level20"
 };
 
 /// Is a gain as large as the largest, but for rounding? Methods that differ in size alone turn the normals alike.
 inline bool ties(double gain, double largest) { return gain >= largest * (1 - 1e-9); }
 
-/// The method of the largest gain, the first of them where several tie; −1 where none is above 1.
-int winner(const NoiseTrial& trial, Gain gain);
+/// The result of the largest gain, the first of them where several tie; null where none is above 1.
+const SearchResult* winner(const NoiseTrial& trial, Gain gain);
 
 struct DenoisingTrials {
     DenoisingSubject subject;
@@ -61,6 +61,7 @@ struct DenoisingTrials {
     int pictured = 0;                 // of trials: Gaussian, of the middle of its levels
 
     const std::string& name() const { return subject.name; }
+    const NoiseTrial& pictured_trial() const { return trials[static_cast<std::size_t>(pictured)]; }
     /// Trials of a kind, the level of S1 aside, ascending.
     std::vector<const NoiseTrial*> of_kind(NoiseKind kind) const;
 };

@@ -1,100 +1,62 @@
-#include "questions/operators/parts.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/number_text.h"
 #include "geometry/measures/mesh_laws.h"
-#include "questions/core/section_tools.h"
+#include "questions/core/study_list.h"
+#include "questions/operators/parts.h"
 
 namespace meshfolio::operators {
 
 namespace {
 
-using report::math;
-using report::ref;
-
 constexpr double precise_below = 1e-8;   // |H| × mean edge of the flat square
 
-std::vector<std::string> titles_where(const std::vector<KnownTrial>& known, bool (*chosen)(const KnownTrial&)) {
-    std::vector<std::string> titles;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        if (chosen(known[i])) titles.push_back(laboratory_operators()[i].title());
+report::Text about_precision(const KnownTrials& known) {
+    std::vector<std::string> kept, lost;
+    for (const KnownTrial& t : known) {
+        if (t.plane < precise_below) kept.push_back(quoted(t.made_by.title()));
+        if (t.plane >= precise_below)
+            lost.push_back(words.line("precision.lost", "operator"_a = t.made_by.title(), "H"_a = readable(t.plane)));
     }
-    return titles;
+    return words.say("precision", "kept"_a = listed(kept), "lost"_a = listed(lost));
 }
 
-std::string quoted_list(std::vector<std::string> titles) {
-    for (std::string& title : titles) title = "“" + title + "”";
-    return listed(titles);
+std::string about_cotangent_weights(const LaboratoryMesh& lab) {
+    const OperatorScores &cotan = lab.trial(OperatorKind::cotan).scores, &idt = lab.trial(OperatorKind::idt).scores;
+    const double share = double(cotan.negative_inside + cotan.negative_boundary) / std::max(1, cotan.weights);
+    return words.line("weights.cotangent", "share"_a = readable_percent(share), "mesh"_a = lab.name(),
+                      "smallest"_a = readable(cotan.smallest_weight), "flips"_a = lab.flips, "inside"_a = idt.negative_inside,
+                      "boundary"_a = idt.negative_boundary);
 }
 
-void say_precision(report::Section& section, const std::vector<KnownTrial>& known) {
-    std::vector<std::string> lost;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        if (known[i].plane >= precise_below)
-            lost.push_back("“" + laboratory_operators()[i].title() + "” reads " + readable(known[i].plane));
-    }
-    const std::vector<std::string> kept = titles_where(known, [](const KnownTrial& t) { return t.plane < precise_below; });
-    report::Text text = report::text("Linear precision. ");
-    if (!kept.empty()) report::extend(text, "Of an irregular flat square H is 0 to rounding by ", quoted_list(kept), ". ");
-    if (!lost.empty()) report::extend(text, "The others bend it (|H| × mean edge): ", listed(lost), " (", ref("operators_known"), ").");
-    section.blocks.push_back(report::Paragraph{text});
-}
-
-std::string names_of_labs(const std::vector<LaboratoryMesh>& labs) {
-    std::vector<std::string> names;
-    for (const LaboratoryMesh& lab : labs) names.push_back(lab.name());
-    return listed(names);
-}
-
-/// Which operators have no negative weight on any mesh, and what the default has.
-void say_weights(report::Section& section, const std::vector<LaboratoryMesh>& labs) {
-    std::vector<std::string> clean, indefinite, open, counts;
+/// Which operators have no negative weight on any mesh, what the default has, and which are indefinite.
+report::Text about_weights(const Labs& labs) {
+    std::vector<std::string> clean, indefinite, open, cotangent;
     bool any_negative = false;
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i) {
-        const auto all = [&](auto holds) {
-            return std::all_of(labs.begin(), labs.end(), [&](const LaboratoryMesh& lab) { return holds(lab.trials[i].scores); });
-        };
-        if (all([](const OperatorScores& s) { return s.negative_inside + s.negative_boundary == 0; }))
-            clean.push_back(laboratory_operators()[i].title());
-        else
-            any_negative = true;
+        const std::string title = quoted(laboratory_operators()[i].title());
+        bool none_negative = true;
         for (const LaboratoryMesh& lab : labs) {
-            const Inertia& negative = lab.trials[i].scores.negative;
-            const std::string title = "“" + laboratory_operators()[i].title() + "” (";
-            const Proof proof = semidefinite(negative);
-            if (proof == Proof::refuted) indefinite.push_back(title + std::to_string(negative.below) + " on " + lab.name() + ")");
             const OperatorScores& scores = lab.trials[i].scores;
+            none_negative = none_negative && scores.negative_inside + scores.negative_boundary == 0;
+            const Proof proof = semidefinite(scores.negative);
+            if (proof == Proof::refuted)
+                indefinite.push_back(title + " (" + std::to_string(scores.negative.below) + " on " + lab.name() + ")");
             const bool untold = scores.without_mass == 0 && scores.verdict == Definiteness::Verdict::undecided;
-            if (proof == Proof::undecided || (proof == Proof::proved && untold)) open.push_back(title + lab.name() + ")");
+            if (proof == Proof::undecided || (proof == Proof::proved && untold)) open.push_back(title + " (" + lab.name() + ")");
         }
+        if (none_negative) clean.push_back(title);
+        any_negative = any_negative || !none_negative;
     }
-    for (const LaboratoryMesh& lab : labs) {
-        const OperatorScores &cotan = lab.trial(OperatorKind::cotan).scores, &idt = lab.trial(OperatorKind::idt).scores;
-        const double share = double(cotan.negative_inside + cotan.negative_boundary) / std::max(1, cotan.weights);
-        counts.push_back(readable_percent(share) + " on " + lab.name() + " (smallest " + readable(cotan.smallest_weight) + "; after " +
-                         counted(lab.flips, "flip") + " " + std::to_string(idt.negative_inside) + " inside and " +
-                         std::to_string(idt.negative_boundary) + " on the boundary are left)");
-    }
-    report::Text text = report::text("Maximum principle. Of the cotangent weights ", listed(counts), " are negative. ");
-    if (!clean.empty())
-        report::extend(text, "No weight is negative beyond rounding on any of these meshes with ", quoted_list(clean), ". ");
-    if (!indefinite.empty())
-        report::extend(text, "An eigenvalue of ", math("−C"), " below 0, with which even implicit smoothing may grow, was found with ",
-                       listed(indefinite), ".");
-    else if (!open.empty())
-        report::extend(text, "No ", math("−C"), " is shown to have an eigenvalue below 0; rounding forbids to prove it of ", listed(open),
-                       ".");
-    else if (any_negative)
-        report::extend(text, "None of the negative weights here makes an operator indefinite: no ", math("−C"),
-                       " of these meshes has an eigenvalue below 0.");
-    else
-        report::extend(text, "No ", math("−C"), " has an eigenvalue below 0.");
-    section.blocks.push_back(report::Paragraph{text});
+    for (const LaboratoryMesh& lab : labs) cotangent.push_back(about_cotangent_weights(lab));
+    return report::text(words.say("weights", "cotangent"_a = listed(cotangent), "clean"_a = listed(clean)), " ",
+                        !indefinite.empty() ? words.say("weights.indefinite", "operators"_a = listed(indefinite))
+                        : !open.empty()     ? words.say("weights.open", "operators"_a = listed(open))
+                                            : words.say(any_negative ? "weights.harmless" : "weights.none_negative"));
 }
 
-void say_steps(report::Section& section, const std::vector<LaboratoryMesh>& labs) {
+report::Text about_steps(const Labs& labs) {
     std::vector<std::string> idt, own;
     bool helps = true, harms = true;
     constexpr double rounding = 1e-9;
@@ -105,70 +67,49 @@ void say_steps(report::Section& section, const std::vector<LaboratoryMesh>& labs
         idt.push_back("×" + readable(ratio) + " on " + lab.name());
         own.push_back("×" + readable(lab.trial(OperatorKind::idt_original_mass).critical_ratio));
     }
-    add_paragraph(section, "Stable steps. Intrinsic Delaunay flips change ", math("λ_crit"), " by ", listed(idt), ": ",
-                  helps && harms ? "here they change no step"
-                  : helps        ? "here they never shorten the step"
-                  : harms        ? "they do not lengthen it on any of these meshes, since flips shrink some vertex areas as well"
-                                 : "they may lengthen the step or shorten it, since flips shrink some vertex areas as well",
-                  ". With the same weights over the areas of the mesh itself it is ", listed(own),
-                  "; that can never be less than 1, for flips only lower the Dirichlet energy ", ref("rippa_1990"),
-                  ". Without the ½ the step is half as long and H twice as large.");
+    const char* key = helps && harms ? "steps.unchanged" : helps ? "steps.never_shorter" : harms ? "steps.never_longer" : "steps.either";
+    return report::text(words.say(key, "changes"_a = listed(idt)), " ", words.say("steps.own_areas", "changes"_a = listed(own)));
 }
 
-void say_curvature(report::Section& section, const std::vector<KnownTrial>& known) {
-    const auto best = [&](auto error) {
-        std::size_t at = 0;
-        for (std::size_t i = 1; i < known.size(); ++i) {
-            if (error(known[i]) < error(known[at])) at = i;
-        }
-        return "“" + laboratory_operators()[at].title() + "” (" + readable_percent(error(known[at])) + ")";
-    };
+report::Text about_curvature(const KnownTrials& known) {
     const auto sphere = [](const KnownTrial& t) { return t.H_error[0]; };
     const auto ellipsoid = [](const KnownTrial& t) { return t.H_error[1]; };
-    const auto eigenvalue = [](const KnownTrial& t) { return t.eigenvalue_error; };
+    const auto best = [&](auto error) {
+        const KnownTrial& t = *std::ranges::min_element(known, {}, error);
+        return quoted(t.made_by.title()) + " (" + readable_percent(std::invoke(error, t)) + ")";
+    };
     const KnownTrial& standard = known.front();
-    add_paragraph(section, "Curvature and spectrum. On the jittered sphere H is best by ", best(sphere), ", on the ellipsoid by ",
-                  best(ellipsoid), "; the default has ", readable_percent(sphere(standard)), " and ", readable_percent(ellipsoid(standard)),
-                  ". The eigenvalues of that sphere are best by ", best(eigenvalue), ", against ", readable_percent(eigenvalue(standard)),
-                  " of the default.");
+    return words.say("curvature", "best_sphere"_a = best(sphere), "best_ellipsoid"_a = best(ellipsoid),
+                     "sphere"_a = readable_percent(sphere(standard)), "ellipsoid"_a = readable_percent(ellipsoid(standard)),
+                     "best_eigenvalues"_a = best(&KnownTrial::eigenvalue_error),
+                     "eigenvalues"_a = readable_percent(standard.eigenvalue_error));
 }
 
-/// Areas that are not positive leave no operator; where that happens it is said.
-void say_areas(report::Section& section, const std::vector<LaboratoryMesh>& labs) {
+/// Areas that are not positive leave no operator.
+report::Text about_areas(const Labs& labs) {
     std::vector<std::string> without;
-    for (const LaboratoryMesh& lab : labs) {
-        for (std::size_t i = 0; i < lab.trials.size(); ++i) {
-            const int count = lab.trials[i].scores.without_mass;
-            if (count > 0)
-                without.push_back(counted(count, "vertex", "vertices") + " of " + lab.name() + " (“" + laboratory_operators()[i].title() +
-                                  "”)");
-        }
-    }
-    if (without.empty()) return;
-    add_paragraph(section, "Areas that are not positive stand at ", listed(without),
-                  "; there H is undefined, and neither a spectrum nor a stable step exists.");
+    for (const LaboratoryMesh& lab : labs)
+        for (const OperatorTrial& t : lab.trials)
+            if (t.scores.without_mass > 0)
+                without.push_back(words.line("areas.where", "vertices"_a = t.scores.without_mass, "mesh"_a = lab.name(),
+                                             "operator"_a = t.made_by.title()));
+    return without.empty() ? report::Text() : words.say("areas", "where"_a = listed(without));
+}
+
+report::Text finding(const Labs& labs) {
+    const auto own_areas = [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt_original_mass).critical_ratio; };
+    const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, own_areas);
+    const double ratio = own_areas(lab);
+    return ratio > 1 + 1e-9 ? words.say("finding.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio))
+                            : words.say("finding.no_longer", "meshes"_a = listed(names_of(labs)));
 }
 
 }   // namespace
 
-void add_discussion(report::Section& section, const std::vector<LaboratoryMesh>& labs, const std::vector<KnownTrial>& known) {
-    add_heading(section, "Discussion");
-    say_precision(section, known);
-    say_weights(section, labs);
-    say_steps(section, labs);
-    say_curvature(section, known);
-    say_areas(section, labs);
-    const auto own_areas = [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt_original_mass).critical_ratio; };
-    const LaboratoryMesh& lab = *std::max_element(
-        labs.begin(), labs.end(), [&](const LaboratoryMesh& a, const LaboratoryMesh& b) { return own_areas(a) < own_areas(b); });
-    const double ratio = own_areas(lab);
-    section.findings.push_back(
-        {ratio > 1 + 1e-9 ? report::text("Operators: on ", lab.name(), " intrinsic Delaunay weights over the mesh's own areas allow steps ",
-                                         readable(ratio), " times as long as the cotangent operator.")
-                          : report::text("Operators: intrinsic Delaunay weights over the mesh's own areas allow no longer steps than the "
-                                         "cotangent operator on ",
-                                         names_of_labs(labs), "."),
-         6});
+void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known) {
+    add_words(section, words, "discussion");
+    add_paragraphs(section, {about_precision(known), about_weights(labs), about_steps(labs), about_curvature(known), about_areas(labs)});
+    section.findings.push_back({finding(labs), 6});
 }
 
 }   // namespace meshfolio::operators

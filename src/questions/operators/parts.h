@@ -1,15 +1,29 @@
 /// @file
-/// What the numbers of the operator laboratory say.
+/// The parts of the operator laboratory.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "questions/core/chapter.h"
 #include "questions/operators/study.h"
-#include "report/document.h"
 
 namespace meshfolio::operators {
 
-/// Appends the heading, the paragraphs and a finding.
-void add_discussion(report::Section& section, const std::vector<LaboratoryMesh>& labs, const std::vector<KnownTrial>& known);
+inline constexpr report::Words words("operators");
+
+using Labs = std::vector<LaboratoryMesh>;
+using KnownTrials = std::vector<KnownTrial>;
+
+report::Table score_table(const LaboratoryMesh& lab);
+report::Table known_table(const KnownTrials& trials);
+/// One small picture an operator, all in the colours that suit the default.
+void add_figure_of(Answer& answer, const LaboratoryMesh& lab);
+
+/// What the numbers say, in words that follow them, and a finding.
+void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known);
+
+/// “cotangent”
+inline std::string quoted(const std::string& title) { return "“" + title + "”"; }
 
 }   // namespace meshfolio::operators

@@ -41,7 +41,7 @@ double relative_difference(const Vector& f, const Vector& g, double scale) {
 }
 
 OperatorTrial trial_of(const LaboratoryOperator& laboratory_operator, const LaplaceBeltrami& laplacian, const CurvatureSubject& subject) {
-    OperatorTrial trial;
+    OperatorTrial trial{laboratory_operator};
     trial.scores = operator_scores(laplacian, subject.topology(), assembly_of(laboratory_operator.kind));
     trial.H = operator_mean_curvature(subject.mesh(), subject.topology(), laboratory_operator.kind, laplacian);
     return trial;
@@ -75,9 +75,7 @@ const std::vector<LaboratoryOperator>& laboratory_operators() {
 }
 
 const OperatorTrial& LaboratoryMesh::trial(OperatorKind kind) const {
-    const auto& all = laboratory_operators();
-    const auto it = std::find_if(all.begin(), all.end(), [&](const LaboratoryOperator& o) { return o.kind == kind; });
-    return trials[static_cast<std::size_t>(it - all.begin())];
+    return *std::ranges::find(trials, kind, [](const OperatorTrial& t) { return t.made_by.kind; });
 }
 
 LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
@@ -120,7 +118,7 @@ std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
 
     std::vector<KnownTrial> trials;
     for (const LaboratoryOperator& laboratory_operator : laboratory_operators()) {
-        KnownTrial trial;
+        KnownTrial trial{laboratory_operator};
         // Without a unit it is made a curvature by every ring's own edges, as in question 3.
         trial.plane = is_dimensionless(laboratory_operator.kind)
                           ? flat.uniform

@@ -28,11 +28,12 @@ const std::vector<LaboratoryOperator>& laboratory_operators();
 
 /// One operator on one mesh. Changes are relative to the default; NaN where they are not defined.
 struct OperatorTrial {
-    OperatorScores scores;
+    LaboratoryOperator made_by;
+    OperatorScores scores = {};
     double critical_ratio = 0;   // λ_crit over that of the default; NaN for dimensionless operators
     double spectrum_shift = 0;   // largest relative change of the first ten eigenvalues above 0; a dimensionless spectrum is scaled to fit
     double H_change = 0;         // relative L2 difference of H inside
-    Vector H;                    // [1/length]
+    Vector H = {};               // [1/length]
 };
 struct LaboratoryMesh {
     CurvatureSubject subject;
@@ -47,6 +48,7 @@ LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const 
 
 /// One operator where the truth is known.
 struct KnownTrial {
+    LaboratoryOperator made_by;
     double plane = 0;                  // largest |H| × mean edge inside an irregular flat square, where all curvature is 0
     std::array<double, 2> H_error{};   // relative L2 on the jittered sphere and the jittered ellipsoid
     double eigenvalue_error = 0;       // largest of the first eight above 0 on that sphere, l(l + 1)/R²

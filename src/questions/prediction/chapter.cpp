@@ -1,86 +1,55 @@
-// The section "prediction": the error of denoising foreseen, measured, and the iteration chosen without the clean mesh.
-#include "questions/prediction/parts.h"
-
+// Predicted denoising: the error foreseen, measured, and the iteration chosen without the clean mesh.
 #include <algorithm>
 
 #include "base/number_text.h"
-#include "questions/core/section_tools.h"
 #include "questions/core/study_list.h"
+#include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {
 
 namespace {
 
-using report::math;
-using report::ref;
+using report::check_at_least;
+using report::check_at_most;
 
-void add_formula_words(report::Section& section) {
-    add_heading(section, "Method");
-    add_paragraph(section, "With a fixed operator ", math("t"), " implicit steps are one matrix ", math("Sᵗ"),
-                  ", so that the error against the clean mesh has a part that the shape loses and a part of the noise that is left, whose "
-                  "squares add up in the mean. In the norm of the areas all modes give both, with ",
-                  math("ĉ_i = Xᵀ M φ_i"), ":");
-    add_formula(section, "noise_bias_variance", "prediction_eq_mass");
-    add_paragraph(section, "The plain rms of question 7 (", ref("q7"),
-                  ") weighs every vertex alike. There the modes are not orthogonal, and their products count:");
-    add_formula(section, "denoise_prediction_vertices", "prediction_eq_vertices");
-    add_paragraph(section,
-                  "Up to 1000 vertices these are all modes. Beyond, the bias is that of one run without noise, and the trace is "
-                  "the mean over fixed vectors of random signs ",
-                  ref("hutchinson_1990"), ":");
-    add_formula(section, "hutchinson_trace");
-}
-
-void add_rule_words(report::Section& section) {
-    add_paragraph(section,
-                  "An operator made from the noisy mesh depends on the noise, and neither formula holds. What holds for every "
-                  "way to denoise is Stein's identity ",
-                  ref("stein_1981"), ":");
-    add_formula(section, "stein_risk", "prediction_eq_stein");
-    add_paragraph(section,
-                  "The expression in brackets needs no clean mesh. The divergence is that of the run as a black box, from a second run "
-                  "whose input is "
-                  "moved a little by random signs ",
-                  ref("ramani_2008"),
-                  ", so that the operator's own change is in it. The rule is to stop where this estimate is smallest. For ", math("σ"),
-                  " a quadratic height is fitted to each vertex and its two rings, ", math("m"), " points with residuals ", math("r"), "; ",
-                  math("κ"), " corrects for the cut:");
-    add_formula(section, "noise_from_residuals");
-}
-
-void add_parameters(report::Section& section, const std::vector<PredictionStudy>& studies, const QuestionSettings& settings) {
-    std::vector<std::string> levels;
-    for (const NoiseLevelStudy& level : studies.front().levels) levels.push_back(readable_percent(level.sigma, 2));
-    section.parameters["noise"] = listed(levels) + " of the box diagonal";
-    section.parameters["seeds"] = std::to_string(studies.front().seeds);
-    section.parameters["seed"] = std::to_string(settings.seed);
-    for (const PredictionStudy& study : studies) {
-        const double unit = study.diagonal;
-        section.parameters["λ on " + study.name()] = plain_text(study.lambda * unit * unit, 6);
+void add_checks(report::Section& section, const Studies& studies) {
+    constexpr double far = 5, wrong = 1.5;
+    for (const auto& [study, level] : levels_of(studies)) {
+        const auto name = [&mesh = study.name(), sigma = plain_text(100 * level.sigma, 3)](const char* key) {
+            return words.line(key, "sigma"_a = sigma, "mesh"_a = mesh);
+        };
+        const StandardDistance right = standard_distance(study, level), control = standard_distance(study, level, wrong);
+        append_checks(section, {check_at_most(name("check.vertices"), far, right.vertices, 0,
+                                              words.line("check.vertices.note", "seeds"_a = study.seeds)),
+                                check_at_most(name("check.area"), far, right.mass)});
+        // A formula that rounding drowns cannot be told from a wrong one.
+        if (study.condition < 1e12) section.checks.push_back(check_at_least(name("check.control"), far, control.vertices));
+        // p(t) is the expected, m(t) the measured curve, off by δ at most: m(t_p) ≤ (1 + δ)p(t_p) ≤ (1 + δ)p(t_m) ≤ m(t_m)(1 + δ)/(1 − δ).
+        const OperatorStudy& clean = level.of(FlowOperator::clean);
+        const double off = deviation(clean.formula(), clean.measured);
+        if (off < 0.5)
+            section.checks.push_back(check_at_most(name("check.regret"), (1 + off) / (1 - off) - 1, clean.regret_of_formula, 1e-12));
     }
 }
 
-void add_finding(report::Section& section, const std::vector<PredictionStudy>& studies) {
+report::Text finding(const Studies& studies) {
     double off = 0, regret = -1;
-    std::size_t levels = 0;
-    for (const PredictionStudy& study : studies) {
-        levels += study.levels.size();
-        for (const NoiseLevelStudy& level : study.levels) {
-            const OperatorStudy& clean = level.of(FlowOperator::clean);
-            off = std::max(off, deviation(clean.formula(), clean.measured));
-            const OperatorStudy& own = level.of(FlowOperator::noisy);
-            const RuleOutcome* rule = own.rule(by_stein_estimated);
-            if (rule != nullptr && own.minimum_reached()) regret = std::max(regret, rule->mean_regret());
-        }
+    for (const auto& [study, level] : levels_of(studies)) {
+        const OperatorStudy &clean = level.of(FlowOperator::clean), &own = level.of(FlowOperator::noisy);
+        off = std::max(off, deviation(clean.formula(), clean.measured));
+        const RuleOutcome* rule = own.rule(by_stein_estimated);
+        if (rule != nullptr && own.minimum_reached()) regret = std::max(regret, rule->mean_regret());
     }
     report::Text t =
-        report::text("The error of denoising with the clean operator was computed before any noise: ", readable_percent(off, 2),
-                     " at most from the mean of ", counted(studies.front().seeds, "noisy mesh", "noisy meshes"), " in ",
-                     counted(static_cast<int>(levels), "case"), ".");
-    if (regret >= 0)
-        report::extend(t, " A rule that sees the noisy mesh alone picks an iteration whose error is at most ", readable_percent(regret, 2),
-                       " above the smallest, in the mean.");
-    section.findings.push_back({std::move(t), 77});
+        words.say("finding", "off"_a = readable_percent(off, 2), "seeds"_a = studies.front().seeds, "cases"_a = levels_of(studies).size());
+    if (regret >= 0) go_on(t, words.say("finding.rule", "regret"_a = readable_percent(regret, 2)));
+    return t;
+}
+
+LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
+    if (settings.laboratory) return meshes_for(library, settings, {"cube", "lilium", "torus", "armadillo"}, section);
+    if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
+    return meshes_for(library, settings, {"cube", "lilium"}, section);
 }
 
 }   // namespace
@@ -89,35 +58,33 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("prediction");
-    LibraryMeshes meshes;
-    if (settings.laboratory) {
-        meshes = meshes_for(library, settings, {"cube", "lilium", "torus", "armadillo"}, section);
-    } else if (settings.quick) {
-        meshes = meshes_for(library, settings, {"cube"}, section);
-    } else {
-        meshes = meshes_for(library, settings, {"cube", "lilium"}, section);
-    }
-    add_formula_words(section);
-    add_rule_words(section);
+    const LibraryMeshes meshes = meshes_of(library, settings, section);
+    add_words(section, words, "method");
 
-    add_heading(section, "Results");
-    const auto studies = studies_of(meshes, "predicted denoising", settings, progress, section, prediction_study);
-    section.blocks.emplace_back(clean_prediction_table(studies));
-    for (const PredictionStudy& study : studies) section.blocks.emplace_back(clean_prediction_plot(study));
-    section.blocks.emplace_back(operator_prediction_table(studies));
+    add_words(section, words, "results");
+    const Studies studies = studies_of(meshes, "predicted denoising", settings, progress, section, prediction_study);
+    add(section, clean_prediction_table(studies));
+    for (const PredictionStudy& study : studies) add(section, clean_prediction_plot(study));
+    add(section, operator_prediction_table(studies));
     for (const PredictionStudy& study : studies) {
-        section.blocks.emplace_back(operator_prediction_plot(study, FlowOperator::noisy));
-        if (settings.laboratory) section.blocks.emplace_back(operator_prediction_plot(study, FlowOperator::rebuilt));
+        add(section, operator_prediction_plot(study, FlowOperator::noisy));
+        if (settings.laboratory) add(section, operator_prediction_plot(study, FlowOperator::rebuilt));
     }
-    section.blocks.emplace_back(why_table(studies));
-    section.blocks.emplace_back(rule_table(studies));
+    add(section, why_table(studies));
+    add(section, rule_table(studies));
     add_discussion(section, studies);
-    append_checks(section, prediction_checks(studies));
-    add_parameters(section, studies, settings);
-    section.extent = "expected error and best iteration on " + listed(names_of(studies)) + " beside the mean of " +
-                     counted(studies.front().seeds, "seed") +
-                     ", with three operators; a rule that stops without the clean mesh, and its regret";
-    add_finding(section, studies);
+    add_checks(section, studies);
+    section.findings.push_back({finding(studies), 77});
+
+    const PredictionStudy& first = studies.front();
+    std::vector<std::string> levels;
+    for (const NoiseLevelStudy& level : first.levels) levels.push_back(readable_percent(level.sigma, 2));
+    section.parameters = {{"noise", words.line("parameter.noise", "levels"_a = listed(levels))},
+                          {"seeds", std::to_string(first.seeds)},
+                          {"seed", std::to_string(settings.seed)}};
+    for (const PredictionStudy& study : studies)
+        section.parameters["λ on " + study.name()] = plain_text(study.lambda * study.diagonal * study.diagonal, 6);
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)), "seeds"_a = first.seeds);
     return answer;
 }
 

@@ -57,7 +57,7 @@ void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, 
     const auto add = [&](std::string_view name, auto choose) { study.rules.push_back(rule_outcome(name, runs, seeds, choose)); };
     add(by_stein, [&](std::size_t s) { return runs[s].risk.best(sigma); });
     const auto estimated = [&](std::size_t s) { return results.estimates[s].sigma; };
-    const bool known = std::all_of(results.estimates.begin(), results.estimates.end(), [](const NoiseLevel& e) { return e.sigma > 0; });
+    const bool known = std::ranges::all_of(results.estimates, [](const NoiseLevel& e) { return e.sigma > 0; });
     if (!known) return;
     add(by_stein_estimated, [&](std::size_t s) { return runs[s].risk.best(estimated(s)); });
     add(by_discrepancy, [&](std::size_t s) { return runs[s].risk.by_discrepancy(estimated(s)); });
@@ -117,32 +117,30 @@ double distance(const ExpectedError& expected, double factor, double sigma, int 
 }   // namespace
 
 double deviation(const PredictedCurve& predicted, const MeasuredCurve& measured) {
-    double largest = 0;
+    double farthest = 0;
     for (Eigen::Index t = 0; t < measured.square.size(); ++t) {
         if (!(measured.square[t] > 0)) continue;
-        largest = std::max(largest, std::abs(std::sqrt(std::max(predicted.square[t], 0.0) / measured.square[t]) - 1));
+        farthest = std::max(farthest, std::abs(std::sqrt(std::max(predicted.square[t], 0.0) / measured.square[t]) - 1));
     }
-    return largest;
+    return farthest;
 }
 
 double RuleOutcome::mean_chosen() const { return mean_of(chosen); }
 double RuleOutcome::mean_regret() const { return mean_of(regret); }
-double RuleOutcome::worst_regret() const { return regret.empty() ? std::nan("") : *std::max_element(regret.begin(), regret.end()); }
+double RuleOutcome::worst_regret() const { return regret.empty() ? std::nan("") : *std::ranges::max_element(regret); }
 
 const PredictedCurve* OperatorStudy::prediction(std::string_view name) const {
-    const auto it = std::find_if(predictions.begin(), predictions.end(), [&](const PredictedCurve& p) { return p.name == name; });
+    const auto it = std::ranges::find(predictions, name, &PredictedCurve::name);
     return it == predictions.end() ? nullptr : &*it;
 }
 
 const RuleOutcome* OperatorStudy::rule(std::string_view name) const {
-    const auto it = std::find_if(rules.begin(), rules.end(), [&](const RuleOutcome& r) { return r.name == name; });
+    const auto it = std::ranges::find(rules, name, &RuleOutcome::name);
     return it == rules.end() ? nullptr : &*it;
 }
 
 const PredictedCurve& OperatorStudy::closest() const {
-    return *std::min_element(predictions.begin(), predictions.end(), [&](const PredictedCurve& a, const PredictedCurve& b) {
-        return deviation(a, measured) < deviation(b, measured);
-    });
+    return *std::ranges::min_element(predictions, {}, [&](const PredictedCurve& p) { return deviation(p, measured); });
 }
 
 double NoiseLevelStudy::mean_sigma_ratio() const { return mean_of(sigma_ratio); }
@@ -177,7 +175,7 @@ PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, cons
         iterations.push_back(std::min(extent.iterations, std::max(8, 4 * best + 4)));
     }
     const Work work{settings, extent, flow, topology, difference_in_edges * study.mean_edge};
-    const int longest = *std::max_element(iterations.begin(), iterations.end());
+    const int longest = *std::ranges::max_element(iterations);
     const FirstOrder own = first_order(work, FlowOperator::noisy, longest);
     const FirstOrder rebuilt = first_order(work, FlowOperator::rebuilt, std::min(longest, extent.rebuilt_iterations));
     const std::vector<LevelResults> results = results_of_levels(work, iterations);
@@ -208,6 +206,32 @@ StandardDistance standard_distance(const PredictionStudy& study, const NoiseLeve
     };
     return {of(study.prediction.vertices, measured.square, measured.square_error),
             of(study.prediction.mass, measured.mass, measured.mass_error)};
+}
+
+double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level) {
+    const ExpectedError& expected = study.prediction.mass;
+    const Vector predicted = expected.squared(level.sigma) / expected.weight_sum, &measured = level.of(FlowOperator::clean).measured.mass;
+    double farthest = 0;
+    for (Eigen::Index t = 0; t < measured.size(); ++t) farthest = std::max(farthest, std::abs(std::sqrt(predicted[t] / measured[t]) - 1));
+    return farthest;
+}
+
+ErrorAccount error_account(const NoiseLevelStudy& level) {
+    const OperatorStudy& own = level.of(FlowOperator::noisy);
+    const MeasuredCurve& clean = level.of(FlowOperator::clean).measured;
+    const Vector &measured = own.measured.square, &formula = own.formula().square, &draws = own.prediction(by_draws)->square;
+    Eigen::Index t = 0;
+    (formula.cwiseQuotient(measured).array().log().abs()).maxCoeff(&t);
+    const double noise = 3 * level.sigma * level.sigma, variance = level.sigma * level.sigma;
+    return {.iteration = static_cast<int>(t),
+            .formula = formula[t] / noise,
+            .numbers = (draws[t] - formula[t]) / noise,
+            .knowledge = (measured[t] - draws[t]) / noise,
+            .measured = measured[t] / noise,
+            .along_own = own.measured.along[t] / (2 * variance),
+            .along_clean = clean.along[t] / (2 * variance),
+            .across_own = (measured[t] - own.measured.along[t]) / variance,
+            .across_clean = (clean.square[t] - clean.along[t]) / variance};
 }
 
 }   // namespace meshfolio::prediction

@@ -3,6 +3,7 @@
 /// and rules that choose the iteration without the clean mesh.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -98,12 +99,28 @@ PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, cons
 /// together; `factor` is what σ is multiplied by in the formula, which is wrong unless it is 1.
 struct StandardDistance {
     double vertices = 0, mass = 0;
+    double larger() const { return std::max(vertices, mass); }
 };
 StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor = 1);
+/// Largest deviation of the expected from the measured error weighted by area, relative to the measured one [1]; clean operator, over all
+/// iterations.
+double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
+
+/// Where the formula is farthest from what was measured: the mean squared error in shares of that of the noise, 3σ².
+struct ErrorAccount {
+    int iteration = 0;
+    double formula = 0;     // with the clean mesh's operator
+    double numbers = 0;     // more, because the operator has other numbers: those of other noisy meshes
+    double knowledge = 0;   // more, because it is made from the same noise that it smooths
+    double measured = 0;    // the sum of the three
+    /// Squared error along the clean surface over that of the noise, 2σ², and across it over σ².
+    double along_own = 0, along_clean = 0, across_own = 0, across_clean = 0;
+};
+ErrorAccount error_account(const NoiseLevelStudy& level);
 
 /// Names of predictions and rules.
 inline constexpr std::string_view by_formula = "formula, clean operator", by_draws = "formula, operators of other draws",
                                   by_derivative = "first order in the noise", by_stein = "Stein, σ known", by_stein_estimated = "Stein, σ̂",
-                                  by_fixed_operator = "Stein, σ̂, operator held fixed", by_discrepancy = "discrepancy, σ̂";
+                                  by_fixed_operator = "Stein, σ̂, held fixed", by_discrepancy = "discrepancy, σ̂";
 
 }   // namespace meshfolio::prediction
