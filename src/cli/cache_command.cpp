@@ -26,7 +26,7 @@ ExitCode run_cache(const std::string& action) {
 
 Command cache_command(CLI::App& parent) {
     const auto action = std::make_shared<std::string>("show");
-    Options app(parent, "cache", "Where answers of earlier reports are kept, and how large that is");
+    CommandOptions app(parent, "cache", "Where answers of earlier reports are kept, and how large that is");
     app.choice("ACTION", *action, {"show", "clear"}, "show, or clear: remove them all");
     app.footer(
         "It is $XDG_CACHE_HOME/meshfolio, of at most MESHFOLIO_CACHE_LIMIT megabytes (2048); what was used longest ago goes first.\n"

@@ -105,29 +105,30 @@ void complain_about(const SettingsErrors& errors) {
 
 }   // namespace
 
-Options::Options(CLI::App& parent, const std::string& command, const std::string& purpose)
+CommandOptions::CommandOptions(CLI::App& parent, const std::string& command, const std::string& purpose)
     : app_(parent.add_subcommand(command, purpose)) {}
 
-void Options::text(const std::string& names, std::string& value, const std::string& help) {
+void CommandOptions::text(const std::string& names, std::string& value, const std::string& help) {
     CLI::Option* option = app_->add_option(names, value, help);
     if (!value.empty()) option->capture_default_str();
 }
 
-void Options::required(const std::string& names, std::string& value, const std::string& help) {
+void CommandOptions::required(const std::string& names, std::string& value, const std::string& help) {
     app_->add_option(names, value, help)->required();
 }
 
-void Options::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help) {
+void CommandOptions::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices,
+                            const std::string& help) {
     app_->add_option(names, value, help)->capture_default_str()->check(CLI::IsMember(choices));
 }
 
-void Options::texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
+void CommandOptions::texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
     app_->add_option(names, values, help)->allow_extra_args(!names.starts_with('-'));
 }
 
-void Options::flag(const std::string& names, bool& value, const std::string& help) { app_->add_flag(names, value, help); }
+void CommandOptions::flag(const std::string& names, bool& value, const std::string& help) { app_->add_flag(names, value, help); }
 
-void Options::footer(const std::string& text) { app_->footer(text); }
+void CommandOptions::footer(const std::string& text) { app_->footer(text); }
 
 int run(int argc, const char* const* argv) {
     try {

@@ -72,7 +72,7 @@ Command compare_command(CLI::App& parent) {
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    Options app(parent, "compare", "Errors between two meshes with the same triangles, in model units");
+    CommandOptions app(parent, "compare", "Errors between two meshes with the same triangles, in model units");
     app.required("A", options->a, "the reference");
     app.required("B", options->b, "the other");
     app.flag("--json", options->json, "for programs");

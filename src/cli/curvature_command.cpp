@@ -79,7 +79,7 @@ Command curvature_command(CLI::App& parent) {
         bool jets = false;
     };
     const auto options = std::make_shared<Options>();
-    Options app(parent, "curvature", "Areas and curvatures of every vertex as CSV");
+    CommandOptions app(parent, "curvature", "Areas and curvatures of every vertex as CSV");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.text("--area", options->area, "barycentric, voronoi or mixed");
     app.text("--operator", options->laplacian, "adds the mean curvature by another operator, as h_<its name>: " + operator_names());

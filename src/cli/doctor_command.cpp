@@ -107,7 +107,7 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
 
 Command doctor_command(CLI::App& parent) {
     const auto json = std::make_shared<bool>(false);
-    Options app(parent, "doctor", "What was found on this machine, and what is missing");
+    CommandOptions app(parent, "doctor", "What was found on this machine, and what is missing");
     app.flag("--json", *json, "for programs");
     app.footer("Example: meshfolio doctor");
     return {app, [json] {

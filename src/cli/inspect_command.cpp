@@ -212,7 +212,7 @@ Command inspect_command(CLI::App& parent) {
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    Options app(parent, "inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
+    CommandOptions app(parent, "inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.text("--operator", options->laplacian, "whose largest stable step: " + operator_names());
     app.flag("--json", options->json, "for programs");

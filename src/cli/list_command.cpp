@@ -49,7 +49,7 @@ std::string list_text(const nlohmann::ordered_json& json) {
 
 Command list_command(CLI::App& parent) {
     const auto json = std::make_shared<bool>(false);
-    Options app(parent, "list", "Questions, meshes, colour maps, samples");
+    CommandOptions app(parent, "list", "Questions, meshes, colour maps, samples");
     app.flag("--json", *json, "for programs");
     app.footer("Example: meshfolio list --json");
     return {app, [json] {

@@ -16,7 +16,7 @@ Command noise_command(CLI::App& parent) {
         std::string mesh, output, sigma, unit = "raw", seed = "1";
     };
     const auto options = std::make_shared<Options>();
-    Options app(parent, "noise", "Seeded Gaussian noise on every vertex");
+    CommandOptions app(parent, "noise", "Seeded Gaussian noise on every vertex");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.required("-o,--output", options->output, "OBJ, OFF or PLY");
     app.required("--sigma", options->sigma, "standard deviation of each coordinate");

@@ -13,9 +13,9 @@ namespace meshfolio::cli {
 
 /// Puts what follows a command into variables of its own, which must outlive the parsing. Names are CLI11's: "MESH" is a place,
 /// "-o,--output" an option. A variable that is not empty keeps its value as the default, which the help shows.
-class Options {
+class CommandOptions {
 public:
-    Options(CLI::App& parent, const std::string& command, const std::string& purpose);
+    CommandOptions(CLI::App& parent, const std::string& command, const std::string& purpose);
 
     void text(const std::string& names, std::string& value, const std::string& help);
     void required(const std::string& names, std::string& value, const std::string& help);

@@ -225,7 +225,7 @@ std::string other_curvatures() {
 
 Command render_command(CLI::App& parent) {
     const auto options = std::make_shared<RenderFlags>();
-    Options app(parent, "render", "Pictures of a mesh from six directions, and a contact sheet");
+    CommandOptions app(parent, "render", "Pictures of a mesh from six directions, and a contact sheet");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.text("--out", options->out, "folder for +x.png … -z.png and sheet.png");
     app.text("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");

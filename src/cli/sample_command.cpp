@@ -14,7 +14,7 @@ Command sample_command(CLI::App& parent) {
         bool list = false;
     };
     const auto options = std::make_shared<Options>();
-    Options app(parent, "sample", "A bundled procedural mesh");
+    CommandOptions app(parent, "sample", "A bundled procedural mesh");
     app.text("NAME", options->name, "see --list");
     app.text("-o,--output", options->output, "OBJ, OFF or PLY");
     app.text("--subdivide", options->subdivide, "extra 1-to-4 subdivisions, 0 to " + std::to_string(most_subdivisions));

@@ -144,7 +144,7 @@ ExitCode run_smooth(const SmoothFlags& options) {
 
 Command smooth_command(CLI::App& parent) {
     const auto options = std::make_shared<SmoothFlags>();
-    Options app(parent, "smooth", "One Laplacian smoothing run");
+    CommandOptions app(parent, "smooth", "One Laplacian smoothing run");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.required("-o,--output", options->output, "OBJ, OFF or PLY");
     app.text("--scheme", options->scheme, "explicit, implicit or taubin");

@@ -115,7 +115,7 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
 
 Command spectrum_command(CLI::App& parent) {
     const auto options = std::make_shared<SpectrumFlags>();
-    Options app(parent, "spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
+    CommandOptions app(parent, "spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.required("-k", options->k, "how many eigenpairs, 1 to 100000");
     app.text("--area", options->area, "barycentric, voronoi or mixed");

@@ -80,7 +80,7 @@ extern const Chapter chapter{
     .id = "stability",
     .code = {{"stability_certificate", "src/geometry/smoothing/stability_certificate.cpp"},
              {"definiteness", "src/geometry/spectrum/definiteness.cpp"},
-             {"enclose_largest", "src/geometry/spectrum/engine/eigenvalue_enclosure.cpp"},
+             {"enclose_largest", "src/geometry/spectrum/eigenvalue_enclosure.cpp"},
              {"largest_eigenvalue", "src/geometry/spectrum/stability.cpp"},
              {"mode_growth", "src/geometry/smoothing/mode_growth.cpp"},
              {"LimitWatch", "src/geometry/smoothing/limit_watch.h"},
