@@ -33,7 +33,7 @@ void for_each_estimator(Row row) {
     }
 }
 
-std::vector<Cell> row_of(Quantity quantity, std::size_t estimator) { return {symbol(quantity), estimators_of(quantity)[estimator].name}; }
+std::vector<Cell> row_of(Quantity quantity, std::size_t estimator) { return {symbol(quantity), estimators_of(quantity)[estimator].name()}; }
 
 // ---- how an error behaves ---------------------------------------------------------------------------------------------
 
@@ -145,9 +145,9 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
         }
         const bool given_normals = estimator.key == "corrected_exact";
         plot.series.push_back(
-            error_series(estimator.name, history, given_normals ? report::Series::Style::dashed : report::Series::Style::line_and_points));
+            error_series(estimator.name(), history, given_normals ? report::Series::Style::dashed : report::Series::Style::line_and_points));
         plot.series.back().color = plot.series.back().pattern = int(place - shown.begin());   // the same in the plots of H and of K
-        plot.alt += " " + estimator.name + ": " + readable_percent(history.errors.back(), 2) + " at the finest, order " +
+        plot.alt += " " + estimator.name() + ": " + readable_percent(history.errors.back(), 2) + " at the finest, order " +
                     words_of(truth.order(run, quantity, e)) + ".";
     }
     return plot;

@@ -29,7 +29,7 @@ report::Table ground_truth_table(const GroundTruth& truth) {
                 const FittedOrder l2 = truth.order(run, quantity, e), linf = truth.order(run, quantity, e, &EstimateError::linf);
                 for (std::size_t level = 0; level < run.levels.size(); ++level) {
                     const EstimateError& error = run.error(quantity, e, level);
-                    table.rows.push_back({std::string(quantity == Quantity::H ? "H" : "K"), estimators_of(quantity)[e].name, run.surface,
+                    table.rows.push_back({std::string(quantity == Quantity::H ? "H" : "K"), estimators_of(quantity)[e].name(), run.surface,
                                           std::string(name_of(run.kind)), double(run.levels[level].vertices), run.levels[level].mean_edge,
                                           error.l2, error.linf, double(error.undefined), cell_of(l2.order), cell_of(l2.standard_error),
                                           cell_of(linf.order), cell_of(linf.standard_error)});
