@@ -89,6 +89,11 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
     return error;
 }
 
+std::string with_decimals(double x, int decimals) {
+    char text[400];   // the largest double has 309 digits
+    return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
+}
+
 }   // namespace
 
 const std::vector<Estimator>& estimators_of(Quantity quantity) {
@@ -206,15 +211,6 @@ std::shared_ptr<const GroundTruth> shared_ground_truth(const QuestionSettings& s
     if (!truth) truth = std::make_shared<const GroundTruth>(ground_truth(settings.seed, settings.quick, progress));
     return truth;
 }
-
-namespace {
-
-std::string with_decimals(double x, int decimals) {
-    char text[400];   // the largest double has 309 digits
-    return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
-}
-
-}   // namespace
 
 std::string words_of(const FittedOrder& order) {
     if (std::isnan(order.order)) return "exact";

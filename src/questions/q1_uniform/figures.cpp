@@ -7,14 +7,14 @@ namespace {
 
 /// A quantity that all meshes show on one colour range.
 struct Shown {
-    std::string key;   // of its words, and the end of its figures' names
-    const char* unit;
+    std::string key;   // the end of its figures' names
+    const char *title, *caption, *unit;
     Vector (*values)(const MeshCurvature&);
 };
 
 const Shown shown[]{
-    {"h", "% of mean edge", [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
-    {"k", "", [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
+    {"h", "h.title", "h.caption", "% of mean edge", [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
+    {"k", "k.title", "k.caption", "", [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
 };
 
 }   // namespace
@@ -27,14 +27,14 @@ void add_figures(Answer& answer, const Meshes& meshes) {
             const std::string& name = c.subject.name();
             panels.push_back(panel_of(*c.subject.source, "q1_" + name + "_" + quantity.key, name, quantity.values(c)));
         }
-        const std::string title = words.line(quantity.key + ".title");
+        const std::string title = words.line(quantity.title);
         const auto range = output::robust_range(equally_weighted(panels), "diverging", title, quantity.unit, 0.1);
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             const CurvatureSubject& s = meshes[i].subject;
             add_figure(answer, {.id = panels[i].name,
                                 .title = title,
                                 .subtitle = subtitle_of(*s.source),
-                                .caption = words.line(quantity.key + ".caption", "mesh"_a = s.name(), "shared"_a = shared,
+                                .caption = words.line(quantity.caption, "mesh"_a = s.name(), "shared"_a = shared,
                                                       "undefined"_a = undefined_words(s)),
                                 .panels = {panels[i]},
                                 .range = range_for(range, {panels[i]}),

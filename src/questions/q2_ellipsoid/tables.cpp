@@ -142,7 +142,7 @@ report::Table discrete_table(const Tip& exact, const DiscreteTips& tips) {
         std::string name;
         std::vector<DiscreteTip> levels;
     };
-    const std::vector<Mesh> meshes{{words.line("discrete.grid"), tips.grid}, {"stretched icosphere", tips.icosphere}};
+    const std::vector<Mesh> meshes{{words.line("discrete.grid"), tips.grid}, {words.line("discrete.icosphere"), tips.icosphere}};
     const std::string caption =
         words.line("discrete", "axes"_a = axes_text(exact.ellipsoid), "H"_a = readable(exact.H, 5), "K"_a = readable(exact.K, 5));
     return table("q2_discrete", caption, parts_within(meshes, &Mesh::levels))
