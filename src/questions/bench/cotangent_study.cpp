@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/curvature/curvature.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
@@ -114,7 +115,7 @@ ErrorHistory scaled_uniform_H(const CotangentRefinement& refinement) {
     return refinement.history([](const CotangentErrors& level) { return level.uniform.l2; });
 }
 
-double pentagon_excess() { return 3 / std::tan(54 * M_PI / 180) / (2 * std::sin(72 * M_PI / 180)) - 1; }
+double pentagon_excess() { return 3 / std::tan(54 * pi / 180) / (2 * std::sin(72 * pi / 180)) - 1; }
 
 CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source) {
     CotangentComparison c;
@@ -137,9 +138,10 @@ CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source)
         opposite += c.uniform[i] * c.cotangent[i] < 0 ? 1 : 0;
     }
     c.sign_change = both == 0 ? 0 : double(opposite) / both;
-    c.variants = {variant_of(c.subject, "½ Σ cot (used)", {}, c.cotangent),
-                  variant_of(c.subject, "mean over opposite vertices", {.opposite = CotangentOptions::OppositeVertices::mean}, c.cotangent),
-                  variant_of(c.subject, "negative weights clamped", {.clamp_negative = true}, c.cotangent)};
+    c.variants = {variant_of(c.subject, curvature_words.line("variant.half_sum"), {}, c.cotangent),
+                  variant_of(c.subject, curvature_words.line("variant.opposite_mean"),
+                             {.opposite = CotangentOptions::OppositeVertices::mean}, c.cotangent),
+                  variant_of(c.subject, curvature_words.line("variant.clamped"), {.clamp_negative = true}, c.cotangent)};
     return c;
 }
 

@@ -97,18 +97,18 @@ bool converges(const ErrorHistory& history) { return history.order() >= convergi
 
 std::string trend(const ErrorHistory& history) {
     const double order = history.order();
-    const std::string from = readable_percent(history.first()), to = readable_percent(history.last());
-    const std::string of_order = " (order " + readable(order, 2) + ")";
-    if (converges(history)) return "falls from " + from + " to " + to + of_order;
-    if (order <= -converging_order) return "grows from " + from + " to " + to + of_order;
-    return "goes from " + from + " to " + to + " without converging" + of_order;
+    return curvature_words.line(converges(history)           ? "trend.falls"
+                                : order <= -converging_order ? "trend.grows"
+                                                             : "trend.stays",
+                                "from"_a = readable_percent(history.first()), "to"_a = readable_percent(history.last()),
+                                "order"_a = readable(order, 2));
 }
 
 std::string grade(double relative_error) {
-    if (relative_error < 0.01) return "good";
-    if (relative_error < 0.05) return "fair";
-    if (relative_error < 0.2) return "rough";
-    return "useless";
+    return curvature_words.line(relative_error < 0.01   ? "grade.good"
+                                : relative_error < 0.05 ? "grade.fair"
+                                : relative_error < 0.2  ? "grade.rough"
+                                                        : "grade.useless");
 }
 
 report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style) {
@@ -118,10 +118,8 @@ report::Series error_series(std::string name, const ErrorHistory& history, repor
 }
 
 std::string undefined_words(const CurvatureSubject& subject) {
-    const int undefined = subject.source->prepared->preflight.vertices_in_use - subject.interior;
-    if (undefined == 0) return "";
-    return " " + counted(undefined, "vertex", "vertices") + " on the boundary or not manifold, where it is undefined, " +
-           (undefined == 1 ? "is" : "are") + " drawn in the colour for undefined values.";
+    const int masked = subject.source->prepared->preflight.vertices_in_use - subject.interior;
+    return masked == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = masked);
 }
 
 output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor) {

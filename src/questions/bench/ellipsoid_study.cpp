@@ -5,16 +5,20 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "geometry/curvature/analytic_surfaces.h"
 #include "geometry/curvature/curvature.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
+#include "questions/bench/known_surfaces.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
-std::string axes_text(const Ellipsoid& e) { return "a = " + readable(e.a) + ", b = " + readable(e.b) + ", c = " + readable(e.c); }
+std::string axes_text(const Ellipsoid& e) {
+    return curvature_words.line("axes", "a"_a = readable(e.a), "b"_a = readable(e.b), "c"_a = readable(e.c));
+}
 
 Vector3 axes_of(const Ellipsoid& e) { return {e.a, e.b, e.c}; }
 
@@ -24,8 +28,8 @@ namespace {
 OracleErrors oracle_errors(const Ellipsoid& ellipsoid, int points, NormalNumbers& random) {
     OracleErrors errors{ellipsoid, 0, 0, 0, 0, points};
     for (int i = 0; i < points; ++i) {
-        const double u = 2 * M_PI * random.uniform();
-        const double v = 0.1 + (M_PI - 0.2) * random.uniform();
+        const double u = 2 * pi * random.uniform();
+        const double v = 0.1 + (pi - 0.2) * random.uniform();
         const FundamentalForms exact = ellipsoid_forms(ellipsoid, u, v);
         const FundamentalForms differences = ellipsoid_forms_by_differences(ellipsoid, u, v);
         const auto deviation = [](const Eigen::Matrix2d& A, const Eigen::Matrix2d& B) {
@@ -61,7 +65,7 @@ TriangleMesh tip_patch(const Ellipsoid& ellipsoid, int n) {
     TriangleMesh mesh = grid_mesh(n, n, 1, 1);
     for (int i = 0; i < mesh.vertex_count(); ++i) {
         // x runs along v and y along u, which turns the normal p_u × p_v outwards.
-        mesh.X.row(i) = ellipsoid_point(ellipsoid, mesh.X(i, 1) - 0.5, M_PI / 2 + mesh.X(i, 0) - 0.5).transpose();
+        mesh.X.row(i) = ellipsoid_point(ellipsoid, mesh.X(i, 1) - 0.5, pi / 2 + mesh.X(i, 0) - 0.5).transpose();
     }
     return mesh;
 }
@@ -78,27 +82,27 @@ std::vector<OracleErrors> all_oracle_errors(const QuestionSettings& settings) {
 }
 
 Tip tip_of(const Ellipsoid& ellipsoid) {
-    Tip tip{ellipsoid, ellipsoid_forms(ellipsoid, 0, M_PI / 2), {}};
+    Tip tip{ellipsoid, ellipsoid_forms(ellipsoid, 0, pi / 2), {}};
     tip.principal = principal_curvatures(tip.forms);
     tip.H = mean_curvature(tip.forms);
     tip.K = gaussian_curvature(tip.forms);
     for (int i = 0; i < 360; ++i) {
-        const double t = i * M_PI / 180;
+        const double t = i * pi / 180;
         // At the tip p_u = (0, b, 0) and p_v = (0, 0, −c): the unit tangent at angle t from +y has these parameters.
         const Eigen::Vector2d unit(std::cos(t) / ellipsoid.b, -std::sin(t) / ellipsoid.c), raw(std::cos(t), std::sin(t));
         tip.worst_euler = std::max(tip.worst_euler, std::abs(normal_curvature(tip.forms, unit) / tip_curvature_by_angle(ellipsoid, t) - 1));
         tip.worst_parameters =
             std::max(tip.worst_parameters, std::abs(normal_curvature(tip.forms, raw) / tip_curvature_by_parameters(ellipsoid, t) - 1));
     }
-    tip.at_45_angle = tip_curvature_by_angle(ellipsoid, M_PI / 4);
-    tip.at_45_parameters = tip_curvature_by_parameters(ellipsoid, M_PI / 4);
+    tip.at_45_angle = tip_curvature_by_angle(ellipsoid, pi / 4);
+    tip.at_45_parameters = tip_curvature_by_parameters(ellipsoid, pi / 4);
     return tip;
 }
 
 std::vector<PoleStep> towards_the_pole(const Ellipsoid& ellipsoid) {
     std::vector<PoleStep> steps;
     for (const double distance : {0.5, 0.1, 1e-2, 1e-3, 1e-4}) {
-        const FundamentalForms forms = ellipsoid_forms(ellipsoid, 0, M_PI - distance);
+        const FundamentalForms forms = ellipsoid_forms(ellipsoid, 0, pi - distance);
         steps.push_back({distance, forms.I.determinant(), gaussian_curvature(forms)});
     }
     return steps;

@@ -7,19 +7,18 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/corrected_curvature.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/curvature/jet_fit.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "questions/core/section_tools.h"
+#include "questions/bench/uniform_curvature_study.h"
 
 namespace meshfolio {
 
 namespace {
-
-constexpr std::array area_forms{AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed};
 
 /// Errors below this are rounding and have no order.
 constexpr double rounding = 1e-9;
@@ -90,36 +89,41 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
     return error;
 }
 
+std::string with_decimals(double x, int decimals) {
+    char text[400];   // the largest double has 309 digits
+    return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
+}
+
 }   // namespace
 
 const std::vector<Estimator>& estimators_of(Quantity quantity) {
-    static const std::vector<Estimator> of_H{{"uniform", "uniform ½‖Δx‖ · 4/h²"},
-                                             {"uniform_n", "uniform −½Δx·n · 4/h²"},
-                                             {"barycentric", "cotangent ½‖Δx‖, barycentric"},
-                                             {"barycentric_n", "cotangent −½Δx·n, barycentric"},
-                                             {"voronoi", "cotangent ½‖Δx‖, Voronoi"},
-                                             {"voronoi_n", "cotangent −½Δx·n, Voronoi"},
-                                             {"mixed", "cotangent ½‖Δx‖, mixed"},
-                                             {"mixed_n", "cotangent −½Δx·n, mixed"},
-                                             {"jet", "jet of degree 3, two rings"},
-                                             {"corrected_area", "corrected, area-weighted normals"},
-                                             {"corrected_angle", "corrected, angle-weighted normals"},
-                                             {"corrected_max", "corrected, normals of Max"},
-                                             {"corrected_exact", "corrected, exact normals"}};
-    static const std::vector<Estimator> of_K{{"barycentric", "angle deficit, barycentric"},
-                                             {"voronoi", "angle deficit, Voronoi"},
-                                             {"mixed", "angle deficit, mixed"},
-                                             {"jet", "jet of degree 3, two rings"},
-                                             {"corrected_area", "corrected, area-weighted normals"},
-                                             {"corrected_angle", "corrected, angle-weighted normals"},
-                                             {"corrected_max", "corrected, normals of Max"},
-                                             {"corrected_exact", "corrected, exact normals"}};
+    static const std::vector<Estimator> of_H{{"uniform", "uniform"},
+                                             {"uniform_n", "uniform.along_normal"},
+                                             {"barycentric", "cotangent.barycentric"},
+                                             {"barycentric_n", "cotangent.barycentric.along_normal"},
+                                             {"voronoi", "cotangent.voronoi"},
+                                             {"voronoi_n", "cotangent.voronoi.along_normal"},
+                                             {"mixed", "cotangent.mixed"},
+                                             {"mixed_n", "cotangent.mixed.along_normal"},
+                                             {"jet", "jet"},
+                                             {"corrected_area", "corrected.area"},
+                                             {"corrected_angle", "corrected.angle"},
+                                             {"corrected_max", "corrected.max"},
+                                             {"corrected_exact", "corrected.exact"}};
+    static const std::vector<Estimator> of_K{{"barycentric", "deficit.barycentric"},
+                                             {"voronoi", "deficit.voronoi"},
+                                             {"mixed", "deficit.mixed"},
+                                             {"jet", "jet"},
+                                             {"corrected_area", "corrected.area"},
+                                             {"corrected_angle", "corrected.angle"},
+                                             {"corrected_max", "corrected.max"},
+                                             {"corrected_exact", "corrected.exact"}};
     return quantity == Quantity::H ? of_H : of_K;
 }
 
 std::size_t estimator_index(Quantity quantity, const std::string& key) {
     const auto& estimators = estimators_of(quantity);
-    const auto found = std::find_if(estimators.begin(), estimators.end(), [&](const Estimator& e) { return e.key == key; });
+    const auto found = std::ranges::find(estimators, key, &Estimator::key);
     if (found == estimators.end()) throw std::logic_error("no estimator " + key);
     return static_cast<std::size_t>(found - estimators.begin());
 }
@@ -157,7 +161,7 @@ FittedOrder order_with_error(const std::vector<double>& mean_edges, const std::v
 }
 
 const PanelRun& GroundTruth::run(const std::string& surface, MeshKind kind) const {
-    const auto found = std::find_if(runs.begin(), runs.end(), [&](const PanelRun& r) { return r.surface == surface && r.kind == kind; });
+    const auto found = std::ranges::find_if(runs, [&](const PanelRun& r) { return r.surface == surface && r.kind == kind; });
     if (found == runs.end()) throw std::logic_error("no run on the " + surface);
     return *found;
 }
@@ -208,21 +212,18 @@ std::shared_ptr<const GroundTruth> shared_ground_truth(const QuestionSettings& s
     return truth;
 }
 
-namespace {
-
-std::string with_decimals(double x, int decimals) {
-    char text[400];   // the largest double has 309 digits
-    return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
-}
-
-}   // namespace
-
 std::string words_of(const FittedOrder& order) {
     if (std::isnan(order.order)) return "exact";
     const std::string sign = order.order < -0.005 ? "−" : "", size = with_decimals(std::abs(order.order), 2);
     if (std::isnan(order.standard_error)) return sign + size;
     if (order.standard_error < 0.0005) return sign + size + "\u202f±\u202f<\u202f0.001";
     return sign + size + "\u202f±\u202f" + with_decimals(order.standard_error, order.standard_error < 0.01 ? 3 : 2);
+}
+
+std::string error_and_order(const GroundTruth& truth, const std::string& surface, MeshKind kind, Quantity quantity,
+                            const std::string& key) {
+    return curvature_words.line("error_and_order", "error"_a = readable_percent(truth.finest(surface, kind, quantity, key).l2, 2),
+                                "order"_a = words_of(truth.order(surface, kind, quantity, key)));
 }
 
 }   // namespace meshfolio

@@ -17,8 +17,9 @@ inline std::string symbol(Quantity quantity) { return quantity == Quantity::H ? 
 
 /// The estimators of H and of K, in the order of all tables.
 struct Estimator {
-    std::string key;    // "jet", for looking up
-    std::string name;   // "jet, degree 3"
+    std::string key;                                                   // "mixed", for looking up
+    std::string words;                                                 // "cotangent.mixed", its message
+    std::string name() const { return curvature_words.line(words); }   // "cotangent ½‖Δx‖, mixed"
 };
 const std::vector<Estimator>& estimators_of(Quantity quantity);
 
@@ -80,6 +81,9 @@ std::size_t estimator_index(Quantity quantity, const std::string& key);
 
 /// "1.98 ± 0.01", or "exact" where there is none for the error being rounding.
 std::string words_of(const FittedOrder& order);
+
+/// "27.6 % (order 0.03 ± 0.01)": L2 on the finest mesh, and its order.
+std::string error_and_order(const GroundTruth& truth, const std::string& surface, MeshKind kind, Quantity quantity, const std::string& key);
 
 /// What must come out, as named checks.
 std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);

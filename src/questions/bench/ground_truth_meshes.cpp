@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/curvature/test_surfaces.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/edge_flips.h"
 #include "mesh/samples/random_sphere.h"
@@ -33,7 +34,7 @@ TriangleMesh stretched_sphere(int level, const Vector3& half_axes) {
 }
 
 Vector3 around_axis(double turns, double radius, double z) {
-    return {radius * std::cos(2 * M_PI * turns), radius * std::sin(2 * M_PI * turns), z};
+    return {radius * std::cos(2 * pi * turns), radius * std::sin(2 * pi * turns), z};
 }
 
 Vector3 radial(const Vector3& p) { return Vector3(p.x(), p.y(), 0).normalized(); }
@@ -43,12 +44,12 @@ Vector3 radial(const Vector3& p) { return Vector3(p.x(), p.y(), 0).normalized();
 TruthSurface ellipsoid_band(KnownSurface ellipsoid, const Vector3& axes) {
     const auto mesh = [axes](int around, int along) {
         return parameter_mesh(around, along + 1, true, [&](double s, double t) {
-            const double v = M_PI * (0.75 - 0.5 * t);
+            const double v = pi * (0.75 - 0.5 * t);
             return Vector3(axes.cwiseProduct(around_axis(s, std::sin(v), std::cos(v))));
         });
     };
     ellipsoid.name = "ellipsoid band";
-    ellipsoid.dimensions += ", 45° to 135° from z";
+    ellipsoid.dimensions = curvature_words.line("dimensions.ellipsoid_band");
     ellipsoid.mesh_at = [=](int level) { return mesh(8 << level, 2 << level); };
     return {std::move(ellipsoid), [=](int level) { return mesh(4 << level, 4 << level); }};
 }
@@ -58,7 +59,7 @@ TruthSurface cylinder() {
         return parameter_mesh(around, along + 1, true,
                               [](double s, double t) { return around_axis(s, cylinder_r, cylinder_length * (t - 0.5)); });
     };
-    return {{"cylinder", "r = 1, length 4", [=](int level) { return mesh(4 << level, 3 << level); },
+    return {{"cylinder", curvature_words.line("dimensions.cylinder"), [=](int level) { return mesh(4 << level, 3 << level); },
              [](const Vector3& p) { return Vector3(cylinder_r * radial(p) + p.z() * Vector3::UnitZ()); }, radial,
              [](const Vector3&) { return cylinder_curvature(cylinder_r); }},
             [=](int level) { return mesh(2 << level, 6 << level); }};
@@ -71,7 +72,7 @@ TruthSurface catenoid() {
             return around_axis(s, catenoid_c * std::cosh(z / catenoid_c), z);
         });
     };
-    return {{"catenoid", "c = 1, length 3", [=](int level) { return mesh(4 << level, 2 << level); },
+    return {{"catenoid", curvature_words.line("dimensions.catenoid"), [=](int level) { return mesh(4 << level, 2 << level); },
              [](const Vector3& p) { return Vector3(catenoid_c * std::cosh(p.z() / catenoid_c) * radial(p) + p.z() * Vector3::UnitZ()); },
              [](const Vector3& p) { return catenoid_normal(catenoid_c, p); },
              [](const Vector3& p) { return catenoid_curvature(catenoid_c, p); }},
@@ -83,7 +84,7 @@ TruthSurface saddle() {
     const auto mesh = [=](int nx, int ny) {
         return parameter_mesh(nx + 1, ny + 1, false, [=](double s, double t) { return lifted({2 * s - 1, 2 * t - 1, 0}); });
     };
-    return {{"saddle", "z = 0.6x² − 0.4y², |x|, |y| ≤ 1", [=](int level) { return mesh(4 << level, 4 << level); }, lifted,
+    return {{"saddle", curvature_words.line("dimensions.saddle"), [=](int level) { return mesh(4 << level, 4 << level); }, lifted,
              [](const Vector3& p) { return graph.normal_at(p); }, [](const Vector3& p) { return graph.curvature_at(p); }},
             [=](int level) { return mesh(8 << level, 2 << level); }};
 }

@@ -18,14 +18,14 @@ constexpr double torus_R = 1, torus_r = 0.4;
 
 KnownSurface known_sphere() {
     const auto radial = [](const Vector3& p) { return Vector3(p.normalized()); };
-    return {"sphere", "R = 1", [](int level) { return icosphere(level); },
-            radial,   radial,  [](const Vector3&) { return sphere_curvature(1); }};
+    return {"sphere", curvature_words.line("dimensions.sphere"),         [](int level) { return icosphere(level); }, radial,
+            radial,   [](const Vector3&) { return sphere_curvature(1); }};
 }
 
 KnownSurface known_ellipsoid() {
     const Vector3 axes(1.5, 1.0, 0.75);
     return {"ellipsoid",
-            "half axes 1.5, 1 and 0.75",
+            curvature_words.line("dimensions.ellipsoid"),
             [axes](int level) { return ellipsoid_mesh(level, axes); },
             [axes](const Vector3& p) { return Vector3(p / p.cwiseQuotient(axes).norm()); },
             [axes](const Vector3& p) { return Vector3(p.cwiseQuotient(axes.cwiseAbs2()).normalized()); },
@@ -35,7 +35,7 @@ KnownSurface known_ellipsoid() {
 KnownSurface known_torus() {
     const auto tube_centre = [](const Vector3& p) { return Vector3(torus_R * Vector3(p.x(), p.y(), 0).normalized()); };
     return {"torus",
-            "R = 1, r = 0.4",
+            curvature_words.line("dimensions.torus"),
             [](int level) { return torus_mesh(4 << level, 2 << level, torus_R, torus_r); },
             [=](const Vector3& p) { return Vector3(tube_centre(p) + torus_r * (p - tube_centre(p)).normalized()); },
             [=](const Vector3& p) { return Vector3((p - tube_centre(p)).normalized()); },

@@ -9,8 +9,12 @@
 
 #include "geometry/curvature/analytic_surfaces.h"
 #include "mesh/mesh_topology.h"
+#include "report/words.h"
 
 namespace meshfolio {
+
+/// What the questions on curvature share.
+inline constexpr report::Words curvature_words("curvature");
 
 struct KnownSurface {
     std::string name;                                            // "torus"

@@ -3,9 +3,12 @@
 #include <utility>
 
 #include "geometry/curvature/curvature.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
 
 namespace meshfolio {
+
+double MeshCurvature::euler_from_angles() const { return deficit.sum() / (2 * pi); }
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
     MeshCurvature c;
@@ -38,7 +41,7 @@ UniformErrors uniform_errors(const SampledSurface& s) {
         e.K[form] = relative_error(K, s.K, s.areas);
         e.undefined[form] = summary_of(K).undefined;
     }
-    e.euler_from_angles = deficit.sum() / (2 * M_PI);
+    e.euler_from_angles = deficit.sum() / (2 * pi);
     e.euler = e.vertices - static_cast<int>(s.topology.edges.size()) + e.faces;
     return e;
 }
@@ -94,9 +97,9 @@ FlatMesh flat_mesh(const MeshCurvature& c) {
     for (int i = 0; i < c.deficit.size(); ++i) {
         if (!boundary(i)) continue;
         ++f.boundary_vertices;
-        f.turning += c.deficit[i] / (2 * M_PI);
+        f.turning += c.deficit[i] / (2 * pi);
         // π − Σθ is stored there; the interior formula would have 2π − Σθ.
-        if (c.areas[i] > 0) f.boundary_K = std::max(f.boundary_K, std::abs(c.deficit[i] + M_PI) / c.areas[i] * s.diagonal * s.diagonal);
+        if (c.areas[i] > 0) f.boundary_K = std::max(f.boundary_K, std::abs(c.deficit[i] + pi) / c.areas[i] * s.diagonal * s.diagonal);
     }
     return f;
 }

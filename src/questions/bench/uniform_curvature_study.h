@@ -24,7 +24,7 @@ struct MeshCurvature {
     Vector K;         // barycentric areas [1/length²]
     Vector areas;     // barycentric [length²]
     Vector deficit;   // [rad]
-    double euler_from_angles() const { return deficit.sum() / (2 * M_PI); }
+    double euler_from_angles() const;
 };
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source);

@@ -1,4 +1,3 @@
-// What question 1 says about its numbers.
 #include <algorithm>
 #include <cmath>
 
@@ -10,239 +9,180 @@ namespace meshfolio::q1_uniform {
 
 namespace {
 
-using report::math;
-using report::ref;
-
 /// Curvature × mean edge below this cannot be seen in any picture: coordinates written with six digits leave as much.
 constexpr double visible = 1e-4;
 
-std::string at_most(double x, const std::string& unit) { return x == 0 ? "exactly 0" : "at most " + readable(x, 2) + " " + unit; }
+report::Text about_length(const UniformRefinement& sphere) {
+    const UniformErrors& coarse = sphere.second_finest();
+    const UniformErrors& fine = sphere.finest();
+    return words.say("length", "coarse_vertices"_a = coarse.vertices, "fine_vertices"_a = fine.vertices,
+                     "coarse"_a = readable(coarse.mean_length), "fine"_a = readable(fine.mean_length),
+                     "times"_a = readable(coarse.mean_length / fine.mean_length));
+}
 
-report::Text flat_mesh_words(const FlatMesh& f) {
+/// "on the sphere it falls from …; on the ellipsoid it …" over the refinements of one triangulation.
+std::string trends(const Refinements& refinements, Triangulation triangulation, bool gaussian) {
+    std::string told;
+    for (const UniformRefinement& r : refinements) {
+        if (r.triangulation != triangulation) continue;
+        told += (told.empty() ? "" : "; ") +
+                words.line("trends.surface", "surface"_a = r.surface.name, "trend"_a = trend(errors_of(r, gaussian)));
+    }
+    return told;
+}
+
+/// How much of the error of uniform H is the part of Δx along the surface.
+report::Text about_tangential_part(const Refinements& refinements) {
+    std::vector<std::string> errors, drifting, others;
+    for (const UniformRefinement& r : refinements) {
+        const std::string place =
+            words.line("tangential.place", "triangulation"_a = name_of(r.triangulation), "surface"_a = r.surface.name);
+        const double whole = r.finest().H.l2, normal_part = r.finest().normal_part.l2;
+        errors.push_back(words.line(errors.empty() ? "tangential.first" : "tangential.next",
+                                    "normal_part"_a = readable_percent(normal_part, 2), "whole"_a = readable_percent(whole, 2),
+                                    "place"_a = place));
+        (normal_part < 0.5 * whole ? drifting : others).push_back(place);
+    }
+    const char* key = drifting.empty() ? "tangential.nowhere" : others.empty() ? "tangential.everywhere" : "tangential.partly";
+    return report::text(words.say("tangential", "errors"_a = listed(errors)), " ",
+                        words.say(key, "drifting"_a = listed(drifting), "others"_a = listed(others)));
+}
+
+/// The worst error at the finest level over the three surfaces.
+double worst(const Refinements& refinements, Triangulation triangulation, bool gaussian) {
+    double error = 0;
+    for (const UniformRefinement& r : refinements)
+        if (r.triangulation == triangulation) error = std::max(error, errors_of(r, gaussian).last());
+    return error;
+}
+
+/// Of every surface the area form with the smallest error of K, beside that with the largest.
+std::string best_areas(const Refinements& refinements, Triangulation triangulation) {
+    std::vector<std::string> told;
+    for (const UniformRefinement& r : refinements) {
+        if (r.triangulation != triangulation) continue;
+        const auto& K = r.finest().K;
+        const auto name = [&](const FieldError& error) { return area_name(area_forms[static_cast<std::size_t>(&error - K.data())]); };
+        const FieldError& best = *std::ranges::min_element(K, {}, &FieldError::l2);
+        const FieldError& last = *std::ranges::max_element(K, {}, &FieldError::l2);
+        told.push_back(words.line("areas.best", "best"_a = name(best), "surface"_a = r.surface.name, "least"_a = readable_percent(best.l2),
+                                  "most"_a = readable_percent(last.l2), "worst"_a = name(last)));
+    }
+    return listed(told);
+}
+
+report::Text about_areas(const Refinements& refinements) {
+    int without = 0;
+    for (const UniformRefinement& r : refinements) without += r.finest().undefined[voronoi];
+    return words.say("areas", "regular"_a = best_areas(refinements, Triangulation::regular),
+                     "jittered"_a = best_areas(refinements, Triangulation::jittered),
+                     "undefined"_a = without > 0 ? words.line("areas.undefined", "vertices"_a = without) : "");
+}
+
+report::Text about_gauss_bonnet(const AngleSums& sums, const Refinements& refinements) {
+    const auto applicable = std::ranges::count_if(sums, &AngleSum::applies);
+    const bool all = applicable == std::ssize(sums);
+    const double rms = worst(refinements, Triangulation::jittered, true);
+    double pointwise = 0;
+    for (const UniformRefinement& r : refinements)
+        if (r.triangulation == Triangulation::jittered) pointwise = std::max(pointwise, r.finest().K[barycentric].linf);
+    return words.say(rms > 0.01 ? "euler.pointwise" : "euler",
+                     "meshes"_a = words.line(all ? "euler.all" : "euler.some", "meshes"_a = applicable),
+                     "gap"_a = readable(euler_gap(sums), 2), "rms"_a = readable_percent(rms), "pointwise"_a = readable_percent(pointwise));
+}
+
+report::Text about_flat(const FlatMesh& f) {
     const CurvatureSubject& s = f.curvature->subject;
-    report::Text t = report::text("The mesh ", s.name(), " is flat, so H and K are zero on it");
-    if (s.interior > 0) {
-        report::extend(t, "; at its ", counted(s.interior, "inner vertex", "inner vertices"), " the angle deficit is ",
-                       at_most(f.deficit, "rad"), " and the normal part of ", math("Δx"), " ", at_most(f.normal_part, "mean edges"));
-        if (f.drift < visible) {
-            report::extend(t, ", and as every inner ring is symmetric, ", math("½‖Δx‖"), " is ", at_most(f.drift, "mean edges"), " too");
-        } else {
-            report::extend(t, ", but ", math("½‖Δx‖"), " reaches ", readable(f.drift, 2),
-                           " mean edges there: the uniform Laplacian of an asymmetric ring points along the plane, and its length is read "
-                           "as curvature");
-        }
-    }
-    report::extend(t, ". ");
-    if (f.boundary_vertices > 0) {
-        report::extend(t, "Whatever a picture of it shows comes from its ",
-                       counted(f.boundary_vertices, "boundary vertex", "boundary vertices"), ": unmasked, they would read up to ",
-                       readable(f.boundary_length, 2), " mean edges of ", math("½‖Δx‖"), " and ", readable(f.boundary_K, 3), " of ",
-                       math("K·d²"), ". Their ", math("π − Σθ"), " (at most ", readable(f.largest_turning, 3),
-                       " rad) is the turning of the boundary and adds up to ", readable(f.turning, 4), " full turns.");
-    }
+    const auto at_most = [](double x, const char* unit) {
+        return x == 0 ? words.line("flat.exactly") : words.line("flat.at_most", "value"_a = readable(x, 2), "unit"_a = unit);
+    };
+    const bool symmetric = f.drift < visible;
+    report::Text t = words.say(s.interior == 0 ? "flat.all_boundary"
+                               : symmetric     ? "flat.symmetric"
+                                               : "flat.asymmetric",
+                               "mesh"_a = s.name(), "vertices"_a = s.interior, "deficit"_a = at_most(f.deficit, "rad"),
+                               "normal_part"_a = at_most(f.normal_part, "mean edges"),
+                               "drift"_a = symmetric ? at_most(f.drift, "mean edges") : readable(f.drift, 2));
+    if (f.boundary_vertices > 0)
+        report::extend(t, " ",
+                       words.say("flat.boundary", "vertices"_a = f.boundary_vertices, "length"_a = readable(f.boundary_length, 2),
+                                 "K"_a = readable(f.boundary_K, 3), "largest_turning"_a = readable(f.largest_turning, 3),
+                                 "turning"_a = readable(f.turning, 4)));
     return t;
 }
 
-/// The share of inner vertices where K < 0, and the spread of h² over the mesh, in words.
-report::Text mesh_words(const MeshCurvature& c) {
+/// The share of inner vertices where K < 0, and the spread of h² over the mesh.
+report::Text about_curved(const MeshCurvature& c) {
     const CurvatureSubject& s = c.subject;
     const ValueSummary H = summary_of(c.H), K = summary_of(c.K);
-    if (H.count == 0) {
-        return report::text("On ", s.name(), " every vertex lies on the boundary or is not manifold: no curvature is defined anywhere.");
-    }
-    int negative = 0;
+    if (H.count == 0) return words.say("curved.nothing", "mesh"_a = s.name());
     double low = INFINITY, high = 0;
     const Vector h2 = mean_squared_ring_edge(s.mesh(), s.topology());
     for (int i = 0; i < c.K.size(); ++i) {
-        negative += c.K[i] < 0 ? 1 : 0;
         if (!std::isfinite(c.H[i])) continue;
         low = std::min(low, h2[i]);
         high = std::max(high, h2[i]);
     }
-    report::Text t = report::text("On ", s.name(), " the median of H (scaled) is ", readable(H.median), " and of K ", readable(K.median),
-                                  " in units of the mesh; K is negative at ", readable_percent(double(negative) / std::max(1, K.count), 2),
-                                  " of the ", std::to_string(K.count), " vertices that have one.");
+    const auto negative = double((c.K.array() < 0).count());
+    report::Text t = words.say("curved", "mesh"_a = s.name(), "H"_a = readable(H.median), "K"_a = readable(K.median),
+                               "negative"_a = readable_percent(negative / std::max(1, K.count), 2), "vertices"_a = K.count);
     if (low > 0) {
         const double spread = high / low;
-        report::extend(t, " The squared ring edge varies ", readable(spread, 2), "-fold over it, ");
-        if (spread < 1.5) {
-            report::extend(t, "so there the raw ", math("½‖Δx‖"), " and the scaled H tell the same story.");
-        } else {
-            report::extend(t, "and the raw ", math("½‖Δx‖"), " of two vertices with equal H by as much.");
-        }
+        report::extend(t, " ", words.say(spread < 1.5 ? "curved.even_edges" : "curved.uneven_edges", "spread"_a = readable(spread, 2)));
     }
     return t;
 }
 
-report::Text length_words(const UniformRefinement& sphere) {
-    const UniformErrors& coarse = sphere.second_finest();
-    const UniformErrors& fine = sphere.finest();
-    return report::text("As the assignment writes it, ", math("½‖Δx‖"), " is a length: from ", std::to_string(coarse.vertices), " to ",
-                        std::to_string(fine.vertices), " vertices its mean on the unit sphere falls from ", readable(coarse.mean_length),
-                        " to ", readable(fine.mean_length), ", ", readable(coarse.mean_length / fine.mean_length),
-                        "-fold, though H = 1 throughout. Times ", math("4/h²"),
-                        " it becomes a curvature that can be held against the closed form.");
-}
-
-/// "on the sphere it falls from …, on the ellipsoid …" over the refinements of one triangulation.
-report::Text trends(const std::vector<UniformRefinement>& refinements, Triangulation triangulation, bool gaussian) {
-    report::Text t;
-    for (const UniformRefinement& r : refinements) {
-        if (r.triangulation != triangulation) continue;
-        report::extend(t, t.empty() ? "on the " : "; on the ", r.surface.name, " it ", trend(gaussian ? deficit_K(r) : uniform_H(r)));
-    }
-    return t;
-}
-
-/// How much of the error of uniform H is the part of Δx along the surface.
-report::Text tangential_words(const std::vector<UniformRefinement>& refinements) {
-    report::Text t =
-        report::text("The norm ", math("‖Δx‖"), " also counts the part of ", math("Δx"),
-                     " along the surface, which has nothing to do with curvature. With the normal part alone the error would be ");
-    std::vector<std::string> parts, drifting, others;
-    for (const UniformRefinement& r : refinements) {
-        const std::string place = "the " + std::string(name_of(r.triangulation)) + " " + r.surface.name;
-        const double with = r.finest().H.l2, without = r.finest().normal_part.l2;
-        parts.push_back(readable_percent(without, 2) + (parts.empty() ? " instead of " : " for ") + readable_percent(with, 2) + " on " +
-                        place);
-        (without < 0.5 * with ? drifting : others).push_back(place);
-    }
-    report::extend(t, listed(parts), " (", ref("q1_errors"), "). ");
-    if (!drifting.empty()) report::extend(t, "It is less than half, so most of the error is tangential drift, on ", listed(drifting));
-    if (!drifting.empty() && !others.empty()) report::extend(t, "; it is not on ", listed(others));
-    report::extend(t, drifting.empty() ? "Nowhere is it less than half, so the drift is not what spoils the estimate." : ".");
-    return t;
-}
-
-/// Worst finest error over the three surfaces.
-double worst(const std::vector<UniformRefinement>& refinements, Triangulation triangulation, bool gaussian) {
-    double error = 0;
-    for (const UniformRefinement& r : refinements) {
-        if (r.triangulation == triangulation) error = std::max(error, gaussian ? deficit_K(r).last() : uniform_H(r).last());
-    }
-    return error;
-}
-
-report::Text area_words(const std::vector<UniformRefinement>& refinements) {
-    report::Text t = report::text("The area decides how K is normalised. ");
-    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
-        std::vector<std::string> parts;
-        for (const UniformRefinement& r : refinements) {
-            if (r.triangulation != triangulation) continue;
-            std::size_t best = 0, last = 0;
-            for (std::size_t form = 1; form < area_forms.size(); ++form) {
-                if (r.finest().K[form].l2 < r.finest().K[best].l2) best = form;
-                if (r.finest().K[form].l2 > r.finest().K[last].l2) last = form;
-            }
-            parts.push_back(area_name(area_forms[best]) + " on the " + r.surface.name + " (" + readable_percent(r.finest().K[best].l2) +
-                            " against " + readable_percent(r.finest().K[last].l2) + " with " + area_name(area_forms[last]) + ")");
-        }
-        report::extend(t, "The smallest L2 error on ", name_of(triangulation), " meshes is that of ", listed(parts), ". ");
-    }
-    std::array<int, 3> undefined{};
-    for (const UniformRefinement& r : refinements) {
-        for (std::size_t form = 0; form < area_forms.size(); ++form) undefined[form] += r.finest().undefined[form];
-    }
-    report::extend(t,
-                   "Barycentric areas are used here for figures and statistics because they are positive wherever triangles have area and "
-                   "add up to the surface");
-    if (undefined[1] > 0)
-        report::extend(t, "; the Voronoi form has ", counted(undefined[1], "vertex", "vertices"), " of area ≤ 0 on these meshes");
-    report::extend(t, " (", ref("q1_area_forms_l2"), ").");
-    return t;
-}
-
-report::Text gauss_bonnet_words(const std::vector<AngleSum>& sums, const std::vector<UniformRefinement>& refinements) {
-    double gap = 0;
-    int applicable = 0;
-    for (const AngleSum& s : sums) {
-        if (!s.applies) continue;
-        ++applicable;
-        gap = std::max(gap, std::abs(s.measured - s.euler));
-    }
-    const double rms = worst(refinements, Triangulation::jittered, true);
-    double pointwise = 0;
-    for (const UniformRefinement& r : refinements) {
-        if (r.triangulation == Triangulation::jittered) pointwise = std::max(pointwise, r.finest().K.front().linf);
-    }
-    report::Text t = report::text("Summed up, the angle deficit gives the Euler characteristic of ",
-                                  applicable == static_cast<int>(sums.size()) ? "all " : "", counted(applicable, "mesh", "meshes"), " to ",
-                                  readable(gap, 2), " (", ref("q1_gauss_bonnet"), ")");
-    if (rms > 0.01) {
-        report::extend(t, ", also where K is off by up to ", readable_percent(rms), " (L2), at single vertices by up to ",
-                       readable_percent(pointwise), " (", ref("q1_errors"), "): the total is exact, its distribution is not");
-    }
-    report::extend(t, ".");
-    return t;
+/// What the panel of all estimators adds: surfaces and meshes this question does not look at.
+report::Text about_panel(const GroundTruth& truth) {
+    const auto H = [&](MeshKind kind) { return error_and_order(truth, "ellipsoid", kind, Quantity::H, "uniform"); };
+    const auto K = [&](MeshKind kind) { return error_and_order(truth, "ellipsoid", kind, Quantity::K, "barycentric"); };
+    const std::size_t uniform = estimator_index(Quantity::H, "uniform");
+    const auto converging = std::ranges::count_if(
+        truth.runs, [&](const PanelRun& run) { return !(truth.order(run, Quantity::H, uniform).order < 0.5); });   // exact: NaN
+    return words.say("panel", "runs"_a = truth.runs.size(), "converging"_a = converging, "H_regular"_a = H(MeshKind::regular),
+                     "H_random"_a = H(MeshKind::random), "H_anisotropic"_a = H(MeshKind::anisotropic), "K_regular"_a = K(MeshKind::regular),
+                     "K_random"_a = K(MeshKind::random), "K_anisotropic"_a = K(MeshKind::anisotropic));
 }
 
 /// "6.8 to 24 times as large".
 std::string times_as_large(const JitterFactors& factors) {
     const std::string least = readable(factors.least, 2), most = readable(factors.most, 2);
-    return (least == most ? least : least + " to " + most) + " times as large";
+    return least == most ? words.line("verdict.as_large", "times"_a = least)
+                         : words.line("verdict.as_large.range", "least"_a = least, "most"_a = most);
 }
 
-report::Text verdict(const std::vector<UniformRefinement>& refinements) {
-    const double h_regular = worst(refinements, Triangulation::regular, false),
-                 h_jittered = worst(refinements, Triangulation::jittered, false);
-    const double k_regular = worst(refinements, Triangulation::regular, true),
-                 k_jittered = worst(refinements, Triangulation::jittered, true);
-    report::Text t = report::text(report::strong("Is this a good approximation? "), "On regular triangulations uniform H is ",
-                                  grade(h_regular), " (worst L2 error at the finest level ", readable_percent(h_regular), ") and K ",
-                                  grade(k_regular), " (", readable_percent(k_regular),
-                                  "). After a jitter along the surface, which leaves the surface as it was, H is ", grade(h_jittered), " (",
-                                  readable_percent(h_jittered), ") and K ", grade(k_jittered), " (", readable_percent(k_jittered), ").");
+report::Text verdict(const Refinements& refinements) {
+    const auto error = [&](Triangulation triangulation, bool gaussian) { return worst(refinements, triangulation, gaussian); };
+    const double H_regular = error(Triangulation::regular, false), H_jittered = error(Triangulation::jittered, false);
+    const double K_regular = error(Triangulation::regular, true), K_jittered = error(Triangulation::jittered, true);
     const JitterFactors H = jitter_factors(refinements, false), K = jitter_factors(refinements, true);
-    report::extend(t, " Surface by surface the error became ", times_as_large(H), " for H and ", times_as_large(K), " for K (",
-                   ref("q1_errors"), "): ",
-                   H.matter() && K.matter() ? "both depend on the triangulation, not only on the surface."
-                   : H.matter()             ? "H depends on the triangulation, not only on the surface."
-                   : K.matter()             ? "K depends on the triangulation, not only on the surface."
-                                            : "the triangulation matters little here.");
-    return t;
-}
-
-/// What the panel of all estimators adds: surfaces and meshes this question does not look at.
-report::Text panel_words(const GroundTruth& truth) {
-    using Kind = MeshKind;
-    const auto told = [&](Quantity quantity, Kind kind, const char* estimator) {
-        return readable_percent(truth.finest("ellipsoid", kind, quantity, estimator).l2, 2) + " (order " +
-               words_of(truth.order("ellipsoid", kind, quantity, estimator)) + ")";
-    };
-    const std::size_t uniform = estimator_index(Quantity::H, "uniform");
-    int converging = 0;
-    for (const PanelRun& run : truth.runs) converging += truth.order(run, Quantity::H, uniform).order < 0.5 ? 0 : 1;   // exact: NaN
-    return report::text("The ground-truth panel (", ref("truth"), ") widens this to ",
-                        counted(static_cast<int>(truth.runs.size()), "sequence"), " of refined meshes: scaled uniform H converges on ",
-                        std::to_string(converging), " of them (", ref("truth_overview"), "). On the ellipsoid its L2 error is ",
-                        told(Quantity::H, Kind::regular, "uniform"), " on regular, ", told(Quantity::H, Kind::random, "uniform"),
-                        " on random and ", told(Quantity::H, Kind::anisotropic, "uniform"),
-                        " on anisotropic triangles; that of K with barycentric areas ", told(Quantity::K, Kind::regular, "barycentric"),
-                        ", ", told(Quantity::K, Kind::random, "barycentric"), " and ", told(Quantity::K, Kind::anisotropic, "barycentric"),
-                        " (", ref("truth_errors_regular_l2"), ", ", ref("truth_errors_random_l2"), " and ",
-                        ref("truth_errors_anisotropic_l2"), ", each followed by its orders).");
+    const char* key = H.matter() && K.matter() ? "verdict.both" : H.matter() ? "verdict.h" : K.matter() ? "verdict.k" : "verdict.neither";
+    return words.say("verdict", "H_regular"_a = readable_percent(H_regular), "H_regular_grade"_a = grade(H_regular),
+                     "K_regular"_a = readable_percent(K_regular), "K_regular_grade"_a = grade(K_regular),
+                     "H_jittered"_a = readable_percent(H_jittered), "H_jittered_grade"_a = grade(H_jittered),
+                     "K_jittered"_a = readable_percent(K_jittered), "K_jittered_grade"_a = grade(K_jittered),
+                     "H_times"_a = times_as_large(H), "K_times"_a = times_as_large(K), "verdict"_a = words.line(key));
 }
 
 }   // namespace
 
-void add_discussion(report::Section& section, const std::vector<MeshCurvature>& meshes, const std::vector<UniformRefinement>& refinements,
-                    const std::vector<AngleSum>& sums, const std::vector<FlatMesh>& flat, const GroundTruth& truth) {
-    add_heading(section, "Discussion: is this a good approximation?");
-    section.blocks.push_back(report::Paragraph{length_words(refinements.front())});
-    for (const bool gaussian : {false, true}) {
-        add_paragraph(section, gaussian ? "K" : "Uniform H",
-                      ", L2 error over the three finest levels, regular meshes: ", trends(refinements, Triangulation::regular, gaussian),
-                      ". With jittered vertices: ", trends(refinements, Triangulation::jittered, gaussian), ".");
-    }
-    section.blocks.push_back(report::Paragraph{tangential_words(refinements)});
-    section.blocks.push_back(report::Paragraph{area_words(refinements)});
-    section.blocks.push_back(report::Paragraph{gauss_bonnet_words(sums, refinements)});
-    for (const FlatMesh& f : flat) section.blocks.push_back(report::Paragraph{flat_mesh_words(f)});
-    for (const MeshCurvature& c : meshes) {
-        if (!c.subject.plane_normal) section.blocks.push_back(report::Paragraph{mesh_words(c)});
-    }
-    section.blocks.push_back(report::Paragraph{panel_words(truth)});
-    section.blocks.push_back(report::Paragraph{verdict(refinements)});
+void add_discussion(report::Section& section, const Meshes& meshes, const Refinements& refinements, const AngleSums& sums,
+                    const std::vector<FlatMesh>& flat, const GroundTruth& truth) {
+    add_words(section, words, "discussion");
+    add_paragraph(section, about_length(refinements.front()));
+    for (const bool gaussian : {false, true})
+        add_paragraph(section, words.say("trends", "quantity"_a = gaussian ? "K" : "Uniform H",
+                                         "regular"_a = trends(refinements, Triangulation::regular, gaussian),
+                                         "jittered"_a = trends(refinements, Triangulation::jittered, gaussian)));
+    add_paragraph(section, about_tangential_part(refinements));
+    add_paragraph(section, about_areas(refinements));
+    add_paragraph(section, about_gauss_bonnet(sums, refinements));
+    for (const FlatMesh& f : flat) add_paragraph(section, about_flat(f));
+    for (const MeshCurvature& c : meshes)
+        if (!c.subject.plane_normal) add_paragraph(section, about_curved(c));
+    add_paragraph(section, about_panel(truth));
+    add_paragraph(section, verdict(refinements));
 }
 
 }   // namespace meshfolio::q1_uniform

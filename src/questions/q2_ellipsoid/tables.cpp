@@ -1,0 +1,159 @@
+#include <cmath>
+
+#include "base/number_text.h"
+#include "geometry/linear/special_values.h"
+#include "questions/core/table.h"
+#include "questions/q2_ellipsoid/parts.h"
+
+namespace meshfolio::q2_ellipsoid {
+
+namespace {
+
+/// A row of the table of forms.
+struct Place {
+    double u, v;   // over π
+    Vector3 p = {};
+    FundamentalForms forms = {};
+    PrincipalCurvatures principal = {};
+};
+
+std::vector<Place> places_on(const Ellipsoid& ellipsoid) {
+    std::vector<Place> places{{0, 0.5}, {0.5, 0.5}, {1, 0.5}, {0.25, 0.5}, {0, 0.25}, {0.25, 0.25}, {0.7, 0.8}};
+    for (Place& place : places) {
+        place.p = ellipsoid_point(ellipsoid, pi * place.u, pi * place.v);
+        place.forms = ellipsoid_forms(ellipsoid, pi * place.u, pi * place.v);
+        place.principal = principal_curvatures(place.forms);
+    }
+    return places;
+}
+
+/// The columns a, b and c, of rows that have an ellipsoid.
+template <class Builder>
+void add_axes(Builder& table) {
+    table.column("a", {.unit = "length"}, [](auto& row) { return row.ellipsoid.a; })
+        .column("b", {.unit = "length"}, [](auto& row) { return row.ellipsoid.b; })
+        .column("c", {.unit = "length"}, [](auto& row) { return row.ellipsoid.c; });
+}
+
+report::Series curve_of(const Ellipsoid& ellipsoid, double (*curvature)(const Ellipsoid&, double), std::string name,
+                        report::Series::Style style) {
+    report::Series series{.name = std::move(name), .style = style};
+    for (int i = 0; i <= 240; ++i) {
+        series.x.push_back(i / 120.0);
+        series.y.push_back(curvature(ellipsoid, i * pi / 120));
+    }
+    return series;
+}
+
+/// The places of the extrema are those of the sampled curve, not of the formula.
+std::vector<report::Marker> extrema_of(const report::Series& curve) {
+    std::vector<report::Marker> extrema;
+    const std::size_t n = curve.y.size() - 1;   // the last point repeats the first
+    for (std::size_t i = 0; i <= n; ++i) {
+        const double before = curve.y[(i + n - 1) % n], here = curve.y[i], after = curve.y[(i + 1) % n];
+        const bool maximum = here > before && here > after, minimum = here < before && here < after;
+        if (!maximum && !minimum) continue;
+        const std::string place = curve.x[i] == 0 ? "0" : readable(curve.x[i], 2) + "π";
+        extrema.push_back(
+            {curve.x[i], here,
+             words.line(maximum ? "tip_curves.maximum" : "tip_curves.minimum", "value"_a = readable(here, 4), "place"_a = place)});
+    }
+    return extrema;
+}
+
+}   // namespace
+
+report::Table forms_table(const Ellipsoid& ellipsoid) {
+    using Form = Eigen::Matrix2d FundamentalForms::*;
+    const auto entry = [](Form form, int i, int j) { return [=](const Place& place) { return (place.forms.*form)(i, j); }; };
+    const auto rounded = [](auto number_of) { return [=](const Place& place) { return without_rounding(number_of(place)); }; };
+    const auto coordinate = [=](int i) { return rounded([=](const Place& place) { return place.p[i]; }); };
+    return table("q2_forms", words.line("forms", "axes"_a = axes_text(ellipsoid)), places_on(ellipsoid))
+        .column("u/π", &Place::u)
+        .column("v/π", &Place::v)
+        .column("x", {.unit = "length"}, coordinate(0))
+        .column("y", {.unit = "length"}, coordinate(1))
+        .column("z", {.unit = "length"}, coordinate(2))
+        .column("E", {.unit = "length²", .digits = 4}, entry(&FundamentalForms::I, 0, 0))
+        .column("F", {.unit = "length²", .digits = 4}, rounded(entry(&FundamentalForms::I, 0, 1)))
+        .column("G", {.unit = "length²", .digits = 4}, rounded(entry(&FundamentalForms::I, 1, 1)))
+        .column("e", {.unit = "length", .digits = 4}, entry(&FundamentalForms::II, 0, 0))
+        .column("f", {.unit = "length", .digits = 4}, entry(&FundamentalForms::II, 0, 1))
+        .column("g", {.unit = "length", .digits = 4}, entry(&FundamentalForms::II, 1, 1))
+        .column("κ₁", {.unit = "1/length", .digits = 4}, [](auto& place) { return place.principal.minimum; })
+        .column("κ₂", {.unit = "1/length", .digits = 4}, [](auto& place) { return place.principal.maximum; })
+        .column("H", {.unit = "1/length", .digits = 4}, [](auto& place) { return mean_curvature(place.forms); })
+        .column("K", {.unit = "1/length²", .digits = 4}, [](auto& place) { return gaussian_curvature(place.forms); });
+}
+
+report::Table tip_table(const std::vector<Tip>& tips) {
+    auto at_tip = table("q2_tip", words.line("tip"), tips);
+    add_axes(at_tip);
+    return at_tip.column("E", {.unit = "length²", .digits = 4}, [](auto& tip) { return tip.forms.I(0, 0); })
+        .column("G", {.unit = "length²", .digits = 4}, [](auto& tip) { return tip.forms.I(1, 1); })
+        .column("e", {.unit = "length", .digits = 4}, [](auto& tip) { return tip.forms.II(0, 0); })
+        .column("g", {.unit = "length", .digits = 4}, [](auto& tip) { return tip.forms.II(1, 1); })
+        .column("κ₁", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.minimum; })
+        .column("along", [](auto& tip) { return direction_text(tip.principal.minimum_direction); })
+        .column("κ₂", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.maximum; })
+        .column("along", [](auto& tip) { return direction_text(tip.principal.maximum_direction); })
+        .column("H", {.unit = "1/length", .digits = 4}, &Tip::H)
+        .column("K", {.unit = "1/length²", .digits = 4}, &Tip::K);
+}
+
+report::Plot tip_plot(const Tip& tip, const std::string& id) {
+    const Ellipsoid& e = tip.ellipsoid;
+    using enum report::Series::Style;
+    const auto by_angle = curve_of(e, tip_curvature_by_angle, words.line("tip_curves.angle"), line);
+    const auto by_parameters = curve_of(e, tip_curvature_by_parameters, words.line("tip_curves.parameters"), dashed);
+    const auto extrema = extrema_of(by_angle);
+    std::string told;
+    for (const report::Marker& marker : extrema) told += (told.empty() ? "" : "; ") + marker.label;
+    const ReadingGap largest = largest_gap(e);
+    return {.id = id,
+            .caption = words.line("tip_curves", "axes"_a = axes_text(e), "extrema"_a = told),
+            .alt = words.line("tip_curves.alt", "least"_a = readable(tip.principal.minimum), "largest"_a = readable(tip.principal.maximum),
+                              "gap"_a = readable(largest.gap), "degrees"_a = largest.degrees, "angle"_a = readable(tip.at_45_angle),
+                              "parameters"_a = readable(tip.at_45_parameters)),
+            .x_label = "direction θ [π rad]",
+            .y_label = "normal curvature κ_n [1/length]",
+            .series = {by_angle, by_parameters},
+            .markers = extrema};
+}
+
+report::Table oracle_table(const Oracles& oracles) {
+    auto deviations = table("q2_oracles", words.line("oracles", "points"_a = oracles.front().points), oracles);
+    add_axes(deviations);
+    return deviations.column("I", {.digits = 2}, &OracleErrors::I)
+        .column("II", {.digits = 2}, &OracleErrors::II)
+        .column("K", {.digits = 2}, &OracleErrors::K)
+        .column("H", {.digits = 2}, &OracleErrors::H);
+}
+
+report::Table pole_table(const Ellipsoid& ellipsoid, const PoleSteps& steps) {
+    return table("q2_pole", words.line("pole", "axes"_a = axes_text(ellipsoid)), steps)
+        .column("π − v", {.unit = "rad"}, &PoleStep::distance)
+        .column("EG − F²", {.unit = "length⁴", .digits = 4}, &PoleStep::area_element_squared)
+        .column("K", {.unit = "1/length²", .digits = 8}, &PoleStep::K);
+}
+
+report::Table discrete_table(const Tip& exact, const DiscreteTips& tips) {
+    struct Mesh {
+        std::string name;
+        std::vector<DiscreteTip> levels;
+    };
+    const std::vector<Mesh> meshes{{words.line("discrete.grid"), tips.grid}, {words.line("discrete.icosphere"), tips.icosphere}};
+    const std::string caption =
+        words.line("discrete", "axes"_a = axes_text(exact.ellipsoid), "H"_a = readable(exact.H, 5), "K"_a = readable(exact.K, 5));
+    return table("q2_discrete", caption, parts_within(meshes, &Mesh::levels))
+        .column("mesh", [](auto& row) { return row.whole.name; })
+        .column("vertices", [](auto& row) { return row.part.vertices; })
+        .column("mean edge", {.unit = "length"}, [](auto& row) { return row.part.mean_edge; })
+        .column("vertex to tip", {.unit = "length", .digits = 2}, [](auto& row) { return row.part.distance; })
+        .column("H", {.unit = "1/length", .digits = 5}, [](auto& row) { return row.part.H; })
+        .column("error of H", {.unit = "%", .best = smallest}, [](auto& row) { return 100 * row.part.H_error; })
+        .column("K", {.unit = "1/length²", .digits = 5}, [](auto& row) { return row.part.K; })
+        .column("error of K", {.unit = "%", .best = smallest}, [](auto& row) { return 100 * row.part.K_error; });
+}
+
+}   // namespace meshfolio::q2_ellipsoid
