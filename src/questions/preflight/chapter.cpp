@@ -161,10 +161,10 @@ void add_checks(report::Section& section, const Inspected& mesh) {
     const Preflight& p = mesh.counts();
     if (p.manifold()) {
         section.checks.push_back(
-            check_at_most(law::gauss_bonnet + on, gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
+            check_at_most(law::gauss_bonnet.name(on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
     }
     if (p.manifold() && p.orientable)
-        section.checks.push_back(check_near(law::half_edges + on, 0, repeated_half_edges(prepared.mesh.F), 0));
+        section.checks.push_back(check_near(law::half_edges.name(on), 0, repeated_half_edges(prepared.mesh.F), 0));
     constexpr double larger = 0x1p20, smaller = 0x1p-20;
     section.checks.push_back(
         check_at_most("place and size: change of C, areas, H and K, moved by 2²⁰ box diagonals and scaled by 2±²⁰" + on, 1e-12,
