@@ -60,9 +60,8 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 std::string consequences(const MeshFacts& facts) {
     std::string text;
     for (const auto& [defect, count] : preflight::defects_of(facts)) {
-        text += "  " + std::to_string(count) + " x " + std::string(defect->name) + "\n    affects " +
-                preflight::affected_for_people(*defect) + ": " + std::string(defect->breaks) + "\n    done: " + std::string(defect->done) +
-                "\n";
+        text += "  " + std::to_string(count) + " x " + defect->name() + "\n    affects " + preflight::affected_for_people(*defect) + ": " +
+                defect->breaks() + "\n    done: " + defect->done() + "\n";
     }
     return text.empty() ? "nothing found that affects a question\n" : "found\n" + text;
 }
@@ -125,11 +124,11 @@ ordered_json consequences_json(const MeshFacts& facts) {
     ordered_json list = ordered_json::array();
     for (const auto& [defect, count] : preflight::defects_of(facts)) {
         list.push_back({{"defect", defect->key},
-                        {"name", defect->name},
+                        {"name", defect->name()},
                         {"count", count},
                         {"affects", preflight::affected_questions(*defect)},
-                        {"breaks", defect->breaks},
-                        {"done", defect->done}});
+                        {"breaks", defect->breaks()},
+                        {"done", defect->done()}});
     }
     return list;
 }

@@ -4,34 +4,45 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/spectrum/spectrum_certificate.h"
 #include "report/document.h"
+#include "report/words.h"
 
 namespace meshfolio {
 
-/// The names of the checks, before " on <mesh>".
+inline constexpr report::Words spectral_words("spectra");
+
+/// What must hold. Its name is a message, before " on <mesh>".
+struct Law {
+    std::string_view key;
+
+    std::string name(const std::string& on = "") const { return spectral_words.line(key) + on; }
+    operator std::string() const { return name(); }
+};
+
 namespace law {
 // of an operator
-inline constexpr const char* symmetric = "C is symmetric: largest |C − Cᵀ| / largest |C|";
-inline constexpr const char* row_sums = "rows of C sum to 0: largest |row sum| / largest |C|";
-inline constexpr const char* energy = "Dirichlet energy of the positions / area = 1";
-inline constexpr const char* first_variation = "CX = −∇area: largest relative deviation at a vertex";
-inline constexpr const char* mass = "ΣM / area = 1";
-inline constexpr const char* semidefinite = "−C ⪰ 0: negative eigenvalues, by inertia";
+inline constexpr Law symmetric{"law.symmetric"};
+inline constexpr Law row_sums{"law.row_sums"};
+inline constexpr Law energy{"law.energy"};
+inline constexpr Law first_variation{"law.first_variation"};
+inline constexpr Law mass{"law.mass"};
+inline constexpr Law semidefinite{"law.semidefinite"};
 // of a surface
-inline constexpr const char* half_edges = "orientation: half-edges used more than once";
-inline constexpr const char* flux = "area vectors of a closed surface sum to 0: |Σ A n| / area";
-inline constexpr const char* outward = "normals point outwards: volume / box volume > 0";
-inline constexpr const char* gauss_bonnet = "Gauss–Bonnet: |Σ deficits / 2π − χ|";
+inline constexpr Law half_edges{"law.half_edges"};
+inline constexpr Law flux{"law.flux"};
+inline constexpr Law outward{"law.outward"};
+inline constexpr Law gauss_bonnet{"law.gauss_bonnet"};
 // of a spectrum
-inline constexpr const char* residual = "largest eigenpair residual";
-inline constexpr const char* orthonormal = "‖ΦᵀMΦ − I‖";
-inline constexpr const char* parseval = "Parseval: |‖x‖² − Σ|ĉ|² − ‖x − Φĉ‖²| / ‖x‖²";
-inline constexpr const char* complete = "no eigenvalue missed: counted below σ by inertia − found";
-inline constexpr const char* zeros = "zero eigenvalues = components";
-inline constexpr const char* ascending = "eigenvalues ascend: largest step down / largest eigenvalue";
+inline constexpr Law residual{"law.residual"};
+inline constexpr Law orthonormal{"law.orthonormal"};
+inline constexpr Law parseval{"law.parseval"};
+inline constexpr Law complete{"law.complete"};
+inline constexpr Law zeros{"law.zeros"};
+inline constexpr Law ascending{"law.ascending"};
 }   // namespace law
 
 /// "it cannot be proved here: …", for the note of an undecided check. Both in units of the eigenvalue.

@@ -12,10 +12,9 @@ namespace {
 /// Vertices by ascending value; those without one are left out.
 std::vector<int> ascending(const Vector& values) {
     std::vector<int> order;
-    for (int v = 0; v < values.size(); ++v) {
+    for (int v = 0; v < values.size(); ++v)
         if (std::isfinite(values[v])) order.push_back(v);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
+    std::ranges::stable_sort(order, {}, [&](int v) { return values[v]; });
     return order;
 }
 
@@ -49,7 +48,7 @@ double rank_correlation(const std::vector<int>& by_thickness, const Vector& erro
     const auto n = static_cast<double>(by_thickness.size());
     std::vector<int> place(by_thickness.size()), by_error(by_thickness.size());
     std::iota(by_error.begin(), by_error.end(), 0);
-    std::stable_sort(by_error.begin(), by_error.end(), [&](int a, int b) { return error[by_thickness[a]] < error[by_thickness[b]]; });
+    std::ranges::stable_sort(by_error, {}, [&](int i) { return error[by_thickness[i]]; });
     double sum = 0;
     for (std::size_t rank = 0; rank < by_error.size(); ++rank) {
         const double difference = static_cast<double>(rank) - by_error[rank];
@@ -80,15 +79,12 @@ LimbStudy limb_study(const SpectralStudy& study) {
     std::erase_if(order, [&](int v) { return !(study.laplacian.M[v] > 0); });
     if (order.size() < 20) return result;
     const Vector& M = study.laplacian.M;
-    const std::vector<int> thin = first_share(order, M, 0.25);
-    const std::vector<int> downwards(order.rbegin(), order.rend());
-    const std::vector<int> thick = first_share(downwards, M, 0.25);
+    const std::vector<int> thin = first_share(order, M, 0.25), thick = first_share({order.rbegin(), order.rend()}, M, 0.25);
     result.thin_diameter = median_of(thin, thickness);
     result.thick_diameter = median_of(thick, thickness);
     const double needed = 4 / (result.thin_diameter * result.thin_diameter);
-    for (int i = 1; i <= study.modes() && result.modes_needed == 0; ++i) {
+    for (int i = 1; i <= study.modes() && result.modes_needed == 0; ++i)
         if (study.spectrum.eigenvalues[i - 1] >= needed) result.modes_needed = i;
-    }
     for (const Reconstruction& r : study.reconstructions) {
         if (r.predicted_rms < 1e-9 * study.diagonal) continue;
         result.errors.push_back({r.k, rms_over(thin, M, r.distance), rms_over(thick, M, r.distance), far_share(study, r.distance),

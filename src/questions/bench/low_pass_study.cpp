@@ -70,9 +70,8 @@ LowPassStudy low_pass_study(const SpectralStudy& study, bool quick) {
 
     std::vector<ChebyshevFilter> filters;
     const std::vector<int> degrees = degrees_for(result, quick);
-    for (const LowPass kind : {LowPass::ideal, LowPass::smooth}) {
+    for (const LowPass kind : {LowPass::ideal, LowPass::smooth})
         for (const int degree : degrees) filters.push_back(chebyshev_low_pass(kind, result.cutoff, result.bound, degree));
-    }
     const auto start = std::chrono::steady_clock::now();
     const std::vector<Positions> rebuilt = filtered(filters, study.laplacian, X);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

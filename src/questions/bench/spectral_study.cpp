@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "geometry/spectrum/spectral_reconstruction.h"
@@ -60,9 +61,8 @@ SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const Qu
 }
 
 int smallest_k_below(const SpectralStudy& study, double share) {
-    for (int k = 1; k <= study.modes(); ++k) {
+    for (int k = 1; k <= study.modes(); ++k)
         if (study.rms[k] <= share * study.diagonal) return k;
-    }
     return 0;
 }
 
@@ -75,7 +75,7 @@ double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) 
     const Vector from_centre = (X.rowwise() - centroid.transpose()).rowwise().norm();
     std::vector<int> order(static_cast<std::size_t>(X.rows()));
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return r.distance[a] > r.distance[b]; });
+    std::ranges::stable_sort(order, std::greater(), [&](int v) { return r.distance[v]; });
     const std::size_t worst = std::max<std::size_t>(1, order.size() / 20);
     double sum = 0;
     for (std::size_t i = 0; i < worst; ++i) sum += from_centre[order[i]];

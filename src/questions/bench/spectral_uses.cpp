@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "base/number_text.h"
 #include "geometry/linear/sparse_factor.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/spectrum/spectral_mistakes.h"
@@ -64,7 +64,7 @@ MistakeErrors mistakes_at(const SpectralStudy& study, const Spectrum& edge_norma
     row.unmapped = vertex_rms(X, reconstruct_unmapped(study.spectrum, M, X, k));
     row.unweighted = vertex_rms(X, reconstruct_unweighted(study.spectrum, M, X, k));
     const bool known = edge_normalised.eigenvalues.size() >= k;
-    row.edge_normalised = known ? vertex_rms(X, reconstruct(edge_normalised, other.M, X, k)) : std::nan("");
+    row.edge_normalised = known ? vertex_rms(X, reconstruct(edge_normalised, other.M, X, k)) : undefined;
     return row;
 }
 

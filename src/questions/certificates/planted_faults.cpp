@@ -3,15 +3,19 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/stability_certificate.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "questions/certificates/parts.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
 
@@ -23,11 +27,11 @@ constexpr int modes = 12;
 
 report::Check claimed_count_check(const Specimen& s) try {
     const Inertia inertia = eigenvalues_below(s.laplacian, s.complete_shift);
-    const report::Check check = check_near(law::claimed_count, s.modes_known, inertia.below, 0);
+    const report::Check check = check_near(law::claimed_count.name(), s.modes_known, inertia.below, 0);
     const double gap = (s.spectrum.eigenvalues.array() - s.complete_shift).abs().minCoeff();
     return inertia.delta < gap ? check : report::undecided(check, cannot_be_proved(inertia.delta, gap));
 } catch (const SolverError&) {
-    return report::undecided(check_near(law::claimed_count, s.modes_known, std::nan(""), 0), "a pivot is lost in rounding");
+    return report::undecided(check_near(law::claimed_count.name(), s.modes_known, undefined, 0), words.line("pivot_lost"));
 }
 
 /// Half way between the last two values of one mode more than is kept.
@@ -113,26 +117,26 @@ void put_shift_below_top(Specimen& s) { s.stable_shift *= 1 - 1e-6; }
 }   // namespace
 
 std::vector<PlantedFault> planted_faults() {
-    return {{"sign of one cotangent turned", law::first_variation, turn_one_cotangent},
-            {"signs of all cotangents turned", law::semidefinite, [](Specimen& s) { s.laplacian.C *= -1; }},
-            {"½ missing in C", law::energy, [](Specimen& s) { s.laplacian.C *= 2; }},
-            {"one triangle left out of C", law::energy, leave_out_a_triangle},
-            {"one entry of C doubled on one side of the diagonal", law::symmetric, change_one_side},
-            {"one diagonal entry of C off by 1 %", law::row_sums, [](Specimen& s) { s.laplacian.C.coeffRef(0, 0) *= 1.01; }},
-            {"areas twice too large", law::mass, [](Specimen& s) { s.laplacian.M *= 2; }},
-            {"one vertex moved by 0.1 % after C was built", law::first_variation, move_a_vertex},
-            {"one face reversed", law::half_edges, reverse_a_face},
-            {"one face missing", law::flux, lose_a_face},
-            {"all faces reversed", law::outward, turn_inside_out},
-            {"one angle left out of a deficit", law::gauss_bonnet, lose_an_angle},
-            {"one mode dropped", law::complete, drop_a_mode},
-            {"one eigenvector replaced by its neighbour", law::orthonormal, replace_an_eigenvector},
-            {"one eigenvector not mapped back (√M φ for φ)", law::residual, forget_to_map_back},
-            {"one eigenvector 0.1 % too long", law::parseval, stretch_an_eigenvector},
-            {"one eigenvalue taken for 0", law::zeros, call_an_eigenvalue_zero},
-            {"two modes out of order", law::ascending, swap_two_modes},
-            {"σ of the inertia on the wrong side of the last mode", law::claimed_count, put_shift_below_last_mode},
-            {"σ of the stability limit on the wrong side of μ_max", law::stable, put_shift_below_top}};
+    return {{words.line("fault.one_cotangent"), law::first_variation, turn_one_cotangent},
+            {words.line("fault.all_cotangents"), law::semidefinite, [](Specimen& s) { s.laplacian.C *= -1; }},
+            {words.line("fault.half"), law::energy, [](Specimen& s) { s.laplacian.C *= 2; }},
+            {words.line("fault.triangle"), law::energy, leave_out_a_triangle},
+            {words.line("fault.one_side"), law::symmetric, change_one_side},
+            {words.line("fault.diagonal"), law::row_sums, [](Specimen& s) { s.laplacian.C.coeffRef(0, 0) *= 1.01; }},
+            {words.line("fault.areas"), law::mass, [](Specimen& s) { s.laplacian.M *= 2; }},
+            {words.line("fault.vertex"), law::first_variation, move_a_vertex},
+            {words.line("fault.face_reversed"), law::half_edges, reverse_a_face},
+            {words.line("fault.face_missing"), law::flux, lose_a_face},
+            {words.line("fault.inside_out"), law::outward, turn_inside_out},
+            {words.line("fault.angle"), law::gauss_bonnet, lose_an_angle},
+            {words.line("fault.mode"), law::complete, drop_a_mode},
+            {words.line("fault.eigenvector"), law::orthonormal, replace_an_eigenvector},
+            {words.line("fault.not_mapped_back"), law::residual, forget_to_map_back},
+            {words.line("fault.too_long"), law::parseval, stretch_an_eigenvector},
+            {words.line("fault.zero"), law::zeros, call_an_eigenvalue_zero},
+            {words.line("fault.order"), law::ascending, swap_two_modes},
+            {words.line("fault.shift_of_inertia"), law::claimed_count, put_shift_below_last_mode},
+            {words.line("fault.shift_of_limit"), law::stable, put_shift_below_top}};
 }
 
 Specimen sound_specimen(const TriangleMesh& mesh) {
@@ -152,11 +156,10 @@ Specimen bundled_specimen() { return sound_specimen(make_sample("ellipsoid")); }
 
 std::vector<report::Check> checks_of(const Specimen& s) {
     std::vector<report::Check> checks = operator_checks(s.mesh, s.laplacian, "");
-    const auto append = [&](const std::vector<report::Check>& more) { checks.insert(checks.end(), more.begin(), more.end()); };
-    append(surface_checks(s.mesh, s.angle_deficits, s.claims, ""));
-    append(spectrum_checks(certify_spectrum(s.mesh, s.laplacian, s.spectrum), ""));
+    std::ranges::move(surface_checks(s.mesh, s.angle_deficits, s.claims, ""), std::back_inserter(checks));
+    std::ranges::move(spectrum_checks(certify_spectrum(s.mesh, s.laplacian, s.spectrum), ""), std::back_inserter(checks));
     checks.push_back(claimed_count_check(s));
-    checks.push_back(check_near(law::stable, 1, is_positive_definite_at(s.laplacian, s.stable_shift) ? 1 : 0, 0));
+    checks.push_back(check_near(law::stable.name(), 1, is_positive_definite_at(s.laplacian, s.stable_shift) ? 1 : 0, 0));
     return checks;
 }
 
@@ -190,8 +193,8 @@ std::vector<FaultTrial> trials_of(const Specimen& specimen) {
 
 report::Check check_of(const FaultTrial& trial) {
     return check_near(
-        "planted fault '" + trial.fault + "' is caught by '" + trial.sound.name + "'", 1, trial.caught() ? 1 : 0, 0,
-        "measured " + plain_text(trial.sound.measured, 5) + " without the fault, " + plain_text(trial.faulty.measured, 5) + " with it");
+        words.line("check.fault", "fault"_a = trial.fault, "check"_a = trial.sound.name), 1, trial.caught() ? 1 : 0, 0,
+        words.line("check.fault.note", "sound"_a = plain_text(trial.sound.measured, 5), "faulty"_a = plain_text(trial.faulty.measured, 5)));
 }
 
 }   // namespace meshfolio::certificates

@@ -13,8 +13,8 @@ namespace meshfolio::certificates {
 
 namespace law {
 using namespace meshfolio::law;
-inline constexpr const char* claimed_count = "eigenvalues below the claimed σ, by inertia = modes known";
-inline constexpr const char* stable = "σM + C is positive definite for the claimed σ > μ_max (Cholesky: 1 yes, 0 no)";
+inline constexpr Law claimed_count{"law.claimed_count"};
+inline constexpr Law stable{"law.stable"};
 }   // namespace law
 
 /// All that the checks look at, and two claims about the spectrum. Each part can be damaged on its own.

@@ -14,11 +14,12 @@ namespace meshfolio::preflight {
 
 struct Defect {
     std::string_view key;         // "needle_faces", for programs
-    std::string_view name;        // "needle faces, smallest angle below 1°"
     std::string_view questions;   // "q3,q4,q5": those whose answers it touches
-    std::string_view breaks;      // what goes wrong there
-    std::string_view done;        // what was done about it
     int (*count)(const MeshFacts& facts);
+
+    std::string name() const;     // "needle faces, smallest angle below 1°"
+    std::string breaks() const;   // what goes wrong there
+    std::string done() const;     // what was done about it
 };
 
 /// All that is looked for; repairs first.

@@ -1,49 +1,49 @@
-// Pictures of question 4 from one view: small multiples of one mesh in several states.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/section_tools.h"
+#include "questions/core/comparison_figure.h"
 #include "questions/core/six_view_figure.h"
-#include "questions/core/study_list.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {
 
 namespace {
 
+/// Small multiples: one mesh in several states, from one view.
 void add_multiples(Answer& answer, output::FigureRequest request, const std::string& caption) {
     request.three_quarter = request.three_quarter_frame = true;
     request.frame_panel = -1;   // what is blown up shall be seen whole
-    answer.section.blocks.push_back(report::Figure{request.id, caption, caption});
+    add(answer.section, report::Figure{request.id, caption, caption});
     answer.figures.push_back(std::move(request));
 }
 
-output::FigureRequest request_for(const SpectralStudy& study, const std::string& what, const std::string& title) {
+output::FigureRequest request_for(const SpectralStudy& study, const std::string& what, std::string title) {
     output::FigureRequest request;
-    request.id = id_of("q4", study.name(), what);
-    request.title = title;
-    request.subtitle = study.source->input.file + ", " + std::to_string(study.mesh().vertex_count()) + " vertices";
+    request.id = id_of(study, what);
+    request.title = std::move(title);
+    request.subtitle = subtitle_of(*study.source);
     return request;
 }
 
-/// Distances begin at 0; values beyond `high` are counted as clipped.
-output::ColorRange distance_range(const std::vector<output::Panel>& panels, const std::string& colormap, double high) {
-    output::ColorRange range = output::robust_range(panels, colormap, "distance to the original", "% of the box diagonal", 0.1);
+/// Distances begin at 0. @param high  0: as far as nearly all values reach; others beyond it are counted as clipped
+output::ColorRange distance_range(const std::vector<output::Panel>& panels, const std::string& colormap, double high = 0) {
+    output::ColorRange range = output::robust_range(panels, colormap, "distance to the original", words.line("of_the_diagonal"), 0.1);
     range.low = range.clipped_below = 0;
-    if (high > 0) range.high = high;
+    if (high == 0) return range;
+    range.high = high;
     double all = 0, above = 0;
     for (const output::Panel& panel : panels) {
         all += static_cast<double>(panel.values.size());
-        above += static_cast<double>((panel.values.array() > range.high).count());
+        above += static_cast<double>((panel.values.array() > high).count());
     }
     range.clipped_above = above / all;
     return range;
 }
 
 output::Panel panel_of(const SpectralStudy& study, const std::string& what, const EqualisedMesh& state) {
-    return panel_of(state.mesh, id_of("q4", study.name(), what + "_" + state.id), state.label, 100 / study.diagonal * state.distance);
+    return panel_of(state.mesh, id_of(study, what + "_" + state.id), state.label, percent_of(study) * state.distance);
+}
+
+output::Panel original(const SpectralStudy& study, const std::string& name) {
+    return panel_of(*study.source, id_of(study, name), "original");
 }
 
 /// The mesh brought to the size and the place of the original, and by how much it had to shrink for that.
@@ -60,14 +60,47 @@ Shrunk shrunk_to(const TriangleMesh& original, const TriangleMesh& mesh) {
 
 }   // namespace
 
+void add_reconstruction_figure(Answer& answer, const SpectralStudy& study) {
+    SixViewFigure figure{.id = id_of(study, "reconstructions"),
+                         .title = words.line("reconstructions.title", "mesh"_a = study.name()),
+                         .subtitle = subtitle_of(*study.source),
+                         .caption = words.line("reconstructions.caption")};
+    for (const Reconstruction& r : study.reconstructions) {
+        const std::string k = std::to_string(r.k);
+        figure.panels.push_back(panel_of(r.mesh, id_of(study, "k" + k), "k = " + k, percent_of(study) * r.distance));
+    }
+    // The first k would use up the whole range, the last has only rounding: the range is that of all panels together.
+    figure.range = distance_range(figure.panels, "viridis");
+    figure.panels.insert(figure.panels.begin(), original(study, "original"));
+    add_figure(answer, std::move(figure));
+}
+
+void add_before_after(Answer& answer, const SpectralStudy& study, const std::string& colormap) {
+    const Reconstruction& r = study.reconstructions[study.reconstructions.size() / 2];
+    const std::string id = id_of(study, "before_after");
+    add_comparison(
+        answer,
+        {.id = id,
+         .title = words.line("before_after.title", "mesh"_a = study.name(), "k"_a = r.k),
+         .subtitle = words.line("before_after.subtitle", "file"_a = study.source->input.file, "k"_a = r.k, "vertices"_a = study.vertices()),
+         .caption = words.line("before_after.caption", "mesh"_a = study.name(), "k"_a = r.k, "vertices"_a = study.vertices(),
+                               "hausdorff"_a = percent_of_box(study, r.difference.hausdorff),
+                               "angle"_a = readable(r.difference.mean_normal_angle * 180 / pi)),
+         .before = panel_of(*study.source, id + "_original", "original"),
+         .after = panel_of(r.mesh, id + "_rebuilt", "rebuilt, k = " + std::to_string(r.k)),
+         .diagonal = study.diagonal,
+         .colormap = colormap});
+}
+
 void add_eigenfunction_gallery(Answer& answer, const SpectralStudy& study, bool quick) {
     const int shown = std::min(study.modes(), quick ? 12 : 24);
     output::FigureRequest request =
-        request_for(study, "eigenfunctions", "The first " + std::to_string(shown) + " eigenfunctions of " + study.name());
+        request_for(study, "eigenfunctions", words.line("eigenfunctions.title", "shown"_a = shown, "mesh"_a = study.name()));
     for (int i = 1; i <= shown; ++i) {
         const Vector phi = study.spectrum.eigenvectors.col(i - 1);
-        request.panels.push_back(panel_of(*study.source, id_of("q4", study.name(), "phi" + std::to_string(i)),
-                                          "φ" + std::to_string(i) + ", μ = " + readable(study.spectrum.eigenvalues[i - 1]),
+        const std::string number = std::to_string(i);
+        request.panels.push_back(panel_of(*study.source, id_of(study, "phi" + number),
+                                          "φ" + number + ", μ = " + readable(study.spectrum.eigenvalues[i - 1]),
                                           phi / phi.cwiseAbs().maxCoeff()));
     }
     request.range = output::robust_range(request.panels, "diverging", "φ / max |φ|", "", 1);
@@ -76,32 +109,28 @@ void add_eigenfunction_gallery(Answer& answer, const SpectralStudy& study, bool 
     request.range->clipped_below = request.range->clipped_above = 0;
     request.isoline_spacing = 2;   // of values between −1 and 1 only 0 is a multiple
     add_multiples(answer, std::move(request),
-                  "The " + std::to_string(shown) + " smoothest eigenfunctions of " + study.name() +
-                      ", each over its largest magnitude, with their nodal lines φ = 0. The further along, the smaller the regions between "
-                      "the lines: wavelength " +
-                      readable(2 * M_PI / std::sqrt(study.spectrum.eigenvalues[shown - 1])) + " at the last, of a box diagonal of " +
-                      readable(study.diagonal) + ".");
+                  words.line("eigenfunctions.caption", "shown"_a = shown, "mesh"_a = study.name(),
+                             "wavelength"_a = readable(wavelength(study, shown)), "diagonal"_a = readable(study.diagonal)));
 }
 
 void add_band_figure(Answer& answer, const SpectralStudy& study, const BandStudy& bands, const std::string& colormap) {
     if (bands.meshes.empty()) return;
-    output::FigureRequest request = request_for(study, "bands", "Frequency bands of " + study.name() + " amplified and removed");
+    output::FigureRequest request = request_for(study, "bands", words.line("bands.title", "mesh"_a = study.name()));
     for (const EqualisedMesh& state : bands.meshes) request.panels.push_back(panel_of(study, "bands", state));
-    request.range = distance_range(request.panels, colormap, 0);
-    request.panels.insert(request.panels.begin(), panel_of(*study.source, id_of("q4", study.name(), "bands_original"), "original"));
-    std::string caption = "Filters of " + study.name() + " in its own frequencies, coloured by how far each vertex moved.";
+    request.range = distance_range(request.panels, colormap);
+    request.panels.insert(request.panels.begin(), original(study, "bands_original"));
+    std::string told;
     for (const Band& band : bands.bands)
-        caption += " The " + band.name + " band is modes " + std::to_string(band.first) + " to " + std::to_string(band.last) + ".";
-    caption += " Gains pass from band to band over half an octave of wavelength; only the low-pass is sharp.";
-    caption += " All but the low-pass carry the detail beyond mode " + std::to_string(study.modes()) + " along. One camera and scale.";
-    add_multiples(answer, std::move(request), caption);
+        told += (told.empty() ? "" : " ") +
+                words.line("bands.caption.band", "band"_a = band.name, "first"_a = band.first, "last"_a = band.last);
+    add_multiples(answer, std::move(request),
+                  words.line("bands.caption", "mesh"_a = study.name(), "bands"_a = told, "modes"_a = study.modes()));
 }
 
 void add_mistake_figure(Answer& answer, const SpectralStudy& study, const MistakeStudy& mistakes, const std::string& colormap) {
-    output::FigureRequest request =
-        request_for(study, "mistakes", "Three mistakes beside the right reconstruction, k = " + std::to_string(mistakes.pictured));
-    request.panels.push_back(panel_of(*study.source, id_of("q4", study.name(), "mistakes_original"), "original"));
-    std::string resized;
+    output::FigureRequest request = request_for(study, "mistakes", words.line("mistakes.title", "k"_a = mistakes.pictured));
+    std::string caption = words.line("mistakes.caption", "mesh"_a = study.name(), "k"_a = mistakes.pictured);
+    bool resized = false;
     double high = 0;
     for (const EqualisedMesh& state : mistakes.meshes) {
         output::Panel panel = panel_of(study, "mistakes", state);
@@ -111,19 +140,14 @@ void add_mistake_figure(Answer& answer, const SpectralStudy& study, const Mistak
             panel.label +=
                 shrunk.factor > 1 ? ", shrunk " + readable(shrunk.factor, 2) + "×" : ", enlarged " + readable(1 / shrunk.factor, 2) + "×";
             panel.mesh = std::make_shared<const TriangleMesh>(std::move(shrunk.mesh));
-            resized = " One that would not fit is resized, its colours are not.";
+            resized = true;
         }
         request.panels.push_back(std::move(panel));
     }
-    const std::vector<output::Panel> coloured(request.panels.begin() + 1, request.panels.end());
-    request.range = distance_range(coloured, colormap, high);
-    add_multiples(
-        answer, std::move(request),
-        study.name() + " rebuilt from " + std::to_string(mistakes.pictured) +
-            " modes: by the M-orthogonal projection, by ψ that are not mapped back, by plain products with M-normalised "
-            "modes, and by the modes of the operator normalised per edge. Coloured by the distance to the original, up to twice the "
-            "largest of the right way." +
-            resized);
+    if (resized) caption += " " + words.line("mistakes.caption.resized");
+    request.range = distance_range(request.panels, colormap, high);
+    request.panels.insert(request.panels.begin(), original(study, "mistakes_original"));
+    add_multiples(answer, std::move(request), caption);
 }
 
 }   // namespace meshfolio::q4_spectral

@@ -1,0 +1,45 @@
+#include "questions/certificates/parts.h"
+#include "questions/core/section_tools.h"
+
+namespace meshfolio::certificates {
+
+namespace {
+
+report::Text about_spectra(const std::vector<Certified>& meshes) {
+    std::vector<std::string> proved, refuted, open;
+    for (const Certified& mesh : meshes) {
+        const Proof verdict = mesh.certificate.verdict();
+        (verdict == Proof::proved ? proved : verdict == Proof::refuted ? refuted : open).push_back(mesh.name());
+    }
+    report::Text t;
+    if (!proved.empty()) report::extend(t, words.say("proved", "meshes"_a = listed(proved)), " ");
+    if (!refuted.empty()) report::extend(t, words.say("refuted", "meshes"_a = listed(refuted)), " ");
+    if (!open.empty()) report::extend(t, words.say("open", "meshes"_a = listed(open)));
+    return t;
+}
+
+report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen& specimen) {
+    std::vector<std::string> missed, alone;
+    for (const FaultTrial& trial : trials) {
+        if (!trial.caught()) missed.push_back("“" + trial.fault + "”");
+        if (trial.caught() && trial.also_seen_by.empty()) alone.push_back("“" + trial.fault + "”");
+    }
+    const report::Text caught =
+        missed.empty() ? words.say("planted.caught") : words.say("planted.missed", "missed"_a = listed(missed), "number"_a = missed.size());
+    report::Text t = words.say("planted", "faults"_a = trials.size(), "modes"_a = specimen.spectrum.eigenvalues.size(),
+                               "vertices"_a = specimen.mesh.vertex_count(), "caught"_a = caught);
+    report::extend(t, " ");
+    if (!alone.empty()) report::extend(t, words.say("planted.alone", "faults"_a = listed(alone)));
+    return t;
+}
+
+}   // namespace
+
+void add_discussion(report::Section& section, const std::vector<Certified>& meshes, const std::vector<FaultTrial>& trials,
+                    const Specimen& specimen) {
+    add_words(section, words, "discussion");
+    add_paragraph(section, about_spectra(meshes));
+    add_paragraph(section, about_faults(trials, specimen));
+}
+
+}   // namespace meshfolio::certificates

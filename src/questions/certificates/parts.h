@@ -1,0 +1,41 @@
+/// @file
+/// The parts of the certificates.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "questions/certificates/planted_faults.h"
+#include "questions/core/chapter.h"
+
+namespace meshfolio::certificates {
+
+inline constexpr report::Words words("certificates");
+
+/// One mesh with its operator, its smallest modes and what was measured on them.
+struct Certified {
+    std::shared_ptr<const LibraryMesh> source;
+    LaplaceBeltrami laplacian;
+    Vector angle_deficits;   // [rad]
+    int without_area = 0;    // triangles
+    SpectrumCertificate certificate;
+    int modes = 0;
+
+    const std::string& name() const { return source->name; }
+    const TriangleMesh& mesh() const { return source->mesh(); }
+    SurfaceClaims claims() const {
+        const Preflight& p = source->prepared->preflight;
+        return {p.manifold(), p.orientable, p.closed(), p.euler_characteristic};
+    }
+};
+
+report::Table spectrum_table(const std::vector<Certified>& meshes);
+report::Table operator_table(const std::vector<Certified>& meshes);
+report::Table fault_table(const std::vector<FaultTrial>& trials);
+
+/// What is proved, and which faults were seen.
+void add_discussion(report::Section& section, const std::vector<Certified>& meshes, const std::vector<FaultTrial>& trials,
+                    const Specimen& specimen);
+
+}   // namespace meshfolio::certificates
