@@ -1,10 +1,8 @@
 #include "questions/claims/claim.h"
 
-#include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
+#include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
 
@@ -12,13 +10,23 @@ namespace {
 
 constexpr std::size_t cases_in_words = 5;   // more are summed up; all are in the table
 
+constexpr std::array sources{Source{"s0", "S0"},
+                             Source{"s1", "S1"},
+                             Source{"s2", "S2"},
+                             Source{"s3", "S3"},
+                             Source{"meyer", "Meyer et al. 2003", "meyer_2003"},
+                             Source{"wardetzky", "Wardetzky 2008", "wardetzky_2008"},
+                             Source{"vallet", "Vallet & Lévy 2008", "vallet_levy_2008"},
+                             Source{"rippa", "Rippa 1990", "rippa_1990"},
+                             Source{"taubin", "Taubin 1995", "taubin_1995"},
+                             Source{"desbrun", "Desbrun et al. 1999", "desbrun_1999"}};
+
 /// The one of `chosen` whose value is nearest to the threshold; ratios where that makes sense, so that sizes count alike.
 std::size_t nearest_to_threshold(const Rule& rule, const std::vector<Case>& cases, const std::vector<std::size_t>& chosen) {
-    const auto distance = [&](std::size_t i) {
+    return *std::ranges::min_element(chosen, {}, [&](std::size_t i) {
         const double value = cases[i].value;
         return value > 0 && rule.threshold > 0 ? std::abs(std::log(value / rule.threshold)) : 1e3 + std::abs(value - rule.threshold);
-    };
-    return *std::min_element(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    });
 }
 
 /// "3 %", "2 mean edges", "1 mean edge".
@@ -30,71 +38,42 @@ std::string with_unit_of(const Rule& rule, const std::string& number) {
 
 /// "random triangles (27.3 %) and …"; beyond a handful "7 cases, from 3 % (…) to 8 % (…)".
 std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>& chosen) {
-    const std::vector<Case>& cases = judged.measurement.cases;
-    const Rule& rule = judged.claim->rule;
-    if (chosen.size() > cases_in_words) {
-        const auto [low, high] = std::minmax_element(chosen.begin(), chosen.end(),
-                                                     [&](std::size_t a, std::size_t b) { return cases[a].value < cases[b].value; });
-        const std::string many = counted(static_cast<int>(chosen.size()), "case") + ", ";
-        if (cases[*low].value == cases[*high].value) return many + "all " + with_unit(cases[*low].value, rule);
-        return many + "from " + with_unit(cases[*low].value, rule) + " (" + cases[*low].condition + ") to " +
-               with_unit(cases[*high].value, rule) + " (" + cases[*high].condition + ")";
+    const auto case_at = [&](std::size_t i) -> const Case& { return judged.measurement.cases[i]; };
+    const auto value = [&](const Case& c) { return with_unit(c.value, judged.claim->rule); };
+    if (chosen.size() <= cases_in_words) {
+        std::vector<std::string> values;
+        for (const std::size_t i : chosen) values.push_back(value(case_at(i)) + " (" + case_at(i).condition + ")");
+        return listed(values);
     }
-    std::vector<std::string> values;
-    for (const std::size_t i : chosen) values.push_back(with_unit(cases[i].value, rule) + " (" + cases[i].condition + ")");
-    return listed(values);
+    const auto [lowest, highest] = std::ranges::minmax_element(chosen, {}, [&](std::size_t i) { return case_at(i).value; });
+    const Case &low = case_at(*lowest), &high = case_at(*highest);
+    return words.line(low.value == high.value ? "values.all" : "values.range", "cases"_a = chosen.size(), "low"_a = value(low),
+                      "where_low"_a = low.condition, "high"_a = value(high), "where_high"_a = high.condition);
+}
+
+std::string_view key_of(Verdict verdict) {
+    static constexpr std::array<std::string_view, 4> keys{"holds", "conditional", "refuted", "undecidable"};
+    return keys[static_cast<std::size_t>(verdict)];
 }
 
 }   // namespace
 
-std::string_view word_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::holds:
-            return "holds";
-        case Verdict::conditional:
-            return "holds with condition";
-        case Verdict::refuted:
-            return "refuted";
-        case Verdict::undecidable:
-            break;
-    }
-    return "not decidable here";
-}
+std::string word_of(Verdict verdict) { return words.line("verdict." + std::string(key_of(verdict))); }
 
 std::string_view symbol_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::holds:
-            return "✓";
-        case Verdict::conditional:
-            return "◐";
-        case Verdict::refuted:
-            return "✗";
-        case Verdict::undecidable:
-            break;
-    }
-    return "?";
+    static constexpr std::array<std::string_view, 4> symbols{"✓", "◐", "✗", "?"};
+    return symbols[static_cast<std::size_t>(verdict)];
 }
 
-std::string_view words_of(Property property, bool lacking) {
-    switch (property) {
-        case Property::flat:
-            return lacking ? "is not flat" : "is flat";
-        case Property::not_flat:
-            return lacking ? "is flat" : "is not flat";
-        case Property::closed:
-            return lacking ? "is open and encloses no volume" : "is closed";
-        case Property::flat_with_edges:
-            return lacking ? "has no flat parts with sharp edges between them" : "has flat parts with sharp edges between them";
-        case Property::negative_weights:
-            return lacking ? "has no negative cotangent weight" : "has negative cotangent weights";
-        case Property::unequal_areas:
-            return lacking ? "has vertices of equal areas" : "has vertices of different areas";
-        case Property::clean_form_known:
-            return lacking ? "has noise under which the surface is not known" : "has noise over a known surface";
-        case Property::above_1500_vertices:
-            break;
-    }
-    return lacking ? "has no more than 1500 vertices" : "has more than 1500 vertices";
+std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " " + word_of(verdict); }
+
+std::string Claim::said() const { return words.line(std::string(id) + ".said"); }
+
+const Source& Claim::source() const {
+    const auto* source =
+        std::ranges::find_if(sources, [&](const Source& s) { return id.starts_with("claims_" + std::string(s.key) + "_"); });
+    if (source == sources.end()) throw std::logic_error("nobody claims " + std::string(id));
+    return *source;
 }
 
 std::string with_unit(double value, const Rule& rule) {
@@ -108,12 +87,15 @@ std::string words_of(const Rule& rule) {
     // A threshold is a round number: as many digits as it has.
     const std::string number =
         std::abs(rule.threshold) >= 1e-4 || rule.threshold == 0 ? plain_text(rule.threshold) : readable(rule.threshold, 1);
-    return (rule.relation == Rule::Relation::at_most ? "at most " : "at least ") + with_unit_of(rule, number);
+    return words.line(rule.relation == Rule::Relation::at_most ? "at_most" : "at_least", "threshold"_a = with_unit_of(rule, number));
 }
 
+std::string quantity_of(const Rule& rule) { return words.line("quantity." + std::string(rule.quantity)); }
+
 std::string beginning_of(const Rule& rule) {
-    const bool closes_with_comma = rule.quantity.find(", ") != std::string_view::npos;
-    return std::string(rule.quantity) + (closes_with_comma ? ", is" : " is");
+    const std::string quantity = quantity_of(rule);
+    const bool closes_with_comma = quantity.find(", ") != std::string::npos;
+    return words.line(closes_with_comma ? "quantity_is.comma" : "quantity_is", "quantity"_a = quantity);
 }
 
 Decision decide(const Rule& rule, const Measurement& measurement) {
@@ -125,7 +107,7 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
         if (std::isfinite(value)) (rule.satisfied_by(value) ? decision.within : decision.beyond).push_back(i);
     }
     if (decision.within.empty() && decision.beyond.empty()) {
-        decision.why = "the quantity is not defined on this mesh";
+        decision.why = words.line("not_defined");
         return decision;
     }
     decision.verdict = decision.beyond.empty() ? Verdict::holds : decision.within.empty() ? Verdict::refuted : Verdict::conditional;
@@ -134,34 +116,23 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
 }
 
 report::Text rule_text(const JudgedClaim& judged) {
-    const Claim& claim = *judged.claim;
-    return report::text("True if ", beginning_of(claim.rule), " ", words_of(claim.rule),
-                        judged.measurement.cases.size() > 1 ? " in every case." : ".");
+    const Rule& rule = judged.claim->rule;
+    return words.say(judged.measurement.cases.size() > 1 ? "rule.cases" : "rule", "quantity_is"_a = beginning_of(rule),
+                     "bound"_a = words_of(rule));
 }
 
 report::Text verdict_text(const JudgedClaim& judged) {
-    const Decision& decision = judged.decision;
-    const std::string word(word_of(decision.verdict));
-    report::Text t = report::text(
-        report::strong(std::string(symbol_of(decision.verdict)) + "\u00a0" + static_cast<char>(word[0] - 'a' + 'A') + word.substr(1)));
-    switch (decision.verdict) {
-        case Verdict::undecidable:
-            report::extend(t, ": ", decision.why, ".");
-            break;
-        case Verdict::conditional:
-            report::extend(t, ". On the side it needs: ", values_of(judged, decision.within),
-                           "; on the other: ", values_of(judged, decision.beyond), ".");
-            break;
-        case Verdict::holds:
-            report::extend(t, ". Measured: ", values_of(judged, decision.within), ".");
-            break;
-        case Verdict::refuted:
-            report::extend(t, ". Measured: ", values_of(judged, decision.beyond), ".");
-            break;
-    }
-    if (decision.verdict == Verdict::undecidable) return t;
+    const auto& [verdict, within, beyond, deciding, why] = judged.decision;
+    const std::string word = word_of(verdict);
+    const report::Fact shown = "verdict"_a =
+        std::string(symbol_of(verdict)) + "\u00a0" + static_cast<char>(word[0] - 'a' + 'A') + word.substr(1);
+    if (verdict == Verdict::undecidable) return words.say("judged.undecidable", shown, "why"_a = why);
+    report::Text t =
+        verdict == Verdict::conditional
+            ? words.say("judged.conditional", shown, "within"_a = values_of(judged, within), "beyond"_a = values_of(judged, beyond))
+            : words.say("judged", shown, "values"_a = values_of(judged, verdict == Verdict::holds ? within : beyond));
     if (!judged.measurement.remark.empty()) report::extend(t, " ", judged.measurement.remark);
-    if (!judged.measurement.meshes.empty()) report::extend(t, " Measured on ", judged.measurement.meshes, ".");
+    if (!judged.measurement.meshes.empty()) report::extend(t, " ", words.say("measured_on", "meshes"_a = judged.measurement.meshes));
     return t;
 }
 

@@ -1,14 +1,13 @@
 /// @file
-/// A claim that someone made, as data: its words, what it is about, the rule that would make it true, the measurement, and the verdict that
-/// follows from all of them.
+/// A claim that someone made, as data: what it is about, the rule that would make it true, the measurement, and the verdict that follows
+/// from all of them. Its words are messages: "<id>.said" of what is claimed, "<id>.case…" and "<id>.remark…" of what was measured.
 ///
 /// What a claim is about decides, before anything is measured, which meshes may be measured (About). A mesh that takes the place of
 /// another decides nothing about what is particular to that other one:
 ///   - A claim about formulas, or about surfaces that the program itself makes, names no mesh. It is always measured.
 ///   - A claim about any mesh names those that its author used. Whatever takes their places decides as well as they do.
 ///   - A claim about a kind of mesh ("the noisy plane", "hands, feet and tail") is decided by the mesh itself or by the bundled one that
-///   was
-///     made as one of that kind for its role. The user's own mesh never decides it: nobody has told of what kind it is.
+///     was made as one of that kind for its role. The user's own mesh never decides it: nobody has told of what kind it is.
 ///   - A claim about one mesh itself has a step, a number of iterations or of modes that belongs to its triangles. Only that mesh decides
 ///     it: known by its counts, mean edge and λ_crit, or as the assignment's file in a data folder.
 /// Of those left, a mesh without a property that the claim needs is not measured, and a mesh that takes two places counts once. Where none
@@ -26,12 +25,12 @@ namespace meshfolio::claims {
 
 enum class Verdict { holds, conditional, refuted, undecidable };
 
-std::string_view word_of(Verdict verdict);     // "holds", "holds with condition", "refuted", "not decidable here"
+std::string word_of(Verdict verdict);          // "holds", "holds with condition", "refuted", "not decidable here"
 std::string_view symbol_of(Verdict verdict);   // "✓", "◐", "✗", "?"
 
 /// What makes a claim true: one quantity on the right side of one threshold, in every case it is measured in.
 struct Rule {
-    std::string_view quantity;   // "gap between the two results, of how far they moved"
+    std::string_view quantity;   // "apart": the message "quantity.apart" is what is measured
     std::string_view unit;       // "%"; empty: a pure number
     enum class Relation { at_most, at_least } relation = Relation::at_most;
     double threshold = 0;   // in that unit
@@ -40,13 +39,14 @@ struct Rule {
 };
 /// "at most 5 %".
 std::string words_of(const Rule& rule);
+std::string quantity_of(const Rule& rule);
 /// "gap between the two results, of how far they moved, is": what a value or words_of() the rule follows.
 std::string beginning_of(const Rule& rule);
 
 /// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
 struct Case {
-    std::string condition;   // "random triangles"
-    double value = 0;        // in the unit of the rule; NaN: not defined there
+    std::string condition = {};   // "random triangles"
+    double value = 0;             // in the unit of the rule; NaN: not defined there
 };
 
 /// Meshes by name: "bunny", or a role of the library.
@@ -63,8 +63,6 @@ enum class Property {
     clean_form_known,      // the surface under the noise is known, vertex by vertex
     above_1500_vertices,   // so that 150 modes are few of them
 };
-/// "is flat", "has no negative cotangent weight": what is said of a mesh that has the property, or lacks it.
-std::string_view words_of(Property property, bool lacking);
 
 /// What a claim is about; the rule is above.
 struct About {
@@ -76,11 +74,11 @@ struct About {
 };
 
 struct Measurement {
-    std::vector<Case> cases;
-    std::string undecidable;   // why nothing can be decided here: then the cases do not count
-    report::Text remark;       // what explains the numbers
-    std::string meshes;        // measured on: "creature, in place of bunny.off"; empty: none of the library
-    std::string figure;        // id of the plot that shows it; empty: the table of all measurements
+    std::vector<Case> cases = {};
+    std::string undecidable = {};   // why nothing can be decided here: then the cases do not count
+    report::Text remark = {};       // what explains the numbers
+    std::string meshes = {};        // measured on: "creature, in place of bunny.off"; empty: none of the library
+    std::string figure = {};        // id of the plot that shows it; empty: the table of all measurements
 };
 
 /// The verdict is a function of the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else on
@@ -98,17 +96,25 @@ class ClaimBench;
 /// The least run in which a claim is measured.
 enum class Effort { quick, full };
 
+/// Who claims it.
+struct Source {
+    std::string_view key;             // "taubin"
+    std::string_view name;            // "S0", "Taubin 1995"
+    std::string_view citation = {};   // id of the work in the bibliography; empty for the reports
+};
+
 struct Claim {
-    std::string_view id;         // "claims_s0_bunny_limit", unique
-    std::string_view source;     // "S0", "Taubin 1995"
-    std::string_view citation;   // id of the work in the bibliography; empty for the reports
+    std::string_view id;         // "claims_s0_bunny_limit", unique; "claims_", the key of its source, its name
     std::string_view question;   // "q5"
-    std::string_view words;      // what is claimed, in words of our own
     About about;
     Rule rule;
-    Effort effort = Effort::quick;
     /// @param meshes  of `about`, those that may be measured: each another mesh, at least as many as are compared
     Measurement (*measure)(ClaimBench& bench, const MeshNames& meshes) = nullptr;
+    Effort effort = Effort::quick;
+
+    /// What is claimed, in words of our own.
+    std::string said() const;
+    const Source& source() const;
 };
 
 /// A claim with what was measured and what follows.
@@ -116,6 +122,9 @@ struct JudgedClaim {
     const Claim* claim = nullptr;
     Measurement measurement;
     Decision decision;
+
+    /// Of one that is decided.
+    double deciding_value() const { return measurement.cases[decision.deciding].value; }
 };
 
 /// "0.35 %", "0.35": a value with the unit of the rule.

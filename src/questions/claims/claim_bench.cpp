@@ -1,15 +1,12 @@
 #include "questions/claims/claim_bench.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/errors.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/curvature_study.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/section_tools.h"
+#include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
 
@@ -32,6 +29,23 @@ bool has_negative_weights(const SparseMatrix& C) {
     return false;
 }
 
+/// Of the message that says of a mesh that it lacks this.
+std::string key_of_lacking(Property property) {
+    static constexpr std::array keys{
+        "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};
+    return std::string("lacks.") + keys[static_cast<std::size_t>(property)];
+}
+
+/// What a run or a noisy run is made with.
+SmoothingOptions options_of(const auto& key) {
+    SmoothingOptions options;
+    options.scheme = key.scheme;
+    options.laplacian = key.laplacian;
+    options.lambda = key.lambda;
+    options.iterations = key.iterations;
+    return options;
+}
+
 }   // namespace
 
 const ReportMesh& ClaimBench::mesh(std::string_view name) {
@@ -46,9 +60,9 @@ const ReportMesh& ClaimBench::mesh(std::string_view name) {
 }
 
 std::string ClaimBench::called(const MeshNames& names) {
-    std::vector<std::string> words;
-    for (const std::string_view name : names) words.push_back(mesh(name).called());
-    return listed(words);
+    std::vector<std::string> called;
+    for (const std::string_view name : names) called.push_back(mesh(name).called());
+    return listed(called);
 }
 
 bool ClaimBench::is_itself(std::string_view name) {
@@ -103,21 +117,20 @@ Measurable ClaimBench::measurable(const About& about) {
     Measurable result;
     std::vector<std::string> reasons;
     const auto refuse = [&](const std::string& reason) {
-        if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) reasons.push_back(reason);
+        if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
     };
     const auto counted_already = [&](std::string_view name) {
-        return std::any_of(result.meshes.begin(), result.meshes.end(),
-                           [&](std::string_view before) { return same_mesh(mesh(before).mesh->mesh(), mesh(name).mesh->mesh()); });
+        return std::ranges::any_of(result.meshes,
+                                   [&](std::string_view before) { return same_mesh(mesh(before).mesh->mesh(), mesh(name).mesh->mesh()); });
     };
     const auto enter = [&](std::string_view name) {
         const std::string& here = mesh(name).mesh->name;
-        const auto lacking = [&](Property property) { return !has(name, property); };
         if (!in_scope(name, about.scope)) {
-            return refuse("it is about " + std::string(mesh(name).asked) + (about.scope == About::Scope::itself ? " itself" : "") +
-                          ", and what " + here + " does in its place says nothing of that");
+            return refuse(words.line(about.scope == About::Scope::itself ? "elsewhere.itself" : "elsewhere.kind",
+                                     "asked"_a = mesh(name).asked, "here"_a = here));
         }
-        const auto lacks = std::find_if(about.properties.begin(), about.properties.end(), lacking);
-        if (lacks != about.properties.end()) return refuse(here + " " + std::string(words_of(*lacks, true)));
+        const auto lacks = std::ranges::find_if(about.properties, [&](Property property) { return !has(name, property); });
+        if (lacks != about.properties.end()) return refuse(words.line(key_of_lacking(*lacks), "mesh"_a = here));
         if (!counted_already(name)) result.meshes.push_back(name);
     };
     for (const std::string_view name : about.meshes) {
@@ -129,7 +142,7 @@ Measurable ClaimBench::measurable(const About& about) {
     }
     const std::size_t needed = about.meshes.empty() ? 0 : about.compared;
     if (result.meshes.size() >= needed) return result;
-    if (needed > 1 && reasons.empty()) refuse("it compares different meshes with each other, and one takes the place of all");
+    if (needed > 1 && reasons.empty()) refuse(words.line("one_mesh"));
     result.why_not = listed(reasons);
     return result;
 }
@@ -176,12 +189,7 @@ const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {
     const auto& source = mesh(name).mesh;
     const std::pair<const LibraryMesh*, RunKey> whole{source.get(), key};
     if (const auto it = runs_.find(whole); it != runs_.end()) return it->second;
-    SmoothingOptions options;
-    options.scheme = key.scheme;
-    options.laplacian = key.laplacian;
-    options.lambda = key.lambda;
-    options.iterations = key.iterations;
-    return runs_.emplace(whole, smooth(source->mesh(), options, solvers_[source.get()])).first->second;
+    return runs_.emplace(whole, smooth(source->mesh(), options_of(key), solvers_[source.get()])).first->second;
 }
 
 double ClaimBench::motion(std::string_view name, const RunKey& key) { return vertex_rms(mesh(name).mesh->mesh().X, run(name, key).X); }
@@ -196,11 +204,7 @@ std::vector<double> ClaimBench::errors_along(const std::shared_ptr<const Library
     const TriangleMesh& clean = source->mesh();
     const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, key.sigma, settings_.seed));
     std::vector<double> errors{vertex_rms(clean.X, noisy.X)};
-    SmoothingOptions options;
-    options.scheme = key.scheme;
-    options.laplacian = key.laplacian;
-    options.lambda = key.lambda;
-    options.iterations = key.iterations;
+    SmoothingOptions options = options_of(key);
     options.rebuild = key.rebuild;
     options.after_step = [&](int, const Positions& X) {
         errors.push_back(vertex_rms(clean.X, X));
@@ -236,7 +240,7 @@ const PanelLevel& ClaimBench::panel(const std::string& surface, MeshKind kind, i
     const std::tuple key{surface, kind, level};
     if (const auto it = panels_.find(key); it != panels_.end()) return it->second;
     const std::vector<TruthSurface> surfaces = truth_surfaces();
-    const auto s = std::find_if(surfaces.begin(), surfaces.end(), [&](const TruthSurface& t) { return t.surface.name == surface; });
+    const auto s = std::ranges::find(surfaces, surface, [](const TruthSurface& t) { return t.surface.name; });
     return panels_.emplace(key, panel_level(truth_mesh(*s, kind, level, settings_.seed))).first->second;
 }
 
@@ -259,7 +263,7 @@ std::vector<std::string> ClaimBench::warnings() const {
         report::Section section;
         enter_input(*found.mesh, section);
         for (std::string& warning : section.warnings) {
-            if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
+            if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
         }
     }
     return warnings;
@@ -275,6 +279,6 @@ double roughness(const SmoothingSubject& subject, const Positions& X) {
     return std::sqrt(sum);
 }
 
-int best_of(const std::vector<double>& errors) { return static_cast<int>(std::min_element(errors.begin(), errors.end()) - errors.begin()); }
+int best_of(const std::vector<double>& errors) { return static_cast<int>(std::ranges::min_element(errors) - errors.begin()); }
 
 }   // namespace meshfolio::claims

@@ -1,9 +1,7 @@
 #include "questions/claims/claim_list.h"
 
-#include <algorithm>
-
 #include "base/errors.h"
-#include "questions/claims/claim_bench.h"
+#include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
 
@@ -14,26 +12,17 @@ const std::vector<Claim>& claim_list() {
                                  &implicit_claims(), &denoising_claims(), &noise_claims(), &fandisk_claims(), &paper_claims()}) {
             claims.insert(claims.end(), part->begin(), part->end());
         }
-        std::stable_sort(claims.begin(), claims.end(), [](const Claim& a, const Claim& b) { return a.question < b.question; });
+        std::ranges::stable_sort(claims, {}, &Claim::question);
         return claims;
     }();
     return all;
 }
 
-namespace {
-
-Measurement unmeasured(const Error& error) {
-    Measurement m;
-    m.undecidable = std::string("on this mesh it cannot be measured (") + error.what() + ")";
-    return m;
-}
-
-}   // namespace
-
 JudgedClaim judged(const Claim& claim, ClaimBench& bench) {
     JudgedClaim result{&claim, {}, {}};
+    const auto unmeasured = [](const Error& error) { return Measurement{.undecidable = words.line("unmeasured", "why"_a = error.what())}; };
     if (claim.effort == Effort::full && bench.settings().quick) {
-        result.measurement.undecidable = "a quick run does not measure it";
+        result.measurement.undecidable = words.line("not_in_quick_run");
     } else {
         try {
             const Measurable about = bench.measurable(claim.about);

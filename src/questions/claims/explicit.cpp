@@ -1,11 +1,6 @@
 // Claims about explicit smoothing: which step is good, and what a larger one does.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "mesh/triangle_measures.h"
-#include "questions/claims/claim_bench.h"
-#include "questions/claims/claim_list.h"
+#include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
 
@@ -13,17 +8,11 @@ namespace {
 
 using enum SmoothingScheme;
 
-/// A step as a share of the limit of the operator with ½, and of that without it, whose L is twice as large.
-std::vector<Case> shares_of_limit(ClaimBench& bench, std::string_view name, double lambda) {
-    const double share = lambda / bench.subject(name).critical;
-    return {{"C with the factor ½", share}, {"C without it, as the report prints it", 2 * share}};
-}
-
+/// A step over the limit of the operator with ½, and over that without it, whose L is twice as large.
 Measurement bunny_limit(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
-    m.cases = shares_of_limit(bench, "bunny", 2e-7);
-    m.remark = report::text("The limit itself is ", readable(bench.subject("bunny").critical), " length² with ½.");
-    return m;
+    const double critical = bench.subject("bunny").critical, share = 2e-7 / critical;
+    return {.cases = {{words.line("claims_s0_bunny_limit.case.half"), share}, {words.line("claims_s0_bunny_limit.case.whole"), 2 * share}},
+            .remark = words.say("claims_s0_bunny_limit.remark", "limit"_a = readable(critical))};
 }
 
 /// The first step whose λμ_max exceeds 2 when L is rebuilt from the current positions, and the largest λμ_max seen until then.
@@ -45,93 +34,80 @@ Crossing crossing_when_rebuilt(ClaimBench& bench, std::string_view name, double 
 }
 
 Measurement bunny_zigzag(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
     const double lambda = bench.raw_step("bunny", 1e-7), share = lambda / bench.subject("bunny").critical;
-    m.cases = {{"the operator of the input, with ½", share}, {"the same without ½", 2 * share}};
     // Fifty steps tell: what crosses the limit does so early, and each takes an eigenvalue.
     const Crossing crossing = crossing_when_rebuilt(bench, "bunny", lambda, bench.settings().laboratory ? 100 : 50);
-    m.cases.push_back({"L rebuilt from the current positions, with ½", crossing.product / 2});
-    if (crossing.step > 0) {
-        m.remark = report::text("Rebuilt, the operator crosses its limit in step ", std::to_string(crossing.step),
-                                ": the zigzags need no step that was too large at the start.");
-    }
+    Measurement m{.cases = {{words.line("claims_s0_bunny_zigzag.case.half"), share},
+                            {words.line("claims_s0_bunny_zigzag.case.whole"), 2 * share},
+                            {words.line("claims_s0_bunny_zigzag.case.rebuilt"), crossing.product / 2}}};
+    if (crossing.step > 0) m.remark = words.say("claims_s0_bunny_zigzag.remark", "step"_a = crossing.step);
     return m;
 }
 
 /// Half-width of the last finite positions of a run, in box diagonals of the mesh.
 double reach(ClaimBench& bench, std::string_view name, const RunKey& key) {
-    const TriangleMesh& mesh = bench.mesh(name).mesh->mesh();
-    const Box box = bounding_box(mesh);
+    const Box box = bounding_box(bench.mesh(name).mesh->mesh());
     const Positions& X = bench.run(name, key).X;
     return (X.rowwise() - box.centre().transpose()).rowwise().norm().maxCoeff() / box.diagonal();
 }
 
 Measurement bunny_too_large(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
-    for (const double lambda : {8e-7, 3e-6, 1e-5, 1e-4}) {
+    const auto reached = [&](double lambda) {
         const double step = bench.raw_step("bunny", lambda);
-        m.cases.push_back({"λ = " + readable(lambda, 1) + ", " + readable(step / bench.subject("bunny").critical) + " limits",
-                           reach(bench, "bunny", {explicit_euler, step, 100})});
-    }
-    m.remark = report::text("A run is stopped once a vertex is 1000 diagonals away; the larger the step, the sooner that is.");
-    return m;
+        return Case{words.line("claims_s0_bunny_too_large.case", "lambda"_a = readable(lambda, 1),
+                               "limits"_a = readable(step / bench.subject("bunny").critical)),
+                    reach(bench, "bunny", {explicit_euler, step, 100})};
+    };
+    return {.cases = each(std::array{8e-7, 3e-6, 1e-5, 1e-4}, reached), .remark = words.say("claims_s0_bunny_too_large.remark")};
 }
 
-/// One step of λ against ten of λ/10, `steps` of the former: roughness left.
-double coarse_over_fine(ClaimBench& bench, std::string_view name, double lambda, int steps, OperatorKind kind = OperatorKind::cotan) {
+/// One step of λ against ten of λ/10, ten of the former: roughness left.
+double coarse_over_fine(ClaimBench& bench, std::string_view name, double lambda, OperatorKind kind = OperatorKind::cotan) {
     const SmoothingSubject& s = bench.subject(name);
-    return roughness(s, bench.run(name, {explicit_euler, lambda, steps, kind}).X) /
-           roughness(s, bench.run(name, {explicit_euler, lambda / 10, 10 * steps, kind}).X);
+    return roughness(s, bench.run(name, {explicit_euler, lambda, 10, kind}).X) /
+           roughness(s, bench.run(name, {explicit_euler, lambda / 10, 100, kind}).X);
 }
 
 Measurement small_steps(ClaimBench& bench, const MeshNames&) {
     Measurement m;
-    const double critical = bench.subject("bunny").critical;
     double below = 0;
     for (const double share : {0.25, 0.5, 0.9, 1.5}) {
-        m.cases.push_back({"λ = " + plain_text(share) + " λ_crit", coarse_over_fine(bench, "bunny", share * critical, 10)});
+        m.cases.push_back(
+            {"λ = " + plain_text(share) + " λ_crit", coarse_over_fine(bench, "bunny", share * bench.subject("bunny").critical)});
         if (share < 1) below = std::max(below, std::abs(m.cases.back().value - 1));
     }
-    m.remark =
-        report::text("Ten steps are compared with a hundred of a tenth of the size. Below the limit that changes what is left by at most ",
-                     readable_percent(below, 2), ".");
+    m.remark = words.say("claims_s0_small_steps.remark", "change"_a = readable_percent(below, 2));
     return m;
 }
 
 Measurement small_uniform_steps(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
-    for (const double lambda : {0.05, 0.5, 1.0}) {
-        m.cases.push_back({"uniform, λ = " + plain_text(lambda), coarse_over_fine(bench, "bunny", lambda, 10, OperatorKind::uniform)});
-    }
-    m.remark = report::text("0.05 beside 0.005, the report's own pair, is the first case.");
-    return m;
+    const auto compared = [&](double lambda) {
+        return Case{"uniform, λ = " + plain_text(lambda), coarse_over_fine(bench, "bunny", lambda, OperatorKind::uniform)};
+    };
+    return {.cases = each(std::array{0.05, 0.5, 1.0}, compared), .remark = words.say("claims_s2_small_steps.remark")};
 }
 
 /// √(mean squared distance of the vertices from their mean). [length]
 double size_of(const Positions& X) { return std::sqrt((X.rowwise() - X.colwise().mean()).squaredNorm() / double(X.rows())); }
 
+/// What `iterations` steps of 10⁻³ leave of the cube's size.
+double size_left(ClaimBench& bench, int iterations) {
+    const RunKey key{explicit_euler, bench.raw_step("cube", 1e-3), iterations};
+    return size_of(bench.run("cube", key).X) / size_of(bench.mesh("cube").mesh->mesh().X);
+}
+
 Measurement cube_too_large(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
-    const double step = bench.raw_step("cube", 1e-3);
-    m.cases = {{"λ = 10⁻³", 100 * step / bench.subject("cube").critical}};
-    const double size = size_of(bench.run("cube", {explicit_euler, step, 100}).X) / size_of(bench.mesh("cube").mesh->mesh().X);
-    m.remark = report::text("It is no instability: the mesh shrinks steadily, to ", readable_percent(size), " of its size in 100 steps.");
-    return m;
+    return {.cases = {{"λ = 10⁻³", 100 * bench.raw_step("cube", 1e-3) / bench.subject("cube").critical}},
+            .remark = words.say("claims_s0_cube_too_large.remark", "size"_a = readable_percent(size_left(bench, 100)))};
 }
 
 Measurement cube_deforms(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
-    const double step = bench.raw_step("cube", 1e-3), before = size_of(bench.mesh("cube").mesh->mesh().X);
-    for (const int t : {1, 10, 100}) {
-        m.cases.push_back({std::to_string(t) + (t == 1 ? " iteration" : " iterations"),
-                           100 * (1 - size_of(bench.run("cube", {explicit_euler, step, t}).X) / before)});
-    }
-    m.remark = report::text("The report does not say how many iterations it took.");
-    return m;
+    const auto shrunk = [&](int t) { return Case{counted(t, "iteration"), 100 * (1 - size_left(bench, t))}; };
+    return {.cases = each(std::array{1, 10, 100}, shrunk), .remark = words.say("claims_s0_cube_deforms.remark")};
 }
 
 Measurement limits_differ(ClaimBench& bench, const MeshNames& meshes) {
-    Measurement m;
+    Measurement m{.remark = words.say("claims_s0_limits_differ.remark")};
     const auto limit = [&](std::string_view name) {   // [squared mean edges]
         const SmoothingSubject& subject = bench.subject(name);
         return subject.critical / (subject.mean_edge * subject.mean_edge);
@@ -139,12 +115,9 @@ Measurement limits_differ(ClaimBench& bench, const MeshNames& meshes) {
     const double first = limit(meshes.front());
     for (std::size_t i = 1; i < meshes.size(); ++i) {
         const double other = limit(meshes[i]);
-        m.cases.push_back({bench.mesh(meshes.front()).mesh->name + " and " + bench.mesh(meshes[i]).mesh->name,
+        m.cases.push_back({listed({bench.mesh(meshes.front()).mesh->name, bench.mesh(meshes[i]).mesh->name}),
                            std::max(first, other) / std::min(first, other)});
     }
-    m.remark = report::text(
-        "λ is an area, so that size alone changes it; in squared mean edges size is taken out, and what is left is the "
-        "triangulation, sometimes a single vertex of it.");
     return m;
 }
 
@@ -154,78 +127,14 @@ const std::vector<Claim>& explicit_claims() {
     using enum Rule::Relation;
     using enum About::Scope;
     static const std::vector<Claim> claims{
-        {"claims_s0_bunny_limit",
-         "S0",
-         "",
-         "q5",
-         "On the bunny, explicit steps below about 2 × 10⁻⁷ are good ones.",
-         {{"bunny"}, itself},
-         {"λ = 2 × 10⁻⁷ over the largest stable λ", "", at_most, 1.05},
-         Effort::quick,
-         bunny_limit},
-        {"claims_s0_bunny_zigzag",
-         "S0",
-         "",
-         "q5",
-         "Even 100 steps of 10⁻⁷ leave zigzags on the bunny.",
-         {{"bunny"}, itself},
-         {"the step over the limit of the operator in use, at its largest along the run", "", at_least, 1},
-         Effort::full,
-         bunny_zigzag},
-        {"claims_s0_bunny_too_large",
-         "S0",
-         "",
-         "q5",
-         "Steps of 8 × 10⁻⁷ to 10⁻⁴ break the bunny up more and more, until it cannot be recognised.",
-         {{"bunny"}, itself},
-         {"the distance of the farthest vertex from the centre within 100 iterations", "× the box diagonal", at_least, 1},
-         Effort::quick,
-         bunny_too_large},
-        {"claims_s0_small_steps",
-         "S0",
-         "",
-         "q5",
-         "For the same amount of smoothing, small steps and many iterations are better than large steps and few.",
-         {{"bunny"}},
-         {"the roughness left by large steps over that left by small ones, at equal λ × iterations", "", at_least, 1.05},
-         Effort::quick,
-         small_steps},
-        {"claims_s0_cube_too_large",
-         "S0",
-         "",
-         "q5",
-         "On the cube, λ = 10⁻³ is already too large a step.",
-         {{"cube"}, itself},
-         {"λ over the largest stable λ", "%", at_least, 100},
-         Effort::quick,
-         cube_too_large},
-        {"claims_s0_cube_deforms",
-         "S0",
-         "",
-         "q5",
-         "From λ = 10⁻³ on, smoothing deforms the cube considerably.",
-         {{"cube"}, itself},
-         {"how much the mesh shrinks, by the rms distance of its vertices from their mean", "%", at_least, 10},
-         Effort::quick,
-         cube_deforms},
-        {"claims_s0_limits_differ",
-         "S0",
-         "",
-         "q5",
-         "Each object needs a step of its own.",
-         {{"bunny", "cube", "cow"}, any_mesh, {}, 2},
-         {"the larger of two limits over the smaller, each in squared mean edges", "", at_least, 2},
-         Effort::quick,
-         limits_differ},
-        {"claims_s2_small_steps",
-         "S2",
-         "",
-         "q5",
-         "The best results come from very small steps and very many iterations.",
-         {{"bunny"}},
-         {"the roughness left by large steps over that left by small ones, at equal λ × iterations", "", at_least, 1.05},
-         Effort::full,
-         small_uniform_steps},
+        {"claims_s0_bunny_limit", "q5", {{"bunny"}, itself}, {"step_over_limit.bunny", "", at_most, 1.05}, bunny_limit},
+        {"claims_s0_bunny_zigzag", "q5", {{"bunny"}, itself}, {"step_over_limit.in_use", "", at_least, 1}, bunny_zigzag, Effort::full},
+        {"claims_s0_bunny_too_large", "q5", {{"bunny"}, itself}, {"reach", "× the box diagonal", at_least, 1}, bunny_too_large},
+        {"claims_s0_small_steps", "q5", {{"bunny"}}, {"large_over_small", "", at_least, 1.05}, small_steps},
+        {"claims_s0_cube_too_large", "q5", {{"cube"}, itself}, {"step_over_limit", "%", at_least, 100}, cube_too_large},
+        {"claims_s0_cube_deforms", "q5", {{"cube"}, itself}, {"shrinkage", "%", at_least, 10}, cube_deforms},
+        {"claims_s0_limits_differ", "q5", {{"bunny", "cube", "cow"}, any_mesh, {}, 2}, {"limits", "", at_least, 2}, limits_differ},
+        {"claims_s2_small_steps", "q5", {{"bunny"}}, {"large_over_small", "", at_least, 1.05}, small_uniform_steps, Effort::full},
     };
     return claims;
 }

@@ -1,8 +1,6 @@
 // Claims about the operator itself: its symmetry, and what changing its weights does to the largest stable step.
-#include "base/number_text.h"
 #include "geometry/measures/mesh_laws.h"
-#include "questions/claims/claim_bench.h"
-#include "questions/claims/claim_list.h"
+#include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
 
@@ -15,29 +13,23 @@ SparseMatrix L_of(const LaplaceBeltrami& laplacian) {
 }
 
 Measurement C_not_symmetric(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
     const LaplaceBeltrami& laplacian = bench.subject("bunny").laplacian;
-    m.cases = {{"C", asymmetry(laplacian.C)}};
     const double of_L = asymmetry(L_of(laplacian));
-    if (of_L > 1e-9) m.remark = report::text("It is M⁻¹C that is not symmetric: ", readable(of_L, 2), ".");
-    return m;
+    return {.cases = {{"C", asymmetry(laplacian.C)}},
+            .remark = of_L > 1e-9 ? words.say("claims_s1_symmetric.remark", "asymmetry"_a = readable(of_L, 2)) : report::Text()};
 }
 
 Measurement L_not_symmetric(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
-    m.cases = {{"L = M⁻¹C", asymmetry(L_of(bench.subject("bunny").laplacian))}};
-    return m;
+    return {.cases = {{"L = M⁻¹C", asymmetry(L_of(bench.subject("bunny").laplacian))}}};
 }
 
 Measurement clamping_is_stable(ClaimBench& bench, const MeshNames& meshes) {
-    Measurement m;
-    for (const std::string_view name : meshes) {
-        const TriangleMesh& mesh = bench.mesh(name).mesh->mesh();
-        const double clamped = largest_stable_step(largest_eigenvalue(laplace_operator(mesh, OperatorKind::clamped)));
-        m.cases.push_back({bench.mesh(name).mesh->name, clamped / bench.subject(name).critical});
-    }
-    m.remark = report::text("Weights set to zero make no entry of the diagonal smaller.");
-    return m;
+    const auto gained = [&](std::string_view name) {
+        const LibraryMesh& source = *bench.mesh(name).mesh;
+        const double clamped = largest_stable_step(largest_eigenvalue(laplace_operator(source.mesh(), OperatorKind::clamped)));
+        return Case{source.name, clamped / bench.subject(name).critical};
+    };
+    return {.cases = each(meshes, gained), .remark = words.say("claims_s3_clamp_stable.remark")};
 }
 
 }   // namespace
@@ -46,33 +38,18 @@ const std::vector<Claim>& operator_claims() {
     using enum Rule::Relation;
     using enum About::Scope;
     static const std::vector<Claim> claims{
-        {"claims_s1_symmetric",
-         "S1",
-         "",
-         "q4",
-         "The cotangent matrix C is not symmetric.",
-         {{"bunny"}},
-         {"the largest |C_ij − C_ji| over the largest |C_ij|", "", at_least, 1e-9},
-         Effort::quick,
-         C_not_symmetric},
+        {"claims_s1_symmetric", "q4", {{"bunny"}}, {"asymmetry_c", "", at_least, 1e-9}, C_not_symmetric},
         {"claims_s2_symmetric",
-         "S2",
-         "",
          "q4",
-         "The Laplacian M⁻¹C is not symmetric.",
          {{"bunny"}, any_mesh, {Property::unequal_areas}},
-         {"the largest |L_ij − L_ji| over the largest |L_ij|", "", at_least, 1e-3},
-         Effort::quick,
+         {"asymmetry_l", "", at_least, 1e-3},
          L_not_symmetric},
         {"claims_s3_clamp_stable",
-         "S3",
-         "",
          "q4",
-         "Filtering out negative weights makes the operator more stable.",
          {{"armadillo", "lilium", "plane_ns"}, any_mesh, {Property::negative_weights}},
-         {"λ_crit with clamped weights over λ_crit with all", "", at_least, 1.01},
-         Effort::full,
-         clamping_is_stable},
+         {"clamped_limit", "", at_least, 1.01},
+         clamping_is_stable,
+         Effort::full},
     };
     return claims;
 }

@@ -1,20 +1,44 @@
 /// @file
-/// The section "claims": the ledger as a table, every verdict explained, and what they come to.
+/// What the files of the chapter share: its words, cases, and the ledger as tables and sentences.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "questions/claims/claim.h"
-#include "questions/core/chapter.h"
+#include "base/number_text.h"
+#include "questions/claims/claim_bench.h"
+#include "questions/claims/claim_list.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::claims {
+
+inline constexpr report::Words words("claims");
+inline constexpr std::string_view measurements = "claims_measurements";   // the table of all cases
+
+/// A case for each of these meshes, steps, …
+template <class Range>
+std::vector<Case> each(const Range& range, const auto& case_of) {
+    std::vector<Case> cases;
+    for (const auto& one : range) cases.push_back(case_of(one));
+    return cases;
+}
+/// "random triangles on the torus".
+inline std::string sampled(MeshKind kind, std::string_view surface) {
+    return words.line("case.sampling", "triangles"_a = name_of(kind), "surface"_a = surface);
+}
+
+/// "✓ holds".
+std::string shown(Verdict verdict);
 
 report::Table ledger_table(const std::vector<JudgedClaim>& judged);
 /// Every case of every claim: what the verdicts follow from.
 report::Table measurement_table(const std::vector<JudgedClaim>& judged);
 report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged);
 
-int count_of(const std::vector<JudgedClaim>& judged, Verdict verdict);
 /// The verdicts of the table counted again and held against the claims, and the rule applied again to the table of measurements.
 std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged);
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged);

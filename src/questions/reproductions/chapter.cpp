@@ -2,35 +2,12 @@
 #include <set>
 
 #include "base/errors.h"
-#include "base/number_text.h"
 #include "questions/core/section_tools.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
 
 namespace {
-
-using report::code;
-using report::math;
-
-void add_method(report::Section& section, const QuestionSettings& settings) {
-    add_heading(section, "Method");
-    add_paragraph(section,
-                  "Four earlier reports on this coursework, S0 to S3, show what their programs made of their meshes. Each of their "
-                  "experiments is a few lines of a settings file, with the parameters of the report, and can be done again. ",
-                  settings.own_experiments
-                      ? report::text("Done here are the ones of the settings given.")
-                      : report::text("Done here are a few small ones; all of a report run with ",
-                                     code("report --config s0 --only reproductions"), ", and likewise s1, s2 and s3. "),
-                  settings.own_experiments ? report::text() : report::text(report::ref("reproductions_coverage"), " says which is which."));
-    add_paragraph(
-        section,
-        "Where a mesh of a report is not in the data folders, a bundled one stands in. Raw λ and σ are areas and lengths of "
-        "the original: they carry over as the same multiple of ",
-        math("λ_crit"),
-        " where a mesh is only smoothed, of the mean edge (squared for λ) where noise is removed. The uniform operator's λ has no "
-        "unit and stays. What a report does not say is chosen by a rule that stands beside it.");
-}
 
 template <class Done>
 void enter_inputs(report::Section& section, const Done& done) {
@@ -62,8 +39,8 @@ void reproduce(const Reproduction& r, const MeshLibrary& library) {
 void reproduce_or_tell(const Reproduction& r, const MeshLibrary& library) {
     const auto tell = [&](const Error& error) {
         add_opening(r, {});
-        add_paragraph(r.section(), report::strong("Could not be done: "), printable(error.what()), ".");
-        r.section().warnings.push_back(r.experiment.from + ", " + rows_text(r.experiment.rows) + ": " + printable(error.what()));
+        add_words(r.section(), words, "could_not_be_done", "why"_a = printable(error.what()));
+        r.section().warnings.push_back(r.where() + ": " + printable(error.what()));
     };
     try {
         reproduce(r, library);
@@ -82,40 +59,33 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("reproductions");
-    add_method(section, settings);
+    add_words(section, words, settings.own_experiments ? "method.own" : "method.bundled");
+    add_words(section, words, "method.carried");
 
-    add_heading(section, "Coverage");
-    section.blocks.emplace_back(coverage_table(settings.bundled_experiments, settings.experiments));
+    add_words(section, words, "coverage.heading");
+    add(section, coverage_table(settings.bundled_experiments, settings.experiments));
     if (!settings.bundled_experiments.empty()) {
-        section.checks.push_back(report::check_at_most("rows 7 to 34 that neither a bundled experiment nor a section answers", 0,
-                                                       double(uncovered_rows(settings.bundled_experiments).size())));
+        section.checks.push_back(
+            report::check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));
     }
     std::set<int> rows;
     std::set<std::string> reports;
     for (std::size_t i = 0; i < settings.experiments.size(); ++i) {
-        const Experiment& experiment = settings.experiments[i];
-        progress(experiment.from + ", " + rows_text(experiment.rows));
-        reproduce_or_tell({answer, experiment, settings, "reproductions_" + number_of(i)}, library);
-        rows.insert(experiment.rows.begin(), experiment.rows.end());
-        reports.insert(experiment.from);
+        const Reproduction r{answer, settings.experiments[i], settings, "reproductions_" + number_of(i)};
+        progress(r.where());
+        reproduce_or_tell(r, library);
+        rows.insert(r.experiment.rows.begin(), r.experiment.rows.end());
+        reports.insert(r.experiment.from);
     }
-    section.parameters["experiments"] = std::to_string(settings.experiments.size());
-    section.parameters["taken from"] = settings.own_experiments ? "the settings file" : "the brief ones of the bundled files";
-    section.extent = settings.experiments.empty()
-                         ? "no experiments were named"
-                         : counted(static_cast<int>(settings.experiments.size()), "experiment") + " of " +
-                               listed({reports.begin(), reports.end()}) + " done again, for " +
-                               counted(static_cast<int>(rows.size()), "row") +
-                               " of the requirements; which section or bundled experiment answers each of the others";
+    section.parameters = {{"experiments", std::to_string(settings.experiments.size())},
+                          {"taken from", words.line(settings.own_experiments ? "parameter.own" : "parameter.bundled")}};
+    section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = settings.experiments.size(),
+                                "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows.size());
     constexpr int all = limits::last_row - limits::first_row + 1;
-    const auto covered = [](const std::vector<Experiment>& by) {
-        return std::to_string(all - static_cast<int>(uncovered_rows(by).size()));
-    };
+    const auto covered = [](const std::vector<Experiment>& by) { return all - static_cast<int>(uncovered_rows(by).size()); };
     section.findings.push_back(
-        {report::text("Earlier reports: of the ", std::to_string(all), " things that they and the assignment show ",
-                      covered(settings.experiments), " are done again by a section of the whole report or by an experiment here; with ",
-                      counted(static_cast<int>(settings.bundled_experiments.size()), "bundled experiment"), " it would be ",
-                      covered(settings.bundled_experiments), "."),
+        {words.say("finding", "all"_a = all, "here"_a = covered(settings.experiments), "bundled"_a = settings.bundled_experiments.size(),
+                   "by_bundled"_a = covered(settings.bundled_experiments)),
          20});
     return answer;
 }

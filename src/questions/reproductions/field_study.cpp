@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/curvature/curvature.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
@@ -25,7 +26,7 @@ Vector half_norms(const LaplaceBeltrami& laplacian, const Positions& X) {
 /// (2π − Σθ)/A at every vertex, as if there were no boundary.
 Vector deficit_over_area(const TriangleMesh& mesh, const Vector& areas) {
     const CornerValues angles = corner_angles(mesh);
-    Vector values = Vector::Constant(mesh.X.rows(), 2 * M_PI);
+    Vector values = Vector::Constant(mesh.X.rows(), 2 * pi);
     for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
         for (int k = 0; k < 3; ++k) values[mesh.F(t, k)] -= angles(t, k);
     }

@@ -4,10 +4,10 @@
 
 #include "base/number_text.h"
 #include "geometry/curvature/fundamental_forms.h"
+#include "geometry/linear/special_values.h"
 #include "questions/bench/ellipsoid_study.h"
 #include "questions/core/section_tools.h"
-#include "questions/core/six_view_figure.h"
-#include "questions/core/value_lists.h"
+#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
@@ -16,7 +16,6 @@ namespace {
 
 using report::check_at_most;
 using report::check_near;
-using report::math;
 
 // ---- curvature --------------------------------------------------------------------------------------------------------
 
@@ -31,51 +30,38 @@ std::string field_title(const Experiment& e, const ExperimentField& field) {
     return title;
 }
 
-void add_field_figures(const Reproduction& r, const CurvatureExperiment& done) {
-    const Experiment& e = r.experiment;
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) {
-        for (const ExperimentColour colour : e.colours) {
-            const ExperimentMesh& mesh = done.meshes[m];
-            SixViewFigure figure;
-            std::string what = name_of(colour);
-            std::replace(what.begin(), what.end(), '-', '_');
-            figure.id = r.id_of(mesh.name() + "_" + what);
-            figure.title = e.from + ": " + e.name;
-            figure.subtitle = mesh.used->input.file;
-            bool open = false;
-            for (const ExperimentField& field : done.fields) {
-                if (field.mesh != m || field.colour != colour) continue;
-                open = open || std::isfinite(field.largest_boundary);
-                figure.panels.push_back(
-                    panel_of(*mesh.used, figure.id + "_" + std::to_string(figure.panels.size()), field_title(e, field), field.drawn));
-            }
-            if (figure.panels.empty()) continue;
-            figure.range = range_of(r, colour, figure.panels);
-            figure.caption =
-                (figure.panels.size() == 1 ? sentence_case(figure.panels.front().label) : "Curvature") + " of " + mesh.used->input.file;
-            if (figure.panels.size() == 1) figure.panels.front().label.clear();
-            if (figure.range) figure.caption += ": " + figure.range->quantity;
-            figure.caption +=
-                open ? ". The boundary is coloured by the same formula, as the report drew it; it is no curvature there." : ".";
-            add_figure(r.answer, std::move(figure));
-        }
+void add_field_figure(const Reproduction& r, const CurvatureExperiment& done, std::size_t m, ExperimentColour colour) {
+    const ExperimentMesh& mesh = done.meshes[m];
+    SixViewFigure figure{.id = r.id_of(mesh.name() + "_" + key_of(colour)),
+                         .title = r.experiment.from + ": " + r.experiment.name,
+                         .subtitle = mesh.used->input.file};
+    bool open = false;
+    for (const ExperimentField& field : done.fields) {
+        if (field.mesh != m || field.colour != colour) continue;
+        open = open || std::isfinite(field.largest_boundary);
+        figure.panels.push_back(
+            panel_of(*mesh.used, figure.id + "_" + std::to_string(figure.panels.size()), field_title(r.experiment, field), field.drawn));
     }
+    if (figure.panels.empty()) return;
+    figure.range = range_of(r, colour, figure.panels);
+    std::string what = "Curvature";
+    if (figure.panels.size() == 1) what = sentence_case(std::exchange(figure.panels.front().label, ""));
+    figure.caption = words.line(figure.range ? "field.caption" : "field.caption.no_range", "what"_a = what, "file"_a = figure.subtitle,
+                                "quantity"_a = figure.range ? figure.range->quantity : "");
+    if (open) figure.caption += " " + words.line("field.caption.boundary");
+    add_figure(r.answer, std::move(figure));
 }
 
-void add_field_table(const Reproduction& r, const CurvatureExperiment& done) {
-    report::Table table;
-    table.id = r.id_of("fields");
-    table.caption =
-        "The estimates, made free of the unit by the mean edge: ½‖Δx‖ over it, H times it, K times its square. Boundary vertices are left "
-        "out, but for the last column: the largest value that the same formula gives there, – on closed meshes.";
-    table.columns = {{"mesh"},          {"estimate"},       {"vertices", "", 6}, {"smallest", "", 3},
-                     {"median", "", 3}, {"largest", "", 3}, {"> 0", "%", 3},     {"boundary", "", 3}};
-    for (const ExperimentField& field : done.fields) {
-        const ValueSummary& s = field.summary;
-        table.rows.push_back({done.meshes[field.mesh].name(), field_title(r.experiment, field), double(s.count), cell_of(s.minimum),
-                              cell_of(s.median), cell_of(s.maximum), cell_of(100 * field.positive), cell_of(field.largest_boundary)});
-    }
-    r.section().blocks.emplace_back(std::move(table));
+report::Table field_table(const Reproduction& r, const CurvatureExperiment& done) {
+    return table(r.id_of("fields"), words.line("fields"), done.fields)
+        .column("mesh", [&](auto& field) { return done.meshes[field.mesh].name(); })
+        .column("estimate", [&](auto& field) { return field_title(r.experiment, field); })
+        .column("vertices", {.digits = 6}, [](auto& field) { return field.summary.count; })
+        .column("smallest", [](auto& field) { return cell_of(field.summary.minimum); })
+        .column("median", [](auto& field) { return cell_of(field.summary.median); })
+        .column("largest", [](auto& field) { return cell_of(field.summary.maximum); })
+        .column("> 0", {.unit = "%"}, [](auto& field) { return cell_of(100 * field.positive); })
+        .column("boundary", [](auto& field) { return cell_of(field.largest_boundary); });
 }
 
 /// rms of the difference of two fields over the rms of the first, where both are defined; NaN where the first is 0.
@@ -89,35 +75,35 @@ double relative_gap(const Vector& a, const Vector& b) {
     return size > 0 ? std::sqrt(gap / size) : std::nan("");
 }
 
+/// @param first_h  the first estimate of H by cotangents on that mesh, when this is a later one
+report::Text about_field(const Reproduction& r, const ExperimentField& field, const ExperimentField* first_h) {
+    const std::string title = sentence_case(field_title(r.experiment, field));
+    if (field.summary.count == 0) return words.say("field.undefined", "field"_a = title);
+    const std::string boundary =
+        std::isfinite(field.largest_boundary) ? words.line("field.boundary", "largest"_a = readable(field.largest_boundary, 2)) : "";
+    if (field.largest_inside < 1e-9) {
+        return words.say(field.largest_inside > 0 ? "field.nearly_flat" : "field.flat", "field"_a = title,
+                         "largest"_a = readable(field.largest_inside, 1), "boundary"_a = boundary);
+    }
+    std::string beside;
+    if (field.colour == ExperimentColour::h_cotan && first_h != nullptr) {
+        const double gap = relative_gap(first_h->inside, field.inside);
+        if (gap >= 0)
+            beside = words.line(gap == 0 ? "field.same" : "field.off", "first"_a = field_title(r.experiment, *first_h),
+                                "gap"_a = readable_percent(gap, 2));
+    }
+    return words.say("field.curved", "field"_a = title, "positive"_a = readable_percent(field.positive, 2),
+                     "median"_a = readable(field.summary.median, 2), "largest"_a = readable(field.largest_inside, 2),
+                     "boundary"_a = boundary, "beside"_a = beside);
+}
+
 report::Text fields_found(const Reproduction& r, const CurvatureExperiment& done, std::size_t m) {
-    report::Text text = report::text(report::strong("Found on " + done.meshes[m].name() + ": "));
+    report::Text text = words.say("found_on", "mesh"_a = done.meshes[m].name());
     const ExperimentField* first_h = nullptr;
     for (const ExperimentField& field : done.fields) {
         if (field.mesh != m) continue;
-        const std::string title = sentence_case(field_title(r.experiment, field));
-        if (field.summary.count == 0) {
-            report::extend(text, title, " is defined at no vertex. ");
-            continue;
-        }
-        const bool flat = field.largest_inside < 1e-9;
-        if (flat) {
-            report::extend(text, title, " is 0 inside");
-            if (field.largest_inside > 0) report::extend(text, " (to ", readable(field.largest_inside, 1), ")");
-        } else {
-            report::extend(text, title, " is positive at ", readable_percent(field.positive, 2), " of the vertices, ",
-                           readable(field.summary.median, 2), " in the median and ", readable(field.largest_inside, 2),
-                           " at the most in size");
-        }
-        if (std::isfinite(field.largest_boundary))
-            report::extend(text, "; along the boundary the formula gives up to ", readable(field.largest_boundary, 2));
-        if (field.colour == ExperimentColour::h_cotan && first_h != nullptr && !flat) {
-            const double gap = relative_gap(first_h->inside, field.inside);
-            if (gap == 0) report::extend(text, ", the same as ", field_title(r.experiment, *first_h), " everywhere inside");
-            if (gap > 0)
-                report::extend(text, ", off ", field_title(r.experiment, *first_h), " by ", readable_percent(gap, 2), " (rms, inside)");
-        }
-        if (field.colour == ExperimentColour::h_cotan && first_h == nullptr) first_h = &field;
-        report::extend(text, ". ");
+        report::extend(text, about_field(r, field, first_h), " ");
+        if (field.colour == ExperimentColour::h_cotan && first_h == nullptr && field.summary.count > 0) first_h = &field;
     }
     return text;
 }
@@ -134,58 +120,42 @@ std::string rebuilt_label(const Experiment& e, const RebuiltMesh& rebuilt) {
 void add_rebuilt_figure(const Reproduction& r, const ReconstructionExperiment& done, std::size_t m) {
     const ExperimentMesh& mesh = done.meshes[m];
     const ExperimentColour colour = r.experiment.colours.front();
-    SixViewFigure figure;
-    figure.id = r.id_of(mesh.name());
-    figure.title = r.experiment.from + ": " + r.experiment.name;
-    figure.subtitle = mesh.used->input.file;
-    figure.panels.push_back(panel_of(*mesh.used, figure.id + "_original", "original", colours_of(mesh, colour, mesh.mesh().X)));
+    SixViewFigure figure = figure_on(r, mesh, "original");
     for (const RebuiltMesh& rebuilt : done.rebuilt) {
         if (rebuilt.mesh != m) continue;
         figure.panels.push_back(panel_of(moved_to(mesh.mesh(), rebuilt.X), figure.id + "_" + std::to_string(figure.panels.size()),
                                          rebuilt_label(r.experiment, rebuilt), colours_of(mesh, colour, rebuilt.X)));
     }
     figure.range = range_of(r, colour, figure.panels);
-    figure.caption =
-        mesh.used->input.file + " and what its smoothest k eigenvectors make of it; camera and scale are those of the original.";
+    figure.caption = words.line("rebuilt.caption", "file"_a = mesh.used->input.file);
     add_figure(r.answer, std::move(figure));
 }
 
-void add_rebuilt_table(const Reproduction& r, const ReconstructionExperiment& done) {
-    report::Table table;
-    table.id = r.id_of("errors");
-    table.caption = "Errors of the reconstructions. Weighted: in the operator's own masses, in which no further mode can make it worse.";
-    table.columns = {{"mesh"},
-                     {"operator"},
-                     {"k", "", 6},
-                     {"rms error", "% of box", 3},
-                     {"weighted", "% of box", 3},
-                     {"largest", "% of box", 3},
-                     {"volume", "% of original", 3},
-                     {"eigenpair residual", "", 2}};
-    for (const RebuiltMesh& rebuilt : done.rebuilt) {
-        const ExperimentMesh& mesh = done.meshes[rebuilt.mesh];
-        const double percent = 100 / mesh.diagonal;
-        const bool closed = mesh.used->prepared->preflight.closed();
-        table.rows.push_back({mesh.name(), std::string(operator_entry(rebuilt.kind).title), double(rebuilt.k),
-                              percent * rebuilt.difference.rms, percent * rebuilt.mass_rms, percent * rebuilt.difference.max,
-                              cell_of(100 * rebuilt.difference.volume_ratio, closed), rebuilt.residual});
-    }
-    r.section().blocks.emplace_back(std::move(table));
+report::Table rebuilt_table(const Reproduction& r, const ReconstructionExperiment& done) {
+    const auto percent = [&](const RebuiltMesh& rebuilt) { return 100 / done.meshes[rebuilt.mesh].diagonal; };
+    const auto volume = [&](const RebuiltMesh& rebuilt) {
+        return cell_of(100 * rebuilt.difference.volume_ratio, done.meshes[rebuilt.mesh].used->prepared->preflight.closed());
+    };
+    return table(r.id_of("errors"), words.line("rebuilt.errors"), done.rebuilt)
+        .column("mesh", [&](auto& rebuilt) { return done.meshes[rebuilt.mesh].name(); })
+        .column("operator", [](auto& rebuilt) { return operator_entry(rebuilt.kind).title; })
+        .column("k", {.digits = 6}, &RebuiltMesh::k)
+        .column("rms error", {.unit = "% of box"}, [&](auto& rebuilt) { return percent(rebuilt) * rebuilt.difference.rms; })
+        .column("weighted", {.unit = "% of box"}, [&](auto& rebuilt) { return percent(rebuilt) * rebuilt.mass_rms; })
+        .column("largest", {.unit = "% of box"}, [&](auto& rebuilt) { return percent(rebuilt) * rebuilt.difference.max; })
+        .column("volume", {.unit = "% of original"}, volume)
+        .column("eigenpair residual", {.digits = 2}, &RebuiltMesh::residual);
 }
 
 report::Text rebuilt_found(const Reproduction& r, const ReconstructionExperiment& done, std::size_t m) {
-    report::Text text = report::text(report::strong("Found on " + done.meshes[m].name() + ": "));
-    std::vector<const RebuiltMesh*> of_mesh;
+    std::string errors;
     for (const RebuiltMesh& rebuilt : done.rebuilt) {
-        if (rebuilt.mesh == m) of_mesh.push_back(&rebuilt);
+        if (rebuilt.mesh != m) continue;
+        errors += (errors.empty() ? "" : "; ") + words.line("rebuilt.error",
+                                                            "error"_a = readable(100 * rebuilt.difference.rms / done.meshes[m].diagonal),
+                                                            "label"_a = rebuilt_label(r.experiment, rebuilt));
     }
-    for (std::size_t i = 0; i < of_mesh.size(); ++i) {
-        const RebuiltMesh& rebuilt = *of_mesh[i];
-        report::extend(text, i == 0 ? "rms error " : "; ", readable(100 * rebuilt.difference.rms / done.meshes[m].diagonal),
-                       " % of the box with ", rebuilt_label(r.experiment, rebuilt));
-    }
-    report::extend(text, ".");
-    return text;
+    return words.say("rebuilt.found", "mesh"_a = done.meshes[m].name(), "errors"_a = errors);
 }
 
 /// In the operator's own masses the error cannot grow with k.
@@ -193,11 +163,11 @@ void add_rebuilt_checks(const Reproduction& r, const ReconstructionExperiment& d
     for (std::size_t i = 0; i + 1 < done.rebuilt.size(); ++i) {
         const RebuiltMesh &fewer = done.rebuilt[i], &more = done.rebuilt[i + 1];
         if (fewer.mesh != more.mesh || fewer.kind != more.kind || fewer.area != more.area) continue;
+        const ExperimentMesh& mesh = done.meshes[more.mesh];
         r.section().checks.push_back(
-            check_at_most("error falls from k = " + std::to_string(fewer.k) + " to " + std::to_string(more.k) + ", " +
-                              std::string(operator_entry(more.kind).title) + " on " + done.meshes[more.mesh].name() + " (" +
-                              r.experiment.from + ", " + rows_text(r.experiment.rows) + ")",
-                          fewer.mass_rms / done.meshes[more.mesh].diagonal, more.mass_rms / done.meshes[more.mesh].diagonal, 1e-9));
+            check_at_most(words.line("check.rebuilt", "fewer"_a = fewer.k, "more"_a = more.k,
+                                     "operator"_a = operator_entry(more.kind).title, "mesh"_a = mesh.name(), "where"_a = r.where()),
+                          fewer.mass_rms / mesh.diagonal, more.mass_rms / mesh.diagonal, 1e-9));
     }
 }
 
@@ -205,16 +175,17 @@ void add_rebuilt_checks(const Reproduction& r, const ReconstructionExperiment& d
 
 void add_curvature_reproduction(const Reproduction& r, const CurvatureExperiment& done) {
     add_opening(r, done.meshes);
-    add_field_figures(r, done);
-    add_field_table(r, done);
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) r.section().blocks.emplace_back(report::Paragraph{fields_found(r, done, m)});
+    for (std::size_t m = 0; m < done.meshes.size(); ++m)
+        for (const ExperimentColour colour : r.experiment.colours) add_field_figure(r, done, m, colour);
+    add(r.section(), field_table(r, done));
+    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraph(r.section(), fields_found(r, done, m));
 }
 
 void add_reconstruction_reproduction(const Reproduction& r, const ReconstructionExperiment& done) {
     add_opening(r, done.meshes);
     for (std::size_t m = 0; m < done.meshes.size(); ++m) add_rebuilt_figure(r, done, m);
-    add_rebuilt_table(r, done);
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) r.section().blocks.emplace_back(report::Paragraph{rebuilt_found(r, done, m)});
+    add(r.section(), rebuilt_table(r, done));
+    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraph(r.section(), rebuilt_found(r, done, m));
     add_rebuilt_checks(r, done);
 }
 
@@ -222,15 +193,11 @@ void add_forms_reproduction(const Reproduction& r) {
     add_opening(r, {});
     constexpr int steps = 360;
     const Ellipsoid& e = tall_ellipsoid;
-    report::Plot plot;
-    plot.id = r.id_of("normal_curvature");
-    plot.x_label = "θ";
-    plot.y_label = "normal curvature [1/length]";
-    report::Series angle{"unit tangent at angle θ from +y", {}, {}, {}, {}, report::Series::Style::line};
-    report::Series parameters{"(du, dv) = (cos θ, sin θ)", {}, {}, {}, {}, report::Series::Style::dashed};
+    report::Series angle{.name = words.line("forms.angle")};
+    report::Series parameters{.name = words.line("forms.parameters"), .style = report::Series::Style::dashed};
     double largest = 0, smallest = INFINITY, at_largest = 0, at_smallest = 0;
     for (int i = 0; i <= steps; ++i) {
-        const double theta = 2 * M_PI * i / steps, kappa = tip_curvature_by_angle(e, theta);
+        const double theta = 2 * pi * i / steps, kappa = tip_curvature_by_angle(e, theta);
         angle.x.push_back(theta);
         angle.y.push_back(kappa);
         parameters.x.push_back(theta);
@@ -238,20 +205,19 @@ void add_forms_reproduction(const Reproduction& r) {
         if (i < steps / 2 && kappa > largest) largest = kappa, at_largest = theta;
         if (i < steps / 2 && kappa < smallest) smallest = kappa, at_smallest = theta;
     }
-    plot.series = {std::move(angle), std::move(parameters)};
-    for (int i = 0; i <= 4; ++i)
-        plot.vertical_lines.push_back({i * M_PI / 2, i == 0 ? "0" : i == 1 ? "π/2" : i == 2 ? "π" : i == 3 ? "3π/2" : "2π"});
-    plot.caption = "Normal curvature of the ellipsoid with " + axes_text(e) + " at (a, 0, 0).";
-    plot.alt = plot.caption;
-    r.section().blocks.emplace_back(std::move(plot));
-    const double at_pole = (ellipsoid_point(e, 0, M_PI) - Vector3(e.a, 0, 0)).norm();
-    add_paragraph(r.section(), report::strong("Found: "), "With ", math("b < c"), " the largest value, ", readable(largest),
-                  ", is at θ = ", readable(at_largest), " and again half a turn on, the smallest, ", readable(smallest), ", at ",
-                  readable(at_smallest), "; with ", math("b > c"),
-                  " they change places. The point itself is (u, v) = (0, π/2); (0, π) lies ", readable(at_pole),
-                  " away: it is the south pole, where the first form is singular.");
-    r.section().checks.push_back(check_near("normal curvature along y at (a, 0, 0): a/b²", e.a / (e.b * e.b), largest, 1e-12));
-    r.section().checks.push_back(check_near("normal curvature along z at (a, 0, 0): a/c²", e.a / (e.c * e.c), smallest, 1e-12));
+    const std::string caption = words.line("forms.caption", "axes"_a = axes_text(e));
+    add(r.section(), report::Plot{.id = r.id_of("normal_curvature"),
+                                  .caption = caption,
+                                  .alt = caption,
+                                  .x_label = "θ",
+                                  .y_label = "normal curvature [1/length]",
+                                  .series = {std::move(angle), std::move(parameters)},
+                                  .vertical_lines = {{0, "0"}, {pi / 2, "π/2"}, {pi, "π"}, {3 * pi / 2, "3π/2"}, {2 * pi, "2π"}}});
+    const double at_pole = (ellipsoid_point(e, 0, pi) - Vector3(e.a, 0, 0)).norm();
+    add_words(r.section(), words, "forms.found", "largest"_a = readable(largest), "at_largest"_a = readable(at_largest),
+              "smallest"_a = readable(smallest), "at_smallest"_a = readable(at_smallest), "pole"_a = readable(at_pole));
+    r.section().checks.push_back(check_near(words.line("check.forms.y"), e.a / (e.b * e.b), largest, 1e-12));
+    r.section().checks.push_back(check_near(words.line("check.forms.z"), e.a / (e.c * e.c), smallest, 1e-12));
 }
 
 }   // namespace meshfolio::reproductions

@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "questions/core/chapter.h"
+#include "questions/core/six_view_figure.h"
 #include "questions/reproductions/field_study.h"
 #include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
+
+inline constexpr report::Words words("reproductions");
 
 /// One experiment and where its blocks go.
 struct Reproduction {
@@ -19,6 +22,8 @@ struct Reproduction {
     std::string id;   // "reproductions_03": what its tables, figures and files begin with
 
     report::Section& section() const { return answer.section; }
+    /// "S0, row 20".
+    std::string where() const;
     std::string id_of(const std::string& what) const { return id + "_" + what; }
 };
 
@@ -34,7 +39,7 @@ report::Table coverage_table(const std::vector<Experiment>& bundled, const std::
 /// The rows that neither an experiment nor another section answers.
 std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments);
 
-// ---- words they share -------------------------------------------------------------------------------------------------
+// ---- what they share -------------------------------------------------------------------------------------------------
 
 /// Heading and opening: what the report says, on which meshes this is done here, how parameters carry over, which are lost.
 void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshes);
@@ -54,6 +59,10 @@ std::string range_text(const std::vector<double>& values);
 /// With its first letter, when it is a Latin one, as at the beginning of a sentence.
 std::string sentence_case(std::string words);
 
+/// How the id of what is coloured so ends: "h_cotan".
+std::string key_of(ExperimentColour colour);
+/// A figure on this mesh, with the mesh itself as its first panel.
+SixViewFigure figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel);
 /// The range of a figure, from these panels alone; nothing when there are no values.
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels);
 

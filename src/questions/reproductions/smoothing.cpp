@@ -5,16 +5,12 @@
 #include "base/number_text.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/section_tools.h"
-#include "questions/core/six_view_figure.h"
-#include "questions/core/value_lists.h"
+#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
 
 namespace {
-
-using report::check_at_most;
-using report::math;
 
 /// The positions a run shows after one of the experiment's iterations; where it has left the picture, the last that are in view.
 struct Shown {
@@ -32,16 +28,18 @@ bool has_shrunk_away(const ExperimentMesh& mesh, const Positions& X) {
     return bounding_box(moved_to(mesh.mesh(), X)).diagonal() < 0.01 * mesh.diagonal;
 }
 
+std::string run_label(const Experiment& e, const ExperimentRun& run, const Shown& shown) {
+    std::string label = variant_text(e, run.kind, run.area, run.method) + ", λ = " + given_text(e, run.given);
+    if (e.lambda_unit != StepUnit::tau) label += " = " + chosen_text(run.share()) + " λ_crit";
+    label += ", t = " + std::to_string(shown.iteration);
+    return shown.reached ? label : words.line("run.last_in_view", "run"_a = label);
+}
+
 void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::size_t m) {
     const Experiment& e = r.experiment;
     const ExperimentMesh& mesh = done.meshes[m];
     const ExperimentColour colour = e.colours.front();
-    const std::string id = r.id_of(mesh.name());
-    SixViewFigure figure;
-    figure.id = id;
-    figure.title = e.from + ": " + e.name;
-    figure.subtitle = mesh.used->input.file;
-    figure.panels.push_back(panel_of(*mesh.used, id + "_before", "before", colours_of(mesh, colour, mesh.mesh().X)));
+    SixViewFigure figure = figure_on(r, mesh, "before");
     std::vector<std::string> gone, shrunk;   // out of the picture with their first step; too small to be seen in it
     for (const ExperimentRun& run : done.runs) {
         if (run.mesh != m) continue;
@@ -52,79 +50,75 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
         bool ended = false;   // a run that has left the picture is shown once
         for (std::size_t i = 0; i < e.iterations.size() && !ended; ++i) {
             const Shown shown = shown_at(run, i, e.iterations[i]);
-            std::string label = variant_text(e, run.kind, run.area, run.method) + ", λ = " + given_text(e, run.given);
-            if (e.lambda_unit != StepUnit::tau) label += " = " + chosen_text(run.share()) + " λ_crit";
-            label += ", t = " + std::to_string(shown.iteration) + (shown.reached ? "" : ", the last in view");
+            const std::string label = run_label(e, run, shown);
             ended = !shown.reached;
             if (has_shrunk_away(mesh, *shown.X)) {
                 shrunk.push_back(label);
                 continue;
             }
-            figure.panels.push_back(panel_of(moved_to(mesh.mesh(), *shown.X), id + "_" + std::to_string(figure.panels.size()), label,
+            figure.panels.push_back(panel_of(moved_to(mesh.mesh(), *shown.X), figure.id + "_" + std::to_string(figure.panels.size()), label,
                                              colours_of(mesh, colour, *shown.X)));
         }
     }
     figure.range = range_of(r, colour, {figure.panels.front()});
-    figure.caption = mesh.used->input.file + " before and after each run, camera and scale those of the input.";
-    if (figure.range) figure.caption += " Colours: " + figure.range->quantity + ", in the range of the input.";
-    if (!gone.empty()) figure.caption += " Beyond the picture after the first step already, so not drawn: " + listed(gone) + ".";
-    if (!shrunk.empty()) figure.caption += " Shrunk to less than can be seen, so not drawn: " + listed(shrunk) + ".";
+    figure.caption = words.line("smoothed.caption", "file"_a = figure.subtitle);
+    if (figure.range) figure.caption += " " + words.line("smoothed.caption.colours", "quantity"_a = figure.range->quantity);
+    if (!gone.empty()) figure.caption += " " + words.line("smoothed.caption.gone", "runs"_a = listed(gone));
+    if (!shrunk.empty()) figure.caption += " " + words.line("smoothed.caption.shrunk", "runs"_a = listed(shrunk));
     add_figure(r.answer, std::move(figure));
 }
 
-std::string outcome_of(const ExperimentMesh& mesh, const ExperimentRun& run, std::size_t index, double energy) {
-    const Smoothed& result = run.run.result;
-    if (index >= run.run.snapshots.size() && result.blew_up) return "blown up in iteration " + std::to_string(result.blow_up_iteration);
-    if (index >= run.run.snapshots.size() && result.collapse_iteration > 0)
-        return "nothing left in iteration " + std::to_string(result.collapse_iteration);
-    if (has_shrunk_away(mesh, run.run.snapshots[index])) return "shrunk to almost a point";
-    return energy > 1 ? "rougher than before" : "smoother";
-}
+/// A row of the table: a run at one of the experiment's iterations.
+struct Snapshot {
+    const ExperimentRun& run;
+    const ExperimentMesh& mesh;
+    std::size_t index;   // of the iteration
+    int iteration;
+    double energy = std::nan(""), volume = std::nan("");   // over those of the input; NaN: the run had ended, or the mesh is open
+    std::optional<MeshDifference> moved = {};              // none: the run had ended
+};
 
-void add_table(const Reproduction& r, const SmoothingExperiment& done) {
-    const Experiment& e = r.experiment;
-    report::Table table;
-    table.id = r.id_of("runs");
-    table.caption =
-        "Every run. Energy: Dirichlet energy of the run's own operator over that of the input; moved: rms over the vertices; –: no "
-        "volume where the mesh is open, nothing where the run had ended.";
-    table.columns = {{"mesh"},
-                     {"steps"},
-                     {"λ, report"},
-                     {"λ, here", "", 3},
-                     {"λ/λ_crit", "", 3},
-                     {"iterations", "", 6},
-                     {"energy", "of input", 3},
-                     {"moved", "% of box", 3},
-                     {"volume", "% of input", 4},
-                     {"inverted faces", "", 6},
-                     {"outcome"}};
+std::vector<Snapshot> snapshots_of(const SmoothingExperiment& done, const Experiment& e) {
+    std::vector<Snapshot> rows;
     for (const ExperimentRun& run : done.runs) {
-        const ExperimentMesh& mesh = done.meshes[run.mesh];
         for (std::size_t i = 0; i < e.iterations.size(); ++i) {
-            const auto t = static_cast<std::size_t>(e.iterations[i]);
-            const bool reached = i < run.run.snapshots.size();
-            const double energy = reached ? run.run.energy[t] : std::nan("");
-            std::vector<report::Cell> row{mesh.name(),
-                                          variant_text(e, run.kind, run.area, run.method),
-                                          given_text(e, run.given),
-                                          run.run.lambda,
-                                          run.share(),
-                                          double(t),
-                                          cell_of(energy)};
-            const std::monostate empty;
-            if (reached) {
-                const MeshDifference moved = compare_meshes(mesh.mesh(), moved_to(mesh.mesh(), run.run.snapshots[i]));
-                row.insert(row.end(), {100 * moved.rms / mesh.diagonal, cell_of(run.run.volume.empty() ? NAN : 100 * run.run.volume[t]),
-                                       double(moved.inverted_faces)});
-            } else {
-                row.insert(row.end(), {empty, empty, empty});
-            }
-            row.emplace_back(outcome_of(mesh, run, i, energy));
-            table.rows.push_back(std::move(row));
+            Snapshot& row = rows.emplace_back(Snapshot{run, done.meshes[run.mesh], i, e.iterations[i]});
+            if (i >= run.run.snapshots.size()) continue;
+            const auto t = static_cast<std::size_t>(row.iteration);
+            row.energy = run.run.energy[t];
+            if (!run.run.volume.empty()) row.volume = run.run.volume[t];
+            row.moved = compare_meshes(row.mesh.mesh(), moved_to(row.mesh.mesh(), run.run.snapshots[i]));
         }
     }
-    r.section().blocks.emplace_back(std::move(table));
+    return rows;
+}
+
+std::string outcome_of(const Snapshot& row) {
+    const Smoothed& result = row.run.run.result;
+    if (!row.moved && result.blew_up) return words.line("outcome.blown_up", "iteration"_a = result.blow_up_iteration);
+    if (!row.moved && result.collapse_iteration > 0) return words.line("outcome.nothing_left", "iteration"_a = result.collapse_iteration);
+    if (has_shrunk_away(row.mesh, row.run.run.snapshots[row.index])) return words.line("outcome.shrunk");
+    return words.line(row.energy > 1 ? "outcome.rougher" : "outcome.smoother");
+}
+
+report::Table run_table(const Reproduction& r, const SmoothingExperiment& done) {
+    const Experiment& e = r.experiment;
+    const auto moved = [](const Snapshot& row) {
+        return row.moved ? report::Cell(100 * row.moved->rms / row.mesh.diagonal) : report::Cell();
+    };
+    const auto inverted = [](const Snapshot& row) { return row.moved ? report::Cell(double(row.moved->inverted_faces)) : report::Cell(); };
+    return table(r.id_of("runs"), words.line("runs"), snapshots_of(done, e))
+        .column("mesh", [](auto& row) { return row.mesh.name(); })
+        .column("steps", [&](auto& row) { return variant_text(e, row.run.kind, row.run.area, row.run.method); })
+        .column("λ, report", [&](auto& row) { return given_text(e, row.run.given); })
+        .column("λ, here", [](auto& row) { return row.run.run.lambda; })
+        .column("λ/λ_crit", [](auto& row) { return row.run.share(); })
+        .column("iterations", {.digits = 6}, &Snapshot::iteration)
+        .column("energy", {.unit = "of input"}, [](auto& row) { return cell_of(row.energy); })
+        .column("moved", {.unit = "% of box"}, moved)
+        .column("volume", {.unit = "% of input", .digits = 4}, [](auto& row) { return cell_of(100 * row.volume); })
+        .column("inverted faces", {.digits = 6}, inverted)
+        .column("outcome", [](auto& row) { return outcome_of(row); });
 }
 
 // ---- what was found ---------------------------------------------------------------------------------------------------
@@ -152,23 +146,24 @@ double last_energy(const ExperimentRun& run) { return run.run.energy.back(); }
 double share_of(const ExperimentRun& run) { return run.share(); }
 int end_of(const ExperimentRun& run) { return run.run.result.blow_up_iteration; }
 
+/// In which iterations they blew up. @param blown  at least one
+std::string ends_text(const Runs& blown) {
+    const auto [first, last] = std::ranges::minmax(blown, {}, [](const ExperimentRun* run) { return end_of(*run); });
+    if (end_of(*first) == end_of(*last)) return std::to_string(end_of(*first));
+    return words.line("range", "first"_a = end_of(*first), "last"_a = end_of(*last));
+}
+
 /// What became of some runs: how many, at which shares of the limit, and their energies or the iterations they ended in.
-void tell_runs(report::Text& text, const Runs& runs, const std::string& what) {
+void tell_runs(report::Text& text, const Runs& runs, std::string_view what) {
     if (runs.empty()) return;
     Runs blown, whole;
     for (const ExperimentRun* run : runs) (run->run.result.blew_up ? blown : whole).push_back(run);
-    report::extend(text, sentence_case(what), " (", range_text(values_of(runs, share_of)), " ", math("λ_crit"), "): ");
-    if (!whole.empty()) {
-        report::extend(text, blown.empty() ? "" : counted(static_cast<int>(whole.size()), "run") + " ended whole, ",
-                       "after the last iteration ", range_text(values_of(whole, last_energy)), " times the energy of the input");
-    }
-    if (!blown.empty()) {
-        const auto [first, last] = std::minmax_element(blown.begin(), blown.end(), [](auto a, auto b) { return end_of(*a) < end_of(*b); });
-        report::extend(text, whole.empty() ? "" : "; ", counted(static_cast<int>(blown.size()), "run"), " blew up, in iteration ",
-                       std::to_string(end_of(**first)));
-        if (end_of(**last) > end_of(**first)) report::extend(text, " to ", std::to_string(end_of(**last)));
-    }
-    report::extend(text, ". ");
+    const std::string_view key = blown.empty() ? "runs.whole" : whole.empty() ? "runs.blown" : "runs.both";
+    report::extend(text,
+                   words.say(key, "what"_a = words.line(what), "shares"_a = range_text(values_of(runs, share_of)), "whole"_a = whole.size(),
+                             "energies"_a = whole.empty() ? "" : range_text(values_of(whole, last_energy)), "blown"_a = blown.size(),
+                             "ends"_a = blown.empty() ? "" : ends_text(blown)),
+                   " ");
 }
 
 /// Of runs beyond the limit that ended whole with less energy: how far the top mode, for which λμ_max = 2λ/λ_crit, grew in them.
@@ -179,8 +174,7 @@ void tell_hidden_growth(report::Text& text, const Runs& beyond) {
     }
     if (hidden.empty()) return;
     const auto growth = [](const ExperimentRun& run) { return std::pow(2 * run.share() - 1, run.run.result.iterations); };
-    report::extend(text, "Where such steps ended whole, the top mode grew ", math("|1 − λμ_max|^t"), " = ",
-                   range_text(values_of(hidden, growth)), "-fold all the same, which the energy does not show yet. ");
+    report::extend(text, words.say("runs.hidden_growth", "growth"_a = range_text(values_of(hidden, growth))), " ");
 }
 
 /// The gap between explicit and implicit runs at the same λ, against how far they moved.
@@ -191,10 +185,12 @@ void tell_pairs(report::Text& text, const SmoothingExperiment& done, std::size_t
                               a.method.rebuild == b.method.rebuild && a.kind == b.kind && a.area == b.area && a.run.lambda == b.run.lambda;
             if (!pair || a.run.result.blew_up || a.run.snapshots.empty() || b.run.snapshots.empty()) continue;
             const double percent = 100 / done.meshes[m].diagonal;
-            report::extend(text, "At ", readable(a.share()), " ", math("λ_crit"), " explicit and implicit results differ by ",
-                           readable(percent * vertex_rms(a.run.snapshots.back(), b.run.snapshots.back())),
-                           " % of the box (rms), having moved by ", readable(percent * a.run.moved.rms), " % and ",
-                           readable(percent * b.run.moved.rms), " %. ");
+            const double apart = vertex_rms(a.run.snapshots.back(), b.run.snapshots.back());
+            report::extend(
+                text,
+                words.say("runs.pair", "share"_a = readable(a.share()), "apart"_a = readable(percent * apart),
+                          "explicit"_a = readable(percent * a.run.moved.rms), "implicit"_a = readable(percent * b.run.moved.rms)),
+                " ");
         }
     }
 }
@@ -217,30 +213,29 @@ void tell_equal_times(report::Text& text, const Experiment& e, const SmoothingEx
         }
     }
     if (gaps.empty()) return;
-    report::extend(text, "The same ", math("λt"), " in more and smaller steps (", counted(static_cast<int>(gaps.size()), "pair"),
-                   "): results differ by ", range_text(gaps), " % of the box where they moved by ", range_text(moves), " %. ");
+    report::extend(text, words.say("runs.equal_times", "pairs"_a = gaps.size(), "gaps"_a = range_text(gaps), "moves"_a = range_text(moves)),
+                   " ");
 }
 
 report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, std::size_t m) {
-    report::Text text = report::text(report::strong("Found on " + done.meshes[m].name() + ": "));
+    report::Text text = words.say("found_on", "mesh"_a = done.meshes[m].name());
+    const auto chosen = [&](auto choice) { return runs_where(done, m, choice); };
     const auto frozen = [](const ExperimentRun& run) { return is_explicit(run) && !run.method.rebuild; };
-    tell_runs(text, runs_where(done, m, [&](const ExperimentRun& run) { return frozen(run) && run.share() <= 1; }),
-              "explicit steps within the limit");
-    const Runs beyond = runs_where(done, m, [&](const ExperimentRun& run) { return frozen(run) && run.share() > 1; });
-    tell_runs(text, beyond, "explicit steps beyond the limit");
+    tell_runs(text, chosen([&](auto& run) { return frozen(run) && run.share() <= 1; }), "runs.within_limit");
+    const Runs beyond = chosen([&](auto& run) { return frozen(run) && run.share() > 1; });
+    tell_runs(text, beyond, "runs.beyond_limit");
     tell_hidden_growth(text, beyond);
-    tell_runs(text, runs_where(done, m, [](const ExperimentRun& run) { return is_explicit(run) && run.method.rebuild; }),
-              "explicit steps with the operator rebuilt at each");
-    tell_runs(text, runs_where(done, m, [](const ExperimentRun& run) { return run.method.scheme == SmoothingScheme::implicit_euler; }),
-              "implicit steps");
-    tell_runs(text, runs_where(done, m, [](const ExperimentRun& run) { return run.method.scheme == SmoothingScheme::taubin; }),
-              "Taubin's steps");
+    tell_runs(text, chosen([](auto& run) { return is_explicit(run) && run.method.rebuild; }), "runs.rebuilt");
+    tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::implicit_euler; }), "runs.implicit");
+    tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::taubin; }), "runs.taubin");
     tell_pairs(text, done, m);
     tell_equal_times(text, r.experiment, done, m);
     for (const UsableStep& usable : done.usable) {
         if (usable.mesh != m) continue;
-        report::extend(text, "The largest λ that ", counted(usable.iterations, "step"), " bear is ", readable(usable.lambda), " = ",
-                       readable(usable.lambda / usable.critical, 4), " ", math("λ_crit"), ". ");
+        report::extend(text,
+                       words.say("runs.usable", "steps"_a = usable.iterations, "lambda"_a = readable(usable.lambda),
+                                 "share"_a = readable(usable.lambda / usable.critical, 4)),
+                       " ");
     }
     return text;
 }
@@ -250,8 +245,8 @@ void add_checks(const Reproduction& r, const SmoothingExperiment& done) {
         const bool decays = run.method.scheme == SmoothingScheme::implicit_euler || run.share() < 1;
         const bool law = decays && !run.method.rebuild && run.method.scheme != SmoothingScheme::taubin;
         if (!law) continue;
-        const std::string name = "energy never rises: " + name_of(run.method) + ", " + plain_text(run.share(), 3) + " λ_crit on " +
-                                 done.meshes[run.mesh].name() + " (" + r.experiment.from + ", " + rows_text(r.experiment.rows) + ")";
+        const std::string name = words.line("check.energy", "method"_a = name_of(run.method), "share"_a = plain_text(run.share(), 3),
+                                            "mesh"_a = done.meshes[run.mesh].name(), "where"_a = r.where());
         r.section().checks.push_back(energy_check(name, run.run));
     }
 }
@@ -261,8 +256,8 @@ void add_checks(const Reproduction& r, const SmoothingExperiment& done) {
 void add_smoothing_reproduction(const Reproduction& r, const SmoothingExperiment& done) {
     add_opening(r, done.meshes);
     for (std::size_t m = 0; m < done.meshes.size(); ++m) add_figure_of(r, done, m);
-    add_table(r, done);
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) r.section().blocks.emplace_back(report::Paragraph{found_on(r, done, m)});
+    add(r.section(), run_table(r, done));
+    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraph(r.section(), found_on(r, done, m));
     add_checks(r, done);
 }
 

@@ -11,61 +11,55 @@ namespace {
 
 /// "bunny.off", or "the dragon, which is not to be had".
 std::string original_words(const OriginalMesh& original) {
-    return original.file.empty() ? "the " + original.name + ", which is not to be had" : original.file;
+    return original.file.empty() ? words.line("original.lost", "mesh"_a = original.name) : original.file;
 }
 
 std::string mesh_words(const ExperimentMesh& mesh) {
-    const std::string used = mesh.used->input.file + " (" + counted(mesh.mesh().vertex_count(), "vertex", "vertices") + ")";
-    if (!mesh.stand_in) return used + " itself";
     std::vector<std::string> originals;
     for (const OriginalMesh& original : mesh.originals) originals.push_back(original_words(original));
-    return used + " in place of " + listed(originals);
+    return words.line(mesh.stand_in ? "mesh.stand_in" : "mesh.itself", "file"_a = mesh.used->input.file,
+                      "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(originals));
 }
 
 /// How raw numbers of the original became numbers here; empty when they are as given.
 report::Text carried_words(const Experiment& experiment, const ExperimentMesh& mesh) {
     const OriginalMesh& original = mesh.originals.front();
-    const OperatorKind kind = experiment.operators.front();
-    const bool steps = !experiment.lambda.empty();
-    if (steps && lambda_rule(experiment, mesh, kind) == Carried::by_limit) {
-        return report::text("The λ belong to the ", original.name, ", whose ", report::math("λ_crit"), " is ",
-                            readable(original.lambda_crit), ". On ", mesh.used->input.file, ", with ", report::math("λ_crit"), " = ",
-                            readable(mesh.cotan_critical), ", they are the same multiples of it.");
+    const auto rule = experiment.lambda.empty() ? Carried::as_given : lambda_rule(experiment, mesh, experiment.operators.front());
+    if (rule == Carried::by_limit) {
+        return words.say("carried.by_limit", "original"_a = original.name, "limit"_a = readable(original.lambda_crit),
+                         "file"_a = mesh.used->input.file, "limit_here"_a = readable(mesh.cotan_critical));
     }
-    const bool by_edge = steps && lambda_rule(experiment, mesh, kind) == Carried::by_edge;
-    const bool noise_by_edge = !experiment.noise.empty() && noise_rule(experiment, mesh) == Carried::by_edge;
-    if (!by_edge && !noise_by_edge) return {};
-    const std::string what = by_edge && noise_by_edge ? "λ and σ" : by_edge ? "The λ" : "The σ";
-    return report::text(what, " belong to the ", original.name, ", whose mean edge is ", readable(original.mean_edge), ". On ",
-                        mesh.used->input.file, ", with ", readable(mesh.mean_edge), ", they are the same multiples of the mean edge",
-                        by_edge ? (noise_by_edge ? " and its square." : "'s square.") : ".");
+    const bool steps = rule == Carried::by_edge, noise = !experiment.noise.empty() && noise_rule(experiment, mesh) == Carried::by_edge;
+    if (!steps && !noise) return {};
+    return words.say(steps && noise ? "carried.both"
+                     : steps        ? "carried.steps"
+                                    : "carried.noise",
+                     "original"_a = original.name, "edge"_a = readable(original.mean_edge), "file"_a = mesh.used->input.file,
+                     "edge_here"_a = readable(mesh.mean_edge));
 }
 
 }   // namespace
 
 void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshes) {
     const Experiment& e = r.experiment;
-    add_heading(r.section(), sentence_case(rows_text(e.rows)) + " (" + e.from + "): " + e.name);
+    add_heading(r.section(), words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name));
     report::BulletList list;
-    if (!e.said.empty()) list.items.push_back(report::text(report::strong("The report: "), e.said));
-    if (!meshes.empty()) {
-        std::vector<std::string> words;
-        for (const ExperimentMesh& mesh : meshes) words.push_back(mesh_words(mesh));
-        std::string joined;
-        for (const std::string& word : words) joined += (joined.empty() ? "" : "; ") + word;
-        list.items.push_back(report::text(report::strong("Here: "), joined, "."));
-    }
-    for (const ExperimentMesh& mesh : meshes) {
-        if (const report::Text words = carried_words(e, mesh); !words.empty()) list.items.push_back(words);
-    }
-    if (!e.lost.empty()) list.items.push_back(report::text(report::strong("Not in the report: "), e.lost));
-    if (!list.items.empty()) r.section().blocks.emplace_back(std::move(list));
+    if (!e.said.empty()) list.items.push_back(words.say("opening.said", "said"_a = e.said));
+    std::string here;
+    for (const ExperimentMesh& mesh : meshes) here += (here.empty() ? "" : "; ") + mesh_words(mesh);
+    if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = here));
+    for (const ExperimentMesh& mesh : meshes)
+        if (report::Text carried = carried_words(e, mesh); !carried.empty()) list.items.push_back(std::move(carried));
+    if (!e.lost.empty()) list.items.push_back(words.say("opening.lost", "lost"_a = e.lost));
+    if (!list.items.empty()) add(r.section(), std::move(list));
 }
+
+std::string Reproduction::where() const { return experiment.from + ", " + rows_text(experiment.rows); }
 
 std::string rows_text(const std::vector<int>& rows) {
     std::vector<std::string> numbers;
     for (const int row : rows) numbers.push_back(std::to_string(row));
-    return (rows.size() == 1 ? "row " : "rows ") + listed(numbers);
+    return words.line("rows", "count"_a = rows.size(), "rows"_a = listed(numbers));
 }
 
 std::string given_text(const Experiment& experiment, double lambda) {
@@ -74,11 +68,12 @@ std::string given_text(const Experiment& experiment, double lambda) {
 }
 
 std::string noise_text(const Experiment& experiment, double noise) {
+    const std::string percent = chosen_text(100 * noise) + "\u202f%";
     switch (experiment.noise_unit) {
         case NoiseUnit::box:
-            return chosen_text(100 * noise) + "\u202f% of the box";
+            return words.line("noise.box", "percent"_a = percent);
         case NoiseUnit::diagonal:
-            return chosen_text(100 * noise) + "\u202f% of the diagonal";
+            return words.line("noise.diagonal", "percent"_a = percent);
         case NoiseUnit::edge:
             return chosen_text(noise) + " h̄";
         case NoiseUnit::raw:
@@ -88,43 +83,46 @@ std::string noise_text(const Experiment& experiment, double noise) {
 }
 
 std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaForm area, const SmoothingMethod& method) {
-    std::string words = name_of(method);
-    if (experiment.operators.size() > 1 || kind != OperatorKind::cotan) words += ", " + std::string(operator_entry(kind).title);
-    if (experiment.areas.size() > 1 || area != AreaForm::barycentric) words += ", " + std::string(name_of(area)) + " areas";
-    return words;
+    std::string variant = name_of(method);
+    if (experiment.operators.size() > 1 || kind != OperatorKind::cotan) variant += ", " + std::string(operator_entry(kind).title);
+    if (experiment.areas.size() > 1 || area != AreaForm::barycentric) variant += ", " + std::string(name_of(area)) + " areas";
+    return variant;
 }
 
 std::string chosen_text(double x) { return report::brief(x, 3); }
 
 std::string range_text(const std::vector<double>& values) {
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const std::string first = chosen_text(*low), last = chosen_text(*high);
-    return first == last ? first : first + " to " + last;
+    const auto [low, high] = std::ranges::minmax(values);
+    const std::string first = chosen_text(low), last = chosen_text(high);
+    return first == last ? first : words.line("range", "first"_a = first, "last"_a = last);
 }
 
-std::string sentence_case(std::string words) {
-    if (!words.empty() && words.front() >= 'a' && words.front() <= 'z') words.front() = static_cast<char>(words.front() - 'a' + 'A');
-    return words;
+std::string sentence_case(std::string said) {
+    if (!said.empty() && said.front() >= 'a' && said.front() <= 'z') said.front() = static_cast<char>(said.front() - 'a' + 'A');
+    return said;
+}
+
+std::string key_of(ExperimentColour colour) {
+    std::string key = name_of(colour);
+    std::ranges::replace(key, '-', '_');
+    return key;
+}
+
+SixViewFigure figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel) {
+    const std::string id = r.id_of(mesh.name());
+    return {.id = id,
+            .title = r.experiment.from + ": " + r.experiment.name,
+            .subtitle = mesh.used->input.file,
+            .panels = {
+                panel_of(*mesh.used, id + "_" + first_panel, first_panel, colours_of(mesh, r.experiment.colours.front(), mesh.mesh().X))}};
 }
 
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels) {
-    const auto range = [&](const std::string& own, const std::string& quantity, const std::string& unit, double floor) {
-        const std::string map = r.experiment.colormap.empty() ? own : r.experiment.colormap;
-        return output::robust_range(panels, map, quantity, unit, floor);
-    };
-    switch (colour) {
-        case ExperimentColour::none:
-            return {};
-        case ExperimentColour::h_cotan:
-            return range("diverging", "H by cotangents × mean edge", "", 1e-6);
-        case ExperimentColour::h_uniform:
-            return range("diverging", "H by uniform weights / mean edge", "", 1e-6);
-        case ExperimentColour::gauss:
-            return range("diverging", "K × squared mean edge", "", 1e-6);
-        case ExperimentColour::distance:
-            break;
-    }
-    return range(r.settings.colormap, "distance to the original", "% of the box diagonal", 1e-6);
+    if (colour == ExperimentColour::none) return {};
+    const bool distance = colour == ExperimentColour::distance;
+    const std::string own = distance ? r.settings.colormap : "diverging";
+    return output::robust_range(panels, r.experiment.colormap.empty() ? own : r.experiment.colormap, words.line("colour." + key_of(colour)),
+                                distance ? "% of the box diagonal" : "", 1e-6);
 }
 
 }   // namespace meshfolio::reproductions
