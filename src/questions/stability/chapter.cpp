@@ -1,39 +1,51 @@
 // The section "stability": the limit of explicit smoothing proved, and what happens on both sides of it.
-#include "questions/stability/parts.h"
+#include <algorithm>
 
 #include "base/number_text.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
-#include "questions/stability/figures.h"
+#include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
 
 namespace {
 
-using report::math;
-using report::ref;
+using report::check_at_least;
+using report::check_at_most;
+using report::check_near;
 
-void add_method(report::Section& section) {
-    add_heading(section, "Method");
-    add_paragraph(section, "A step of explicit smoothing multiplies each mode by ", math("1 − λμ"), ", so that no mode grows as long as");
-    add_formula(section, "stability_limit", "stability_eq_limit");
-    add_paragraph(section, "Lanczos finds ", math("μ_max"),
-                  " but proves nothing: what it returns may be too small, and the step too large. Two facts enclose ", math("μ_max"),
-                  ". Every vector proves a "
-                  "lower bound by its Rayleigh quotient, and a Cholesky factorisation that runs to its end proves an upper one:");
-    add_formula(section, "stability_certificate", "stability_eq_certificate");
-    add_paragraph(
-        section,
-        "The rounding of the quotient and of the factorisation is bounded beforehand and counted in; the latter by the machine "
-        "precision times the entries of the factor ",
-        ref("rump_2006"),
-        ". So the bounds hold for the matrices as stored, whose own entries were rounded when they were assembled. If Lanczos had "
-        "missed the top, the factorisation just above its value would break down; a factor from farther above then serves to find it. "
-        "The bound of Gershgorin needs neither and is enough where a safe step will do:");
-    add_formula(section, "gershgorin_bound");
-    add_paragraph(section, "All of this holds only if no ", math("μ"),
-                  " is below 0, for such a mode grows whatever the step. Weights that are all ≥ 0 rule that out, and so does a sum over "
-                  "flat triangles, whose own matrices are semidefinite; what rounding leaves of it is bounded in the table.");
+/// 1e-8, unless the rounding of a large factor forbids it.
+report::Check width_check(std::string name, const StabilityCertificate& proved) {
+    constexpr double wanted = 1e-8;
+    report::Check check = check_at_most(std::move(name), wanted, proved.relative_width());
+    if (check.passed() || proved.rounding < 0.2 * wanted) return check;
+    return report::undecided(std::move(check), words.line("check.width.undecided", "entries"_a = proved.factor_nonzeros));
+}
+
+/// Where that is neither proved nor refuted, the check decides nothing.
+report::Check semidefinite_check(std::string name, const StabilityCertificate& proved) {
+    const Definiteness& d = proved.bottom;
+    report::Check check = check_at_least(std::move(name), 0, (d.indefinite() ? d.mu_high : d.mu_low) / proved.mu_high, 1e-10);
+    if (d.semidefinite() || d.indefinite()) return check;
+    return report::undecided(
+        std::move(check), words.line("check.semidefinite.undecided", "low"_a = readable(d.mu_low, 2), "high"_a = readable(d.mu_high, 2)));
+}
+
+void add_operator_checks(report::Section& section, const std::string& mesh, const OperatorLimit& limit) {
+    const auto name = [&](std::string_view key) { return words.line(key, "operator"_a = limit.name, "mesh"_a = mesh); };
+    const StabilityCertificate& proved = limit.certificate;
+    const ModeGrowth& below = limit.below;
+    append_checks(section, {width_check(name("check.width"), proved), semidefinite_check(name("check.semidefinite"), proved),
+                            check_at_least(name("check.gershgorin"), 1, proved.top.upper_bound / proved.mu_high, 1e-8),
+                            check_near(name("check.growth"), 1, over_predicted(limit.beyond), 1e-3),
+                            check_at_most(name("check.decay"), 1, *std::max_element(below.factor.begin() + 1, below.factor.end())),
+                            check_at_most(name("check.decay_by_law"), 0, below.factor.back() - below.predicted(below.steps()), 1e-6)});
+}
+
+void add_checks(report::Section& section, const Studies& studies, const RebuiltFlow& flow) {
+    for (const StabilityStudy& study : studies) {
+        for (const OperatorLimit* limit : study.operators()) add_operator_checks(section, study.name(), *limit);
+        section.checks.push_back(check_at_most(words.line("check.uniform", "mesh"_a = study.name()), 2, study.uniform.certificate.mu_low));
+    }
+    section.checks.push_back(check_at_most(words.line("check.adaptive", "mesh"_a = flow.name()), 2, largest_product(flow.adaptive.run)));
 }
 
 }   // namespace
@@ -43,36 +55,33 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     section = section_of("stability");
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
-    add_method(section);
+    add_words(section, words, "method");
 
-    add_heading(section, "Results");
+    add_words(section, words, "results");
     const auto studies = studies_of(meshes, "limit of explicit smoothing", settings, progress, section, stability_study);
-    progress("rebuilt flow of " + studies.back().name());
-    const RebuiltFlow flow = rebuilt_flow(studies.back(), settings);
-    section.blocks.emplace_back(certificate_table(studies));
-    section.blocks.emplace_back(unit_table(studies));
-    add_limiting_vertex_figures(answer, studies, settings.colormap);
-    section.blocks.emplace_back(growth_table(studies));
-    section.blocks.emplace_back(growth_plot(studies.back()));   // the law is one: the table has the others
-    section.blocks.emplace_back(flow_table(flow));
-    section.blocks.emplace_back(flow_plot(flow));
-    section.blocks.emplace_back(flow_time_table(flow));
-    add_discussion(section, studies, flow);
-    append_checks(section, stability_checks(studies, flow));
-
-    for (const StabilityStudy& study : studies) {
-        section.parameters["λ_crit of " + study.name()] = plain_text(study.cotangent.critical(), 10);
-    }
-    section.parameters["steps of the runs at 0.99 and 1.01 λ_crit"] = std::to_string(studies.front().cotangent.beyond.steps());
-    section.parameters["operator"] = "cotangent with barycentric areas; uniform";
-    section.extent = "the limits of two operators on " + listed(names_of(studies)) +
-                     " proved from both sides; runs a hundredth below and beyond; rebuilt flow with fixed and adaptive steps";
     const StabilityStudy& last = studies.back();
-    section.findings.push_back(
-        {report::text("The largest stable λ of ", last.name(), ", ", readable(rounded_down(last.cotangent.certificate.lambda_low(), 5), 5),
-                      " rounded down, is proved to ", readable(last.cotangent.certificate.relative_width(), 1), " relative; vertex ",
-                      std::to_string(last.limiting.vertex), " sets it."),
-         76});
+    progress("rebuilt flow of " + last.name());
+    const RebuiltFlow flow = rebuilt_flow(last, settings);
+    add(section, certificate_table(studies));
+    add(section, unit_table(studies));
+    add_limiting_vertex_figures(answer, studies, settings.colormap);
+    add(section, growth_table(studies));
+    add(section, growth_plot(last));   // the law is one: the table has the others
+    add(section, flow_table(flow));
+    add(section, flow_plot(flow));
+    add(section, flow_time_table(flow));
+    add_discussion(section, studies, flow);
+    add_checks(section, studies, flow);
+
+    for (const StabilityStudy& study : studies)
+        section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = plain_text(study.cotangent.critical(), 10);
+    section.parameters[words.line("parameter.steps")] = std::to_string(studies.front().cotangent.beyond.steps());
+    section.parameters["operator"] = words.line("parameter.operators");
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)));
+    const StabilityCertificate& proved = last.cotangent.certificate;
+    section.findings = {{words.say("finding", "mesh"_a = last.name(), "limit"_a = readable(rounded_down(proved.lambda_low(), 5), 5),
+                                   "width"_a = readable(proved.relative_width(), 1), "vertex"_a = last.limiting.vertex),
+                         76}};
     return answer;
 }
 

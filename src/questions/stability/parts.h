@@ -1,25 +1,43 @@
 /// @file
-/// The blocks of the section "stability". Private to the layer.
+/// The parts of the section "stability".
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "questions/core/chapter.h"
+#include "questions/core/section_tools.h"
+#include "questions/core/study_list.h"
 #include "questions/stability/study.h"
-#include "report/document.h"
 
 namespace meshfolio::stability {
 
-/// "fandisk_ns, uniform": one operator on one mesh, as the tables name it.
-report::Table certificate_table(const std::vector<StabilityStudy>& studies);
-report::Table unit_table(const std::vector<StabilityStudy>& studies);
-report::Table growth_table(const std::vector<StabilityStudy>& studies);
+inline constexpr report::Words words("stability");
+
+using Studies = std::vector<StabilityStudy>;
+
+// Tables and plots.
+report::Table certificate_table(const Studies& studies);
+report::Table unit_table(const Studies& studies);
+report::Table growth_table(const Studies& studies);
 report::Plot growth_plot(const StabilityStudy& study);
 report::Table flow_table(const RebuiltFlow& flow);
 report::Table flow_time_table(const RebuiltFlow& flow);
 report::Plot flow_plot(const RebuiltFlow& flow);
-std::vector<report::Check> stability_checks(const std::vector<StabilityStudy>& studies, const RebuiltFlow& flow);
+
+/// Two figures of small multiples: every mesh seen along the normal of its limiting vertex, and the triangles around that vertex;
+/// coloured by |φ_max| over its largest value, near by with its sign, the vertex ringed.
+void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const std::string& colormap);
+
+/// The triangles within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
+struct Neighbourhood {
+    TriangleMesh mesh;
+    Eigen::VectorXi original;   // row i is vertex original[i] of the whole mesh
+    int vertex = -1;            // the vertex itself among the rows
+};
+Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings);
 
 /// What the numbers say. Appends its heading and its paragraphs.
-void add_discussion(report::Section& section, const std::vector<StabilityStudy>& studies, const RebuiltFlow& flow);
+void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow);
 
 }   // namespace meshfolio::stability

@@ -1,8 +1,8 @@
 #include "questions/stability/study.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
@@ -53,7 +53,7 @@ LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const TriangleM
     Vector stiffness = whole.A.diagonal();
     const Eigen::Index middle = stiffness.size() / 2;
     std::nth_element(stiffness.begin(), stiffness.begin() + middle, stiffness.end());
-    LimitingVertex limiting{vertex, laplacian.M[vertex] / whole.M.mean(), -laplacian.C.coeff(vertex, vertex) / stiffness[middle], M_PI};
+    LimitingVertex limiting{vertex, laplacian.M[vertex] / whole.M.mean(), -laplacian.C.coeff(vertex, vertex) / stiffness[middle], pi};
     const CornerValues angles = corner_angles(mesh);
     for (int t = 0; t < mesh.face_count(); ++t) {
         if ((mesh.F.row(t).array() == vertex).any()) limiting.smallest_angle = std::min(limiting.smallest_angle, angles.row(t).minCoeff());
@@ -101,11 +101,11 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     return flow;
 }
 
+double over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
+
 double largest_product(const Smoothed& run) {
     double largest = 0;
-    for (const StepStability& step : run.steps) {
-        if (step.top > largest) largest = step.top;
-    }
+    for (const StepStability& step : run.steps) largest = std::max(largest, step.top);
     return largest;
 }
 
