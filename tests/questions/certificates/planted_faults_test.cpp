@@ -64,7 +64,7 @@ TEST(PlantedFaults, ABlindCheckIsReportedAsNotCaught) {
         const std::string right = fault.check;
         fault.check = blind;
         const FaultTrial trial = trial_of(specimen(), sound_checks(), fault);
-        EXPECT_FALSE(trial.caught()) << part << " by " << blind;
+        EXPECT_FALSE(trial.caught()) << part << " by " << blind.name();
         EXPECT_FALSE(check_of(trial).passed());
         EXPECT_NE(std::find(trial.also_seen_by.begin(), trial.also_seen_by.end(), right), trial.also_seen_by.end());
     }

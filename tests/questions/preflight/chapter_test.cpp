@@ -51,9 +51,9 @@ TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
     const auto found = cells(table, "found"), affects = cells(table, "affects"), done = cells(table, "what was done");
     std::size_t row = 0;
     for (const Defect& defect : defect_list()) {
-        if (row == found.size() || std::get<std::string>(found[row]) != defect.name) continue;
+        if (row == found.size() || std::get<std::string>(found[row]) != defect.name()) continue;
         EXPECT_EQ(std::get<std::string>(affects[row]), affected_for_people(defect));
-        EXPECT_EQ(std::get<std::string>(done[row]), defect.done);
+        EXPECT_EQ(std::get<std::string>(done[row]), defect.done());
         ++row;
     }
     EXPECT_EQ(row, 4u);

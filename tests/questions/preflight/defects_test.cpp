@@ -94,7 +94,7 @@ TEST(MeshDefects, EachNamesQuestionsThatExistAndSaysWhatItBreaksAndWhatWasDone) 
     std::set<std::string_view> keys;
     for (const Defect& defect : defect_list()) {
         EXPECT_TRUE(keys.insert(defect.key).second) << defect.key;
-        EXPECT_FALSE(defect.name.empty() || defect.breaks.empty() || defect.done.empty()) << defect.key;
+        EXPECT_FALSE(defect.name().empty() || defect.breaks().empty() || defect.done().empty()) << defect.key;
         const std::vector<std::string> ids = affected_questions(defect);
         ASSERT_FALSE(ids.empty()) << defect.key;
         EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
