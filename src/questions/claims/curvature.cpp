@@ -128,13 +128,14 @@ Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
 
 const std::vector<Claim>& curvature_claims() {
     using enum Rule::Relation;
+    using enum Property;
     using enum About::Scope;
     static const std::vector<Claim> claims{
         {"claims_s0_uniform", "q1", {}, {"uniform_error", "%", at_least, 10}, uniform_inaccurate},
         {"claims_s0_drift", "q1", {}, {"flat_h", "", at_least, 0.01}, uniform_on_flat},
         {"claims_s1_deficit", "q1", {}, {"error_ratio", "", at_most, 1}, deficit_beats_uniform},
-        {"claims_s3_plane_uniform", "q1", {{"plane"}, its_kind, {Property::flat}}, {"flat_h", "", at_most, 0.001}, uniform_on_plane},
-        {"claims_s3_plane_structure", "q1", {{"plane"}, itself, {Property::flat}}, {"flat_h", "", at_least, 0.01}, structure_on_plane},
+        {"claims_s3_plane_uniform", "q1", {{"plane"}, its_kind, {flat}}, {"flat_h", "", at_most, 0.001}, uniform_on_plane},
+        {"claims_s3_plane_structure", "q1", {{"plane"}, itself, {flat}}, {"flat_h", "", at_least, 0.01}, structure_on_plane},
         {"claims_s3_tip", "q2", {}, {"tip_distance", "", at_most, 1e-9}, parameters_of_the_tip},
         {"claims_s3_extrema", "q2", {}, {"normal_curvatures", "", at_least, 1}, places_of_extrema},
         {"claims_s0_irregular", "q3", {}, {"random_error", "%", at_most, 5}, not_influenced},

@@ -101,32 +101,30 @@ Measurement noise_needs_implicit(ClaimBench& bench, const MeshNames&) {
 
 const std::vector<Claim>& fandisk_claims() {
     using enum Rule::Relation;
+    using enum Property;
+    using enum Effort;
     using enum About::Scope;
     static const std::vector<Claim> claims{
-        {"claims_s3_plane_step",
-         "q5",
-         {{"plane_ns"}, its_kind, {Property::clean_form_known}},
-         {"over_best_step", "", at_most, 1.1},
-         plane_at_one},
+        {"claims_s3_plane_step", "q5", {{"plane_ns"}, its_kind, {clean_form_known}}, {"over_best_step", "", at_most, 1.1}, plane_at_one},
         {"claims_s3_fandisk_step",
          "q5",
-         {{"fandisk_ns"}, itself, {Property::clean_form_known}},
+         {{"fandisk_ns"}, itself, {clean_form_known}},
          {"over_best_step", "", at_most, 1.1},
          fandisk_at_half,
-         Effort::full},
-        {"claims_s3_implicit_needed", "q7", {{"fandisk"}}, {"least_explicit", "", at_least, 1.1}, noise_needs_implicit, Effort::full},
+         full},
+        {"claims_s3_implicit_needed", "q7", {{"fandisk"}}, {"least_explicit", "", at_least, 1.1}, noise_needs_implicit, full},
         {"claims_s3_uniform_larger",
          "q7",
-         {{"fandisk_ns"}, its_kind, {Property::clean_form_known}},
+         {{"fandisk_ns"}, its_kind, {clean_form_known}},
          {"best_uniform", "", at_least, 1.5},
          uniform_needs_larger,
-         Effort::full},
+         full},
         {"claims_s3_cotangent_denoises",
          "q7",
-         {{"fandisk_ns"}, its_kind, {Property::clean_form_known}},
+         {{"fandisk_ns"}, its_kind, {clean_form_known}},
          {"least_cotangent", "", at_most, 0.9},
          cotangent_denoises_better,
-         Effort::full},
+         full},
     };
     return claims;
 }

@@ -93,6 +93,8 @@ Measurement delaunay_is_never_rougher(ClaimBench& bench, const MeshNames& meshes
 
 const std::vector<Claim>& paper_claims() {
     using enum Rule::Relation;
+    using enum Property;
+    using enum Effort;
     using enum About::Scope;
     static const std::vector<Claim> claims{
         {"claims_meyer_gauss_bonnet",
@@ -100,26 +102,21 @@ const std::vector<Claim>& paper_claims() {
          {{"armadillo", "plane", "lilium", "torus"}},
          {"gauss_bonnet", "", at_most, 1e-9},
          deficits_sum_up},
-        {"claims_meyer_mixed", "q3", {}, {"order", "", at_least, 1.5}, mixed_areas_converge, Effort::full},
-        {"claims_wardetzky_pointwise", "q3", {}, {"order", "", at_most, 0.5}, no_pointwise_convergence, Effort::full},
+        {"claims_meyer_mixed", "q3", {}, {"order", "", at_least, 1.5}, mixed_areas_converge, full},
+        {"claims_wardetzky_pointwise", "q3", {}, {"order", "", at_most, 0.5}, no_pointwise_convergence, full},
         {"claims_rippa_delaunay",
          "q5",
          {{"bunny", "lilium", "plane_ns"}},
          {"delaunay_limit", "", at_least, 1 - 1e-9},
          delaunay_is_never_rougher,
-         Effort::full},
+         full},
         {"claims_taubin_volume",
          "q5",
-         {{"bunny", "bumpy_cube"}, any_mesh, {Property::closed}},
+         {{"bunny", "bumpy_cube"}, any_mesh, {closed}},
          {"volume_lost", "%", at_most, 1},
          taubin_keeps_volume,
-         Effort::full},
-        {"claims_desbrun_one_step",
-         "q6",
-         {{"fandisk_ns"}},
-         {"implicit_over_explicit", "", at_most, 1},
-         implicit_step_beats_ten,
-         Effort::full},
+         full},
+        {"claims_desbrun_one_step", "q6", {{"fandisk_ns"}}, {"implicit_over_explicit", "", at_most, 1}, implicit_step_beats_ten, full},
     };
     return claims;
 }
