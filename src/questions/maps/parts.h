@@ -2,31 +2,30 @@
 /// Parts of the section "maps": what the planes of smoothing show.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "questions/core/section_tools.h"
+#include "questions/core/study_list.h"
 #include "questions/maps/study.h"
-#include "report/document.h"
 
 namespace meshfolio::maps {
 
+inline constexpr report::Words words("maps");
+
+using Studies = std::vector<SmoothingMaps>;
+
 /// The maps of one mesh: error, volume (area where it is open), smallest angle, turned triangles; explicit beside implicit.
 std::vector<report::Map> maps_of(const SmoothingMaps& maps);
-/// " a: explicit, the last step …. b: …."
+/// "a: explicit, the last step …. b: …."
 std::string words_of(const std::vector<MapPlace>& places);
 
-report::Table blow_up_table(const std::vector<SmoothingMaps>& studies);
-report::Table place_table(const std::vector<SmoothingMaps>& studies);
-report::Table region_table(const std::vector<SmoothingMaps>& studies);
-std::vector<report::Check> map_checks(const std::vector<SmoothingMaps>& studies);
+report::Table blow_up_table(const Studies& studies);
+report::Table place_table(const Studies& studies);
+report::Table region_table(const Studies& studies);
 
-/// Two cells of one scheme with the same diffusion time λt, reached in many small steps and in few large ones.
-struct EqualTime {
-    std::size_t many = 0, few = 0;   // cells
-    double difference = 0;           // of the rms motion, many over few, less 1
-};
-/// Of all such pairs whose iteration counts differ tenfold the one that differs most, where neither had blown up; `few` = `many`: none.
-EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const SchemeMap& map);
-
-void add_discussion(report::Section& section, const std::vector<SmoothingMaps>& studies);
+/// "none", "12".
+std::string none_or(int count);
+void add_discussion(report::Section& section, const Studies& studies);
 
 }   // namespace meshfolio::maps

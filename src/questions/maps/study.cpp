@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/parallel_tasks.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/value_lists.h"
+#include "questions/maps/parts.h"
 
 namespace meshfolio::maps {
 
@@ -56,7 +57,6 @@ public:
         : maps_(maps), mesh_(maps.subject.mesh()), normals_(face_normals(mesh_)), size_(size_of(mesh_)) {}
 
     Measured operator()(const Positions& X) const {
-        const double undefined = std::nan("");
         Measured m{vertex_rms(mesh_.X, X) / maps_.subject.diagonal, undefined, undefined, undefined, undefined};
         if (maps_.clean) m.error = vertex_rms(maps_.clean->X, X) / maps_.subject.diagonal;
         const TriangleMesh mesh = moved_to(mesh_, X);
@@ -79,10 +79,7 @@ private:
 
 /// One run, measured at the iterations of the plane as they pass.
 void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
-    SmoothingOptions options;
-    options.scheme = map.scheme;
-    options.lambda = maps.lambdas[step];
-    options.iterations = maps.iterations.back();
+    SmoothingOptions options{.scheme = map.scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations.back()};
     std::size_t row = 0;
     options.after_step = [&](int iteration, const Positions& X) {
         if (iteration != maps.iterations[row]) return true;
@@ -101,14 +98,14 @@ void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, S
     if (!result.blew_up || row == 0 || maps.iterations[row - 1] != result.blow_up_iteration) return;
     // The iteration that blew up was finite and has been measured: it is beyond the plane all the same.
     for (PlaneValues* values : {&map.moved, &map.error, &map.size, &map.angle, &map.inverted}) {
-        if (!values->empty()) (*values)[maps.index(step, row - 1)] = std::nan("");
+        if (!values->empty()) (*values)[maps.index(step, row - 1)] = undefined;
     }
 }
 
 SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
     SchemeMap map;
     map.scheme = scheme;
-    const PlaneValues nothing(maps.lambdas.size() * maps.iterations.size(), std::nan(""));
+    const PlaneValues nothing(maps.lambdas.size() * maps.iterations.size(), undefined);
     map.moved = map.size = map.angle = map.inverted = nothing;
     if (maps.clean) map.error = nothing;
     map.blow_up.assign(maps.lambdas.size(), 0);
@@ -131,7 +128,7 @@ GrowingModes growing_modes(const SmoothingSubject& subject, const Vector& eigenv
     const Vector& M = subject.laplacian.M;
     const Positions near = subject.mesh().X.rowwise() - subject.mesh().X.row(0);
     const Positions X = near.rowwise() - (near.transpose() * M / M.sum()).transpose();
-    GrowingModes growing{eigenvalues, Vector(eigenvalues.size()), std::numeric_limits<double>::epsilon() * subject.diagonal,
+    GrowingModes growing{eigenvalues, Vector(eigenvalues.size()), epsilon * subject.diagonal,
                          SmoothingOptions{}.blow_up_at * subject.diagonal};
     for (Eigen::Index i = 0; i < eigenvalues.size(); ++i) {
         const double coefficient = (X.transpose() * M.cwiseProduct(modes.col(i))).norm();
@@ -142,7 +139,7 @@ GrowingModes growing_modes(const SmoothingSubject& subject, const Vector& eigenv
 
 /// The iteration at which one of the modes higher than `least` gets to the blow-up distance; NaN where none grows.
 double first_alone(const GrowingModes& modes, double lambda, double least) {
-    double first = std::nan("");
+    double first = undefined;
     for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
         const double growth = lambda * modes.eigenvalues[i] - 1;
         if (!(growth > 1) || modes.heights[i] < least) continue;
@@ -172,30 +169,28 @@ std::vector<MapPlace> places_of(const SmoothingMaps& maps) {
     const auto beyond = std::upper_bound(maps.lambdas.begin(), maps.lambdas.end(), maps.subject.critical);
     const auto step = static_cast<std::size_t>(beyond - maps.lambdas.begin());
     const std::size_t last = maps.iterations.size() - 1;
-    if (step > 0) add(SmoothingScheme::explicit_euler, step - 1, last, "explicit, the last step within the limit, all iterations");
+    if (step > 0) add(SmoothingScheme::explicit_euler, step - 1, last, words.line("place.within"));
     if (step < maps.lambdas.size()) {
         if (const auto row = last_in_view(maps, maps.explicit_map, step)) {
-            add(SmoothingScheme::explicit_euler, step, *row, "explicit, the first step beyond the limit, as long as it stays in view");
-            add(SmoothingScheme::implicit_euler, step, *row, "implicit at the same place");
+            add(SmoothingScheme::explicit_euler, step, *row, words.line("place.beyond"));
+            add(SmoothingScheme::implicit_euler, step, *row, words.line("place.implicit"));
         }
     }
     std::size_t left = last;   // while something is left to be seen
     const std::size_t largest = maps.lambdas.size() - 1;
     while (left > 0 && !(maps.implicit_map.size[maps.index(largest, left)] > 0.05)) --left;
-    add(SmoothingScheme::implicit_euler, largest, left, "implicit, the largest step, as long as a twentieth of its size is left");
+    add(SmoothingScheme::implicit_euler, largest, left, words.line("place.largest"));
     for (const SchemeMap* map : maps.maps()) {
         if (const auto best = maps.best(*map))
-            add(map->scheme, *best % maps.lambdas.size(), *best / maps.lambdas.size(), map->name() + ", nearest to the clean mesh");
+            add(map->scheme, maps.step_of(*best), maps.row_of(*best), words.line("place.best", "scheme"_a = map->name()));
     }
     return places;
 }
 
 Positions positions_at(const SmoothingMaps& maps, const MapPlace& place) {
-    SmoothingOptions options;
-    options.scheme = place.scheme;
-    options.lambda = maps.lambdas[place.step];
-    options.iterations = maps.iterations[place.row];
-    return smooth(maps.subject.mesh(), options).X;
+    return smooth(maps.subject.mesh(),
+                  {.scheme = place.scheme, .lambda = maps.lambdas[place.step], .iterations = maps.iterations[place.row]})
+        .X;
 }
 
 }   // namespace
@@ -231,6 +226,21 @@ std::vector<int> spaced_iterations(int last, int per_decade) {
     return each_once(counts);
 }
 
+EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const SchemeMap& map) {
+    EqualTime largest;
+    for (std::size_t many = 0; many < map.moved.size(); ++many) {
+        for (std::size_t few = 0; few < many; ++few) {
+            if (maps.iterations[maps.row_of(many)] != 10 * maps.iterations[maps.row_of(few)]) continue;
+            const double large = maps.lambdas[maps.step_of(few)], small = maps.lambdas[maps.step_of(many)];
+            if (std::abs(large / small / 10 - 1) > 1e-9) continue;
+            const double difference = map.moved[many] / map.moved[few] - 1;
+            const bool counts = large < maps.subject.critical || &map == &maps.implicit_map;
+            if (counts && std::abs(difference) > std::abs(largest.difference)) largest = {many, few, difference};
+        }
+    }
+    return largest;
+}
+
 SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     const PlaneGrid grid = grid_of(settings);
     SmoothingMaps maps;
@@ -247,9 +257,7 @@ SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const Qu
     maps.top = growing_modes(maps.subject, Vector::Constant(1, top.value), top.mode);
     const int vertices = maps.subject.source->prepared->preflight.vertices_in_use;
     if (vertices <= all_modes_up_to) {
-        SpectrumOptions options;
-        options.dense_below = all_modes_up_to;
-        const Spectrum spectrum = smallest_eigenpairs(maps.subject.laplacian, vertices, options);
+        const Spectrum spectrum = smallest_eigenpairs(maps.subject.laplacian, vertices, {.dense_below = all_modes_up_to});
         maps.all = growing_modes(maps.subject, spectrum.eigenvalues, spectrum.eigenvectors);
     }
     maps.places = places_of(maps);

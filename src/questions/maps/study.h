@@ -73,7 +73,12 @@ struct SmoothingMaps {
     const SchemeMap& map_of(SmoothingScheme scheme) const {
         return scheme == SmoothingScheme::explicit_euler ? explicit_map : implicit_map;
     }
+    /// Every mode of a small mesh, else the top one.
+    const GrowingModes& known_modes() const { return all ? *all : top; }
+    /// A cell, and where it lies.
     std::size_t index(std::size_t step, std::size_t row) const { return row * lambdas.size() + step; }
+    std::size_t step_of(std::size_t cell) const { return cell % lambdas.size(); }
+    std::size_t row_of(std::size_t cell) const { return cell / lambdas.size(); }
     double relative(std::size_t step) const { return lambdas[step] / subject.critical; }
     /// Index of the cell with the smallest error from the clean mesh.
     std::optional<std::size_t> best(const SchemeMap& map) const;
@@ -82,6 +87,14 @@ struct SmoothingMaps {
 /// Steps of the settings, else a logarithmic grid about the explicit limit, which falls between two of them; iteration counts up to the
 /// last of the settings, spaced alike. All λ of one scheme are run at the same time; the implicit ones share two symbolic analyses.
 SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+
+/// Two cells of one scheme with the same diffusion time λt, reached in many small steps and in few large ones.
+struct EqualTime {
+    std::size_t many = 0, few = 0;   // cells
+    double difference = 0;           // of the rms motion, many over few, less 1
+};
+/// Of all such pairs whose iteration counts differ tenfold the one that differs most, where neither had blown up; `few` = `many`: none.
+EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const SchemeMap& map);
 
 /// 1, 2, 3, 5, 8, … with `per_decade` counts a factor of ten, the last one included.
 std::vector<int> spaced_iterations(int last, int per_decade);

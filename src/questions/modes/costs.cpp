@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "questions/core/section_tools.h"
+#include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
 
@@ -132,9 +132,9 @@ SmoothingWay CostModel::implicit_way_within(double energy, double error) const {
 
 std::vector<std::string> implicit_way_names() {
     std::vector<std::string> names;
-    for (const int steps : implicit_steps) names.push_back("implicit, " + counted(steps, "step"));
-    names.push_back("implicit, error ≤ " + readable_percent(implicit_accuracy, 1));
-    names.emplace_back("implicit, as true as explicit");
+    for (const int steps : implicit_steps) names.push_back(words.line("way.steps", "steps"_a = steps));
+    names.push_back(words.line("way.accurate", "error"_a = readable_percent(implicit_accuracy, 1)));
+    names.push_back(words.line("way.matched"));
     return names;
 }
 
@@ -151,7 +151,7 @@ SmoothingWay implicit_way_of(const CostModel& model, double energy, const Smooth
 
 SmoothingTarget smoothing_target(const CostModel& model, double energy) {
     SmoothingTarget target{energy, model.explicit_way(energy), {}};
-    for (std::size_t which = 0; which < implicit_way_names().size(); ++which)
+    for (std::size_t which = 0; which < implicit_way_count; ++which)
         target.implicit_ways.push_back(implicit_way_of(model, energy, target.explicit_way, which));
     return target;
 }

@@ -3,6 +3,7 @@
 /// coordinates before anything is run.
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,7 @@ struct SmoothingTarget {
 };
 inline constexpr int implicit_steps[] = {1, 3, 10};
 inline constexpr double implicit_accuracy = 0.01;   // of the way that takes as many steps as that needs
+inline constexpr std::size_t implicit_way_count = std::size(implicit_steps) + 2;
 
 /// "implicit, 1 step", …, "implicit, error ≤ 1 %", "implicit, as true as explicit".
 std::vector<std::string> implicit_way_names();

@@ -5,24 +5,27 @@
 #include <string>
 #include <vector>
 
+#include "questions/core/section_tools.h"
+#include "questions/core/study_list.h"
 #include "questions/modes/study.h"
-#include "report/document.h"
 
 namespace meshfolio::modes {
 
-report::Table damping_table(const std::vector<ModeStudy>& studies);
+inline constexpr report::Words words("modes");
+
+using Studies = std::vector<ModeStudy>;
+
+inline std::string scheme_name(SmoothingScheme scheme) { return scheme == SmoothingScheme::explicit_euler ? "explicit" : "implicit"; }
+
+report::Table damping_table(const Studies& studies);
 /// |factor| of each mode against μ/μ_max for one of the schemes, measured on the laws.
 report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme);
-report::Table gap_table(const std::vector<ModeStudy>& studies);
+report::Table gap_table(const Studies& studies);
 report::Table cost_table(const ModeStudy& study);
 report::Plot cost_plot(const ModeStudy& study);
 report::Plot truth_plot(const ModeStudy& study);
-report::Table crossing_table(const std::vector<ModeStudy>& studies);
-std::vector<report::Check> mode_checks(const std::vector<ModeStudy>& studies);
+report::Table crossing_table(const Studies& studies);
 
-/// Is the gap far enough above the rounding of coordinates to be compared with its prediction?
-bool seen(const ModeStudy& study, const SchemeGap& gap);
-
-void add_discussion(report::Section& section, const std::vector<ModeStudy>& studies);
+void add_discussion(report::Section& section, const Studies& studies);
 
 }   // namespace meshfolio::modes

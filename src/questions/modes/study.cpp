@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
+#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/dirichlet_energy.h"
@@ -29,10 +29,9 @@ Modes modes_of(const SmoothingSubject& subject, bool quick) {
     const int vertices = subject.source->prepared->preflight.vertices_in_use;
     Modes modes;
     modes.all = vertices <= all_modes_up_to;
-    SpectrumOptions options;
-    options.dense_below = modes.all ? all_modes_up_to : 0;
-    options.polish = !modes.all;
-    const Spectrum spectrum = smallest_eigenpairs(subject.laplacian, modes.all ? vertices : quick ? 20 : lowest_modes, options);
+    const int count = modes.all ? vertices : quick ? 20 : lowest_modes;
+    const Spectrum spectrum =
+        smallest_eigenpairs(subject.laplacian, count, {.polish = !modes.all, .dense_below = modes.all ? all_modes_up_to : 0});
     modes.eigenvalues = spectrum.eigenvalues;
     modes.vectors = spectrum.eigenvectors;
     if (modes.all) return modes;
@@ -83,11 +82,7 @@ double distance(const SmoothingSubject& subject, const Positions& A, const Posit
 }
 
 Smoothed smoothed(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int steps, ImplicitSolver& solver) {
-    SmoothingOptions options;
-    options.scheme = scheme;
-    options.lambda = lambda;
-    options.iterations = steps;
-    return smooth(subject.mesh(), options, solver);
+    return smooth(subject.mesh(), {.scheme = scheme, .lambda = lambda, .iterations = steps}, solver);
 }
 
 SchemeGap gap_of(const ModeStudy& study, double lambda, int steps, ImplicitSolver& solver) {
@@ -96,7 +91,7 @@ SchemeGap gap_of(const ModeStudy& study, double lambda, int steps, ImplicitSolve
     const Positions X = smoothed(subject, SmoothingScheme::implicit_euler, lambda, steps, solver).X;
     gap.motion = distance(subject, X, subject.mesh().X);
     const Smoothed other = smoothed(subject, SmoothingScheme::explicit_euler, lambda, steps, solver);
-    gap.measured = other.blew_up ? std::nan("") : distance(subject, X, other.X);
+    gap.measured = other.blew_up ? undefined : distance(subject, X, other.X);
     const auto explicit_minus_implicit = [&](double mu) { return std::pow(1 - lambda * mu, steps) - std::pow(1 + lambda * mu, -steps); };
     const auto first_term = [&](double mu) { return steps * lambda * mu * lambda * mu * std::exp(-steps * lambda * mu); };
     gap.predicted = study.measure.rms(explicit_minus_implicit) / subject.diagonal;
@@ -111,7 +106,7 @@ double energy_of(const SmoothingSubject& subject, const Positions& X) {
 
 /// Largest over smallest eigenvalue that the coordinates have a part in.
 double spread_of(const SpectralMeasure& measure) {
-    double least = INFINITY;
+    double least = infinity;
     for (Eigen::Index i = 0; i < measure.nodes.size(); ++i) {
         if (measure.weights[i] > 1e-20 * measure.weights.sum()) least = std::min(least, measure.nodes[i]);
     }
@@ -129,7 +124,7 @@ TriedWay tried(const ModeStudy& study, std::size_t target, const SmoothingWay& w
     run.energy = energy / initial_energy;
     const Vector stiffness = subject.laplacian.C.diagonal().cwiseAbs();
     const double of_sums = 8 * X.cwiseAbs().maxCoeff() * stiffness.dot((X.rowwise() - X.row(0)).rowwise().norm()) / energy;
-    run.rounding = std::numeric_limits<double>::epsilon() * (of_sums + spread_of(study.measure));
+    run.rounding = epsilon * (of_sums + spread_of(study.measure));
     return run;
 }
 
@@ -145,8 +140,7 @@ void study_costs(ModeStudy& study, bool quick) {
     if (study.targets.empty()) study.targets.push_back(smoothing_target(model, least));
     const int points = quick ? 6 : 20;
     for (int i = 0; i <= points; ++i) study.curve.push_back(smoothing_target(model, most * std::pow(least / most, double(i) / points)));
-    for (std::size_t which = 0; which < implicit_way_names().size(); ++which)
-        study.crossings.push_back(crossing_of(model, study.curve, which));
+    for (std::size_t which = 0; which < implicit_way_count; ++which) study.crossings.push_back(crossing_of(model, study.curve, which));
     const double initial_energy = energy_of(study.subject, study.subject.mesh().X);
     for (std::size_t i = 0; i < study.targets.size(); ++i) {
         const SmoothingTarget& target = study.targets[i];
@@ -180,7 +174,7 @@ ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSe
     const Modes modes = modes_of(study.subject, settings.quick);
     study.eigenvalues = modes.eigenvalues;
     study.all = modes.all;
-    study.rounding = std::numeric_limits<double>::epsilon() * study.subject.mesh().X.cwiseAbs().maxCoeff() / study.subject.diagonal;
+    study.rounding = epsilon * study.subject.mesh().X.cwiseAbs().maxCoeff() / study.subject.diagonal;
     constexpr int steps = 10;
     for (const double relative : {0.5, 0.95, 1.05})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::explicit_euler, relative, steps));
@@ -188,7 +182,7 @@ ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSe
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
 
     study.measure = spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings));
-    std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
+    const std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject, {0.1, 0.5, 0.9})) {
         for (const int count : counts) {

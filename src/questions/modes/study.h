@@ -62,6 +62,11 @@ struct ModeStudy {
     std::vector<TriedWay> tried;
 
     const std::string& name() const { return subject.name(); }
+    /// Is the gap far enough above the rounding of coordinates to be compared with its prediction?
+    bool seen(const SchemeGap& gap) const { return gap.measured > 1e8 * rounding; }
+    /// At no energy looked at, and at every one, is this implicit way cheaper than the explicit one.
+    bool cheaper_nowhere(std::size_t which) const { return !crossings[which]; }
+    bool cheaper_everywhere(std::size_t which) const { return crossings[which] && crossings[which]->energy >= curve.front().energy; }
 };
 /// Of the spectral measure, for each coordinate.
 int lanczos_steps(const QuestionSettings& settings);

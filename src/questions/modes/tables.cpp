@@ -1,10 +1,10 @@
-// Tables, plots and checks of the section "modes".
+// Tables and plots of the section "modes".
 #include <algorithm>
 #include <cmath>
 
 #include "base/number_text.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
+#include "geometry/linear/special_values.h"
+#include "questions/core/table.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
@@ -13,17 +13,16 @@ namespace {
 
 using Style = report::Series::Style;
 
-constexpr double invisible = 1e-13;   // factors below are rounding
-
-std::string scheme_name(SmoothingScheme scheme) { return scheme == SmoothingScheme::explicit_euler ? "explicit" : "implicit"; }
+constexpr double invisible = 1e-13;       // factors below are rounding
+constexpr Eigen::Index most_shown = 60;   // points
 
 std::string relative_step(const ModeStudy& study, double lambda) { return plain_text(lambda / study.subject.critical, 3) + "\u202fλ_crit"; }
 
 /// |factor| where it can be seen above rounding.
-double visible(double factor) { return std::abs(factor) > invisible ? std::abs(factor) : std::nan(""); }
+double visible(double factor) { return std::abs(factor) > invisible ? std::abs(factor) : undefined; }
 
 report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
-    report::Series line{relative_step(study, damping.lambda), {}, {}};
+    report::Series line{.name = relative_step(study, damping.lambda)};
     constexpr int points = 240;
     for (int i = 0; i <= points; ++i) {
         line.x.push_back(double(i) / points);
@@ -32,10 +31,14 @@ report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
     return line;
 }
 
-/// Some sixty of the modes, evenly through them, the last included.
-report::Series measured_points(const ModeStudy& study, const ModeDamping& damping) {
-    report::Series points{relative_step(study, damping.lambda) + ", measured", {}, {}, {}, {}, Style::points};
-    const Eigen::Index n = study.eigenvalues.size(), shown = std::min<Eigen::Index>(n, 60);
+/// Some of the modes, evenly through them, the last included.
+/// @param law  the line they are to lie on
+report::Series measured_points(const ModeStudy& study, const ModeDamping& damping, int law) {
+    report::Series points{.name = words.line("factors.measured", "step"_a = relative_step(study, damping.lambda)),
+                          .style = Style::points,
+                          .color = law,
+                          .pattern = law};
+    const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
     for (Eigen::Index k = 0; k < shown; ++k) {
         const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
         points.x.push_back(study.eigenvalues[i] / study.subject.top.value);
@@ -44,242 +47,167 @@ report::Series measured_points(const ModeStudy& study, const ModeDamping& dampin
     return points;
 }
 
-/// A curve over the targets that are reached at all.
-template <class Value>
-report::Series over_targets(const ModeStudy& study, std::string name, Value value) {
-    report::Series line{std::move(name), {}, {}};
-    for (const SmoothingTarget& target : study.curve) {
-        line.x.push_back(100 * target.energy);
-        line.y.push_back(value(target));
+double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
+double error_of(const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; }
+
+/// One value of the explicit way and of the first implicit ones over the energies of the curve.
+report::Plot target_plot(const ModeStudy& study, const std::string& key, std::size_t implicit_ways, double (*value)(const SmoothingWay&)) {
+    report::Plot plot{.id = id_of("modes", study.name(), key),
+                      .caption = words.line(key, "mesh"_a = study.name()),
+                      .x_label = words.line("targets.x"),
+                      .y_label = words.line(key + ".y"),
+                      .log_x = true,
+                      .log_y = true};
+    plot.series.push_back({.name = words.line("way.explicit")});
+    for (const SmoothingTarget& target : study.curve) plot.series.front().y.push_back(value(target.explicit_way));
+    for (std::size_t which = 0; which < implicit_ways; ++which) {
+        plot.series.push_back({.name = implicit_way_names()[which]});
+        for (const SmoothingTarget& target : study.curve) plot.series.back().y.push_back(value(target.implicit_ways[which]));
     }
-    return line;
-}
-
-double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : std::nan(""); }
-
-report::Plot empty_target_plot(const ModeStudy& study, const std::string& what, std::string y_label) {
-    report::Plot plot;
-    plot.id = id_of("modes", study.name(), what);
-    plot.x_label = "Dirichlet energy left [% of the input's]; smoother to the left";
-    plot.y_label = std::move(y_label);
-    plot.log_x = plot.log_y = true;
+    for (report::Series& series : plot.series)
+        for (const SmoothingTarget& target : study.curve) series.x.push_back(100 * target.energy);
     return plot;
 }
 
-/// Runs whose energy is above rounding, and the largest relative difference between it and what was said beforehand.
-std::pair<int, double> worst_energy(const ModeStudy& study) {
-    std::pair<int, double> worst{0, 0};
-    for (const TriedWay& run : study.tried) {
-        if (!(run.rounding < 1e-7)) continue;
-        ++worst.first;
-        worst.second = std::max(worst.second, std::abs(run.energy / run.way.energy - 1));
+struct WayRow {
+    const SmoothingTarget& target;
+    std::string name;
+    const SmoothingWay& way;
+
+    bool there() const { return way.steps > 0; }
+    bool both() const { return there() && target.explicit_way.steps > 0; }
+};
+std::vector<WayRow> way_rows(const ModeStudy& study) {
+    std::vector<WayRow> rows;
+    for (const SmoothingTarget& target : study.targets) {
+        rows.push_back({target, "explicit", target.explicit_way});
+        for (std::size_t which = 0; which < target.implicit_ways.size(); ++which)
+            rows.push_back({target, implicit_way_names()[which], target.implicit_ways[which]});
     }
-    return worst;
+    return rows;
+}
+
+/// An implicit way, and the target from which on it is the cheaper one.
+struct CrossingRow {
+    const ModeStudy& study;
+    std::string name;
+    bool there;
+    const SmoothingTarget& at;
+    const SmoothingWay& way;
+};
+std::vector<CrossingRow> crossing_rows(const Studies& studies) {
+    std::vector<CrossingRow> rows;
+    for (const ModeStudy& study : studies) {
+        for (std::size_t which = 0; which < study.crossings.size(); ++which) {
+            const bool there = !study.cheaper_nowhere(which);
+            const SmoothingTarget& at = there ? *study.crossings[which] : study.curve.front();
+            rows.push_back({study, implicit_way_names()[which], there, at, at.implicit_ways[which]});
+        }
+    }
+    return rows;
 }
 
 }   // namespace
 
-report::Table damping_table(const std::vector<ModeStudy>& studies) {
-    report::Table table;
-    table.id = "modes_damping";
-    table.caption =
-        "Coordinates that have each mode in them with coefficient 1 are smoothed, and every coefficient is compared with its law. Left of "
-        "the "
-        "top mode: its factor after the steps, with its sign, predicted and measured. Deviation: the largest of all modes, over the "
-        "largest "
-        "factor and 1.";
-    table.columns = {{"mesh", "", 3},
-                     {"modes", "", 6},
-                     {"scheme", "", 3},
-                     {"λ/λ_crit", "", 3},
-                     {"steps", "", 4},
-                     {"left of the top mode", "law", 5},
-                     {"left of the top mode", "measured", 5},
-                     {"deviation", "", 2}};
-    for (const ModeStudy& study : studies) {
-        const std::string modes = std::to_string(study.eigenvalues.size()) + (study.all ? " (all)" : "");
-        const Eigen::Index top = study.eigenvalues.size() - 1;
-        for (const ModeDamping& d : study.dampings) {
-            table.rows.push_back({study.name(), modes, scheme_name(d.scheme), d.lambda / study.subject.critical, double(d.steps),
-                                  d.law(study.eigenvalues[top]), d.measured[top], d.deviation(study.eigenvalues)});
-        }
-    }
-    return table;
+report::Table damping_table(const Studies& studies) {
+    const auto top_law = [](auto& r) { return r.part.law(r.whole.eigenvalues[r.whole.eigenvalues.size() - 1]); };
+    return table("modes_damping", words.line("damping"), parts_within(studies, &ModeStudy::dampings))
+        .column("mesh", [](auto& r) { return r.whole.name(); })
+        .column("modes", {.digits = 6}, [](auto& r) { return std::to_string(r.whole.eigenvalues.size()) + (r.whole.all ? " (all)" : ""); })
+        .column("scheme", [](auto& r) { return scheme_name(r.part.scheme); })
+        .column("λ/λ_crit", [](auto& r) { return r.part.lambda / r.whole.subject.critical; })
+        .column("steps", {.digits = 4}, [](auto& r) { return r.part.steps; })
+        .column(words.line("damping.left"), {.unit = "law", .digits = 5}, top_law)
+        .column(words.line("damping.left"), {.unit = "measured", .digits = 5}, [](auto& r) { return r.part.measured.tail(1)[0]; })
+        .column("deviation", {.digits = 2}, [](auto& r) { return r.part.deviation(r.whole.eigenvalues); });
 }
 
 report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme) {
-    report::Plot plot;
-    const std::string name = scheme_name(scheme);
-    plot.id = id_of("modes", study.name(), name);
-    plot.x_label = "eigenvalue μ/μ_max";
-    plot.y_label = "what is left of a mode";
-    plot.log_y = true;
-    std::vector<std::string> steps;
-    for (const ModeDamping& d : study.dampings) {
-        if (d.scheme == scheme) plot.series.push_back(law_line(study, d));
-    }
-    int law = 0;
+    const std::string name = scheme_name(scheme), key = "factors." + name;
+    const bool some = study.all && study.eigenvalues.size() > most_shown;
+    report::Plot plot{.id = id_of("modes", study.name(), name),
+                      .caption = words.line(key, "steps"_a = study.dampings.front().steps, "mesh"_a = study.name(),
+                                            "some"_a = some ? words.line("factors.some") : ""),
+                      .x_label = words.line("factors.x"),
+                      .y_label = words.line("factors.y"),
+                      .log_y = true};
+    std::vector<report::Series> points;
+    std::vector<std::string> shares;
     for (const ModeDamping& d : study.dampings) {
         if (d.scheme != scheme) continue;
-        plot.series.push_back(measured_points(study, d));
-        plot.series.back().color = plot.series.back().pattern = law++;   // of the line they are to lie on
-        steps.push_back(relative_step(study, d.lambda));
+        plot.series.push_back(law_line(study, d));
+        points.push_back(measured_points(study, d, static_cast<int>(points.size())));
+        shares.push_back(relative_step(study, d.lambda));
     }
-    const int count = study.dampings.front().steps;
-    plot.caption = "What " + std::to_string(count) + " " + name + " steps leave of each mode of " + study.name() + ": lines " +
-                   (scheme == SmoothingScheme::explicit_euler ? "|1 − λμ|" : "1/(1 + λμ)") + " to the power " + std::to_string(count) +
-                   ", points measured" + (study.all && study.eigenvalues.size() > 60 ? ", of some sixty of them." : ".");
-    plot.alt =
-        "Factors of " + counted(static_cast<int>(study.eigenvalues.size()), "mode") + " at " + listed(steps) +
-        ": the points lie on the lines of the law" +
-        (scheme == SmoothingScheme::explicit_euler ? ", which dip where λμ = 1 and rise again towards μ_max." : ", which only fall.");
+    std::ranges::move(points, std::back_inserter(plot.series));
+    plot.alt = words.line(key + ".alt", "modes"_a = study.eigenvalues.size(), "shares"_a = listed(shares));
     return plot;
 }
 
-report::Table gap_table(const std::vector<ModeStudy>& studies) {
-    report::Table table;
-    table.id = "modes_gap";
-    table.caption =
-        "Explicit against implicit at equal step and iterations: area-weighted rms distance of the results. Predicted: from the spectral "
-        "measure of the input, before either run. First order: tλ²‖L² exp(tλL) X‖, what is left of it for small steps. –: the "
-        "explicit run blew up.";
-    table.columns = {{"mesh", "", 3},
-                     {"λ", "length²", 3},
-                     {"λ/λ_crit", "", 3},
-                     {"iterations", "", 5},
-                     {"motion", "% of box", 4},
-                     {"gap measured", "% of box", 4},
-                     {"gap predicted", "% of box", 4},
-                     {"first order", "% of box", 3},
-                     {"gap / motion", "%", 3}};
-    for (const ModeStudy& study : studies) {
-        for (const SchemeGap& gap : study.gaps) {
-            table.rows.push_back({study.name(), gap.lambda, gap.lambda / study.subject.critical, double(gap.steps), 100 * gap.motion,
-                                  cell_of(100 * gap.measured), cell_of(100 * gap.predicted, gap.predicted < 1e10),
-                                  cell_of(100 * gap.leading), cell_of(100 * gap.measured / gap.motion)});
-        }
-    }
-    return table;
+report::Table gap_table(const Studies& studies) {
+    return table("modes_gap", words.line("gap"), parts_within(studies, &ModeStudy::gaps))
+        .column("mesh", [](auto& r) { return r.whole.name(); })
+        .column("λ", {.unit = "length²"}, [](auto& r) { return r.part.lambda; })
+        .column("λ/λ_crit", [](auto& r) { return r.part.lambda / r.whole.subject.critical; })
+        .column("iterations", {.digits = 5}, [](auto& r) { return r.part.steps; })
+        .column("motion", {.unit = "% of box", .digits = 4}, [](auto& r) { return 100 * r.part.motion; })
+        .column("gap measured", {.unit = "% of box", .digits = 4}, [](auto& r) { return cell_of(100 * r.part.measured); })
+        .column("gap predicted", {.unit = "% of box", .digits = 4},
+                [](auto& r) { return cell_of(100 * r.part.predicted, r.part.predicted < 1e10); })
+        .column("first order", {.unit = "% of box"}, [](auto& r) { return cell_of(100 * r.part.leading); })
+        .column("gap / motion", {.unit = "%"}, [](auto& r) { return cell_of(100 * r.part.measured / r.part.motion); });
 }
 
 report::Table cost_table(const ModeStudy& study) {
-    report::Table table;
-    table.id = id_of("modes", study.name(), "cost");
-    table.caption =
-        "What a given smoothness of " + study.name() +
-        " costs. Explicit: at 0.95 λ_crit, as many steps as it takes. Implicit: 1, 3 or 10 steps of the λ that reaches the "
-        "energy exactly, as few as stay within " +
-        readable_percent(implicit_accuracy, 1) +
-        " of the exact flow, and as few as are as true to it as the explicit result. Error: rms distance from the exact flow of "
-        "the same energy, over the motion of that flow. Multiply–adds with the factorisation (" +
-        readable(study.factor.factorisation) + " of them), without its symbolic analysis.";
-    table.columns = {{"energy left", "% of input", 3},   {"way", "", 3},          {"λ/λ_crit", "", 3}, {"steps", "", 7}, {"error", "%", 3},
-                     {"operations", "multiply–adds", 3}, {"over explicit", "", 3}};
-    for (const SmoothingTarget& target : study.targets) {
-        const auto add = [&](const std::string& name, const SmoothingWay& way) {
-            const bool there = way.steps > 0, both = there && target.explicit_way.steps > 0;
-            table.rows.push_back({100 * target.energy, name, cell_of(way.lambda / study.subject.critical, way.lambda > 0),
-                                  cell_of(way.steps, there), cell_of(100 * way.error, there), cell_of(way.operations, there),
-                                  cell_of(both ? way.operations / target.explicit_way.operations : 0, both)});
-        };
-        add("explicit", target.explicit_way);
-        const auto names = implicit_way_names();
-        for (std::size_t which = 0; which < names.size(); ++which) add(names[which], target.implicit_ways[which]);
-    }
-    return table;
+    const double critical = study.subject.critical;
+    return table(id_of("modes", study.name(), "cost"),
+                 words.line("cost", "mesh"_a = study.name(), "accuracy"_a = readable_percent(implicit_accuracy, 1),
+                            "factorisation"_a = readable(study.factor.factorisation)),
+                 way_rows(study))
+        .column("energy left", {.unit = "% of input"}, [](auto& r) { return 100 * r.target.energy; })
+        .column("way", &WayRow::name)
+        .column("λ/λ_crit", [&](auto& r) { return cell_of(r.way.lambda / critical, r.way.lambda > 0); })
+        .column("steps", {.digits = 7}, [](auto& r) { return cell_of(r.way.steps, r.there()); })
+        .column("error", {.unit = "%"}, [](auto& r) { return cell_of(100 * r.way.error, r.there()); })
+        .column("operations", {.unit = "multiply–adds"}, [](auto& r) { return cell_of(r.way.operations, r.there()); })
+        .column("over explicit", [](auto& r) { return cell_of(r.way.operations / r.target.explicit_way.operations, r.both()); });
 }
 
 report::Plot cost_plot(const ModeStudy& study) {
-    report::Plot plot = empty_target_plot(study, "operations", "multiply–adds, factorisation included");
-    plot.series.push_back(
-        over_targets(study, "explicit, 0.95 λ_crit", [](const SmoothingTarget& t) { return operations_of(t.explicit_way); }));
+    report::Plot plot = target_plot(study, "operations", study.crossings.size(), operations_of);
     std::vector<std::string> crossings;
-    const auto names = implicit_way_names();
-    for (std::size_t which = 0; which < names.size(); ++which) {
-        plot.series.push_back(
-            over_targets(study, names[which], [&](const SmoothingTarget& t) { return operations_of(t.implicit_ways[which]); }));
-        const auto& crossing = study.crossings[which];
-        if (!crossing) continue;
-        if (crossing->energy < study.curve.front().energy)
-            plot.markers.push_back({100 * crossing->energy, operations_of(crossing->implicit_ways[which]), ""});
-        crossings.push_back("“" + names[which] + "” below " + readable_percent(crossing->energy, 2));
+    for (std::size_t which = 0; which < study.crossings.size(); ++which) {
+        if (study.cheaper_nowhere(which)) continue;
+        const SmoothingTarget& at = *study.crossings[which];
+        if (!study.cheaper_everywhere(which)) plot.markers.push_back({100 * at.energy, operations_of(at.implicit_ways[which]), ""});
+        crossings.push_back(
+            words.line("operations.alt.crossing", "way"_a = implicit_way_names()[which], "energy"_a = readable_percent(at.energy, 2)));
     }
-    plot.caption = "Operations for a given smoothness of " + study.name() + ". Rings: from there on the implicit way is the cheaper one.";
-    plot.alt =
-        "Explicit operations rise as less energy is left; " +
-        (crossings.empty() ? std::string("no implicit way becomes cheaper.") : "it becomes cheaper to take " + listed(crossings) + ".");
+    plot.alt = crossings.empty() ? words.line("operations.alt.none") : words.line("operations.alt", "crossings"_a = listed(crossings));
     return plot;
 }
 
 report::Plot truth_plot(const ModeStudy& study) {
-    report::Plot plot = empty_target_plot(study, "truth", "distance from the exact flow [% of its motion]");
-    const auto error = [](const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : std::nan(""); };
-    plot.series.push_back(over_targets(study, "explicit, 0.95 λ_crit", [&](const SmoothingTarget& t) { return error(t.explicit_way); }));
-    const auto names = implicit_way_names();
-    for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
-        plot.series.push_back(over_targets(study, names[which], [&](const SmoothingTarget& t) { return error(t.implicit_ways[which]); }));
-    plot.caption = "How true each way is to the exact flow of " + study.name() + " with the same energy: what the operations buy.";
+    report::Plot plot = target_plot(study, "truth", std::size(implicit_steps), error_of);
     const SmoothingTarget& last = study.curve.back();
-    plot.alt = "At " + readable_percent(last.energy, 2) + " of the energy the explicit result is " +
-               readable_percent(last.explicit_way.error, 2) + " of the motion from the exact flow, one implicit step " +
-               readable_percent(last.implicit_ways.front().error, 2) + ".";
+    plot.alt =
+        words.line("truth.alt", "energy"_a = readable_percent(last.energy, 2), "explicit"_a = readable_percent(last.explicit_way.error, 2),
+                   "implicit"_a = readable_percent(last.implicit_ways.front().error, 2));
     return plot;
 }
 
-report::Table crossing_table(const std::vector<ModeStudy>& studies) {
-    report::Table table;
-    table.id = "modes_crossing";
-    table.caption =
-        "From which smoothness on implicit is cheaper: the energy below which each way takes fewer operations than explicit smoothing, "
-        "down "
-        "to the least energy looked at, to which the spectral measure reaches (–: nowhere), and the errors there. Step, factorisation: "
-        "what an implicit step and a factorisation cost, in explicit steps.";
-    table.columns = {{"mesh", "", 3},
-                     {"step", "explicit steps", 3},
-                     {"factorisation", "explicit steps", 3},
-                     {"down to", "% of energy", 2},
-                     {"way", "", 3},
-                     {"cheaper below", "% of energy", 3},
-                     {"steps there", "", 5},
-                     {"its error", "%", 3},
-                     {"explicit error", "%", 3}};
-    for (const ModeStudy& study : studies) {
-        const auto names = implicit_way_names();
-        for (std::size_t which = 0; which < names.size(); ++which) {
-            const bool there = study.crossings[which].has_value();
-            const SmoothingTarget& at = there ? *study.crossings[which] : study.curve.front();
-            const SmoothingWay& way = at.implicit_ways[which];
-            table.rows.push_back({study.name(), study.implicit_step / study.explicit_step, study.factor.factorisation / study.explicit_step,
-                                  100 * study.curve.back().energy, names[which], cell_of(100 * at.energy, there), cell_of(way.steps, there),
-                                  cell_of(100 * way.error, there),
-                                  cell_of(100 * at.explicit_way.error, there && at.explicit_way.steps > 0)});
-        }
-    }
-    return table;
-}
-
-bool seen(const ModeStudy& study, const SchemeGap& gap) { return gap.measured > 1e8 * study.rounding; }
-
-std::vector<report::Check> mode_checks(const std::vector<ModeStudy>& studies) {
-    std::vector<report::Check> checks;
-    for (const ModeStudy& study : studies) {
-        const std::string on = " on " + study.name();
-        double damping = 0, gap = 0;
-        int gaps = 0;
-        for (const ModeDamping& d : study.dampings) damping = std::max(damping, d.deviation(study.eigenvalues));
-        for (const SchemeGap& g : study.gaps) {
-            if (!(g.lambda <= study.subject.critical && seen(study, g))) continue;
-            gap = std::max(gap, std::abs(g.predicted / g.measured - 1));
-            ++gaps;
-        }
-        checks.push_back(report::check_at_most(
-            "largest deviation of " + counted(static_cast<int>(study.eigenvalues.size()), "mode") + " from the laws of damping" + on, 1e-9,
-            damping));
-        if (gaps > 0) checks.push_back(report::check_at_most("gap between the schemes, predicted / measured − 1" + on, 1e-6, gap));
-        if (const auto [runs, worst] = worst_energy(study); runs > 0)
-            checks.push_back(report::check_at_most("energy of " + counted(runs, "run") + ", measured / predicted − 1" + on, 1e-6, worst));
-    }
-    return checks;
+report::Table crossing_table(const Studies& studies) {
+    return table("modes_crossing", words.line("crossing"), crossing_rows(studies))
+        .column("mesh", [](auto& r) { return r.study.name(); })
+        .column("step", {.unit = "explicit steps"}, [](auto& r) { return r.study.implicit_step / r.study.explicit_step; })
+        .column("factorisation", {.unit = "explicit steps"}, [](auto& r) { return r.study.factor.factorisation / r.study.explicit_step; })
+        .column("down to", {.unit = "% of energy", .digits = 2}, [](auto& r) { return 100 * r.study.curve.back().energy; })
+        .column("way", &CrossingRow::name)
+        .column("cheaper below", {.unit = "% of energy"}, [](auto& r) { return cell_of(100 * r.at.energy, r.there); })
+        .column("steps there", {.digits = 5}, [](auto& r) { return cell_of(r.way.steps, r.there); })
+        .column("its error", {.unit = "%"}, [](auto& r) { return cell_of(100 * r.way.error, r.there); })
+        .column("explicit error", {.unit = "%"},
+                [](auto& r) { return cell_of(100 * r.at.explicit_way.error, r.there && r.at.explicit_way.steps > 0); });
 }
 
 }   // namespace meshfolio::modes
