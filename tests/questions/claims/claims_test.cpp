@@ -59,7 +59,7 @@ Measurement sphere_curvature_measured(ClaimBench& bench, const MeshNames&) {
 using Measure = Measurement (*)(ClaimBench&, const MeshNames&);
 
 Claim planted(const Rule& rule, Measure measure, const About& about = {}) {
-    return {"claims_planted", "test", "", "q5", "planted", about, rule, Effort::quick, measure};
+    return {"claims_planted", "q5", about, rule, measure};
 }
 
 Verdict judged_verdict(const Rule& rule, Measure measure) {
@@ -106,11 +106,11 @@ TEST(ClaimRule, IsASentence) {
     JudgedClaim judged;
     Claim claim;
     judged.claim = &claim;
-    claim.rule = {"the error left", "mean edges", at_least, 1};
-    EXPECT_EQ(report::plain(rule_text(judged)), "True if the error left is at least 1\u202fmean edge.");
+    claim.rule = {"left_by_step", "mean edges", at_least, 1};
+    EXPECT_EQ(report::plain(rule_text(judged)), "True if the rms error left by the best step tried is at least 1\u202fmean edge.");
     EXPECT_EQ(with_unit(2, claim.rule), "2\u202fmean edges");
-    claim.rule = {"the error left, over that before", "%", at_most, 2};
-    EXPECT_EQ(report::plain(rule_text(judged)), "True if the error left, over that before, is at most 2\u202f%.");
+    claim.rule = {"energy", "%", at_most, 2};
+    EXPECT_EQ(report::plain(rule_text(judged)), "True if the Dirichlet energy left, of the input, is at most 2\u202f%.");
 }
 
 TEST(ClaimRule, AChangedResultChangesTheVerdict) {
@@ -157,15 +157,15 @@ TEST(ClaimList, EveryClaimIsComplete) {
         SCOPED_TRACE(claim.id);
         EXPECT_TRUE(claim.id.starts_with("claims_"));
         EXPECT_TRUE(ids.insert(claim.id).second) << "twice";
-        EXPECT_FALSE(claim.words.empty());
-        EXPECT_TRUE(claim.words.ends_with("."));
-        EXPECT_FALSE(claim.rule.quantity.empty());
+        EXPECT_TRUE(claim.said().ends_with("."));
+        EXPECT_FALSE(quantity_of(claim.rule).empty());
         EXPECT_TRUE(std::isfinite(claim.rule.threshold));
         EXPECT_NE(claim.measure, nullptr);
         EXPECT_NO_THROW(chapter_of_id(claim.question));
-        const bool report = claim.source.size() == 2 && claim.source[0] == 'S';
-        EXPECT_EQ(claim.citation.empty(), report) << "a paper is cited, a report is not";
-        sources.insert(std::string(claim.source));
+        const Source& source = claim.source();
+        const bool report = source.name.size() == 2 && source.name[0] == 'S';
+        EXPECT_EQ(source.citation.empty(), report) << "a paper is cited, a report is not";
+        sources.insert(std::string(source.name));
     }
     EXPECT_GE(ids.size(), 45u);
     for (const char* source : {"S0", "S1", "S2", "S3"}) EXPECT_TRUE(sources.contains(source));
@@ -203,8 +203,8 @@ Decision decision_of(std::string_view id, const MeshLibrary& library, const Ques
 
 /// Is it about one mesh or a kind of mesh by its words alone, or does it compare several? Written without a look at About.
 bool names_what_a_mesh_is(const Claim& claim) {
-    const std::string words(claim.words);
-    const auto says = [&](const char* part) { return words.find(part) != std::string::npos; };
+    const std::string said = claim.said();
+    const auto says = [&](const char* part) { return said.find(part) != std::string::npos; };
     return says("bunny") || says("cube") || says("cow") || says("fandisk") || says("plane") || says("Hands") || says("armadillo") ||
            says("Each object");
 }
@@ -342,7 +342,7 @@ TEST(ClaimsSection, BundledMeshes) {
     const std::string finding = report::plain(answer.section.findings.front().text);
     EXPECT_TRUE(std::any_of(claim_list().begin(), claim_list().end(),
                             [&](const Claim& claim) {
-                                return finding.find(std::string(claim.words) + "”") != std::string::npos &&
+                                return finding.find(claim.said() + "”") != std::string::npos &&
                                        finding.find(" is refuted: " + beginning_of(claim.rule) + " ") != std::string::npos;
                             }))
         << "a percentage says of what: " << finding;
