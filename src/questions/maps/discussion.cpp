@@ -31,7 +31,8 @@ report::Text about_limit(const Studies& studies) {
     report::Text t = words.say("limit", "within"_a = within, "within_lost"_a = none_or(within_lost), "beyond"_a = beyond,
                                "beyond_lost"_a = beyond_lost == beyond && beyond > 0 ? words.line("all") : std::to_string(beyond_lost),
                                "implicit"_a = within + beyond, "implicit_lost"_a = none_or(implicit_lost));
-    if (beyond_lost > 0) report::extend(t, " ", words.say(widest < 0.5 ? "limit.met" : "limit.missed", "off"_a = std::lround(widest)));
+    report::extend(t, " ");
+    if (beyond_lost > 0) report::extend(t, words.say(widest < 0.5 ? "limit.met" : "limit.missed", "off"_a = std::lround(widest)));
     return t;
 }
 

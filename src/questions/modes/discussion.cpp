@@ -45,9 +45,9 @@ report::Text about_gap(const ModeStudy& study) {
     report::Text t = words.say("same", "mesh"_a = study.name(), "step"_a = readable(largest->lambda / study.subject.critical, 2),
                                "steps"_a = largest->steps, "gap"_a = readable_percent(largest->measured, 2),
                                "share"_a = readable_percent(largest->measured / largest->motion, 2));
-    report::extend(t, " ", seen_in_a_picture(largest->measured));
+    report::extend(t, " ", seen_in_a_picture(largest->measured), " ");
     if (compared > 0)
-        report::extend(t, " ",
+        report::extend(t,
                        words.say("same.predicted", "worst"_a = readable(worst, 1), "first_order"_a = readable_percent(worst_leading, 2)));
     return t;
 }
