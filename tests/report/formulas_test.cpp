@@ -109,7 +109,7 @@ TEST(Formulas, ThoseTheQuestionsSpeakOfAreThere) {
 
 TEST(Bibliography, IdsAreUniqueAndEntriesComplete) {
     std::set<std::string> ids;
-    for (const Work& work : bibliography_of(Templates())) {
+    for (const CitedWork& work : bibliography_of(Templates())) {
         EXPECT_TRUE(ids.insert(work.id).second) << work.id;
         EXPECT_EQ(work.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"), std::string::npos) << work.id;
         for (const std::string* part : {&work.authors, &work.title, &work.where}) EXPECT_FALSE(part->empty()) << work.id;

@@ -66,8 +66,10 @@ TEST(Words, EveryMessageOfTheProgramCanBeRead) {
             Facts facts;
             for (const std::string& fact : names) facts.emplace_back(fact, 1);
             EXPECT_FALSE(message.paragraphs.empty()) << name << ": " << message.key;
-            for (const std::string& paragraph : message.paragraphs)
-                if (!paragraph.starts_with("$$")) EXPECT_NO_THROW(running_text(paragraph, facts)) << name << ": " << message.key;
+            for (const std::string& paragraph : message.paragraphs) {
+                if (paragraph.starts_with("$$")) continue;
+                EXPECT_NO_THROW(running_text(paragraph, facts)) << name << ": " << message.key;
+            }
         }
     }
 }

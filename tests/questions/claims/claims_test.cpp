@@ -58,9 +58,7 @@ Measurement sphere_curvature_measured(ClaimBench& bench, const MeshNames&) {
 
 using Measure = Measurement (*)(ClaimBench&, const MeshNames&);
 
-Claim planted(const Rule& rule, Measure measure, const About& about = {}) {
-    return {"claims_planted", "q5", about, rule, measure};
-}
+Claim planted(const Rule& rule, Measure measure, const About& about = {}) { return {"claims_planted", "q5", about, rule, measure}; }
 
 Verdict judged_verdict(const Rule& rule, Measure measure) {
     const MeshLibrary library({}, {});

@@ -7,7 +7,6 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/stability/figures.h"
 
 namespace meshfolio::stability {
 using namespace testing_tools;

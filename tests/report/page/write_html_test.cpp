@@ -182,7 +182,7 @@ TEST(WriteHtml, ReferencesAreLinksWithTheirNumbers) {
     EXPECT_NE(page.find("<a href=\"#q1_errors\">Table 1.1</a>"), std::string::npos);
     EXPECT_NE(page.find("<a href=\"#q1_eq\">Equation (1.1)</a>"), std::string::npos);
     const auto works = bibliography_of(Templates());
-    const auto desbrun = std::find_if(works.begin(), works.end(), [](const Work& work) { return work.id == "desbrun_1999"; });
+    const auto desbrun = std::find_if(works.begin(), works.end(), [](const CitedWork& work) { return work.id == "desbrun_1999"; });
     const std::string number = std::to_string(desbrun - works.begin() + 1);
     EXPECT_NE(page.find("<a href=\"#ref-desbrun_1999\">[" + number + "]</a>"), std::string::npos);
 }
