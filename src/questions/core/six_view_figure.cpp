@@ -25,13 +25,13 @@ std::string described(const output::Panel& panel) {
 }
 
 std::string alternative_text(const SixViewFigure& figure) {
-    std::string words = figure.title + ", seen from +x, \u2212x, +y, \u2212y, +z and \u2212z: ";
-    for (std::size_t i = 0; i < figure.panels.size(); ++i) words += (i > 0 ? "; " : "") + described(figure.panels[i]);
-    if (figure.range) {
-        words += ". Colours: " + figure.range->quantity + " from " + readable(figure.range->low) + " to " + readable(figure.range->high);
-        if (!figure.range->unit.empty()) words += " " + figure.range->unit;
-    }
-    return words + ".";
+    constexpr report::Words words("figures");
+    std::string panels;
+    for (const output::Panel& panel : figure.panels) panels += (panels.empty() ? "" : "; ") + described(panel);
+    if (!figure.range) return words.line("alt", "title"_a = figure.title, "panels"_a = panels);
+    const std::string unit = figure.range->unit.empty() ? "" : " " + figure.range->unit;
+    return words.line("alt.coloured", "title"_a = figure.title, "panels"_a = panels, "quantity"_a = figure.range->quantity,
+                      "low"_a = readable(figure.range->low), "high"_a = readable(figure.range->high) + unit);
 }
 
 }   // namespace
