@@ -22,6 +22,9 @@ inline report::Text paragraph_of(std::initializer_list<report::Text> sentences) 
     return paragraph;
 }
 
+/// Adds a sentence behind a space, also an empty one.
+inline void go_on(report::Text& text, const report::Text& sentence) { report::extend(text, " ", sentence); }
+
 /// What the message says of these {{meshes}}; nothing where there are none.
 inline report::Text said_of(const std::vector<std::string>& meshes, const report::Words& words, std::string_view key) {
     return meshes.empty() ? report::Text() : words.say(key, "meshes"_a = listed(meshes));

@@ -28,7 +28,7 @@ std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& li
 
 /// The failed check of a section that had to go without one of its meshes, and why.
 report::Check unusable_mesh_check(const std::string& reason);
-/// Is there one? Another time the mesh may be usable: when it has been mended, or memory is not as short.
+/// Whether such a check is there. Its answer is not cached: the mesh may be usable the next time, once it is mended or memory is free.
 bool lacks_a_mesh(const report::Section& section);
 /// Behind those that the section has.
 void append_checks(report::Section& section, const std::vector<report::Check>& checks);

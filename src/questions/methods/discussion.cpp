@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "questions/bench/sentences.h"
 #include "questions/core/study_list.h"
 #include "questions/core/table.h"
 #include "questions/methods/parts.h"
@@ -12,8 +13,6 @@ namespace {
 
 /// Every noisy mesh: its clean one as `whole`, itself as `part`.
 auto all_trials(const DenoisingLaboratory& laboratory) { return parts_within(laboratory.meshes, &DenoisingTrials::trials); }
-
-void go_on(report::Text& text, const report::Text& sentence) { report::extend(text, " ", sentence); }
 
 report::Text about_winner(const ClassResult& c) {
     const int best = c.best(), by_angle = c.best_by_angle();

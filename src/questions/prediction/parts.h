@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "questions/bench/sentences.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/table.h"
 #include "questions/prediction/study.h"
@@ -20,8 +21,6 @@ inline constexpr double deviation_shown = 10;
 
 /// Every level of every mesh: its study as `whole`, itself as `part`.
 inline auto levels_of(const Studies& studies) { return parts_within(studies, &PredictionStudy::levels); }
-/// Joined by a space.
-inline void go_on(report::Text& text, const report::Text& sentence) { report::extend(text, " ", sentence); }
 
 report::Table clean_prediction_table(const Studies& studies);
 report::Table operator_prediction_table(const Studies& studies);

@@ -147,10 +147,7 @@ report::Text about_panel(const GroundTruth& truth) {
         return std::ranges::count_if(truth.runs,
                                      [&](const PanelRun& run) { return run.finest(Quantity::H, a).l2 < run.finest(Quantity::H, b).l2; });
     };
-    const auto error = [&](const char* key) {
-        return words.line("panel.error", "error"_a = readable_percent(truth.finest("ellipsoid", MeshKind::random, Quantity::H, key).l2, 2),
-                          "order"_a = words_of(truth.order("ellipsoid", MeshKind::random, Quantity::H, key)));
-    };
+    const auto error = [&](const char* key) { return error_and_order(truth, "ellipsoid", MeshKind::random, Quantity::H, key); };
     return words.say("panel", "runs"_a = truth.runs.size(), "better_than_uniform"_a = nearer("mixed", "uniform"),
                      "jet_better"_a = nearer("jet", "mixed"), "mixed"_a = error("mixed"), "jet"_a = error("jet"));
 }
