@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 #include <stdexcept>
 
@@ -174,6 +175,26 @@ void require_readable(const Message& message, const std::string& file) {
     }
 }
 
+/// The names behind which the message chooses between singular and plural.
+std::set<std::string> counts_in(const Message& message) {
+    static const std::regex plural("\\{\\{(\\w+)\\|");
+    std::set<std::string> names;
+    for (const std::string& paragraph : message.paragraphs)
+        for (std::sregex_iterator it(paragraph.begin(), paragraph.end(), plural), end; it != end; ++it) names.insert((*it)[1]);
+    return names;
+}
+
+/// A replaced message may say what its own text says, and choose by a number only what that chooses.
+void require_known_facts(const Message& message, const Message& own, const Location& place) {
+    const auto require_among = [&](const auto& known, const auto& named, const std::string& problem) {
+        for (const std::string& fact : named)
+            if (std::ranges::find(known, fact) == known.end())
+                throw UsageError("the message " + message.key + problem + fact, "name one of those that its own text has", place);
+    };
+    require_among(facts_in(own), facts_in(message), " is not told the fact ");
+    require_among(counts_in(own), counts_in(message), " has no singular and plural of ");
+}
+
 }   // namespace
 
 std::vector<Message> messages_of(std::string_view text, const std::string& file) {
@@ -250,12 +271,7 @@ void use_words_of(const Templates& templates) {
             const std::string name = std::string(folder) + file + std::string(ending);
             if (known == own.at(file).end()) throw UsageError("there is no message " + key, "take it out", {name, message.line});
             if (message.paragraphs == known->second.paragraphs) continue;
-            const std::vector<std::string> facts = facts_in(known->second);
-            for (const std::string& fact : facts_in(message)) {
-                if (!std::ranges::binary_search(facts, fact))
-                    throw UsageError("the message " + key + " is not told the fact " + fact, "name one of those that its own text has",
-                                     {name, message.line});
-            }
+            require_known_facts(message, known->second, {name, message.line});
             require_readable(message, name);
             told[file][key] = message;
         }

@@ -108,6 +108,8 @@ TEST(Words, AReplacedMessageThatCannotBeToldIsRefusedWithItsLine) {
     };
     EXPECT_NE(problem_of("## title\nA\n## tittle\nB\n").find("q3.md:3"), std::string::npos);
     EXPECT_NE(problem_of("## plane.subtitle\n{{edges}}\n").find("edges"), std::string::npos);
+    EXPECT_NE(problem_of("## plane.subtitle\n{{vertices|vertex|vertices}}\n## sphere\n{{limit|one|many}}\n").find("q3.md:3: "),
+              std::string::npos);
     EXPECT_NE(problem_of("## title\nA\n\n## title\nB\n").find("q3.md:4"), std::string::npos);
     EXPECT_NE(problem_of("## title\n{{unclosed\n"), "none");
     EXPECT_NE(problem_of("## title\n**unclosed\n"), "none");

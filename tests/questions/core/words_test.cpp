@@ -138,3 +138,19 @@ TEST(WordsOfQuestions, NoSentenceIsLeftInTheSources) {
     }
     EXPECT_EQ(sentences, 0);
 }
+
+TEST(WordsOfQuestions, NoPluralIsWrittenByHand) {
+    // "{{vertices}} vertices" is wrong for one. A mean edge is a unit, whatever the number.
+    static const std::regex by_hand(
+        "\\{\\{\\w+\\}\\}\\s+(?:explicit |implicit |random |such |open )?(?:vertices|triangles|faces|edges|meshes|modes|iterations|steps|"
+        "operators|surfaces|estimators|refinements|rings|checks|components|eigenvalues|kinds|points|methods|seeds|runs|claims)\\b");
+    static const std::set<std::string> adjectives{"{{kind}} meshes", "{{triangulation}} meshes", "{{triangles}} triangles"};
+    for (const auto& [file, messages] : all_messages()) {
+        for (const report::Message& message : messages) {
+            for (const std::string& paragraph : message.paragraphs) {
+                for (std::sregex_iterator it(paragraph.begin(), paragraph.end(), by_hand), end; it != end; ++it)
+                    EXPECT_TRUE(adjectives.contains(it->str())) << "words/" << file << ".md, " << message.key << ": " << it->str();
+            }
+        }
+    }
+}
