@@ -34,7 +34,7 @@ output::FigureRequest cover_of(output::FigureRequest figure) {
     figure.id = figure.panels.front().name = "cover";
     figure.title.clear();
     figure.subtitle.clear();
-    figure.three_quarter = true;
+    figure.layout = output::Layout::multiples;
     figure.turnable = false;
     return figure;
 }

@@ -45,11 +45,11 @@ struct FigureJob {
 /// So many small multiples that they are looked at together and not one by one: six in a line, drawn at half the size, which leaves lines
 /// on the surface thick enough to be seen.
 bool is_gallery(const FigureRequest& request) {
-    return request.three_quarter && request.panels.size() > static_cast<std::size_t>(render::largest_block);
+    return request.layout != Layout::six_views && request.panels.size() > static_cast<std::size_t>(render::largest_block);
 }
 
 int cell_of(const FigureRequest& request, const DrawSettings& settings) {
-    const bool large = request.panels.size() == 1 || (request.three_quarter && !is_gallery(request));
+    const bool large = request.panels.size() == 1 || (request.layout != Layout::six_views && !is_gallery(request));
     return std::min(large ? settings.sheet_cell : settings.strip_cell, is_gallery(request) ? (settings.width + 1) / 2 : settings.width);
 }
 
@@ -67,9 +67,8 @@ void require_good_names(std::span<const FigureRequest> requests) {
         if (request.frame_panel >= static_cast<int>(request.panels.size())) {
             throw std::logic_error("figure " + request.id + " is framed on a panel it has not");
         }
-        const bool comparable =
-            request.three_quarter && request.three_quarter_frame && (request.panels.size() == 2 || request.panels.size() == 3);
-        if (request.comparison && !comparable) throw std::logic_error("figure " + request.id + " cannot be a comparison");
+        if (request.layout == Layout::comparison && request.panels.size() != 2 && request.panels.size() != 3)
+            throw std::logic_error("figure " + request.id + " compares neither two panels nor three");
     }
 }
 
@@ -103,17 +102,19 @@ render::DrawOptions options_of(const FigureRequest& request, const DrawSettings&
     render::DrawOptions options;
     options.width = is_gallery(request) ? (settings.width + 1) / 2 : settings.width;
     options.height = is_gallery(request) ? (settings.height + 1) / 2 : settings.height;
-    if (request.comparison) options.height = static_cast<int>(comparison_share * settings.height);
+    if (request.layout == Layout::comparison) options.height = static_cast<int>(comparison_share * settings.height);
     options.edges = request.edges;
     options.isoline_spacing = request.isoline_spacing;
-    if (!request.three_quarter) options.frame = render::frame_of(framed_box(request), options.width, options.height, options.fill);
-    if (request.three_quarter && request.three_quarter_frame) options.frame = three_quarter_frame(request, options);
+    if (request.layout == Layout::six_views)
+        options.frame = render::frame_of(framed_box(request), options.width, options.height, options.fill);
+    else if (request.layout != Layout::multiples)
+        options.frame = three_quarter_frame(request, options);
     if (request.range) options.range = value_range(*request.range);
     return options;
 }
 
 std::vector<render::View> views_of(const FigureRequest& request) {
-    if (request.three_quarter) return {render::three_quarter_view()};
+    if (request.layout != Layout::six_views) return {render::three_quarter_view()};
     return {render::six_views.begin(), render::six_views.end()};
 }
 
@@ -147,7 +148,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
     for_each_task(views.size(), [&](std::size_t i) {
         row.pictures[i] = render::shrink(views[i], cell, cell * views[i].height / views[i].width);
         label_view(views[i], directions[i].name);
-        if (job.request->comparison) {
+        if (job.request->layout == Layout::comparison) {
             const render::ColorBar bar = colored ? legend_of(job) : render::ColorBar{};
             views[i] = with_room_below(views[i], settings.height, colored ? &bar : nullptr);
             job.previews[index] = preview_of(views[i], settings.panel_width, settings.jpeg_quality);
@@ -172,10 +173,10 @@ void draw_sheet(FigureJob& job, const std::filesystem::path& folder, const DrawS
     render::ContactSheet sheet;
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
-    if (!request.three_quarter)
+    if (request.layout == Layout::six_views)
         for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
     sheet.rows = std::move(job.rows);
-    if (request.three_quarter && request.panels.size() > 1) fold_into_grid(sheet);
+    if (request.layout != Layout::six_views && request.panels.size() > 1) fold_into_grid(sheet);
     if (request.range) {
         sheet.color_bar = legend_of(job);
         // of these panels: several figures may share a range
@@ -228,7 +229,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         figures[f].request = &requests[f];
         figures[f].options = options_of(requests[f], settings);
         figures[f].rows.resize(requests[f].panels.size());
-        figures[f].previews.resize(requests[f].comparison ? requests[f].panels.size() : 0);
+        figures[f].previews.resize(requests[f].layout == Layout::comparison ? requests[f].panels.size() : 0);
         figures[f].panels_left = static_cast<int>(requests[f].panels.size());
         for (std::size_t p = 0; p < requests[f].panels.size(); ++p) pieces.push_back({f, p});
     }

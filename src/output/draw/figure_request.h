@@ -28,22 +28,23 @@ struct ColorRange {
     std::vector<double> sample = {};               // of the finite values, evenly through their order, for the histogram
 };
 
+enum class Layout {
+    six_views,   // each panel from six directions: one panel as a 2 × 3 sheet, several as a row each
+    multiples,   // one picture a panel, from the right front and above, each in its own frame; beyond twelve at half the size, six in a
+                 // line
+    one_frame,   // the same in one frame, that of `frame_panel`, for one mesh in several states: sizes can be compared
+    comparison   // the same of a mesh before and after, and as a third, if there is one, their difference: one slides over the other
+};
+
 struct FigureRequest {
     std::string id;   // of the report::Figure: images/<id>_sheet.png
     std::string title, subtitle;
-    std::vector<Panel> panels;   // one: a 2 × 3 sheet; several: a row each, six columns
+    std::vector<Panel> panels;
     std::optional<ColorRange> range;
     bool edges = false;
     /// Frame all panels on this panel's box (a blown-up mesh must not shrink the others); −1: on the union of all boxes.
     int frame_panel = 0;
-    /// One picture a panel, from the right front and above, instead of six; several are small multiples, named by their labels;
-    /// more than twelve are drawn at half the size, six in a line.
-    bool three_quarter = false;
-    /// The same in one frame, that of `frame_panel` as above, for one mesh in several states: sizes can be compared.
-    bool three_quarter_frame = false;
-    /// The panels are one mesh before and after, and as a third, if there is one, their difference; needs `three_quarter_frame`. Readers of
-    /// the page may slide one over the other.
-    bool comparison = false;
+    Layout layout = Layout::six_views;
     bool turnable = false;        // readers of the page can turn the first panel, and with it the second if it has the same triangles
     double isoline_spacing = 0;   // lines where a value is a multiple of this; 0: none
 };

@@ -44,7 +44,8 @@ void add_comparison(Answer& answer, ComparisonFigure figure) {
     request.id = figure.id;
     request.title = figure.title;
     request.subtitle = figure.subtitle;
-    request.three_quarter = request.three_quarter_frame = request.comparison = request.turnable = true;
+    request.layout = output::Layout::comparison;
+    request.turnable = true;
     request.frame_panel = figure.frame_panel;
     output::Panel moved{figure.id + "_moved", comparison_words.line("comparison.moved"), figure.after.mesh,
                         displacement_percent(figure.before.mesh->X, figure.after.mesh->X, figure.diagonal)};

@@ -15,7 +15,7 @@ void add_pictures(Answer& answer, const SmoothingMaps& maps) {
     request.title = words.line("pictures.title", "mesh"_a = maps.name());
     request.subtitle = "λ_crit = " + readable(maps.subject.critical, 4);
     request.edges = maps.subject.mesh().face_count() < 5000;
-    request.three_quarter = request.three_quarter_frame = true;
+    request.layout = output::Layout::one_frame;
     request.panels = {panel_of(*maps.subject.source, id_of("maps", maps.name(), "input"), "input",
                                curvature_colours(maps.subject, maps.subject.mesh().X))};
     for (const MapPlace& place : maps.places) {

@@ -52,7 +52,7 @@ void add_figure_of(Answer& answer, const LaboratoryMesh& lab) {
     request.id = id_of("operators", lab.name(), "h");
     request.title = words.line("figure.title");
     request.subtitle = words.line("figure.subtitle", "file"_a = s.source->input.file, "vertices"_a = s.mesh().vertex_count());
-    request.three_quarter = true;
+    request.layout = output::Layout::multiples;
     std::string told;
     for (const OperatorTrial& t : lab.trials) {
         const std::string title = t.made_by.title();

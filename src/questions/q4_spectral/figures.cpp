@@ -9,7 +9,7 @@ namespace {
 
 /// Small multiples: one mesh in several states, from one view.
 void add_multiples(Answer& answer, output::FigureRequest request, const std::string& caption) {
-    request.three_quarter = request.three_quarter_frame = true;
+    request.layout = output::Layout::one_frame;
     request.frame_panel = -1;   // what is blown up shall be seen whole
     add(answer.section, report::Figure{request.id, caption, caption});
     answer.figures.push_back(std::move(request));

@@ -28,7 +28,7 @@ void add_multiples(Answer& answer, output::FigureRequest request, const std::str
     request.range->low = low;
     request.range->high = 1;
     request.range->clipped_below = request.range->clipped_above = 0;
-    request.three_quarter = true;
+    request.layout = output::Layout::multiples;
     add(answer.section, report::Figure{request.id, caption, caption});
     answer.figures.push_back(std::move(request));
 }

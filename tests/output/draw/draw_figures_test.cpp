@@ -186,8 +186,7 @@ FigureRequest balls(const std::vector<double>& radii, bool one_frame) {
         request.panels.push_back(panel_of(std::move(ball), "q4_ball_" + std::to_string(i), true));
         request.panels.back().values /= radii[i];
     }
-    request.three_quarter = true;
-    request.three_quarter_frame = one_frame;
+    request.layout = one_frame ? Layout::one_frame : Layout::multiples;
     request.range = robust_range(request.panels, "diverging", "z", "", 0);
     return request;
 }
@@ -247,7 +246,7 @@ FigureRequest shrunk_ball() {
         {},
         false,
         0};
-    request.three_quarter = request.three_quarter_frame = request.comparison = true;
+    request.layout = Layout::comparison;
     request.range = robust_range({request.panels.back()}, "viridis", "displacement", "%", 0);
     return request;
 }
@@ -284,11 +283,9 @@ TEST(DrawFigures, OnlyTheDifferenceOfAComparisonHasColoursAndTheirBar) {
 
 TEST(DrawFigures, RefusesAComparisonThatIsNone) {
     const TemporaryFolder folder;
-    FigureRequest alone = shrunk_ball(), own_frames = shrunk_ball();
+    FigureRequest alone = shrunk_ball();
     alone.panels.resize(1);
-    own_frames.three_quarter_frame = false;
-    for (const FigureRequest& request : {alone, own_frames})
-        EXPECT_THROW(draw_figures(std::vector{request}, folder.path(), small_pictures()), std::logic_error);
+    EXPECT_THROW(draw_figures(std::vector{alone}, folder.path(), small_pictures()), std::logic_error);
 }
 
 TEST(PreviewOf, ShrinksButNeverEnlarges) {

@@ -43,7 +43,7 @@ TEST(ComparisonFigure, AsksForThreePicturesOfWhichOnlyTheDifferenceIsColoured) {
     add_comparison(answer, moved_ball(0.5, 25));
     ASSERT_EQ(answer.figures.size(), 1u);
     const output::FigureRequest& request = answer.figures.front();
-    EXPECT_TRUE(request.comparison && request.turnable && request.three_quarter && request.three_quarter_frame);
+    EXPECT_TRUE(request.layout == output::Layout::comparison && request.turnable);
     ASSERT_EQ(request.panels.size(), 3u);
     EXPECT_EQ(request.panels[0].values.size(), 0);
     EXPECT_EQ(request.panels[1].values.size(), 0);

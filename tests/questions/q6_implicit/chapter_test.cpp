@@ -62,7 +62,7 @@ TEST(Q6, PanelsAreWhatTheirLabelsSay) {
     const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "panels6"), quick_settings(), no_progress);
     const ImplicitStudy study = implicit_study(library_mesh(mesh, "panels6"), quick_settings());
     ASSERT_EQ(answer.figures.size(), 4u);   // steps, pairs, iterations, before and after
-    EXPECT_TRUE(answer.figures[3].comparison && answer.figures[3].turnable);
+    EXPECT_TRUE(answer.figures[3].layout == output::Layout::comparison && answer.figures[3].turnable);
     const std::vector<output::Panel>&steps = answer.figures[0].panels, &pairs = answer.figures[1].panels, &times = answer.figures[2].panels;
     for (const output::FigureRequest& figure : answer.figures) EXPECT_EQ(figure.panels[0].mesh->X, study.subject.mesh().X) << figure.id;
     ASSERT_EQ(steps.size(), study.lambdas.size() + 1);

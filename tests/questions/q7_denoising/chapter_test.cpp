@@ -105,7 +105,7 @@ TEST(Q7, BeforeAndAfterIsTheNoiseThatSmoothingDidMostAgainst) {
     ASSERT_EQ(answer.figures.size(), study.trials.size() + (helped ? 1 : 0));
     if (!helped) return;
     const output::FigureRequest& figure = answer.figures.back();
-    EXPECT_TRUE(figure.comparison && figure.turnable);
+    EXPECT_TRUE(figure.layout == output::Layout::comparison && figure.turnable);
     EXPECT_EQ(figure.panels[0].mesh->X, most.noisy.X);
     EXPECT_EQ(figure.panels[1].mesh->X, most.best.X);
 }
