@@ -42,14 +42,15 @@ Names places(const Studies& studies, Extent extent) {
 report::Text how_large(const Studies& studies) {
     Names limits;
     for (const ExplicitStudy& study : studies)
-        limits.push_back(words.line("limit.mesh", "mesh"_a = study.name(), "critical"_a = readable(study.subject.critical, 4),
+        limits.push_back(words.line("limit.mesh", "mesh"_a = study.name(), "critical"_a = readable(study.subject.critical, 2),
                                     "edges"_a = readable(study.critical_in_edges(), 2)));
-    const double lowest = std::ranges::min_element(studies, {}, &ExplicitStudy::critical_in_edges)->critical_in_edges();
+    const auto worst = std::ranges::min_element(studies, {}, &ExplicitStudy::critical_in_edges);
+    const double lowest = worst->critical_in_edges();
     // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
     static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
     return paragraph_of({words.say("limit", "limits"_a = listed(limits)),
                          words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", "grid"_a = readable(grid, 2),
-                                   "times"_a = readable(grid / lowest, 2)),
+                                   "mesh"_a = worst->name(), "times"_a = readable(grid / lowest, 2)),
                          said_of(places(studies, Extent::whole), words, "limit.whole"),
                          said_of(places(studies, Extent::region), words, "limit.region"),
                          said_of(places(studies, Extent::spot), words, "limit.spot")});
@@ -57,21 +58,19 @@ report::Text how_large(const Studies& studies) {
 
 // ---- which one to take
 
-std::string volume_left(const SmoothingRun& run) {
-    const report::Fact volume = "volume"_a = readable_percent(run.volume_ratio, 4);
-    if (const int kept = iterations_keeping_volume(run, 0.95); kept >= 0) return words.line("good.mesh.shrunk", volume, "kept"_a = kept);
-    return std::isfinite(run.volume_ratio) ? words.line("good.mesh.volume", volume) : "";
-}
-
-/// What smoothing with the recommended step does to energy, place, volume and faces.
+/// What smoothing with the recommended step does to energy, volume and faces, and what going on would cost.
 report::Text effect_of(const ExplicitStudy& study) {
-    const SmoothingRun& run = study.recommended();
+    const SmoothingRun &run = study.recommended->stopped, &all = study.runs[study.recommended->run];
     const int turned = run.moved.inverted_faces;
-    return words.say(
-        "good.mesh", "mesh"_a = study.name(), "step"_a = step_label(study.subject, run.lambda), "fall"_a = energy_fall(run.energy.back()),
-        "iterations"_a = run.result.iterations, "moved"_a = readable_percent(run.moved.rms / study.subject.diagonal),
-        "volume"_a = volume_left(run),
-        "turned"_a = turned > 0 ? words.line("good.mesh.turned", "turned"_a = turned, "faces"_a = study.subject.mesh().face_count()) : "");
+    const std::string volume =
+        std::isfinite(run.volume_ratio) ? words.line("good.mesh.volume", "volume"_a = readable_percent(run.volume_ratio)) : "";
+    return paragraph_of(
+        {words.say("good.mesh", "mesh"_a = study.name(), "step"_a = step_label(study.subject, run.lambda), "iterations"_a = run.iterations,
+                   "fall"_a = energy_fall(run.energy.back()), "volume"_a = volume),
+         run.iterations < all.iterations
+             ? words.say("good.mesh.stopped", "iterations"_a = all.iterations, "volume"_a = readable_percent(all.volume_ratio, 2))
+             : report::Text(),
+         turned > 0 ? words.say("good.mesh.turned", "turned"_a = turned, "faces"_a = study.subject.mesh().face_count()) : report::Text()});
 }
 
 report::Text good_step(const Studies& studies) {
@@ -79,11 +78,11 @@ report::Text good_step(const Studies& studies) {
     report::Text effects;
     bool all_keep_signs = true;
     for (const ExplicitStudy& study : studies) {
-        if (study.best < 0) {
+        if (!study.recommended) {
             none.push_back(study.name());
             continue;
         }
-        all_keep_signs = all_keep_signs && keeps_signs(study.subject, study.recommended().lambda);
+        all_keep_signs = all_keep_signs && keeps_signs(study.subject, study.recommended->stopped.lambda);
         effects = paragraph_of({effects, effect_of(study)});
     }
     const report::Text which = effects.empty() ? effects : words.say(all_keep_signs ? "good.keeps_signs" : "good.changes_signs");
@@ -119,6 +118,14 @@ report::Text growth_of_the_top_mode(const StudyPointers& beyond) {
     return said_of(grown, words, "beyond");
 }
 
+/// "fandisk_ns", "cube (one of 12 alike)": where the top mode is largest at the vertex that breaks away; empty where it is not.
+std::string broken_at_top(const ExplicitStudy& study) {
+    const int vertex = study.runs.back().result.blow_up_vertex;
+    if (std::ranges::find(study.peaks, vertex) == study.peaks.end()) return "";
+    return study.peaks.size() == 1 ? study.name()
+                                   : words.line("beyond.at_top.tie", "mesh"_a = study.name(), "vertices"_a = study.peaks.size());
+}
+
 /// Where the largest step tried ends, and whether it breaks at the vertex that sets the limit.
 report::Text where_it_breaks(const StudyPointers& beyond) {
     std::vector<Observed> blown, turned;
@@ -130,7 +137,7 @@ report::Text where_it_breaks(const StudyPointers& beyond) {
             blown.push_back({words.line("beyond.blown.mesh", mesh, "iteration"_a = last.result.blow_up_iteration,
                                         "vertex"_a = last.result.blow_up_vertex),
                              at_step(study->subject, last.lambda)});
-            if (last.result.blow_up_vertex == study->subject.top.vertex) at_top.push_back(study->name());
+            if (std::string place = broken_at_top(*study); !place.empty()) at_top.push_back(std::move(place));
         } else if (last.moved.inverted_faces > 0) {
             turned.push_back({words.line("beyond.turned.mesh", mesh, "turned"_a = last.moved.inverted_faces,
                                          "faces"_a = study->subject.mesh().face_count()),
@@ -141,15 +148,25 @@ report::Text where_it_breaks(const StudyPointers& beyond) {
         {said_of(blown, words, "beyond.blown"), said_of(at_top, words, "beyond.at_top"), said_of(turned, words, "beyond.turned")});
 }
 
+/// Just beyond the limit the energy may still fall; the faces that turn over show the growth.
 report::Text what_energy_hides(const StudyPointers& beyond) {
     std::vector<Observed> hidden;
+    Names turned;
+    std::string table;   // where the first of them stands
     for (const ExplicitStudy* study : beyond) {
-        const SmoothingRun& run = study->runs[first_beyond(*study)];
+        const std::size_t first = first_beyond(*study);
+        const SmoothingRun& run = study->runs[first];
         if (run.energy.back() >= run.energy.front()) continue;
         hidden.push_back({words.line("beyond.hidden.mesh", "fall"_a = energy_fall(run.energy.back()), "mesh"_a = study->name()),
                           step_and_iterations(*study, run)});
+        const int now = run.moved.inverted_faces, before = first > 0 ? study->runs[first - 1].moved.inverted_faces : 0;
+        if (now <= before) continue;
+        if (table.empty()) table = id_of("q5", study->name(), "sweep_table");
+        turned.push_back(words.line("beyond.hidden.faces", "mesh"_a = study->name(), "turned"_a = now, "before"_a = before));
     }
-    return said_of(hidden, words, "beyond.hidden");
+    return paragraph_of(
+        {said_of(hidden, words, "beyond.hidden"),
+         turned.empty() ? report::Text() : words.say("beyond.hidden.turned", "meshes"_a = listed(turned), "table"_a = table)});
 }
 
 report::Text too_large(const Studies& studies) {

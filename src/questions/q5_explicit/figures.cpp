@@ -31,8 +31,8 @@ void add_sweep_figure(Answer& answer, const ExplicitStudy& study) {
 }
 
 void add_before_after(Answer& answer, const ExplicitStudy& study, const std::string& colormap) {
-    if (study.best < 0) return;
-    const SmoothingRun& run = study.recommended();
+    if (!study.recommended) return;
+    const SmoothingRun& run = study.recommended->stopped;
     const bool closed = !std::isnan(run.volume_ratio);
     const report::Facts facts{
         "mesh"_a = study.name(),

@@ -1,6 +1,7 @@
 #include "questions/q5_explicit/study.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/operators/uniform_laplacian.h"
 #include "questions/core/value_lists.h"
@@ -14,19 +15,24 @@ UniformLimit uniform_limit(const LibraryMesh& mesh) {
     return {top, 2 / top};
 }
 
-/// Of the runs in which no mode changes its sign the one that removes most Dirichlet energy; if there is none, the same among the stable
-/// ones.
-int recommended(const ExplicitStudy& study) {
-    for (const double limit : {0.5, 1.0}) {
-        int best = -1;
-        for (std::size_t i = 0; i < study.runs.size(); ++i) {
-            if (study.runs[i].lambda > limit * study.subject.critical * (1 + 1e-12)) continue;
-            if (best < 0 || study.runs[i].energy.back() < study.runs[static_cast<std::size_t>(best)].energy.back())
-                best = static_cast<int>(i);
-        }
-        if (best >= 0) return best;
-    }
-    return -1;
+constexpr double volume_to_keep = 0.95;
+
+std::optional<Recommendation> recommended(const ExplicitStudy& study) {
+    const auto kept_by = [&](auto allowed) { return std::ranges::find_if(study.runs.rbegin(), study.runs.rend(), allowed); };
+    auto run = kept_by([&](const SmoothingRun& r) { return keeps_signs(study.subject, r.lambda); });
+    if (run == study.runs.rend()) run = kept_by([&](const SmoothingRun& r) { return r.lambda <= study.subject.critical; });
+    if (run == study.runs.rend()) return {};
+    const int kept = iterations_keeping_volume(*run, volume_to_keep);
+    const auto index = static_cast<std::size_t>(study.runs.rend() - run) - 1;
+    return Recommendation{index, kept < 0 ? *run : run_smoothing(study.subject, run->scheme, run->lambda, std::max(kept, 1))};
+}
+
+std::vector<int> peaks_of(const Vector& mode) {
+    std::vector<int> peaks;
+    const double least = 0.999 * mode.cwiseAbs().maxCoeff();
+    for (int i = 0; i < mode.size(); ++i)
+        if (std::abs(mode[i]) >= least) peaks.push_back(i);
+    return peaks;
 }
 
 }   // namespace
@@ -40,7 +46,8 @@ ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
         study.runs.push_back(run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, iterations));
         study.amplification.push_back(top_mode_amplification(study.subject, lambda, 20));
     }
-    study.best = recommended(study);
+    study.peaks = peaks_of(study.subject.top.mode);
+    study.recommended = recommended(study);
     return study;
 }
 

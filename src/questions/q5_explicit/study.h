@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,22 @@ struct UniformLimit {
     double critical = 0;   // 2/μ_max
 };
 
+/// The step to take, and when to stop: the largest in which no mode changes its sign, else the largest stable one, for as many iterations
+/// as leave a closed mesh 95 % of its volume (one at least).
+struct Recommendation {
+    std::size_t run = 0;   // of the study, with all iterations
+    SmoothingRun stopped;
+};
+
 struct ExplicitStudy {
     SmoothingSubject subject;
     std::vector<SmoothingRun> runs;             // ascending λ
     std::vector<Amplification> amplification;   // of the top mode, for each run
     UniformLimit uniform;
-    int best = -1;   // run recommended; −1: none is stable
+    std::vector<int> peaks;                      // vertices where the top mode is as large as anywhere, to a thousandth
+    std::optional<Recommendation> recommended;   // none: no step tried is stable
 
     const std::string& name() const { return subject.name(); }
-    const SmoothingRun& recommended() const { return runs[static_cast<std::size_t>(best)]; }
     double critical_in_edges() const { return subject.critical / (subject.mean_edge * subject.mean_edge); }
     bool stable(std::size_t run) const { return runs[run].lambda <= subject.critical; }
 };

@@ -22,11 +22,14 @@ std::vector<Trial> trials_of(const ExplicitStudy& study) {
     std::vector<Trial> trials;
     for (std::size_t i = 0; i < study.runs.size(); ++i) {
         const SmoothingRun& run = study.runs[i];
-        const char* outcome = run.result.blew_up                  ? "outcome.blew_up"
-                              : !study.stable(i)                  ? "outcome.growing"
-                              : static_cast<int>(i) == study.best ? "outcome.recommended"
-                                                                  : "outcome.stable";
-        trials.push_back({run, study.amplification[i], words.line(outcome, "iteration"_a = run.result.blow_up_iteration)});
+        const bool best = study.recommended && study.recommended->run == i;
+        const int stop = best ? study.recommended->stopped.iterations : 0;
+        const char* outcome = run.result.blew_up       ? "outcome.blew_up"
+                              : !study.stable(i)       ? "outcome.growing"
+                              : !best                  ? "outcome.stable"
+                              : stop == run.iterations ? "outcome.recommended"
+                                                       : "outcome.recommended.stopped";
+        trials.push_back({run, study.amplification[i], words.line(outcome, "iteration"_a = run.result.blow_up_iteration, "stop"_a = stop)});
     }
     return trials;
 }
@@ -52,6 +55,7 @@ report::Table limit_table(const Studies& studies) {
                 [](auto& s) { return s.subject.safe(); })
         .column("λ_crit/h̄²", &ExplicitStudy::critical_in_edges)
         .column("vertex", {.digits = 8}, [](auto& s) { return s.subject.top.vertex; })
+        .column("vertices as large", [](auto& s) { return s.peaks.size(); })
         .column("vertices sharing the mode", {.digits = 2}, [](auto& s) { return s.subject.top.support; })
         .column("uniform μ_max", {.digits = 4}, [](auto& s) { return s.uniform.top; })
         .column("uniform λ_crit", {.digits = 4}, [](auto& s) { return s.uniform.critical; });

@@ -79,7 +79,7 @@ TEST(ExplicitDiscussion, BlamesASpotARegionOrTheWhole) {
 TEST(ExplicitDiscussion, RecommendsOnlyWhatIsStable) {
     ExplicitStudy study = explicit_study(cube, quick_settings());
     EXPECT_TRUE(has(told(study), "no mode changes its sign")) << told(study);
-    study.best = -1;
+    study.recommended.reset();
     EXPECT_TRUE(has(told(study), "none can be recommended")) << told(study);
     EXPECT_FALSE(has(told(study), "no mode changes its sign")) << told(study);
 }
@@ -91,8 +91,12 @@ TEST(ExplicitDiscussion, TellsWhatTheEnergyHidesOnlyWhereItDoes) {
     ASSERT_LT(beyond, study.runs.size());
     study.runs[beyond].energy.back() = 0.5 * study.runs[beyond].energy.front();
     EXPECT_TRUE(has(told(study), "to 50.0\u202f%")) << told(study);
+    study.runs[beyond].moved.inverted_faces = study.runs[beyond - 1].moved.inverted_faces + 9;
+    EXPECT_TRUE(has(told(study), "The faces show it earlier")) << told(study);
+    study.runs[beyond].moved.inverted_faces = study.runs[beyond - 1].moved.inverted_faces;
+    EXPECT_FALSE(has(told(study), "The faces show it earlier")) << told(study);
     study.runs[beyond].energy.back() = 2 * study.runs[beyond].energy.front();
-    EXPECT_FALSE(has(told(study), "nothing may show")) << told(study);
+    EXPECT_FALSE(has(told(study), "shows the growth late")) << told(study);
     study.runs.resize(beyond);   // nothing beyond the limit was tried
     study.amplification.resize(beyond);
     EXPECT_TRUE(has(told(study), "No step tried on cube_told exceeds the limit")) << told(study);
@@ -103,11 +107,13 @@ TEST(ExplicitDiscussion, NamesTheVertexThatBreaksFirstAndKnowsItsMode) {
     SmoothingRun& last = study.runs.back();
     last.result.blew_up = true;
     last.result.blow_up_iteration = 12;
-    last.result.blow_up_vertex = study.subject.top.vertex;
+    last.result.blow_up_vertex = study.peaks.back();
     EXPECT_TRUE(has(told(study), "in iteration 12 on cube_told")) << told(study);
-    EXPECT_TRUE(has(told(study), "the very vertex")) << told(study);
-    last.result.blow_up_vertex = study.subject.top.vertex + 1;
-    EXPECT_FALSE(has(told(study), "the very vertex")) << told(study);
+    EXPECT_TRUE(has(told(study), "that tie) the top mode is largest at that vertex")) << told(study);
+    study.peaks = {last.result.blow_up_vertex};
+    EXPECT_TRUE(has(told(study), "On cube_told the top mode is largest at that vertex")) << told(study);
+    study.peaks = {last.result.blow_up_vertex + 1};
+    EXPECT_FALSE(has(told(study), "the top mode is largest")) << told(study);
 }
 
 TEST(ImplicitDiscussion, CallsAShapeLostOnlyWhereItIs) {

@@ -57,7 +57,7 @@ TEST(Q5, TheTablesAreTheStudy) {
     std::vector<std::string> outcomes;
     for (const report::Cell& cell : cells(table, "outcome")) outcomes.push_back(std::get<std::string>(cell));
     EXPECT_EQ(outcomes[0], "stable");
-    EXPECT_EQ(outcomes[1], "recommended");
+    EXPECT_TRUE(outcomes[1].starts_with("recommended")) << outcomes[1];
     EXPECT_EQ(outcomes[2], "stable");
     EXPECT_EQ(outcomes[3], "growing");
     const report::Table& limits = table_named(answer.section, "q5_limits");

@@ -58,20 +58,36 @@ TEST(ExplicitStudy, StableIsWhatDoesNotGrow) {
     for (std::size_t i = 0; i < study.runs.size(); ++i) EXPECT_EQ(study.stable(i), study.amplification[i].measured < 1) << i;
 }
 
-TEST(ExplicitStudy, RecommendedIsTheStrongestThatKeepsSigns) {
-    const ExplicitStudy study = explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_best");
-    ASSERT_EQ(study.best, 1);   // half the limit, exactly
-    const SmoothingRun& best = study.runs[1];
-    EXPECT_TRUE(keeps_signs(study.subject, best.lambda));
-    for (const SmoothingRun& run : study.runs) {
-        if (keeps_signs(study.subject, run.lambda)) {
-            EXPECT_LE(best.energy.back(), run.energy.back());
-        }
-    }
+TEST(ExplicitStudy, RecommendedIsTheLargestStepThatKeepsSigns) {
+    const TriangleMesh egg = ellipsoid_mesh(2, {1.5, 1, 0.8});
+    const ExplicitStudy study = explicit_study_on(egg, "egg_best");
+    ASSERT_TRUE(study.recommended);
+    EXPECT_EQ(study.recommended->run, 1u);   // half the limit, exactly
+    EXPECT_TRUE(keeps_signs(study.subject, study.runs[1].lambda));
+    EXPECT_FALSE(keeps_signs(study.subject, 0.51 * study.subject.critical));
     const double critical = study.subject.critical;
-    EXPECT_EQ(explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_b", {0.6 * critical, 0.8 * critical, 1.2 * critical}).best, 1);
-    EXPECT_EQ(explicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_c", {1.2 * critical}).best, -1);
-    EXPECT_FALSE(keeps_signs(study.subject, 0.51 * critical));
+    EXPECT_EQ(explicit_study_on(egg, "egg_b", {0.6 * critical, 0.8 * critical, 1.2 * critical}).recommended->run, 1u);
+    EXPECT_FALSE(explicit_study_on(egg, "egg_c", {1.2 * critical}).recommended);
+}
+
+TEST(ExplicitStudy, TheRecommendedRunStopsBeforeAFewPercentOfTheVolumeAreLost) {
+    const ExplicitStudy cube = explicit_study_on(cube_mesh(4), "cube_stop");
+    const SmoothingRun &stopped = cube.recommended->stopped, &all = cube.runs[cube.recommended->run];
+    ASSERT_LT(stopped.iterations, all.iterations);
+    EXPECT_EQ(stopped.lambda, all.lambda);
+    EXPECT_TRUE(stopped.volume_ratio >= 0.95 || stopped.iterations == 1);
+    EXPECT_LT(all.volume[static_cast<std::size_t>(stopped.iterations) + 1], 0.95);
+    const ExplicitStudy open = explicit_study_on(grid_mesh(6, 5, 2, 1), "grid_stop");   // has no volume to lose
+    EXPECT_EQ(open.recommended->stopped.iterations, open.runs.front().iterations);
+}
+
+TEST(ExplicitStudy, VerticesThatTieAreAllPeaks) {
+    const std::vector<int> tied = explicit_study_on(tetrahedron(), "tetrahedron_peaks").peaks;
+    EXPECT_GE(tied.size(), 1u);
+    TriangleMesh spiked = icosphere(2);
+    spiked.X.row(0) *= 3;   // one vertex unlike all others
+    EXPECT_EQ(explicit_study_on(spiked, "spiked_peaks").peaks.size(), 1u);
+    EXPECT_GT(explicit_study_on(cube_mesh(10), "cube_peaks").peaks.size(), 1u) << "a cube looks alike from all sides";
 }
 
 TEST(ExplicitStudy, CompleteGraphHasAKnownUniformLimit) {
