@@ -90,6 +90,11 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     return run;
 }
 
+int iterations_keeping_volume(const SmoothingRun& run, double share) {
+    const auto lost = std::ranges::find_if(run.volume, [&](double v) { return v < share; });
+    return lost != run.volume.end() ? static_cast<int>(lost - run.volume.begin()) - 1 : -1;
+}
+
 report::Check energy_check(std::string name, const SmoothingRun& run) {
     constexpr double seen = 1e-9;
     double rise = 0, rounding = std::ranges::max(run.energy_rounding);

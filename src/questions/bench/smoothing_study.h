@@ -67,6 +67,11 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild = false);
 
+/// Smoothing is recommended for as long as it leaves this share of the volume; of an open mesh, which has none, of the box diagonal.
+inline constexpr double size_to_keep = 0.95;
+/// Iterations of the run before less than `share` of the volume is left; −1 when it never comes to that.
+int iterations_keeping_volume(const SmoothingRun& run, double share = size_to_keep);
+
 /// That the energy never rises by more than rounding can have raised it, for a run in which no mode may grow. Undecided where rounding
 /// could hide a rise of 1e-9 of the energy of the input.
 report::Check energy_check(std::string name, const SmoothingRun& run);

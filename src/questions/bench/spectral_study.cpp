@@ -66,7 +66,16 @@ int smallest_k_below(const SpectralStudy& study, double share) {
     return 0;
 }
 
-double falling_power(const SpectralStudy& study, int a, int b) { return std::log(study.rms[a] / study.rms[b]) / std::log(double(b) / a); }
+double falling_power(const SpectralStudy& study, int a, int b) {
+    const Vector log_k = Vector::LinSpaced(b - a + 1, a, b).array().log(), log_rms = study.rms.segment(a, b - a + 1).array().log();
+    const Vector dk = log_k.array() - log_k.mean();
+    return -dk.dot(log_rms) / dk.squaredNorm();
+}
+
+double support_of_mode(const SpectralStudy& study, int mode) {
+    const Vector mass = study.laplacian.M.array() * study.spectrum.eigenvectors.col(mode - 1).array().square();
+    return mass.sum() * mass.sum() / mass.squaredNorm();
+}
 
 double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) {
     const Positions& X = study.mesh().X;

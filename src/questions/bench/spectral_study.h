@@ -44,8 +44,11 @@ SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const Qu
 /// Smallest k whose error is at most `share` of the box diagonal; 0 when no k that was computed reaches it.
 int smallest_k_below(const SpectralStudy& study, double share);
 
-/// p where the error falls like k^−p from k = a to k = b.
+/// p of the power law error ≈ c·k^−p over k = a … b, a < b: least squares over all of them, in logarithms.
 double falling_power(const SpectralStudy& study, int a, int b);
+
+/// (Σ Mφ²)²/Σ(Mφ²)² of a mode, counted from 1: how many vertices it spreads over.
+double support_of_mode(const SpectralStudy& study, int mode);
 
 /// How far from the centroid the worst-placed 5 % of the vertices are, over how far an average vertex is.
 double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r);

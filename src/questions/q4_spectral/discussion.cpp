@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "questions/bench/sentences.h"
 #include "questions/core/section_tools.h"
 #include "questions/q4_spectral/parts.h"
 
@@ -10,10 +11,11 @@ namespace {
 report::Text answer_to_larger_k(const SpectralStudy& study) {
     const Reconstruction &first = study.reconstructions.front(), &last = study.reconstructions.back();
     if (study.reconstructions.size() == 1)
-        return words.say("larger_k.one", "mesh"_a = study.name(), "k"_a = first.k, "error"_a = percent_of_box(study, first.difference.rms));
+        return words.say("larger_k.one", "mesh"_a = study.name(), "k"_a = first.k,
+                         "error"_a = percent_of_box(study, first.difference.rms, 2));
     report::Text t =
-        words.say("larger_k", "mesh"_a = study.name(), "first_error"_a = percent_of_box(study, study.rms[first.k]), "first"_a = first.k,
-                  "last_error"_a = study.rms[last.k] < 1e-9 * study.diagonal ? "rounding" : percent_of_box(study, study.rms[last.k]),
+        words.say("larger_k", "mesh"_a = study.name(), "first_error"_a = percent_of_box(study, study.rms[first.k], 2), "first"_a = first.k,
+                  "last_error"_a = study.rms[last.k] < 1e-9 * study.diagonal ? "rounding" : percent_of_box(study, study.rms[last.k], 2),
                   "last"_a = last.k);
     std::vector<std::string> steps, beyond;
     for (const double share : target_shares) {
@@ -33,13 +35,25 @@ report::Text diminishing_returns(const SpectralStudy& study) {
     const int end = study.modes();
     const int low = std::max(2, study.reconstructions.front().k), middle = std::max(low + 1, end / 8), high = std::max(middle + 1, end / 2);
     if (high > end || !(study.rms[high] > 1e-12 * study.diagonal)) return {};
-    const double early = falling_power(study, low, middle), late = falling_power(study, middle, high), shortest = wavelength(study, end);
+    const double early = falling_power(study, low, middle), late = falling_power(study, middle, high);
     const std::string fall = study.rms[end] < 1e-9 * study.diagonal
                                  ? words.line("returns.to_rounding")
                                  : words.line("returns.by_factor", "factor"_a = readable(study.rms[high] / study.rms[end], 2));
     return words.say("returns", "low"_a = low, "middle"_a = middle, "high"_a = high, "end"_a = end, "early"_a = readable(early, 2),
-                     "late"_a = readable(late, 2), "gain"_a = readable(std::pow(2, late), 2), "fall"_a = fall,
-                     "wavelength"_a = readable(shortest), "edges"_a = readable(shortest / study.source->prepared->preflight.mean_edge, 2));
+                     "late"_a = readable(late, 2), "gain"_a = readable(std::pow(2, late), 2), "fall"_a = fall);
+}
+
+/// Two mean edges are the shortest wave that the triangulation can carry.
+report::Text detail_of_modes(const SpectralStudy& study) {
+    const double mean_edge = study.source->prepared->preflight.mean_edge, shortest = wavelength(study, study.modes());
+    if (shortest >= 2 * mean_edge)
+        return words.say("returns.wavelength", "wavelength"_a = readable(shortest), "edges"_a = readable(shortest / mean_edge, 2));
+    int resolved = study.modes();
+    std::vector<double> supports;   // of the modes beyond
+    for (; resolved > 0 && wavelength(study, resolved) < 2 * mean_edge; --resolved) supports.push_back(support_of_mode(study, resolved));
+    std::ranges::nth_element(supports, supports.begin() + static_cast<std::ptrdiff_t>(supports.size() / 2));
+    return words.say("returns.unresolved", "resolved"_a = resolved, "beyond"_a = supports.size(),
+                     "support"_a = readable(supports[supports.size() / 2], 2), "vertices"_a = study.vertices());
 }
 
 report::Text where_the_error_sits(const SpectralStudy& study) {
@@ -85,8 +99,8 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     const int needed = limbs.modes_needed;
     const double ratio = row.thin / row.thick, later = last.thin / last.thick;
     const auto told = [&](std::string_view key, int k, double times) { return words.say(key, "k"_a = k, "ratio"_a = readable(times, 2)); };
-    report::Text t = words.say("thin", "k"_a = row.k, "thin"_a = percent_of_box(study, row.thin),
-                               "thick"_a = percent_of_box(study, row.thick), "mesh"_a = study.name());
+    report::Text t = words.say("thin", "k"_a = row.k, "thin"_a = percent_of_box(study, row.thin, 2),
+                               "thick"_a = percent_of_box(study, row.thick, 2), "mesh"_a = study.name());
     report::extend(t, " ",
                    words.say(needed > 0 ? "thin.mode" : "thin.no_mode", "diameter"_a = readable(limbs.thin_diameter), "mode"_a = needed,
                              "vertices"_a = study.vertices(), "modes"_a = study.modes()));
@@ -104,7 +118,8 @@ report::Text what_bands_do(const SpectralStudy& study, const BandStudy& bands) {
     std::vector<std::string> moves;
     for (const EqualisedMesh& state : bands.meshes)
         if (state.id.ends_with("_up"))
-            moves.push_back(words.line("energy.move", "distance"_a = percent_of_box(study, state.measured_rms), "filter"_a = state.label));
+            moves.push_back(
+                words.line("energy.move", "distance"_a = percent_of_box(study, state.measured_rms, 2), "filter"_a = state.label));
     return words.say("energy", "mesh"_a = study.name(), "share"_a = readable_percent(largest.energy_share), "band"_a = largest.name,
                      "first"_a = largest.first, "last"_a = largest.last, "moves"_a = listed(moves));
 }
@@ -132,8 +147,9 @@ report::Text low_pass_without_modes(const SpectralStudy& study, const SpectralUs
 report::Text cost_of_mistakes(const SpectralStudy& study, const MistakeStudy& mistakes) {
     const auto at = std::ranges::find(mistakes.errors, mistakes.pictured, &MistakeErrors::k);
     if (at == mistakes.errors.end()) return {};
-    report::Text t = words.say("mistaken", "k"_a = at->k, "right"_a = percent_of_box(study, at->right), "mesh"_a = study.name(),
-                               "unmapped"_a = percent_of_box(study, at->unmapped), "unweighted"_a = percent_of_box(study, at->unweighted));
+    report::Text t =
+        words.say("mistaken", "k"_a = at->k, "right"_a = percent_of_box(study, at->right, 2), "mesh"_a = study.name(),
+                  "unmapped"_a = percent_of_box(study, at->unmapped, 2), "unweighted"_a = percent_of_box(study, at->unweighted, 2));
     if (std::isfinite(at->edge_normalised)) {
         double low = infinity, high = 0;   // times as far as the right way
         for (const MistakeErrors& row : mistakes.errors) {
@@ -142,10 +158,9 @@ report::Text cost_of_mistakes(const SpectralStudy& study, const MistakeStudy& mi
             high = std::max(high, row.edge_normalised / row.right);
         }
         report::extend(t, " ",
-                       words.say("mistaken.edge", "error"_a = percent_of_box(study, at->edge_normalised), "low"_a = readable(low),
+                       words.say("mistaken.edge", "error"_a = percent_of_box(study, at->edge_normalised, 2), "low"_a = readable(low),
                                  "high"_a = readable(high)));
     }
-    report::extend(t, " ", words.say("mistaken.all", "mesh"_a = study.name()));
     return t;
 }
 
@@ -153,9 +168,10 @@ void add_discussion(report::Section& section, const std::vector<SpectralStudy>& 
     add_words(section, words, "discussion");
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const SpectralStudy& study = studies[i];
-        add_paragraphs(section, {answer_to_larger_k(study), diminishing_returns(study), where_the_error_sits(study),
-                                 thin_parts(study, uses[i].limbs), cost_of_large_k(study, uses[i]), what_bands_do(study, uses[i].bands),
-                                 low_pass_without_modes(study, uses[i]), cost_of_mistakes(study, uses[i].mistakes)});
+        add_paragraphs(section, {answer_to_larger_k(study), paragraph_of({diminishing_returns(study), detail_of_modes(study)}),
+                                 where_the_error_sits(study), thin_parts(study, uses[i].limbs), cost_of_large_k(study, uses[i]),
+                                 what_bands_do(study, uses[i].bands), low_pass_without_modes(study, uses[i]),
+                                 cost_of_mistakes(study, uses[i].mistakes)});
     }
 }
 

@@ -15,14 +15,12 @@ UniformLimit uniform_limit(const LibraryMesh& mesh) {
     return {top, 2 / top};
 }
 
-constexpr double volume_to_keep = 0.95;
-
 std::optional<Recommendation> recommended(const ExplicitStudy& study) {
     const auto kept_by = [&](auto allowed) { return std::ranges::find_if(study.runs.rbegin(), study.runs.rend(), allowed); };
     auto run = kept_by([&](const SmoothingRun& r) { return keeps_signs(study.subject, r.lambda); });
     if (run == study.runs.rend()) run = kept_by([&](const SmoothingRun& r) { return r.lambda <= study.subject.critical; });
     if (run == study.runs.rend()) return {};
-    const int kept = iterations_keeping_volume(*run, volume_to_keep);
+    const int kept = iterations_keeping_volume(*run);
     const auto index = static_cast<std::size_t>(study.runs.rend() - run) - 1;
     return Recommendation{index, kept < 0 ? *run : run_smoothing(study.subject, run->scheme, run->lambda, std::max(kept, 1))};
 }
@@ -56,11 +54,6 @@ bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X) {
     const Vector& M = subject.laplacian.M;
     return (((X - subject.mesh().X) / subject.diagonal).transpose() * (M / M.sum())).norm();
-}
-
-int iterations_keeping_volume(const SmoothingRun& run, double share) {
-    const auto lost = std::ranges::find_if(run.volume, [&](double v) { return v < share; });
-    return lost != run.volume.end() ? static_cast<int>(lost - run.volume.begin()) - 1 : -1;
 }
 
 }   // namespace meshfolio::q5_explicit

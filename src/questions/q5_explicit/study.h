@@ -47,7 +47,4 @@ bool keeps_signs(const SmoothingSubject& subject, double lambda);
 /// How far the barycentre of `X` is from that of the input, over the box diagonal.
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X);
 
-/// Iterations of the run before less than `share` of the volume is left; −1 when it never comes to that.
-int iterations_keeping_volume(const SmoothingRun& run, double share);
-
 }   // namespace meshfolio::q5_explicit

@@ -17,6 +17,26 @@ std::string run_of(const ImplicitStudy& study, const SmoothingCell& cell) {
     return words.line("run", "iterations"_a = cell.iterations, "at_step"_a = at_step(study.subject, cell.lambda));
 }
 
+/// How far to smooth each mesh.
+report::Text good_time(const Studies& studies) {
+    report::Text told;
+    Names none;
+    for (const ImplicitStudy& study : studies) {
+        if (!study.recommended) {
+            none.push_back(study.name());
+            continue;
+        }
+        const Recommendation& good = *study.recommended;
+        const double h = study.subject.mean_edge;
+        told = paragraph_of({told.empty() ? words.say("good") : told,
+                             words.say(study.is_closed() ? "good.closed" : "good.open", "mesh"_a = study.name(),
+                                       "time"_a = readable(good.time() / (h * h), 2), "step"_a = step_label(study.subject, good.lambda),
+                                       "iterations"_a = good.iterations, "fall"_a = energy_fall(good.energy),
+                                       "kept"_a = readable_percent(good.kept, 2), "figure"_a = id_of("q6", study.name(), "before_after"))});
+    }
+    return paragraph_of({told, said_of(none, words, "good.none")});
+}
+
 /// How far apart the two schemes end within the explicit limit, as a share of the motion; NaN where there is nothing to compare.
 double gap_within_the_limit(const ImplicitStudy& study) {
     const SmoothingCell& cell = study.middle_cell(0);
@@ -136,7 +156,8 @@ report::Text price(const Studies& studies) {
 
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    add_paragraphs(section, {agreement(studies), beyond_the_limit(studies), iterations_against_steps(studies), price(studies)});
+    add_paragraphs(section,
+                   {good_time(studies), agreement(studies), beyond_the_limit(studies), iterations_against_steps(studies), price(studies)});
 }
 
 }   // namespace meshfolio::q6_implicit

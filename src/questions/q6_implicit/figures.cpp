@@ -65,30 +65,27 @@ void add_figures(Answer& answer, const ImplicitStudy& study) {
 }
 
 void add_before_after(Answer& answer, const ImplicitStudy& study, const std::string& colormap) {
-    const SmoothingCell* shown = nullptr;
-    for (std::size_t l = 0; l < study.lambdas.size(); ++l)
-        if (size_left(study, study.middle_cell(l).implicit_X) > 0.75) shown = &study.middle_cell(l);
-    if (shown == nullptr) return;
-    const bool closed = !std::isnan(shown->volume_ratio);
+    if (!study.recommended) return;
+    const Recommendation& good = *study.recommended;
+    const auto run = std::ranges::find(study.explicit_runs, good.lambda, &SmoothingRun::lambda);
+    const int blow_up = run->result.blew_up ? run->result.blow_up_iteration : 0;
     const report::Facts facts{
         "mesh"_a = study.name(),
-        "iterations"_a = shown->iterations,
-        "step"_a = step_label(study.subject, shown->lambda),
-        "size"_a = readable_percent(size_left(study, shown->implicit_X)),
-        "energy"_a = readable_percent(shown->implicit_energy),
-        "volume"_a = closed ? words.line("before_after.volume", "volume"_a = readable_percent(shown->volume_ratio)) : "",
-        "explicit"_a = words.line(shown->explicit_blow_up > 0 ? "before_after.blew_up" : "before_after.lasted",
-                                  "iteration"_a = shown->explicit_blow_up)};
+        "iterations"_a = good.iterations,
+        "step"_a = step_label(study.subject, good.lambda),
+        "fall"_a = energy_fall(good.energy),
+        "kept"_a = words.line(study.is_closed() ? "before_after.volume" : "before_after.box", "share"_a = readable_percent(good.kept)),
+        "explicit"_a = words.line(blow_up > 0 ? "before_after.blew_up" : "before_after.lasted", "iteration"_a = blow_up)};
     const std::string id = id_of("q6", study.name(), "before_after");
-    add_comparison(answer, {.id = id,
-                            .title = words.line("before_after.title", facts),
-                            .subtitle = words.line("before_after.subtitle", facts),
-                            .caption = words.line("before_after.caption", facts),
-                            .before = panel_of(*study.subject.source, id + "_input", "before"),
-                            .after = panel_of(moved_to(study.subject.mesh(), shown->implicit_X), id + "_smoothed",
-                                              words.line("before_after.after", facts)),
-                            .diagonal = study.subject.diagonal,
-                            .colormap = colormap});
+    add_comparison(answer,
+                   {.id = id,
+                    .title = words.line("before_after.title", facts),
+                    .subtitle = words.line("before_after.subtitle", facts),
+                    .caption = words.line("before_after.caption", facts),
+                    .before = panel_of(*study.subject.source, id + "_input", "before"),
+                    .after = panel_of(moved_to(study.subject.mesh(), good.X), id + "_smoothed", words.line("before_after.after", facts)),
+                    .diagonal = study.subject.diagonal,
+                    .colormap = colormap});
 }
 
 }   // namespace meshfolio::q6_implicit

@@ -8,6 +8,7 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
+#include "mesh/triangle_measures.h"
 #include "questions/core/value_lists.h"
 
 namespace meshfolio::q6_implicit {
@@ -31,7 +32,7 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
     } else {
         cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
     }
-    const bool closed = study.subject.source->prepared->preflight.closed();
+    const bool closed = study.is_closed();
     if (cell.collapsed()) {   // a point to rounding: neither its volume nor its normals mean anything
         cell.volume_ratio = closed ? 0 : std::nan("");
         return cell;
@@ -110,6 +111,32 @@ SmoothingCost cost_of(const ImplicitStudy& study) {
     return cost;
 }
 
+/// The last iteration of each run that keeps the volume; for an open mesh the cells that keep its box.
+std::vector<Recommendation> candidates(const ImplicitStudy& study) {
+    std::vector<Recommendation> all;
+    if (study.is_closed()) {
+        for (const SmoothingRun& run : study.implicit_runs) {
+            const int kept = iterations_keeping_volume(run), t = kept < 0 ? run.result.iterations : kept;
+            const auto at = static_cast<std::size_t>(t);
+            if (t > 0) all.push_back({run.lambda, t, run.energy[at], run.volume[at], {}});
+        }
+        return all;
+    }
+    for (const SmoothingCell& cell : study.grid) {
+        const double box = bounding_box(moved_to(study.subject.mesh(), cell.implicit_X)).diagonal() / study.subject.diagonal;
+        if (box >= size_to_keep) all.push_back({cell.lambda, cell.iterations, cell.implicit_energy, box, {}});
+    }
+    return all;
+}
+
+std::optional<Recommendation> recommended(const ImplicitStudy& study, ImplicitSolver& solver) {
+    const std::vector<Recommendation> all = candidates(study);
+    if (all.empty()) return {};
+    Recommendation best = *std::ranges::min_element(all, {}, &Recommendation::energy);
+    best.X = run_smoothing(study.subject, SmoothingScheme::implicit_euler, best.lambda, best.iterations, {}, solver).result.X;
+    return best;
+}
+
 }   // namespace
 
 ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
@@ -133,6 +160,7 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);
     study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;
     study.cost = cost_of(study);
+    study.recommended = recommended(study, solver);
     return study;
 }
 

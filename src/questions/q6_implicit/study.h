@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,17 @@ struct SmoothingCost {
     bool reached() const { return explicit_steps > 0; }
 };
 
+/// The most smoothing that leaves the size: of the steps tried and their iterations (of an open mesh, those of the grid) the ones with the
+/// least energy.
+struct Recommendation {
+    double lambda = 0;
+    int iterations = 0;
+    double energy = 0;   // Dirichlet energy, of input
+    double kept = 0;     // share of the volume, or of the box diagonal
+    Positions X;
+    double time() const { return lambda * iterations; }   // λt [length²]
+};
+
 struct ImplicitStudy {
     SmoothingSubject subject;
     std::vector<double> lambdas;
@@ -47,8 +59,10 @@ struct ImplicitStudy {
     int damped_modes = 0;                                     // modes that went into it
     double huge_step_energy = 0;                              // after one implicit step at a million times the explicit limit, of input
     SmoothingCost cost;
+    std::optional<Recommendation> recommended;   // none: the smallest step already goes too far
 
     const std::string& name() const { return subject.name(); }
+    bool is_closed() const { return subject.source->prepared->preflight.closed(); }
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
     /// Index of the iteration count that is looked at where one must do: the middle one.
     std::size_t middle_iteration() const { return iterations.size() / 2; }

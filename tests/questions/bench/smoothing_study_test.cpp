@@ -120,3 +120,13 @@ TEST(SmoothingStudy, ColoursAreCurvatureInMeanEdges) {
     EXPECT_EQ(step_label(subject, 0.5 * subject.critical).substr(step_label(subject, 0.5 * subject.critical).find('=')),
               "= 0.5\u202fλ_crit");
 }
+
+TEST(SmoothingStudy, VolumeIsKeptUntilItFallsBelow) {
+    SmoothingRun run;
+    run.volume = {1, 0.98, 0.95, 0.94, 0.9};
+    EXPECT_EQ(iterations_keeping_volume(run, 0.95), 2);
+    EXPECT_EQ(iterations_keeping_volume(run, 0.99), 0);
+    EXPECT_EQ(iterations_keeping_volume(run, 0.5), -1);
+    run.volume.clear();   // open
+    EXPECT_EQ(iterations_keeping_volume(run, 0.95), -1);
+}

@@ -12,9 +12,9 @@ TEST(SpectralUseDiscussion, TheTextFollowsTheData) {
     LimbStudy limbs = limb_study(study);
     limbs.errors[1] = {30, 0.3, 0.1, 0.5, -1};
     limbs.modes_needed = 0;
-    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("ghosts, 3.0 times"), std::string::npos);
+    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("collapse to lines, with 3.0 times"), std::string::npos);
     limbs.errors[1].thin = 0.05;
-    EXPECT_EQ(report::plain(thin_parts(study, limbs)).find("ghosts"), std::string::npos);
+    EXPECT_EQ(report::plain(thin_parts(study, limbs)).find("collapse"), std::string::npos);
     limbs.errors[1].thin = 0.3;
     limbs.modes_needed = 7;
     EXPECT_NE(report::plain(thin_parts(study, limbs)).find("such modes are in use"), std::string::npos);

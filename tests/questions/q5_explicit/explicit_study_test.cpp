@@ -113,14 +113,4 @@ TEST(ExplicitStudy, DriftOfAMovedMeshIsItsWay) {
     EXPECT_NEAR(barycentre_drift(grown, large * moved), 0.5 / subject.diagonal, 1e-12);
 }
 
-TEST(ExplicitStudy, VolumeIsKeptUntilItFallsBelow) {
-    SmoothingRun run;
-    run.volume = {1, 0.98, 0.95, 0.94, 0.9};
-    EXPECT_EQ(iterations_keeping_volume(run, 0.95), 2);
-    EXPECT_EQ(iterations_keeping_volume(run, 0.99), 0);
-    EXPECT_EQ(iterations_keeping_volume(run, 0.5), -1);
-    run.volume.clear();   // open
-    EXPECT_EQ(iterations_keeping_volume(run, 0.95), -1);
-}
-
 }   // namespace meshfolio::q5_explicit

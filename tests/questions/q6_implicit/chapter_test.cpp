@@ -58,7 +58,7 @@ TEST(Q6, TheTablesAreTheStudy) {
 }
 
 TEST(Q6, PanelsAreWhatTheirLabelsSay) {
-    const TriangleMesh mesh = ellipsoid_mesh(2, {1.5, 1, 0.8});
+    const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "panels6"), quick_settings(), no_progress);
     const ImplicitStudy study = implicit_study(library_mesh(mesh, "panels6"), quick_settings());
     ASSERT_EQ(answer.figures.size(), 4u);   // steps, pairs, iterations, before and after

@@ -7,6 +7,7 @@
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/core/study_laws.h"
 
@@ -138,6 +139,23 @@ TEST(ImplicitStudy, BothWaysOfTheCostReachTheSameEnergy) {
     EXPECT_EQ(cost.operator_nonzeros, study.subject.laplacian.C.nonZeros());
     EXPECT_EQ(cost.implicit_operations, 6.0 * cost.implicit_steps * double(cost.factor_nonzeros));   // forward and back, three columns
     EXPECT_EQ(cost.explicit_operations, 3.0 * cost.explicit_steps * double(cost.operator_nonzeros));
+}
+
+TEST(ImplicitStudy, RecommendsTheMostSmoothingThatKeepsTheVolume) {
+    const ImplicitStudy study = implicit_study(library_mesh(cube_mesh(16), "cube_recommended"), quick_settings());
+    ASSERT_TRUE(study.recommended);
+    const Recommendation& good = *study.recommended;
+    EXPECT_GE(good.kept, 0.95);
+    EXPECT_NEAR(signed_volume(moved_to(study.subject.mesh(), good.X)) / signed_volume(study.subject.mesh()), good.kept, 1e-9);
+    for (const SmoothingCell& cell : study.grid) {
+        if (cell.volume_ratio < 0.95) continue;
+        EXPECT_LE(good.energy, cell.implicit_energy);
+    }
+    QuestionSettings huge = quick_settings();
+    huge.lambda = {1e6};
+    EXPECT_FALSE(implicit_study(library_mesh(cube_mesh(5), "cube_too_far"), huge).recommended);
+    const ImplicitStudy open = implicit_study(library_mesh(grid_mesh(8, 8, 1, 1), "grid_recommended"), quick_settings());
+    EXPECT_TRUE(!open.recommended || open.recommended->kept >= 0.95);
 }
 
 }   // namespace meshfolio::q6_implicit
