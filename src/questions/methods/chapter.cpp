@@ -143,7 +143,7 @@ extern const Chapter chapter{
              {"filtered_normals", "src/geometry/denoising/normal_filters.cpp"},
              {"conformalised", "src/geometry/smoothing/conformal_flow.cpp"},
              {"with_volumes", "src/geometry/denoising/component_size.cpp"},
-             {"search", "src/questions/methods/search.cpp"},
+             {"search", "src/questions/bench/denoising_search.cpp"},
              {"answer", "src/questions/methods/chapter.cpp"}},
     .answer = answer,
 };

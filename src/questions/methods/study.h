@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "mesh/vertex_noise.h"
+#include "questions/bench/denoising_search.h"
 #include "questions/bench/mesh_class.h"
 #include "questions/core/mesh_library.h"
 #include "questions/core/settings.h"
-#include "questions/methods/search.h"
 
 namespace meshfolio::methods {
 
@@ -85,7 +85,6 @@ struct NoiseLimits {
     bool helps_at_last = false, halves_at_last = false;   // at the largest level tried: the limit lies beyond
     bool helps_at_first = false;                          // at the smallest: it lies below
 };
-inline constexpr double helps = 1.2, works = 2;   // gains
 NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain);
 
 /// Meshes of one class, and the geometric means of each method's gains over all trials on them.

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "base/number_text.h"
+#include "geometry/linear/special_values.h"
 #include "questions/bench/sentences.h"
 #include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
@@ -13,130 +13,128 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Above which noise, measured in mean edges, the gain reaches 1.2: a clean split of the cases or none.
-report::Text limit_in_mean_edges(const Studies& studies) {
-    const auto [smallest_helped, largest_failed] = noise_split(studies);
-    if (!std::isfinite(smallest_helped) || largest_failed == 0) return {};
-    return words.say(largest_failed < smallest_helped ? "split.clean" : "split.mixed", "failed"_a = readable(largest_failed, 2),
-                     "helped"_a = readable(smallest_helped, 2));
-}
-
-report::Text verdict(const Studies& studies) {
-    Names works, fails;
-    for (const Case& c : cases_of(studies)) {
-        const std::string name = words.line("verdict.mesh", facts_of(c.whole, c.part)), outcome = outcome_of(c.part);
-        if (outcome == "works") works.push_back(name);
-        if (outcome == "fails" || outcome == "harms") fails.push_back(name);
+/// In how many cases smoothing works and helps, measure by measure.
+report::Text verdict(const Grids& grids) {
+    const std::vector<Case> cases = cases_of(grids);
+    report::Text told = words.say("verdict");
+    for (const Measure& measure : measures) {
+        const auto reached = [&](double gain) {
+            return std::ranges::count_if(cases, [&](const Case& c) { return c.part.gain(measure) >= gain; });
+        };
+        const auto measured = std::ranges::count_if(cases, [&](const Case& c) { return !std::isnan(c.part.gain(measure)); });
+        if (measured > 0)   // noise within a plane changes neither surface nor normals
+            go_on(told, words.say("verdict.measure", "measure"_a = words.line("of." + std::string(measure.key)), "works"_a = reached(works),
+                                  "helps"_a = reached(helps), "cases"_a = measured));
     }
-    return paragraph_of({works.empty() ? words.say("works.none") : said_of(works, words, "works"),
-                         fails.empty() ? words.say("fails.none") : said_of(fails, words, "fails"), limit_in_mean_edges(studies),
-                         words.say("explained", "mesh"_a = studies.front().name())});
+    return told;
 }
 
-/// From the lowest to the highest level of noise on one mesh.
-report::Text course_of(const DenoisingStudy& study) {
-    const auto gain = [&](const DenoisingTrial& trial) {
-        return words.line(trial.best_rms == 0 ? "course.no_gain" : "course.gain", facts_of(study, trial));
-    };
-    const DenoisingTrial& high = study.trials.back();
-    const bool reached = high.best_rms != high.iterations();
-    return words.say(study.trials.size() == 1 ? "course.one" : "course.several", "mesh"_a = study.name(),
-                     "low"_a = gain(study.trials.front()), "high"_a = gain(high),
-                     "unreached"_a = reached ? "" : words.line("course.unreached", "last"_a = high.iterations()));
+/// Above which noise, in mean edges, the gain reaches 1.2: a clean split of the cases or none, by each measure.
+report::Text limits_in_mean_edges(const Grids& grids) {
+    report::Text limits;
+    for (const Measure& measure : measures) {
+        const auto [smallest_helped, largest_failed] = noise_split(grids, measure);
+        if (!std::isfinite(smallest_helped) || largest_failed == 0) continue;
+        limits = paragraph_of({limits, words.say(largest_failed < smallest_helped ? "split.clean" : "split.mixed",
+                                                 "measure"_a = words.line("by." + std::string(measure.key)),
+                                                 "failed"_a = readable(largest_failed, 2), "helped"_a = readable(smallest_helped, 2))});
+    }
+    return limits;
 }
 
-/// Whether more noise asks for more iterations: on every mesh alike, or on which.
-report::Text noise_and_iterations(const Studies& studies) {
-    Names more, fewer;
-    for (const DenoisingStudy& study : studies) {
-        const int low = study.trials.front().best_rms, high = study.trials.back().best_rms;
+report::Text why(const Grids& grids) { return words.say("explained", "mesh"_a = grids.front().name()); }
+
+/// The best amount of smoothing from the lowest to the highest noise, by the distance to the surface.
+report::Text noise_and_amount(const Grids& grids) {
+    Names more, less;
+    for (const DenoisingGrid& grid : grids) {
+        const auto time = [](const NoisyTrial& trial) { return trial.found.by_shape.value * trial.found.by_shape.step; };
+        const double low = time(grid.trials.front()), high = time(grid.trials.back());
         if (low == high) continue;
-        (high > low ? more : fewer).push_back(words.line("course.iterations", "mesh"_a = study.name(), "low"_a = low, "high"_a = high));
+        (high > low ? more : less)
+            .push_back(words.line("amount.mesh", "mesh"_a = grid.name(), "low"_a = readable(low, 2), "high"_a = readable(high, 2)));
     }
-    return paragraph_of({said_of(more, words, "course.more"), said_of(fewer, words, "course.fewer")});
+    return paragraph_of({said_of(more, words, "amount.more"), said_of(less, words, "amount.less")});
 }
 
-/// What it costs not to stop: of all trials that were taken to twice their best iteration, the dearest.
-report::Text going_on(const Studies& studies) {
-    const auto loss = [](const Case& c) { return c.part.rms.back() / c.part.least_rms(); };
-    std::vector<Case> cases;
-    std::ranges::copy_if(cases_of(studies), std::back_inserter(cases),
-                         [](const Case& c) { return 2 * c.part.best_rms <= c.part.iterations(); });
-    if (cases.empty()) return {};
-    const Case& worst = *std::ranges::max_element(cases, {}, loss);
+/// Of all cases the one where the measures differ most in how much smoothing they ask for.
+report::Text measures_disagree(const Grids& grids) {
+    const auto time = [](const Case& c, const Measure& measure) { return c.part.best_by(measure).value * c.part.best_by(measure).step; };
+    const auto spread = [&](const Case& c) {
+        double least = infinity, most = 0;
+        for (const Measure& measure : measures) {
+            if (!(time(c, measure) > 0)) return 0.0;
+            least = std::min(least, time(c, measure));
+            most = std::max(most, time(c, measure));
+        }
+        return most / least;
+    };
+    const std::vector<Case> cases = cases_of(grids);
+    const Case& most = *std::ranges::max_element(cases, {}, spread);
+    if (spread(most) < 2) return {};
+    report::Facts facts = facts_of(most.whole, most.part);
+    for (const Measure& measure : measures) facts.push_back({measure.key, readable(time(most, measure), 2)});
+    return words.say("disagree", facts);
+}
+
+/// How much of the error that is left lies along the surface, which neither distance nor normals show.
+report::Text drift(const Grids& grids) {
+    Names shares;
+    for (const DenoisingGrid& grid : grids) {
+        const SearchState& best = grid.trials.back().found.by_shape;
+        if (best.step == 0 || !(best.rms > 0)) continue;
+        shares.push_back(words.line("drift.mesh", "mesh"_a = grid.name(),
+                                    "share"_a = readable_percent(1 - best.shape * best.shape / (best.rms * best.rms), 2)));
+    }
+    return said_of(shares, words, "drift");
+}
+
+/// Where the distance that is left sits: on edges or off them.
+report::Text features(const Grids& grids) {
+    Names rounded, alike, smooth, coarse;
+    for (const DenoisingGrid& grid : grids) {
+        const int vertices = grid.clean->mesh().vertex_count();
+        double highest = 0, lowest = infinity;
+        for (const NoisyTrial& trial : grid.trials) {
+            if (trial.found.by_shape.step == 0 || !(trial.elsewhere > 0)) continue;
+            highest = std::max(highest, trial.on_features / trial.elsewhere);
+            lowest = std::min(lowest, trial.on_features / trial.elsewhere);
+        }
+        const report::Facts facts{"mesh"_a = grid.name(), "features"_a = grid.feature_vertices, "vertices"_a = vertices,
+                                  "lowest"_a = readable(lowest, 2), "highest"_a = readable(highest, 2)};
+        if (grid.feature_vertices == 0)
+            smooth.push_back(grid.name());
+        else if (2 * grid.feature_vertices > vertices)
+            coarse.push_back(words.line("features.mesh.coarse", facts));
+        else if (highest > 0)
+            (lowest > 1 ? rounded : alike).push_back(words.line(highest > lowest ? "features.mesh.range" : "features.mesh", facts));
+    }
+    return paragraph_of({said_of(rounded, words, "features.rounded"), said_of(alike, words, "features.alike"),
+                         said_of(smooth, words, "features.none"), said_of(coarse, words, "features.coarse")});
+}
+
+/// What it costs not to stop: the case that loses most in four times as many iterations.
+report::Text going_on(const Grids& grids) {
+    const auto after = [](const Case& c) {
+        return shape_rms(c.whole.clean->mesh(), c.whole.clean->prepared->topology.vertex_faces, c.part.over.X);
+    };
+    std::vector<Case> helped;
+    std::ranges::copy_if(cases_of(grids), std::back_inserter(helped), [](const Case& c) { return c.part.found.by_shape.step > 0; });
+    if (helped.empty()) return {};
+    const auto loss = [&](const Case& c) { return after(c) / c.part.found.by_shape.shape; };
+    const Case& worst = *std::ranges::max_element(helped, {}, loss);
     report::Facts facts = facts_of(worst.whole, worst.part);
     facts.push_back("loss"_a = readable(loss(worst), 2));
-    return words.say(worst.part.best_rms == 0 ? "going_on.harms" : "going_on", facts);
-}
-
-report::Text what_happened(const Studies& studies) {
-    report::Text courses;
-    for (const DenoisingStudy& study : studies) courses = paragraph_of({courses, course_of(study)});
-    return paragraph_of({courses, noise_and_iterations(studies), going_on(studies)});
-}
-
-/// Error on sharp edges over that elsewhere at the best iterations, lowest and highest over the trials; highest 0: no trial has any.
-struct FeatureRatio {
-    double lowest = INFINITY, highest = 0;
-};
-
-FeatureRatio feature_ratio(const DenoisingStudy& study) {
-    FeatureRatio ratio;
-    for (const DenoisingTrial& trial : study.trials) {
-        if (trial.best_rms == 0) continue;
-        ratio.lowest = std::min(ratio.lowest, trial.feature_rms / trial.smooth_rms);
-        ratio.highest = std::max(ratio.highest, trial.feature_rms / trial.smooth_rms);
-    }
-    return ratio;
-}
-
-report::Text features_pay(const Studies& studies) {
-    Names larger, mixed, smaller, smooth, coarse;
-    for (const DenoisingStudy& study : studies) {
-        const int vertices = study.clean->mesh().vertex_count();
-        const FeatureRatio ratio = feature_ratio(study);
-        const report::Facts facts{"mesh"_a = study.name(), "features"_a = study.feature_vertices, "vertices"_a = vertices,
-                                  "lowest"_a = readable(ratio.lowest, 3), "highest"_a = readable(ratio.highest, 3)};
-        if (study.feature_vertices == 0)
-            smooth.push_back(study.name());
-        else if (2 * study.feature_vertices > vertices)
-            coarse.push_back(words.line("features.mesh.coarse", facts));
-        else if (ratio.highest > 0)
-            (ratio.lowest > 1    ? larger
-             : ratio.highest < 1 ? smaller
-                                 : mixed)
-                .push_back(words.line(ratio.highest > ratio.lowest ? "features.mesh.range" : "features.mesh", facts));
-    }
-    Names kinds;
-    const auto tell = [&](const char* key, const Names& meshes) {
-        if (!meshes.empty()) kinds.push_back(words.line(key, "meshes"_a = listed(meshes)));
-    };
-    tell("features.larger", larger);
-    tell("features.smaller", smaller);
-    tell("features.mixed", mixed);
-    return paragraph_of({kinds.empty() ? report::Text() : words.say("features", "kinds"_a = listed(kinds)),
-                         larger.empty() ? report::Text() : words.say("features.rounded"), said_of(smooth, words, "features.none"),
-                         said_of(coarse, words, "features.coarse")});
-}
-
-/// Of each mesh the first trial whose error and angle are smallest at different iterations.
-report::Text position_against_normals(const Studies& studies) {
-    Names disagree;
-    for (const DenoisingStudy& study : studies) {
-        const auto trial =
-            std::ranges::find_if(study.trials, [](const DenoisingTrial& t) { return std::abs(t.best_angle - t.best_rms) >= 3; });
-        if (trial == study.trials.end()) continue;
-        disagree.push_back(
-            words.line(trial->best_angle == trial->iterations() ? "normals.mesh.later" : "normals.mesh", facts_of(study, *trial)));
-    }
-    return said_of(disagree, words, "normals");
+    return words.say("going_on", facts);
 }
 
 }   // namespace
 
-void add_discussion(report::Section& section, const Studies& studies) {
+void add_discussion(report::Section& section, const Grids& grids) {
     add_words(section, words, "discussion");
-    add_paragraphs(section, {verdict(studies), what_happened(studies), features_pay(studies), position_against_normals(studies)});
+    add_paragraphs(section, {verdict(grids), paragraph_of({limits_in_mean_edges(grids), why(grids)}),
+                             paragraph_of({noise_and_amount(grids), measures_disagree(grids), going_on(grids)}),
+                             paragraph_of({drift(grids), features(grids), words.say("elsewhere")})});
 }
 
 }   // namespace meshfolio::q7_denoising

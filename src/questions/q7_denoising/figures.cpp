@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "geometry/measures/mesh_error.h"
 #include "questions/core/comparison_figure.h"
 #include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
@@ -18,38 +19,38 @@ std::string sigma_name(double relative) {
 
 }   // namespace
 
-report::Facts facts_of(const DenoisingStudy& study, const DenoisingTrial& trial) {
-    return {"mesh"_a = study.name(),
+report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
+    const SearchState& best = trial.found.by_shape;
+    return {"mesh"_a = grid.name(),
             "noise"_a = readable_percent(trial.relative, 2),
-            "edges"_a = readable(trial.sigma / study.mean_edge, 2),
-            "lambda"_a = readable(study.lambda),
-            "squared_edges"_a = readable(study.lambda / (study.mean_edge * study.mean_edge), 2),
-            "first_error"_a = readable(100 / study.diagonal * trial.rms.front()),
-            "least_error"_a = readable(100 / study.diagonal * trial.least_rms()),
-            "best"_a = trial.best_rms,
-            "best_angle"_a = trial.best_angle,
-            "last"_a = trial.iterations(),
-            "gain"_a = readable(trial.gain(), 2),
-            "factor"_a = readable(trial.gain())};
+            "edges"_a = readable(trial.sigma / grid.mean_edge, 2),
+            "lambda"_a = readable(best.value, 2),
+            "best"_a = best.step,
+            "over"_a = 4 * best.step,
+            "first_error"_a = readable_percent(trial.found.noisy.shape / grid.diagonal, 2),
+            "least_error"_a = readable_percent(best.shape / grid.diagonal, 2),
+            "gain"_a = readable(trial.gain(measures[0]), 2)};
 }
 
-void add_trial_figure(Answer& answer, const DenoisingStudy& study, const DenoisingTrial& trial) {
-    const report::Facts facts = facts_of(study, trial);
-    const std::string id = id_of("q7", study.name(), sigma_name(trial.relative));
+void add_trial_figure(Answer& answer, const DenoisingGrid& grid, const NoisyTrial& trial) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    const report::Facts facts = facts_of(grid, trial);
+    const std::string id = id_of("q7", grid.name(), sigma_name(trial.relative));
     const auto coloured = [&](const TriangleMesh& mesh, const std::string& what, std::string label) {
-        const Vector distance = (mesh.X - study.clean->mesh().X).rowwise().norm() * (100 / study.diagonal);
+        const Vector distance = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, mesh.X) * (100 / grid.diagonal);
         return panel_of(mesh, id + "_" + what, std::move(label), distance);
     };
-    const bool reached = trial.minimum_reached();
-    std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy"),
-                                      coloured(trial.best, "best", words.line(reached ? "trial.best" : "trial.falling", facts))};
-    if (reached) panels.push_back(coloured(trial.last, "over", words.line("trial.over", facts)));
-
+    std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy")};
+    const bool helped = trial.found.by_shape.step > 0;
+    if (helped) {
+        panels.push_back(coloured(trial.best, "best", words.line("trial.best", facts)));
+        panels.push_back(coloured(trial.over, "over", words.line("trial.over", facts)));
+    }
     SixViewFigure figure{.id = id,
                          .title = words.line("trial.title", facts),
-                         .subtitle = words.line("trial.subtitle", facts),
-                         .caption = words.line(reached ? "trial.caption.minimum" : "trial.caption.falling", facts),
-                         .panels = {panel_of(*study.clean, id + "_clean", "clean")},
+                         .subtitle = words.line("trial.subtitle"),
+                         .caption = words.line(helped ? "trial.caption" : "trial.caption.no_better", facts),
+                         .panels = {panel_of(*grid.clean, id + "_clean", "clean")},
                          .range = output::robust_range(panels, "viridis", words.line("trial.colours"), "% of the box diagonal", 0.01),
                          .frame_panel = -1};               // noise may reach beyond the clean box
     figure.range->low = figure.range->clipped_below = 0;   // a distance begins at 0
@@ -57,18 +58,21 @@ void add_trial_figure(Answer& answer, const DenoisingStudy& study, const Denoisi
     add_figure(answer, std::move(figure));
 }
 
-void add_before_after(Answer& answer, const DenoisingStudy& study, const std::string& colormap) {
-    const DenoisingTrial& trial = *std::ranges::max_element(study.trials, {}, &DenoisingTrial::gain);
-    if (trial.best_rms == 0) return;   // nothing was better than the noise
-    const report::Facts facts = facts_of(study, trial);
-    const std::string id = id_of("q7", study.name(), "before_after");
+void add_before_after(Answer& answer, const DenoisingGrid& grid, const std::string& colormap) {
+    const NoisyTrial& trial = *std::ranges::max_element(grid.trials, {}, [](const NoisyTrial& t) {
+        const double gain = t.gain(measures[0]);
+        return std::isnan(gain) ? 0 : gain;
+    });
+    if (trial.found.by_shape.step == 0) return;   // nothing was better than the noise
+    const report::Facts facts = facts_of(grid, trial);
+    const std::string id = id_of("q7", grid.name(), "before_after");
     add_comparison(answer, {.id = id,
                             .title = words.line("before_after.title", facts),
                             .subtitle = words.line("before_after.subtitle", facts),
                             .caption = words.line("before_after.caption", facts),
                             .before = panel_of(trial.noisy, id + "_noisy", words.line("before_after.noisy", facts)),
                             .after = panel_of(trial.best, id + "_denoised", words.line("before_after.denoised", facts)),
-                            .diagonal = study.diagonal,
+                            .diagonal = grid.diagonal,
                             .colormap = colormap,
                             .frame_panel = -1});   // noise may reach beyond the clean box
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
@@ -9,65 +10,113 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// Did the run end before the error or the angle had turned?
-bool is_unended(const Case& c) { return !c.part.minimum_reached() || c.part.best_angle == c.part.iterations(); }
+/// A row of the table of results: one noisy mesh by one measure.
+struct Judged {
+    const DenoisingGrid& grid;
+    const NoisyTrial& trial;
+    const Measure& measure;
 
-/// Over 1 + t, so that the noisy mesh, t = 0, has a place on the logarithmic axis. [% of the box diagonal]
-report::Series error_series(const DenoisingStudy& study, std::string name, const std::vector<double>& errors, std::size_t first) {
-    report::Series series{.name = std::move(name)};
-    for (std::size_t t = first; t < errors.size(); ++t) {
-        series.x.push_back(1 + static_cast<double>(t));
-        series.y.push_back(100 / study.diagonal * errors[t]);
+    const SearchState& best() const { return trial.best_by(measure); }
+    bool better() const { return best().step > 0; }
+    double shown(const SearchState& state) const {
+        return state.*measure.error * (measure.error == &SearchState::angle ? 180 / pi : 100 / grid.diagonal);
+    }
+};
+
+std::vector<Judged> judged_in(const Grids& grids) {
+    std::vector<Judged> rows;
+    for (const Case& c : cases_of(grids))
+        for (const Measure& measure : measures) rows.push_back({c.whole, c.part, measure});
+    return rows;
+}
+
+bool is_unended(const Judged& row) { return row.better() && row.best().step == row.grid.iterations; }
+
+/// From the noisy mesh, t = 0, on, over 1 + t, so that it has a place on the logarithmic axis. [% of the box diagonal]
+report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) {
+    report::Series series{
+        .name = "σ = " + readable_percent(trial.relative, 2), .x = {1}, .y = {100 / grid.diagonal * trial.found.noisy.shape}};
+    for (const SearchState& state : trial.states) {
+        if (state.value != grid.middle_lambda()) continue;
+        series.x.push_back(1.0 + state.step);
+        series.y.push_back(100 / grid.diagonal * state.shape);
     }
     return series;
 }
 
 }   // namespace
 
-std::string length_of_runs(const DenoisingStudy& study) {
-    return words.line(study.most_iterations > study.iterations ? "runs.twice" : "runs.fixed", "least"_a = study.iterations,
-                      "most"_a = study.most_iterations);
+report::Table result_table(const Grids& grids) {
+    const std::vector<Judged> rows = judged_in(grids);
+    std::string caption = words.line("results.table");
+    if (std::ranges::any_of(rows, is_unended)) caption += " " + words.line("results.unended", "last"_a = grids.front().iterations);
+    return table("q7_results", caption, rows)
+        .column("mesh", [](auto& r) { return r.grid.name(); })
+        .column("σ", {.unit = "% of box"}, [](auto& r) { return 100 * r.trial.relative; })
+        .column("σ", {.unit = "mean edges"}, [](auto& r) { return r.trial.sigma / r.grid.mean_edge; })
+        .column("measure", [](auto& r) { return words.line("measure." + std::string(r.measure.key)); })
+        .column("noisy", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.trial.found.noisy); })
+        .column("best", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.best()); })
+        .column("gain", {.unit = "×", .heat = report::Column::Heat{1, 8}}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
+        .column("λ", {.unit = "h̄²"}, [](auto& r) { return cell_of(r.best().value, r.better()); })
+        .column("t", {.digits = 5}, [](auto& r) { return cell_of(r.best().step, r.better()); })
+        .column("verdict", [](auto& r) { return verdict_on(r.trial.gain(r.measure)); });
 }
 
-report::Table result_table(const Studies& studies) {
-    const auto percent = [](const Case& c, double error) { return 100 / c.whole.diagonal * error; };
-    const double degrees = 180 / pi;
-    const std::vector<Case> cases = cases_of(studies);
-    std::string caption = words.line("results.table", "runs"_a = length_of_runs(studies.front()));
-    if (std::ranges::any_of(cases, is_unended)) caption += " " + words.line("results.unended");
-    return table("q7_results", caption, cases)
-        .column("mesh", [](auto& c) { return c.whole.name(); })
-        .column("σ", {.unit = "% of box"}, [](auto& c) { return 100 * c.part.relative; })
-        .column("σ", {.unit = "mean edges"}, [](auto& c) { return c.part.sigma / c.whole.mean_edge; })
-        .column("error, noisy", {.unit = "% of box"}, [&](auto& c) { return percent(c, c.part.rms.front()); })
-        .column("best iteration", {.digits = 5}, [](auto& c) { return c.part.best_rms; })
-        .column("error, best", {.unit = "% of box"}, [&](auto& c) { return percent(c, c.part.least_rms()); })
-        .column("gain", {.unit = "×"}, [](auto& c) { return c.part.gain(); })
-        .column("normal angle, noisy", {.unit = "°"}, [&](auto& c) { return degrees * c.part.angle.front(); })
-        .column("best iteration (angle)", {.digits = 5}, [](auto& c) { return c.part.best_angle; })
-        .column("normal angle, best", {.unit = "°"}, [&](auto& c) { return degrees * c.part.least_angle(); })
-        .column("error at features / elsewhere", {.unit = "×"}, [](auto& c) { return cell_of(c.part.feature_rms / c.part.smooth_rms); })
-        .column("error, last", {.unit = "% of box"}, [&](auto& c) { return percent(c, c.part.rms.back()); })
-        .column("outcome", [](auto& c) { return outcome_of(c.part); });
-}
-
-report::Plot error_plot(const DenoisingStudy& study) {
-    const std::string caption = words.line("errors", "mesh"_a = study.name());
-    report::Plot plot{.id = id_of("q7", study.name(), "error_versus_iteration"),
+report::Plot error_plot(const DenoisingGrid& grid) {
+    const std::string caption = words.line("errors", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2));
+    report::Plot plot{.id = id_of("q7", grid.name(), "error_versus_iteration"),
                       .caption = caption,
                       .alt = caption,
                       .x_label = "1 + iteration t",
                       .y_label = words.line("errors.axis"),
                       .log_x = true,
                       .log_y = true};
-    for (const DenoisingTrial& trial : study.trials) {
-        plot.series.push_back(error_series(study, "σ = " + readable_percent(trial.relative, 2), trial.rms, 0));
-        plot.markers.push_back({1 + static_cast<double>(trial.best_rms), 100 / study.diagonal * trial.least_rms(),
-                                words.line(trial.minimum_reached() ? "errors.minimum" : "errors.falling", "best"_a = trial.best_rms)});
+    for (const NoisyTrial& trial : grid.trials) {
+        report::Series series = error_series(grid, trial);
+        const auto least = std::ranges::min_element(series.y);
+        const double x = series.x[static_cast<std::size_t>(least - series.y.begin())];
+        plot.markers.push_back({x, *least, words.line("errors.minimum", "best"_a = std::lround(x) - 1)});
+        plot.series.push_back(std::move(series));
     }
-    plot.series.push_back(error_series(study, "without noise", study.without_noise, 1));
-    plot.series.back().style = report::Series::Style::dashed;
+    report::Series clean{.name = "without noise", .style = report::Series::Style::dashed};
+    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) {
+        clean.x.push_back(1 + static_cast<double>(t));
+        clean.y.push_back(100 / grid.diagonal * grid.without_noise[t]);
+    }
+    plot.series.push_back(std::move(clean));
     return plot;
+}
+
+report::Map gain_map(const DenoisingGrid& grid) {
+    const std::string caption = words.line("gains", "mesh"_a = grid.name());
+    report::Map map{.id = id_of("q7", grid.name(), "gains"),
+                    .caption = caption,
+                    .alt = caption,
+                    .x_label = "iteration t",
+                    .y_label = "λ [h̄²]",
+                    .value_label = words.line("gains.axis"),
+                    .y = grid.lambdas,
+                    .log_x = true,
+                    .log_y = true,
+                    .log_values = true,
+                    .colours = report::Map::Colours::diverging,
+                    .middle = 1,
+                    .range = report::Map::Range{0.25, 4},
+                    .undefined = words.line("gains.ended")};
+    for (int t = 1; t <= grid.iterations; ++t) map.x.push_back(t);
+    for (const NoisyTrial& trial : grid.trials) {
+        report::Map::Panel panel{"σ = " + readable_percent(trial.relative, 2),
+                                 std::vector<double>(map.x.size() * map.y.size(), std::nan(""))};
+        for (const SearchState& state : trial.states) {
+            const auto row = static_cast<std::size_t>(std::ranges::find(grid.lambdas, state.value) - grid.lambdas.begin());
+            panel.values[row * map.x.size() + static_cast<std::size_t>(state.step) - 1] = trial.found.noisy.shape / state.shape;
+        }
+        if (const SearchState& best = trial.found.by_shape; best.step > 0)
+            panel.markers.push_back({static_cast<double>(best.step), best.value, "B"});
+        map.panels.push_back(std::move(panel));
+    }
+    return map;
 }
 
 }   // namespace meshfolio::q7_denoising

@@ -17,6 +17,9 @@ using q5_explicit::ExplicitStudy;
 using q6_implicit::implicit_study;
 using q6_implicit::ImplicitStudy;
 using q6_implicit::SmoothingCell;
+using q7_denoising::denoising_grid;
+using q7_denoising::DenoisingGrid;
+using q7_denoising::NoisyTrial;
 
 namespace {
 
@@ -28,7 +31,7 @@ std::string told(void (*add)(report::Section&, const std::vector<Study>&), const
 }
 std::string told(const ExplicitStudy& study) { return told(q5_explicit::add_discussion, std::vector{study}); }
 std::string told(const ImplicitStudy& study) { return told(q6_implicit::add_discussion, std::vector{study}); }
-std::string told(const DenoisingStudy& study) { return told(q7_denoising::add_discussion, std::vector{study}); }
+std::string told(const DenoisingGrid& grid) { return told(q7_denoising::add_discussion, std::vector{grid}); }
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
@@ -54,7 +57,7 @@ TEST(Discussions, NoParagraphIsWithoutItsNumber) {
     expect_a_number_in_every_paragraph([](report::Section& section) {
         q5_explicit::add_discussion(section, {explicit_study(cube, quick_settings()), explicit_study(ball, quick_settings())});
         q6_implicit::add_discussion(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
-        q7_denoising::add_discussion(section, {denoising_study(cube, quick_settings()), denoising_study(ball, quick_settings())});
+        q7_denoising::add_discussion(section, {denoising_grid(cube, quick_settings()), denoising_grid(ball, quick_settings())});
     });
 }
 
@@ -147,40 +150,41 @@ TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
     EXPECT_TRUE(has(told(study), "only the implicit method is practical")) << told(study);
 }
 
-TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheirErrorIsLarger) {
-    DenoisingStudy study = denoising_study(ball, quick_settings());
-    EXPECT_TRUE(has(told(study), "no feature to lose")) << told(study);
-    study.feature_vertices = 10;
-    for (DenoisingTrial& trial : study.trials) {
-        trial.best_rms = 3;
-        trial.smooth_rms = 1;
-        trial.feature_rms = 2;
+TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheDistanceIsLarger) {
+    DenoisingGrid grid = denoising_grid(ball, quick_settings());
+    EXPECT_TRUE(has(told(grid), "no feature to lose")) << told(grid);
+    grid.feature_vertices = 10;
+    for (NoisyTrial& trial : grid.trials) {
+        trial.found.by_shape.step = 3;
+        trial.elsewhere = 1;
+        trial.on_features = 2;
     }
-    EXPECT_TRUE(has(told(study), "over that elsewhere, is larger on ball_told (2.00 times; 10 of 162 vertices)")) << told(study);
-    EXPECT_TRUE(has(told(study), "cannot tell such an edge from noise")) << told(study);
-    for (DenoisingTrial& trial : study.trials) trial.feature_rms = 1;
-    EXPECT_TRUE(has(told(study), "neither always larger nor always smaller on ball_told")) << told(study);
-    EXPECT_FALSE(has(told(study), "cannot tell such an edge")) << told(study);
-    for (DenoisingTrial& trial : study.trials) trial.feature_rms = 0.5;
-    EXPECT_TRUE(has(told(study), "smaller on ball_told")) << told(study);
+    EXPECT_TRUE(has(told(grid), "larger than elsewhere on ball_told (2.0 times; 10 of 162 vertices)")) << told(grid);
+    for (NoisyTrial& trial : grid.trials) trial.on_features = 0.5;
+    EXPECT_FALSE(has(told(grid), "It rounds what is sharp")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "is not always larger on edges")) << told(grid);
 }
 
-TEST(DenoisingDiscussion, NotStoppingIsDearestWhereNothingHelpedToo) {
-    DenoisingStudy study = denoising_study(cube, quick_settings());
-    for (DenoisingTrial& trial : study.trials) {
-        trial.best_rms = 0;
-        trial.rms.front() = trial.rms.back() / 46;
+TEST(DenoisingDiscussion, VerdictsCountTheCasesOfEachMeasure) {
+    DenoisingGrid grid = denoising_grid(cube, quick_settings());
+    for (NoisyTrial& trial : grid.trials) {
+        trial.found.by_rms.rms = trial.found.noisy.rms / 3;
+        trial.found.by_angle.angle = trial.found.noisy.angle / 1.5;
+        trial.found.by_shape.shape = trial.found.noisy.shape;
     }
-    EXPECT_TRUE(has(told(study), "leaves 46 times the error before any smoothing")) << told(study);
+    EXPECT_TRUE(has(told(grid), "The distance to the surface is halved in 0 of 2 cases and falls by a sixth or more in 0")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "vertices' places is halved in 2 of 2 cases")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "normals is halved in 0 of 2 cases and falls by a sixth or more in 2")) << told(grid);
 }
 
-TEST(DenoisingDiscussion, WhetherMoreNoiseAsksForMoreIterationsIsRead) {
-    DenoisingStudy study = denoising_study(cube, quick_settings());
-    study.trials.front().best_rms = 1;
-    study.trials.back().best_rms = 5;
-    EXPECT_TRUE(has(told(study), "asks for more iterations: on cube_told (1 to 5)")) << told(study);
-    study.trials.front().best_rms = 7;
-    EXPECT_TRUE(has(told(study), "asks for fewer iterations on cube_told (7 to 5)")) << told(study);
-    study.trials.front().best_rms = 5;
-    EXPECT_FALSE(has(told(study), "More noise asks")) << told(study);
+TEST(DenoisingDiscussion, WhetherMoreNoiseAsksForMoreSmoothingIsRead) {
+    DenoisingGrid grid = denoising_grid(cube, quick_settings());
+    const auto best_at = [&](NoisyTrial& trial, int step) { trial.found.by_shape.value = 0.1, trial.found.by_shape.step = step; };
+    best_at(grid.trials.front(), 1);
+    best_at(grid.trials.back(), 5);
+    EXPECT_TRUE(has(told(grid), "the best λt grows from 0.10 to 0.50 h̄² on cube_told")) << told(grid);
+    best_at(grid.trials.front(), 7);
+    EXPECT_TRUE(has(told(grid), "the best λt falls from 0.70 to 0.50 h̄² on cube_told")) << told(grid);
+    best_at(grid.trials.front(), 5);
+    EXPECT_FALSE(has(told(grid), "More noise asks")) << told(grid);
 }

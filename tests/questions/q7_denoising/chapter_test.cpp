@@ -6,8 +6,8 @@
 #include "geometry/measures/mesh_error.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "questions/bench/denoising_study.h"
 #include "questions/core/study_laws.h"
+#include "questions/q7_denoising/study.h"
 
 namespace meshfolio::q7_denoising {
 using namespace testing_tools;
@@ -29,85 +29,78 @@ TEST(Q7, TheSeedDecidesTheNoise) {
     EXPECT_NE(noisy(1), noisy(2));
 }
 
-TEST(Q7, WhereNoIterationHelpsTheReportSaysSo) {
+TEST(Q7, WhereNothingHelpsTheReportSaysSo) {
     QuestionSettings settings = quick_settings();
-    settings.noise = {1e-9};
+    settings.noise = {1e-6};
     const Answer answer = chapter_of_id("q7").answer(library_of(cube_mesh(6), "nearly_clean"), settings, no_progress);
     expect_well_formed(answer);
-    EXPECT_NE(prose_of(answer.section).find("no iteration is better than none"), std::string::npos);
+    for (const report::Cell& cell : cells(table_named(answer.section, "q7_results"), "verdict"))
+        EXPECT_EQ(std::get<std::string>(cell), "harms");
+    EXPECT_NE(prose_of(answer.section).find("is halved in 0 of 1 case and falls by a sixth or more in 0"), std::string::npos);
 }
 
 TEST(Q7, TheTableIsTheStudy) {
     const TriangleMesh mesh = cube_mesh(6);
     const Answer answer = chapter_of_id("q7").answer(library_of(mesh, "box_table"), quick_settings(), no_progress);
-    const DenoisingStudy study = denoising_study(library_mesh(mesh, "box_table"), quick_settings());
+    const DenoisingGrid grid = denoising_grid(library_mesh(mesh, "box_table"), quick_settings());
     const report::Table& table = table_named(answer.section, "q7_results");
     const double percent = 100 / bounding_box(mesh).diagonal();
-    std::vector<double> sigma, noisy, best, last, angle, ratio;
-    for (const DenoisingTrial& trial : study.trials) {
-        sigma.push_back(trial.sigma / mean_edge_length(mesh));
-        noisy.push_back(percent * vertex_rms(study.clean->mesh().X, trial.noisy.X));
-        best.push_back(percent * vertex_rms(study.clean->mesh().X, trial.best.X));
-        last.push_back(percent * vertex_rms(study.clean->mesh().X, trial.last.X));
-        angle.push_back(compare_meshes(study.clean->mesh(), trial.noisy).mean_normal_angle * 180 / M_PI);
-        ratio.push_back(trial.feature_rms / trial.smooth_rms);
+    std::vector<double> noisy, best, gain;
+    for (const NoisyTrial& trial : grid.trials) {
+        for (const Measure& measure : measures) {
+            const double unit = measure.key == "normals" ? 180 / M_PI : percent;
+            noisy.push_back(unit * (trial.found.noisy.*measure.error));
+            best.push_back(unit * (trial.best_by(measure).*measure.error));
+            gain.push_back(noisy.back() / best.back());
+        }
     }
-    expect_near(numbers(table, "σ", "% of box"), {0.3, 1});
-    expect_near(numbers(table, "σ", "mean edges"), sigma, 1e-6);
-    expect_near(numbers(table, "error, noisy"), noisy, 1e-6);
-    expect_near(numbers(table, "error, best"), best, 1e-6);
-    expect_near(numbers(table, "error, last"), last, 1e-6);
-    expect_near(numbers(table, "normal angle, noisy"), angle, 1e-9);
-    expect_near(numbers(table, "error at features / elsewhere"), ratio);
-    for (std::size_t i = 0; i < best.size(); ++i) best[i] = noisy[i] / best[i];
-    expect_near(numbers(table, "gain"), best, 1e-6);
+    expect_near(numbers(table, "σ", "% of box"), {0.3, 0.3, 0.3, 1, 1, 1});
+    expect_near(numbers(table, "noisy"), noisy);
+    expect_near(numbers(table, "best"), best);
+    expect_near(numbers(table, "gain"), gain, 1e-9);
 }
 
-TEST(Q7, ABestIterationThatIsTheLastIsNoMinimum) {
+TEST(Q7, ABestIterationThatIsTheLastIsToldAsSuch) {
     QuestionSettings settings = quick_settings();
     const auto is_told = [&](double noise) {
         settings.noise = {noise};
         settings.iterations = {1};
         const Answer answer = chapter_of_id("q7").answer(library_of(icosphere(2), "ball_ended"), settings, no_progress);
-        return table_named(answer.section, "q7_results").caption.find("is no minimum") != std::string::npos;
+        return table_named(answer.section, "q7_results").caption.find("is the last tried") != std::string::npos;
     };
     EXPECT_TRUE(is_told(0.03)) << "one step of many";
     EXPECT_FALSE(is_told(1e-9)) << "none is better";
 }
 
 TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedOn) {
-    const Answer answer = chapter_of_id("q7").answer(library_of(icosphere(2), "ball_panels"), quick_settings(), no_progress);
-    const DenoisingStudy study = denoising_study(library_mesh(icosphere(2), "ball_panels"), quick_settings());
-    ASSERT_GE(answer.figures.size(), study.trials.size());   // and before beside after
+    const Answer answer = chapter_of_id("q7").answer(library_of(icosphere(3), "ball_panels"), quick_settings(), no_progress);
+    const DenoisingGrid grid = denoising_grid(library_mesh(icosphere(3), "ball_panels"), quick_settings());
+    ASSERT_EQ(answer.figures.size(), grid.trials.size() + 1);   // and before beside after
     EXPECT_EQ(answer.figures[0].id, "q7_ball_panels_sigma00300");
-    EXPECT_EQ(answer.figures[1].id, "q7_ball_panels_sigma01000");
-    for (std::size_t i = 0; i < study.trials.size(); ++i) {
+    for (std::size_t i = 0; i < grid.trials.size(); ++i) {
         const std::vector<output::Panel>& panels = answer.figures[i].panels;
-        const DenoisingTrial& trial = study.trials[i];
-        ASSERT_EQ(panels.size(), trial.minimum_reached() ? 4u : 3u);
-        EXPECT_EQ(panels[0].mesh->X, study.clean->mesh().X);
+        const NoisyTrial& trial = grid.trials[i];
+        ASSERT_EQ(panels.size(), 4u);
+        EXPECT_EQ(panels[0].mesh->X, grid.clean->mesh().X);
         EXPECT_EQ(panels[1].mesh->X, trial.noisy.X);
         EXPECT_EQ(panels[2].mesh->X, trial.best.X);
-        if (trial.minimum_reached()) {
-            EXPECT_EQ(panels[3].mesh->X, trial.last.X);
-        }
-        EXPECT_NEAR(std::sqrt(panels[1].values.squaredNorm() / double(panels[1].values.size())), 100 * trial.rms.front() / study.diagonal,
-                    1e-9);
+        EXPECT_EQ(panels[3].mesh->X, trial.over.X);
+        EXPECT_NEAR(std::sqrt(panels[1].values.squaredNorm() / double(panels[1].values.size())),
+                    100 * trial.found.noisy.shape / grid.diagonal, 1e-9);
     }
+    const output::FigureRequest& pair = answer.figures.back();
+    EXPECT_TRUE(pair.layout == output::Layout::comparison && pair.turnable);
+    const auto most = std::ranges::max_element(grid.trials, {}, [](const NoisyTrial& t) { return t.gain(measures[0]); });
+    EXPECT_EQ(pair.panels[0].mesh->X, most->noisy.X);
+    EXPECT_EQ(pair.panels[1].mesh->X, most->best.X);
 }
 
-TEST(Q7, BeforeAndAfterIsTheNoiseThatSmoothingDidMostAgainst) {
-    const Answer answer = chapter_of_id("q7").answer(library_of(icosphere(2), "ball_panels"), quick_settings(), no_progress);
-    const DenoisingStudy study = denoising_study(library_mesh(icosphere(2), "ball_panels"), quick_settings());
-    const DenoisingTrial& most = *std::max_element(study.trials.begin(), study.trials.end(),
-                                                   [](const DenoisingTrial& a, const DenoisingTrial& b) { return a.gain() < b.gain(); });
-    const bool helped = most.best_rms > 0;
-    ASSERT_EQ(answer.figures.size(), study.trials.size() + (helped ? 1 : 0));
-    if (!helped) return;
-    const output::FigureRequest& figure = answer.figures.back();
-    EXPECT_TRUE(figure.layout == output::Layout::comparison && figure.turnable);
-    EXPECT_EQ(figure.panels[0].mesh->X, most.noisy.X);
-    EXPECT_EQ(figure.panels[1].mesh->X, most.best.X);
+TEST(Q7, NoiseWithinAPlaneHasNoVerdictOnTheSurface) {
+    EXPECT_EQ(verdict_on(std::nan("")), "–");
+    EXPECT_EQ(verdict_on(2), "works");
+    EXPECT_EQ(verdict_on(1.2), "helps");
+    EXPECT_EQ(verdict_on(1.1), "fails");
+    EXPECT_EQ(verdict_on(1), "harms");
 }
 
 TEST(Q7, TheTextFollowsTheData) {

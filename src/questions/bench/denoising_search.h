@@ -1,15 +1,16 @@
 /// @file
-/// The best that a denoising method can do on one noisy mesh when the clean one is known, within a number of steps that is the same for
-/// all.
+/// The best that a denoising method can do on one noisy mesh when the clean one is known: question 7 for implicit smoothing over a grid of
+/// steps, the denoising laboratory for every method within the same number of steps.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "geometry/denoising/denoising_methods.h"
 #include "geometry/measures/mesh_error.h"
 
-namespace meshfolio::methods {
+namespace meshfolio {
 
 /// values × steps is the budget. Methods bound by the stability limit spend it on half as many values and twice as many steps.
 struct SearchBudget {
@@ -56,6 +57,7 @@ struct SearchResult {
     double angle_gain() const;
 };
 using Gain = double (SearchResult::*)() const;
+inline constexpr double helps = 1.2, works = 2;   // gains from which a method is said to
 
 /// The clean mesh and its noisy copy, and what all methods need of them.
 struct SearchInput {
@@ -64,6 +66,10 @@ struct SearchInput {
     DenoisingInput noisy;
     double mean_edge = 0;   // of the noisy mesh [length]
 };
+/// @param after_state  called with every state and its positions; false ends the run
+SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchPlan& plan,
+                    const std::function<bool(const SearchState&, const Positions&)>& after_state = {});
+/// With the plan for this budget.
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchBudget& budget);
 
-}   // namespace meshfolio::methods
+}   // namespace meshfolio

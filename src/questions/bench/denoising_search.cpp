@@ -1,4 +1,4 @@
-#include "questions/methods/search.h"
+#include "questions/bench/denoising_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "base/number_text.h"
 #include "mesh/triangle_measures.h"
 
-namespace meshfolio::methods {
+namespace meshfolio {
 
 namespace {
 
@@ -22,7 +22,8 @@ std::vector<double> geometric(double low, double high, int count) {
 bool is_bound_by_stability(DenoisingMethod method) { return method == DenoisingMethod::explicit_flow || method == DenoisingMethod::taubin; }
 
 /// One run, every state looked at.
-void run_with(const SearchInput& input, double value, const SearchPlan& plan, ImplicitSolver& solver, SearchResult& result) {
+void run_with(const SearchInput& input, double value, const SearchPlan& plan,
+              const std::function<bool(const SearchState&, const Positions&)>& after_state, ImplicitSolver& solver, SearchResult& result) {
     DenoisingOptions options;
     options.method = result.method;
     options.parameter = value * plan.unit;
@@ -37,7 +38,7 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan, Im
         }
         if (state.rms < result.by_rms.rms) result.by_rms = state;
         if (state.angle < result.by_angle.angle) result.by_angle = state;
-        return true;
+        return !after_state || after_state(state, X);
     };
     try {
         result.failed += denoise(input.noisy, options, solver).ended ? 1 : 0;
@@ -83,6 +84,11 @@ std::string parameter_words(DenoisingMethod method, double value) {
 }
 
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchBudget& budget) {
+    return search(input, method, search_plan(method, budget, input.mean_edge, input.noisy.largest_eigenvalue));
+}
+
+SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchPlan& plan,
+                    const std::function<bool(const SearchState&, const Positions&)>& after_state) {
     SearchResult result;
     result.method = method;
     result.X = input.noisy.mesh.X;
@@ -93,11 +99,10 @@ SearchResult search(const SearchInput& input, DenoisingMethod method, const Sear
     result.defined = is_defined(method, input.noisy.mesh, input.noisy.topology);
     if (result.defined) {
         ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all runs, one factorisation a λ where L is kept
-        const SearchPlan plan = search_plan(method, budget, input.mean_edge, input.noisy.largest_eigenvalue);
-        for (const double value : plan.values) run_with(input, value, plan, solver, result);
+        for (const double value : plan.values) run_with(input, value, plan, after_state, solver, result);
     }
     result.difference = compare_meshes(input.clean, moved_to(input.clean, result.X));
     return result;
 }
 
-}   // namespace meshfolio::methods
+}   // namespace meshfolio

@@ -1,0 +1,119 @@
+#include "questions/q7_denoising/study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geometry/measures/mesh_error.h"
+#include "geometry/smoothing/laplacian_smoothing.h"
+#include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
+#include "questions/core/study_laws.h"
+
+namespace meshfolio::q7_denoising {
+using namespace testing_tools;
+
+namespace {
+
+DenoisingGrid grid_on(const TriangleMesh& mesh, const std::string& name, QuestionSettings settings = quick_settings()) {
+    return denoising_grid(library_mesh(mesh, name), settings);
+}
+
+}   // namespace
+
+TEST(DenoisingGrid, EveryMeasureHasItsOwnBestOfAllStates) {
+    for (const TriangleMesh& mesh : {cube_mesh(8), icosphere(3)}) {
+        for (const NoisyTrial& trial : grid_on(mesh, "best7").trials) {
+            for (const Measure& measure : measures) {
+                double least = trial.found.noisy.*measure.error;
+                for (const SearchState& state : trial.states) least = std::min(least, state.*measure.error);
+                EXPECT_EQ(trial.best_by(measure).*measure.error, least) << measure.key;
+            }
+        }
+    }
+}
+
+TEST(DenoisingGrid, AStateIsWhatSmoothingGives) {
+    const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_state");
+    const NoisyTrial& trial = grid.trials.back();
+    const SearchState& best = trial.found.by_shape;
+    ASSERT_GT(best.step, 0);
+    SmoothingOptions options;
+    options.scheme = SmoothingScheme::implicit_euler;
+    options.lambda = best.value * grid.mean_edge * grid.mean_edge;
+    options.iterations = best.step;
+    const Positions X = smooth(trial.noisy, options).X;
+    EXPECT_LE((X - trial.best.X).norm(), 1e-9 * X.norm());
+    EXPECT_NEAR(best.rms, vertex_rms(grid.clean->mesh().X, X), 1e-9 * best.rms);
+    options.iterations = 4 * best.step;
+    EXPECT_LE((smooth(trial.noisy, options).X - trial.over.X).norm(), 1e-9 * X.norm());
+}
+
+TEST(DenoisingGrid, ARunEndsOnlyOnceEveryMeasureGetsWorse) {
+    const DenoisingGrid grid = grid_on(icosphere(3), "ball_ends");
+    for (const NoisyTrial& trial : grid.trials) {
+        std::set<double> lambdas;
+        for (const SearchState& state : trial.states) lambdas.insert(state.value);
+        EXPECT_EQ(std::vector(lambdas.begin(), lambdas.end()), grid.lambdas);
+        for (const double lambda : grid.lambdas) {
+            const auto of_run = [&](const SearchState& s) { return s.value == lambda; };
+            const auto steps = std::ranges::count_if(trial.states, of_run);
+            if (steps == grid.iterations) continue;
+            EXPECT_GE(steps, 12);
+            for (const Measure& measure : measures) {
+                const SearchState* best = nullptr;
+                for (const SearchState& s : trial.states)
+                    if (of_run(s) && (best == nullptr || s.*measure.error < best->*measure.error)) best = &s;
+                EXPECT_LE(2 * best->step, steps) << measure.key << " at " << lambda;
+            }
+        }
+    }
+}
+
+TEST(DenoisingGrid, TheNoiseIsAsAsked) {
+    QuestionSettings settings = quick_settings();
+    settings.noise = {0.01, 0.002, 0.01};
+    const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_noise", settings);
+    ASSERT_EQ(grid.trials.size(), 2u) << "a level named twice is one";
+    for (const NoisyTrial& trial : grid.trials) {
+        const double rms = trial.found.noisy.rms;
+        EXPECT_EQ(rms, vertex_rms(grid.clean->mesh().X, trial.noisy.X));
+        EXPECT_NEAR(rms, std::sqrt(3.0) * trial.sigma, 5 / std::sqrt(6.0 * grid.clean->mesh().vertex_count()) * rms);
+        EXPECT_LE(trial.found.noisy.shape, rms);
+    }
+}
+
+TEST(DenoisingGrid, WithoutNoiseTheDistanceIsThatOfSmoothingAlone) {
+    const DenoisingGrid grid = grid_on(cube_mesh(6), "cube_bias");
+    EXPECT_EQ(grid.middle_lambda(), 0.1);
+    EXPECT_EQ(grid.without_noise.size(), static_cast<std::size_t>(grid.iterations) + 1);
+    EXPECT_EQ(grid.without_noise.front(), 0);
+    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) EXPECT_GT(grid.without_noise[t], grid.without_noise[t - 1]);
+}
+
+TEST(DenoisingGrid, FeaturesOfACubeAreItsEdges) {
+    const DenoisingGrid cube = grid_on(cube_mesh(8), "cube_edges");
+    EXPECT_EQ(cube.feature_vertices, 12 * 7 + 8);
+    EXPECT_EQ(grid_on(icosphere(3), "ball_edges").feature_vertices, 0);
+    EXPECT_TRUE(std::isnan(grid_on(icosphere(2), "ball_none").trials[0].on_features));
+}
+
+TEST(DenoisingGrid, NoiseWithinAPlaneDoesNotMoveTheSurface) {
+    DenoisingGrid grid;
+    grid.mean_edge = 2;
+    grid.trials.resize(2);
+    SearchResult& low = grid.trials[0].found;
+    grid.trials[0].sigma = 0.2, grid.trials[1].sigma = 0.6;
+    low.noisy.shape = low.noisy.rms = 1, low.by_shape.shape = 0.9;
+    SearchResult& high = grid.trials[1].found;
+    high.noisy.shape = high.noisy.rms = 1, high.by_shape.shape = 0.5;
+    const NoiseSplit split = noise_split({grid}, measures[0]);
+    EXPECT_NEAR(split.smallest_helped, 0.3, 1e-15);
+    EXPECT_NEAR(split.largest_failed, 0.1, 1e-15);
+    high.noisy.shape = 0;   // nothing of the measure in the noise
+    EXPECT_TRUE(std::isinf(noise_split({grid}, measures[0]).smallest_helped));
+}
+
+}   // namespace meshfolio::q7_denoising
