@@ -112,6 +112,14 @@ report::Check energy_check(std::string name, const SmoothingRun& run) {
     return report::undecided(std::move(check), smoothing_words.line("check.energy.undecided"));
 }
 
+std::vector<int> peaks_of(const Vector& mode) {
+    std::vector<int> peaks;
+    const double least = 0.999 * mode.cwiseAbs().maxCoeff();
+    for (int i = 0; i < mode.size(); ++i)
+        if (std::abs(mode[i]) >= least) peaks.push_back(i);
+    return peaks;
+}
+
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps) {
     const double height = 1e-3 * subject.mean_edge / subject.top.mode.cwiseAbs().maxCoeff();
     Positions X = subject.mesh().X + height * subject.top.mode * Eigen::RowVector3d::Ones();

@@ -76,6 +76,9 @@ int iterations_keeping_volume(const SmoothingRun& run, double share = size_to_ke
 /// could hide a rise of 1e-9 of the energy of the input.
 report::Check energy_check(std::string name, const SmoothingRun& run);
 
+/// The vertices where a mode is as large as anywhere, to a thousandth: on a symmetric mesh there are several.
+std::vector<int> peaks_of(const Vector& mode);
+
 /// How much `steps` explicit steps amplify the top mode, which starts a thousandth of a mean edge high (so that it can be measured even
 /// where symmetry leaves none of it in the input), against |1 − λμ_max|^steps.
 struct Amplification {

@@ -25,14 +25,6 @@ std::optional<Recommendation> recommended(const ExplicitStudy& study) {
     return Recommendation{index, kept < 0 ? *run : run_smoothing(study.subject, run->scheme, run->lambda, std::max(kept, 1))};
 }
 
-std::vector<int> peaks_of(const Vector& mode) {
-    std::vector<int> peaks;
-    const double least = 0.999 * mode.cwiseAbs().maxCoeff();
-    for (int i = 0; i < mode.size(); ++i)
-        if (std::abs(mode[i]) >= least) peaks.push_back(i);
-    return peaks;
-}
-
 }   // namespace
 
 ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {

@@ -36,10 +36,11 @@ report::Text what_is_proved(const Studies& studies) {
 
 /// What makes that vertex fast: its rate is weights over area, and each takes its part of it on a logarithmic scale.
 std::string why(const LimitingVertex& v) {
+    if (v.on_boundary) return words.line("vertex.boundary", "rate"_a = readable(v.rate(), 2));
     if (v.rate() < 1.5) return words.line("vertex.usual");
     const double by_area = -std::log(v.area_share) / std::log(v.rate());
     const char* key = by_area > 0.75 ? "vertex.small_area" : by_area < 0.25 ? "vertex.large_weights" : "vertex.both";
-    return words.line(key, "rate"_a = readable(v.rate(), 3));
+    return words.line(key, "rate"_a = readable(v.rate(), 2));
 }
 
 report::Text where_and_why(const StabilityStudy& study) {
@@ -47,6 +48,7 @@ report::Text where_and_why(const StabilityStudy& study) {
     const int vertices = study.mesh().vertex_count();
     const double sharing = std::max(1.0, study.cotangent.certificate.top.support);
     return words.say(sharing > std::max(8.0, 0.05 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
+                     "alike"_a = study.peaks.size() > 1 ? words.line("vertex.alike", "others"_a = study.peaks.size() - 1) : "",
                      "sharing"_a = readable(sharing, 2), "vertices"_a = vertices, "area"_a = readable(v.area_share, 2),
                      "weights"_a = readable(v.stiffness_share, 2), "why"_a = why(v));
 }
@@ -99,22 +101,22 @@ report::Text about_fixed(const RebuiltFlow& flow) {
                              "vertex"_a = fixed.crossing_vertex, "largest"_a = readable(largest_product(fixed), 3)),
                    diagnosis(flow.fixed));
     if (crosses && !fixed.blew_up && fixed.collapse_iteration == 0)
-        report::extend(t, " ", words.say("fixed.survives", "steps"_a = fixed.iterations, "last"_a = readable(fixed.steps.back().top, 3)));
+        report::extend(t, " ", words.say("fixed.survives", "steps"_a = fixed.iterations));
     return t;
 }
 
 report::Text about_adaptive(const RebuiltFlow& flow) {
     const Smoothed& adaptive = flow.adaptive.run;
     const double last = adaptive.steps.back().lambda / flow.lambda;
+    const auto share = [&](const WatchedRun& run) { return readable_percent(double(run.inverted) / flow.source->mesh().face_count(), 1); };
     report::Text t = words.say(adaptive.crossing_iteration > 0 ? "adaptive.crosses" : "adaptive.keeps", "share"_a = readable(flow.share, 3),
                                "largest"_a = readable(largest_product(adaptive), 3));
     report::extend(
         t, " ",
         words.say(adaptive.steps.back().lambda < 0.5 * flow.lambda ? "adaptive.short_time" : "adaptive.time",
                   "time"_a = readable_percent(adaptive.time / (flow.lambda * flow.iterations)), "last"_a = readable_percent(last, 2)),
-        diagnosis(flow.adaptive), " ",
-        words.say("adaptive.turned", "fixed"_a = flow.fixed.inverted, "faces"_a = flow.source->mesh().face_count(),
-                  "adaptive"_a = flow.adaptive.inverted));
+        diagnosis(flow.adaptive), " ", words.say("adaptive.turned", "fixed"_a = share(flow.fixed), "adaptive"_a = share(flow.adaptive)));
+    if (flow.fixed.run.crossing_iteration > 0) report::extend(t, " ", words.say("adaptive.chaotic"));
     return t;
 }
 

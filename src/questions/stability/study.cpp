@@ -6,6 +6,8 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
+#include "questions/bench/smoothing_study.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::stability {
 
@@ -48,12 +50,12 @@ WatchedRun watched_run(const TriangleMesh& mesh, SmoothingOptions options) {
     return watched;
 }
 
-LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const TriangleMesh& mesh, int vertex) {
+LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMesh& source, int vertex) {
+    const TriangleMesh& mesh = source.mesh();
     const OperatorWithMass whole = operator_with_mass(laplacian);
-    Vector stiffness = whole.A.diagonal();
-    const Eigen::Index middle = stiffness.size() / 2;
-    std::nth_element(stiffness.begin(), stiffness.begin() + middle, stiffness.end());
-    LimitingVertex limiting{vertex, laplacian.M[vertex] / whole.M.mean(), -laplacian.C.coeff(vertex, vertex) / stiffness[middle], pi};
+    LimitingVertex limiting{vertex, laplacian.M[vertex] / summary_of(whole.M).median,
+                            -laplacian.C.coeff(vertex, vertex) / summary_of(whole.A.diagonal()).median,
+                            source.prepared->topology.on_boundary[static_cast<std::size_t>(vertex)] != 0, pi};
     const CornerValues angles = corner_angles(mesh);
     for (int t = 0; t < mesh.face_count(); ++t) {
         if ((mesh.F.row(t).array() == vertex).any()) limiting.smallest_angle = std::min(limiting.smallest_angle, angles.row(t).minCoeff());
@@ -73,7 +75,8 @@ StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const 
     study.cotangent = operator_limit("cotangent", OperatorKind::cotan, laplacian, study.mesh(), study.mean_edge, steps);
     study.uniform = operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.source->prepared->topology), study.mesh(),
                                    study.mean_edge, steps);
-    study.limiting = limiting_vertex(laplacian, study.mesh(), study.cotangent.certificate.top.vertex);
+    study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent.certificate.top.vertex);
+    study.peaks = peaks_of(study.cotangent.certificate.top.mode);
     return study;
 }
 

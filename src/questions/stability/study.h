@@ -29,9 +29,10 @@ struct OperatorLimit {
 /// Why that vertex: its area and its weights beside those of the others.
 struct LimitingVertex {
     int vertex = -1;
-    double area_share = 0;        // its area over the mean area
+    double area_share = 0;        // its area over the median
     double stiffness_share = 0;   // its −C_ii over the median
-    double smallest_angle = 0;    // of the triangles around it [rad]
+    bool on_boundary = false;
+    double smallest_angle = 0;   // of the triangles around it [rad]
 
     double rate() const { return stiffness_share / area_share; }   // weights over area, which set how fast a vertex moves
 };
@@ -40,6 +41,7 @@ struct StabilityStudy {
     std::shared_ptr<const LibraryMesh> source;
     OperatorLimit cotangent, uniform;
     LimitingVertex limiting;   // of the cotangent operator
+    std::vector<int> peaks;    // vertices where its top mode is as large as there, to a thousandth
     double mean_edge = 0;      // [length]
     double diagonal = 0;       // of the bounding box [length]
 
