@@ -7,7 +7,6 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "output/publish/publish.h"
-#include "questions/bench/ground_truth.h"
 #include "questions/core/chapter.h"
 #include "questions/truth/parts.h"
 #include "run/arguments.h"
@@ -38,7 +37,7 @@ std::string told(const report::Check& check) {
 }
 
 /// The sections as a report of their own, and everything measured on curvature as tables/truth_all.csv.
-void write_report(const VerifyFlags& options, const GroundTruth& truth, const std::vector<report::Section>& sections) {
+void write_report(const VerifyFlags& options, const truth::GroundTruth& truth, const std::vector<report::Section>& sections) {
     output::Publication publication(options.out);
     report::Document document;
     document.title = "Verification: curvature against closed forms, certificates, planted faults";
@@ -58,12 +57,12 @@ report::Section certificates(const VerifyFlags& options, const Progress& progres
 }
 
 ExitCode run_verify(const VerifyFlags& options) {
-    GroundTruth truth;
+    truth::GroundTruth truth;
     std::vector<report::Section> sections;
     {
         ProgressDisplay display(stderr_is_terminal());
         const Progress progress = [&](std::string_view step) { display.step(std::string(step)); };
-        truth = ground_truth(seed_of(options), options.quick, progress);
+        truth = truth::ground_truth(seed_of(options), options.quick, progress);
         sections = {truth::ground_truth_section(truth), certificates(options, progress)};
     }
     if (!options.out.empty()) write_report(options, truth, sections);

@@ -67,10 +67,10 @@ enum class Property {
 /// What a claim is about; the rule is above.
 struct About {
     enum class Scope { any_mesh, its_kind, itself };
-    MeshNames meshes = {};   // none: formulas, or surfaces that the program makes
-    Scope scope = Scope::any_mesh;
+    MeshNames meshes = {};                   // none: formulas, or surfaces that the program makes
     std::vector<Property> properties = {};   // that every mesh must have
-    std::size_t compared = 1;                // different meshes without which there is nothing to compare
+    Scope scope = Scope::any_mesh;
+    std::size_t compared = 1;   // different meshes without which there is nothing to compare
 };
 
 struct Measurement {

@@ -12,8 +12,8 @@
 
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "questions/bench/cotangent_study.h"
+#include "questions/bench/curvature_bench.h"
 #include "questions/bench/denoising_study.h"
-#include "questions/bench/ground_truth.h"
 #include "questions/bench/smoothing_study.h"
 #include "questions/bench/spectral_study.h"
 #include "questions/claims/claim.h"
@@ -90,8 +90,8 @@ public:
     /// With the modes 5, 10, 15, 30 and `most`, fewer on smaller meshes.
     const SpectralStudy& spectrum(std::string_view name);
 
-    /// Errors of the estimates of curvature on a surface with a closed form; level 3 to 5.
-    const PanelLevel& panel(const std::string& surface, MeshKind kind, int level);
+    /// Estimates of curvature on a surface with a closed form, between two levels of 3 to 5.
+    BenchRun curvature(const std::string& surface, MeshKind kind, int coarse, int fine) const;
     /// A flat square of irregular triangles.
     const PlaneTest& plane();
 
@@ -103,11 +103,10 @@ public:
 
 private:
     bool in_scope(std::string_view name, About::Scope scope);
-    std::vector<double> errors_along(const std::shared_ptr<const LibraryMesh>& source, const NoisyKey& key);
 
     const MeshLibrary& library_;
     const QuestionSettings& settings_;
-    std::map<std::string, ReportMesh, std::less<>> meshes_;
+    std::map<std::string, ReportMesh> meshes_;
     std::map<const LibraryMesh*, SmoothingSubject> subjects_;
     std::map<const LibraryMesh*, double> uniform_limits_;
     std::map<const LibraryMesh*, SpectralStudy> spectra_;
@@ -115,7 +114,6 @@ private:
     std::map<std::pair<const LibraryMesh*, RunKey>, Smoothed> runs_;
     std::map<std::pair<const LibraryMesh*, decltype(NoisyKey().tied())>, std::vector<double>> noisy_runs_;
     std::map<std::tuple<const LibraryMesh*, std::vector<double>, int>, DenoisingStudy> denoising_;
-    std::map<std::tuple<std::string, MeshKind, int>, PanelLevel> panels_;
     std::unique_ptr<PlaneTest> plane_;
 };
 

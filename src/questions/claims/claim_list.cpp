@@ -8,10 +8,9 @@ namespace meshfolio::claims {
 const std::vector<Claim>& claim_list() {
     static const std::vector<Claim> all = [] {
         std::vector<Claim> claims;
-        for (const auto* part : {&curvature_claims(), &operator_claims(), &spectral_claims(), &explicit_claims(), &limit_claims(),
-                                 &implicit_claims(), &denoising_claims(), &noise_claims(), &fandisk_claims(), &paper_claims()}) {
+        for (const auto* part : {&curvature_claims, &operator_claims, &spectral_claims, &explicit_claims, &limit_claims, &implicit_claims,
+                                 &denoising_claims, &noise_claims, &fandisk_claims, &paper_claims})
             claims.insert(claims.end(), part->begin(), part->end());
-        }
         std::ranges::stable_sort(claims, {}, &Claim::question);
         return claims;
     }();

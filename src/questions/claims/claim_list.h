@@ -9,16 +9,8 @@
 namespace meshfolio::claims {
 
 // By subject; each file states a rule for every claim before anything is measured.
-const std::vector<Claim>& curvature_claims();
-const std::vector<Claim>& operator_claims();
-const std::vector<Claim>& spectral_claims();
-const std::vector<Claim>& explicit_claims();
-const std::vector<Claim>& limit_claims();
-const std::vector<Claim>& implicit_claims();
-const std::vector<Claim>& denoising_claims();
-const std::vector<Claim>& noise_claims();
-const std::vector<Claim>& fandisk_claims();
-const std::vector<Claim>& paper_claims();
+extern const std::vector<Claim> curvature_claims, operator_claims, spectral_claims, explicit_claims, limit_claims, implicit_claims,
+    denoising_claims, noise_claims, fandisk_claims, paper_claims;
 
 /// All of them: by question, then in the order of the sources.
 const std::vector<Claim>& claim_list();

@@ -128,35 +128,12 @@ Measurement low_noise_keeps_features(ClaimBench& bench, const MeshNames&) {
 
 }   // namespace
 
-const std::vector<Claim>& denoising_claims() {
-    using enum Rule::Relation;
-    using enum Property;
-    using enum Effort;
-    using enum About::Scope;
-    static const std::vector<Claim> claims{
-        {"claims_s0_minima_order", "q7", {{"bunny"}}, {"minimum_later", "", at_least, 1}, minima_in_order, full},
-        {"claims_s0_minima", "q7", {{"bunny"}, itself}, {"deviation", "%", at_most, 34}, minima_of_report, full},
-        {"claims_s0_curves_meet", "q7", {{"bunny"}}, {"most_over_least_noise", "%", at_most, 5}, curves_meet, full},
-        {"claims_s0_flat",
-         "q7",
-         {{"fandisk", "bunny"}, any_mesh, {flat_with_edges}},
-         {"edges_over_rest", "", at_least, 1.1},
-         better_where_flat,
-         full},
-        {"claims_s2_low_noise",
-         "q7",
-         {{"cow"}, any_mesh, {not_flat}},
-         {"gain_of_iteration", "", at_least, 2},
-         low_noise_keeps_features,
-         full},
-        {"claims_s2_too_much",
-         "q7",
-         {{"cow"}, any_mesh, {not_flat}},
-         {"left_by_iteration", "mean edges", at_least, 1},
-         details_go_first,
-         full},
-    };
-    return claims;
-}
+extern const std::vector<Claim> denoising_claims{
+    {"claims_s0_minima_order", "q7", {{"bunny"}}, {"minimum_later", "", at_least, 1}, minima_in_order, full},
+    {"claims_s0_minima", "q7", {{"bunny"}, {}, itself}, {"deviation", "%", at_most, 34}, minima_of_report, full},
+    {"claims_s0_curves_meet", "q7", {{"bunny"}}, {"most_over_least_noise", "%", at_most, 5}, curves_meet, full},
+    {"claims_s0_flat", "q7", {{"fandisk", "bunny"}, {flat_with_edges}}, {"edges_over_rest", "", at_least, 1.1}, better_where_flat, full},
+    {"claims_s2_low_noise", "q7", {{"cow"}, {not_flat}}, {"gain_of_iteration", "", at_least, 2}, low_noise_keeps_features, full},
+    {"claims_s2_too_much", "q7", {{"cow"}, {not_flat}}, {"left_by_iteration", "mean edges", at_least, 1}, details_go_first, full}};
 
 }   // namespace meshfolio::claims

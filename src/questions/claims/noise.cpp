@@ -66,23 +66,10 @@ Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
 
 }   // namespace
 
-const std::vector<Claim>& noise_claims() {
-    using enum Rule::Relation;
-    using enum Property;
-    using enum Effort;
-    using enum About::Scope;
-    static const std::vector<Claim> claims{
-        {"claims_s1_low_noise", "q7", {{"bunny", "cow"}, any_mesh, {not_flat}}, {"gain_of_step", "", at_least, 1.2}, low_noise_works, full},
-        {"claims_s1_larger_step", "q7", {{"bunny"}, any_mesh, {not_flat}}, {"best_steps", "", at_least, 2}, more_noise_larger_step, full},
-        {"claims_s1_worse", "q7", {{"bunny"}, any_mesh, {not_flat}}, {"five_over_one", "", at_least, 1.5}, more_noise_worse_result, full},
-        {"claims_s1_hopeless",
-         "q7",
-         {{"bunny", "cow"}, any_mesh, {not_flat}},
-         {"left_by_step", "mean edges", at_least, 1},
-         hopeless_noise,
-         full},
-    };
-    return claims;
-}
+extern const std::vector<Claim> noise_claims{
+    {"claims_s1_low_noise", "q7", {{"bunny", "cow"}, {not_flat}}, {"gain_of_step", "", at_least, 1.2}, low_noise_works, full},
+    {"claims_s1_larger_step", "q7", {{"bunny"}, {not_flat}}, {"best_steps", "", at_least, 2}, more_noise_larger_step, full},
+    {"claims_s1_worse", "q7", {{"bunny"}, {not_flat}}, {"five_over_one", "", at_least, 1.5}, more_noise_worse_result, full},
+    {"claims_s1_hopeless", "q7", {{"bunny", "cow"}, {not_flat}}, {"left_by_step", "mean edges", at_least, 1}, hopeless_noise, full}};
 
 }   // namespace meshfolio::claims

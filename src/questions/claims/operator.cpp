@@ -34,22 +34,14 @@ Measurement clamping_is_stable(ClaimBench& bench, const MeshNames& meshes) {
 
 }   // namespace
 
-const std::vector<Claim>& operator_claims() {
-    using enum Rule::Relation;
-    using enum Property;
-    using enum Effort;
-    using enum About::Scope;
-    static const std::vector<Claim> claims{
-        {"claims_s1_symmetric", "q4", {{"bunny"}}, {"asymmetry_c", "", at_least, 1e-9}, C_not_symmetric},
-        {"claims_s2_symmetric", "q4", {{"bunny"}, any_mesh, {unequal_areas}}, {"asymmetry_l", "", at_least, 1e-3}, L_not_symmetric},
-        {"claims_s3_clamp_stable",
-         "q4",
-         {{"armadillo", "lilium", "plane_ns"}, any_mesh, {negative_weights}},
-         {"clamped_limit", "", at_least, 1.01},
-         clamping_is_stable,
-         full},
-    };
-    return claims;
-}
+extern const std::vector<Claim> operator_claims{
+    {"claims_s1_symmetric", "q4", {{"bunny"}}, {"asymmetry_c", "", at_least, 1e-9}, C_not_symmetric},
+    {"claims_s2_symmetric", "q4", {{"bunny"}, {unequal_areas}}, {"asymmetry_l", "", at_least, 1e-3}, L_not_symmetric},
+    {"claims_s3_clamp_stable",
+     "q4",
+     {{"armadillo", "lilium", "plane_ns"}, {negative_weights}},
+     {"clamped_limit", "", at_least, 1.01},
+     clamping_is_stable,
+     full}};
 
 }   // namespace meshfolio::claims

@@ -19,6 +19,12 @@ namespace meshfolio::claims {
 inline constexpr report::Words words("claims");
 inline constexpr std::string_view measurements = "claims_measurements";   // the table of all cases
 
+using enum Rule::Relation;
+using enum Property;
+using enum Effort;
+using enum About::Scope;
+using enum SmoothingScheme;
+
 /// A case for each of these meshes, steps, …
 template <class Range>
 std::vector<Case> each(const Range& range, const auto& case_of) {

@@ -69,19 +69,20 @@ report::Text about_mistakes(const Tip& tip) {
 
 /// Which of H and K the last refinement of the stretched icosphere did not bring closer.
 std::string about_stretched(const DiscreteTips& tips) {
-    const double H = order_of(tips.icosphere, &DiscreteTip::H_error), K = order_of(tips.icosphere, &DiscreteTip::K_error);
-    if (H > 0 && K > 0) return "";
-    if (H <= 0 && K <= 0) return words.line("on_meshes.neither", "H_order"_a = readable(H, 2), "K_order"_a = readable(K, 2));
-    return words.line("on_meshes.one", "quantity"_a = H <= 0 ? "H" : "K", "order"_a = readable(std::min(H, K), 2));
+    const ErrorHistory H = errors_of(tips.icosphere, &DiscreteTip::H_error), K = errors_of(tips.icosphere, &DiscreteTip::K_error);
+    const auto stays = [](const ErrorHistory& history) { return history.last() >= history.errors[history.errors.size() - 2]; };
+    if (!stays(H) && !stays(K)) return "";
+    if (stays(H) && stays(K)) return words.line("on_meshes.neither", "H_order"_a = words_of(H.order()), "K_order"_a = words_of(K.order()));
+    return words.line("on_meshes.one", "quantity"_a = stays(H) ? "H" : "K", "order"_a = words_of((stays(H) ? H : K).order()));
 }
 
 report::Text about_meshes(const DiscreteTips& tips) {
     const DiscreteTip &grid = tips.grid.back(), &icosphere = tips.icosphere.back();
     return words.say("on_meshes", "grid_vertices"_a = grid.vertices, "H"_a = readable(grid.H, 5), "K"_a = readable(grid.K, 5),
                      "H_error"_a = readable_percent(grid.H_error, 2), "K_error"_a = readable_percent(grid.K_error, 2),
-                     "H_order"_a = readable(order_of(tips.grid, &DiscreteTip::H_error), 3),
-                     "K_order"_a = readable(order_of(tips.grid, &DiscreteTip::K_error), 3), "icosphere_vertices"_a = icosphere.vertices,
-                     "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
+                     "H_order"_a = words_of(errors_of(tips.grid, &DiscreteTip::H_error).order()),
+                     "K_order"_a = words_of(errors_of(tips.grid, &DiscreteTip::K_error).order()),
+                     "icosphere_vertices"_a = icosphere.vertices, "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
                      "icosphere_K_error"_a = readable_percent(icosphere.K_error, 2), "stretched"_a = about_stretched(tips));
 }
 

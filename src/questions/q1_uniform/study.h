@@ -1,21 +1,21 @@
 /// @file
-/// What question 1 measures: uniform H and angle-deficit K on the meshes it is given and on surfaces with closed form.
+/// What question 1 measures: uniform H and angle-deficit K on the meshes it is given, and how far jitter worsens them.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "geometry/operators/vertex_areas.h"
-#include "questions/bench/curvature_study.h"
+#include "questions/bench/curvature_bench.h"
+#include "questions/bench/curvature_subject.h"
 
-namespace meshfolio {
+namespace meshfolio::q1_uniform {
 
-inline constexpr std::array area_forms{AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed};
+// The estimators of this question.
+inline constexpr std::string_view uniform_H = "H.uniform", deficit_K = "K.barycentric";
 
 struct MeshCurvature {
     CurvatureSubject subject;
@@ -29,34 +29,12 @@ struct MeshCurvature {
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source);
 
-/// Errors of the estimates on a known surface at one level.
-struct UniformErrors {
-    int vertices = 0, faces = 0;
-    double mean_edge = 0;             // [length]
-    double smallest_angle = 0;        // [rad]
-    double mean_length = 0;           // mean of ½‖Δ_uniform x‖ [length]
-    FieldError H;                     // ½‖Δx‖ · 4/h²
-    FieldError normal_part;           // −½Δx·n · 4/h², n of the surface: what ½‖Δx‖ would be without its tangential part
-    std::array<FieldError, 3> K;      // one an area form
-    std::array<int, 3> undefined{};   // vertices whose area is ≤ 0
-    double euler_from_angles = 0;
-    int euler = 0;
-};
-
-UniformErrors uniform_errors(const SampledSurface& s);
-
-using UniformRefinement = Refinement<UniformErrors>;
-std::string area_name(AreaForm form);   // "Voronoi", for prose and tables
-
-ErrorHistory uniform_H(const UniformRefinement& refinement);                              // L2
-ErrorHistory deficit_K(const UniformRefinement& refinement, std::size_t area_form = 0);   // L2, index into area_forms
-
 /// Over the surfaces: how many times as large the L2 error at the finest level is with jittered vertices as with regular ones.
 struct JitterFactors {
     double least = INFINITY, most = 0;
     bool matter() const { return least < 0.5 || most > 2; }
 };
-JitterFactors jitter_factors(const std::vector<UniformRefinement>& refinements, bool gaussian);
+JitterFactors jitter_factors(const BenchRuns& runs, std::string_view estimator);
 
 struct AngleSum {
     std::string mesh;
@@ -67,7 +45,7 @@ struct AngleSum {
     double tolerance() const { return 8.0 * std::max(vertices, faces) * std::numeric_limits<double>::epsilon(); }
 };
 
-std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const std::vector<UniformRefinement>& refinements);
+std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const BenchRuns& runs);
 
 /// What a flat mesh shows inside, where every curvature is zero, and what its boundary would show were it not masked.
 struct FlatMesh {
@@ -85,4 +63,4 @@ struct FlatMesh {
 /// @pre the mesh has a common plane
 FlatMesh flat_mesh(const MeshCurvature& c);
 
-}   // namespace meshfolio
+}   // namespace meshfolio::q1_uniform

@@ -1,4 +1,4 @@
-#include "questions/bench/curvature_study.h"
+#include "questions/bench/curvature_subject.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -6,16 +6,13 @@
 #include <iterator>
 #include <utility>
 
-#include "base/number_text.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
+#include "questions/bench/known_surfaces.h"
 
 namespace meshfolio {
 
 namespace {
-
-/// Below this order a refinement is not called convergence: it would take four halvings of the edges to halve the error twice.
-constexpr double converging_order = 0.5;
 
 /// Vertices farther than this from the common plane, in box diagonals, make a mesh curved.
 constexpr double flat_within = 1e-6;
@@ -93,30 +90,6 @@ output::ColorRange range_for(const output::ColorRange& shared, const std::vector
     return range;
 }
 
-bool converges(const ErrorHistory& history) { return history.order() >= converging_order; }
-
-std::string trend(const ErrorHistory& history) {
-    const double order = history.order();
-    return curvature_words.line(converges(history)           ? "trend.falls"
-                                : order <= -converging_order ? "trend.grows"
-                                                             : "trend.stays",
-                                "from"_a = readable_percent(history.first()), "to"_a = readable_percent(history.last()),
-                                "order"_a = readable(order, 2));
-}
-
-std::string grade(double relative_error) {
-    return curvature_words.line(relative_error < 0.01   ? "grade.good"
-                                : relative_error < 0.05 ? "grade.fair"
-                                : relative_error < 0.2  ? "grade.rough"
-                                                        : "grade.useless");
-}
-
-report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style) {
-    report::Series series{std::move(name), history.mean_edges, {}, {}, {}, style};
-    for (const double error : history.errors) series.y.push_back(100 * error);
-    return series;
-}
-
 std::string undefined_words(const CurvatureSubject& subject) {
     const int masked = subject.source->prepared->preflight.vertices_in_use - subject.interior;
     return masked == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = masked);
@@ -127,7 +100,5 @@ output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std
     range.low = 0;
     return range_for(range, panels);
 }
-
-std::string name_of(Triangulation triangulation) { return triangulation == Triangulation::regular ? "regular" : "jittered"; }
 
 }   // namespace meshfolio
