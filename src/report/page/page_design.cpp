@@ -1,13 +1,13 @@
 #include "report/page/page_design.h"
 
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/errors.h"
 #include "base/sha256.h"
 #include "report/escape.h"
 #include "report/page/page_viewer.h"
+#include "report/page/view_value.h"
 
 namespace meshfolio::report {
 
@@ -62,13 +62,14 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     const std::string script = has_script ? joined_scripts(templates, scripts) : "";
     std::vector<std::string> run;   // the texts that are
     if (has_script) run = {scheme, script};
-    model["style"] = style;
-    model["scheme_script"] = scheme;
-    model["script"] = script;
-    model["has_viewer"] = with_viewer;
-    model["viewer"] = with_viewer ? packed(parts.viewer) : "";
     if (with_viewer) run.emplace_back(parts.viewer);
-    model["policy"] = policy_for(style, run);
+    enter(model, {{"style", "report.css (report.html only)", style},
+                  {"scheme_script", "page_scheme.js, which is run before anything is drawn (report.html only)", scheme},
+                  {"script", "report.js (report.html only)", script},
+                  {"has_viewer", "some figure can be turned, and the page carries the program for it (report.html only)", with_viewer},
+                  {"viewer", "the program that turns models, zlib and base64 (report.html only)", with_viewer ? packed(parts.viewer) : ""},
+                  {"policy", "content security policy that allows just these two (report.html only)", policy_for(style, run)},
+                  {"is_screen", "the page is for a screen, not for paper", has_script}});
 }
 
 }   // namespace meshfolio::report
