@@ -47,21 +47,21 @@ void describe(Fields& fields, part_of<ProvenanceEntry> auto& entry) {
     fields("build_type", provenance.build_type);
     fields("libraries", provenance.libraries);
     fields("settings", provenance.settings);
-    fields("seed", provenance.seed);
+    fields("seed", provenance.seed, "64 bits without sign");
     fields("inputs", entry.inputs);
 }
 
 template <class Fields>
 void describe(Fields& fields, part_of<ReportEntry> auto& report) {
-    fields("schema_version", report.version);
+    fields("schema_version", report.version, {"", schema_version, schema_version});
     fields("title", report.title);
     fields("author", report.author);
     fields("course", report.course);
     fields("provenance", report.provenance);
-    fields.optional("cover", report.cover);
+    fields.optional("cover", report.cover, "the picture of the first page");
     fields("questions", report.questions);
     fields("supporting", report.supporting);
-    fields.if_there("timings", report.timings, report.with_timings);
+    fields.if_there("timings", report.timings, report.with_timings, timings_note);
 }
 
 }   // namespace meshfolio::report

@@ -1,4 +1,4 @@
-// results.json, for programs and for `report --from`. Its schema is templates/results.schema.json, its reader read_json.cpp.
+// results.json, for programs and for `report --from`. Its schema is json_schema.cpp, its reader read_json.cpp.
 #include <set>
 #include <utility>
 
