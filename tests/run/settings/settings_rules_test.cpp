@@ -4,7 +4,6 @@
 
 #include "questions/core/chapter.h"
 #include "run/settings/report_settings.h"
-#include "run/settings/settings_file.h"
 #include "run/settings/settings_reader.h"
 #include "temporary_folder.h"
 
