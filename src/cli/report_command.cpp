@@ -18,11 +18,10 @@
 #include "run/progress.h"
 #include "run/provenance.h"
 #include "run/report_files.h"
-#include "run/report_summary.h"
 #include "run/run_questions.h"
 #include "run/settings/report_settings.h"
 #include "run/stored_results.h"
-#include "submission/citations.h"
+#include "submission/source_listing.h"
 
 namespace meshfolio::cli {
 

@@ -7,7 +7,7 @@
 #include "base/parallel_tasks.h"
 #include "base/sha256.h"
 #include "output/draw/draw_figures.h"
-#include "output/draw/preview.h"
+#include "output/draw/finished_picture.h"
 #include "output/publish/file_sums.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
@@ -17,7 +17,6 @@
 #include "run/console.h"
 #include "run/paper_copy.h"
 #include "run/report_files.h"
-#include "run/report_summary.h"
 #include "run/stored_results.h"
 
 namespace meshfolio::run {

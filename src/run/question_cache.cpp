@@ -134,7 +134,7 @@ std::string QuestionCache::answer_key(const std::string& question, const std::ve
 std::optional<StoredAnswer> QuestionCache::find(const std::string& question) const try {
     const auto lookups = store_.get(question_key(question));
     return lookups ? read(answer_key(question, lookups_of(json::parse(*lookups)))) : std::nullopt;
-} catch (const json::exception&) {   // a form of another time
+} catch (const json::exception&) {   // written by another version
     return {};
 }
 

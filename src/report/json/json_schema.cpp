@@ -1,9 +1,9 @@
-#include "report/json/json_schema.h"
-
+// The schema of results.json, from the descriptions of json_fields.h.
 #include <typeindex>
 
-#include "report/json/json_report.h"
+#include "report/json/json_fields.h"
 #include "report/json/json_writer.h"
+#include "report/writers.h"
 
 namespace meshfolio::report {
 

@@ -4,7 +4,6 @@
 #include "base/file_bytes.h"
 #include "embedded_templates.h"
 #include "report/json/json_line.h"
-#include "report/json/json_schema.h"
 #include "report/page/template_render.h"
 #include "report/words.h"
 #include "report/writers.h"

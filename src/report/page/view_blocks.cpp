@@ -4,7 +4,7 @@
 
 #include "report/escape.h"
 #include "report/page/math_markup.h"
-#include "report/page/page_viewer.h"
+#include "report/page/page_design.h"
 #include "report/page/view_value.h"
 
 namespace meshfolio::report {

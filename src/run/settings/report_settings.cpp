@@ -220,7 +220,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     });
     take_flags(settings, flags, problems);
     take_meshes(settings, flags.meshes, problems);
-    problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, told with the other problems
+    problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, reported with the other problems
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();
     return settings;

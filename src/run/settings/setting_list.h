@@ -61,7 +61,7 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.flag = "--data", .variable = "MESHFOLIO_DATA"}, data);
     visit(Setting{.flag = "--out", .variable = "MESHFOLIO_OUT"}, out);
     visit(Setting{.flag = "--templates"}, templates);
-    visit(Setting{.flag = "MESH", .shapes_answers = true}, meshes);   // what is in them, the lookups of an answer tell
+    visit(Setting{.flag = "MESH", .shapes_answers = true}, meshes);   // their contents are part of the lookups of an answer
     visit(Setting{.flag = "--quick", .name = "quick", .shapes_answers = true}, quick);
     visit(Setting{.flag = "--fail-fast"}, fail_fast);
     visit(Setting{.flag = "--no-timings"}, timings);

@@ -7,7 +7,7 @@
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "base/sha256.h"
-#include "output/publish/safe_name.h"
+#include "output/publish/folder_system.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
 #include "run/settings/experiment_reader.h"

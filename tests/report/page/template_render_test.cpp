@@ -69,7 +69,7 @@ TEST(TemplateRender, WhatIncludesNoTemplateIsNamedWithTheNearest) {
     EXPECT_TRUE(error.starts_with("report.md: {{>/etc/passwd}} includes what is no template; did you mean '")) << error;
 }
 
-TEST(Templates, OneThatIsThereButCannotBeReadIsNotPassedOver) {
+TEST(Templates, AnUnreadableOneIsRefused) {
     const TemporaryFolder folder;
     std::filesystem::create_symlink("nowhere", folder.path() / "report.html");
     EXPECT_NE(usage_error_of([&] { Templates(folder.path()); }).find("report.html"), std::string::npos);
@@ -81,7 +81,7 @@ TEST(Templates, FolderReplacesFileByFile) {
     EXPECT_EQ(replaced["report.html"], Templates()["report.html"]);
 }
 
-TEST(Templates, WhatCannotBeUsedIsToldAsAUsageError) {
+TEST(Templates, WhatCannotBeUsedIsAUsageError) {
     EXPECT_NE(usage_error_of([] { Templates("/nowhere/at/all"); }).find("/nowhere/at/all"), std::string::npos);
     EXPECT_NE(usage_error_of([] { (void)Templates()["unknown.html"]; }).find("unknown.html"), std::string::npos);
     EXPECT_NE(usage_error_of([] { Templates().replace("report.md", "/nowhere"); }).find("/nowhere"), std::string::npos);

@@ -93,7 +93,7 @@ TEST(ReportSettings, WrongFlagsAndEnvironmentAreUsageErrors) {
     EXPECT_THROW(report_settings({}), UsageError);
 }
 
-TEST(ReportSettings, EverythingWrongIsToldAtOnce) {
+TEST(ReportSettings, AllProblemsAreReportedAtOnce) {
     const TemporaryFolder folder;
     const Environment pdf("MESHFOLIO_PDF", "bogus"), threads("MESHFOLIO_THREADS", "x");
     ReportFlags flags;
@@ -152,7 +152,7 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     EXPECT_THROW(report_settings(flags), UsageError);
 }
 
-TEST(ReportSettings, SoAreThoseThatTheSettingsName) {
+TEST(ReportSettings, InputsNamedInSettingsOutsideOfTheFolderThatIsReplaced) {
     const TemporaryFolder folder;
     const auto out = folder.path() / "out";
     std::filesystem::create_directories(out);

@@ -271,7 +271,7 @@ TEST(SettingsFile, AFileThatCannotBeReadIsAUsageError) {
 }
 
 // What data/report.toml documents must be what the program takes, commented-out examples included.
-TEST(DefaultSettings, AndTheirExamplesAreGood) {
+TEST(DefaultSettings, AndTheirExamplesAreValid) {
     const std::string text = read_file(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data" / "report.toml");
     const ReportSettings plain = parse_settings(text, "report.toml");
     EXPECT_FALSE(plain.title.empty() || plain.course.empty() || plain.colormap.empty() || plain.size.width == 0 || plain.seed == 0);

@@ -177,7 +177,7 @@ TEST(SettingsRules, DotsInTextsAndCommentsAreNotPartsOfKeys) {
     }
 }
 
-TEST(SettingsRules, TheCommandLineAndTheFileTellOfAllTheirProblemsTogether) {
+TEST(SettingsRules, ProblemsOfTheCommandLineAndTheFileAreReportedTogether) {
     const testing_tools::TemporaryFolder folder;
     ReportFlags flags;
     flags.config = (folder.path() / "none.toml").string();
