@@ -133,7 +133,7 @@ ordered_json consequences_json(const MeshFacts& facts) {
     return list;
 }
 
-/// Where −C is indefinite no step is stable: the limits are null. Where that cannot be told, none is proved.
+/// Where −C is indefinite no step is stable: the limits are null. Where that is undecided, none is proved.
 void add_stability(ordered_json& json, const std::optional<StabilityCertificate>& proved) {
     for (const char* name : {"lambda_crit", "lambda_safe", "lambda_crit_vertex", "lambda_crit_proved", "definiteness"})
         json[name] = nullptr;

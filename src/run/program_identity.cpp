@@ -27,7 +27,7 @@ int add_library(dl_phdr_info* info, std::size_t, void* key) {
     return 0;
 }
 
-/// The first line of each kind that tells processors apart.
+/// The first line of each kind that identifies the processor.
 void add_processor(output::KeyMaker& key) {
     std::ifstream file("/proc/cpuinfo");
     std::set<std::string> seen;

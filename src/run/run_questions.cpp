@@ -11,7 +11,7 @@
 
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
-#include "output/publish/safe_name.h"
+#include "output/publish/folder_system.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio::run {

@@ -1,15 +1,11 @@
 #include "run/settings/settings_reader.h"
 
-#include "color/colormap.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
-#include "questions/core/settings.h"
-#include "run/settings/settings_file.h"
 
 namespace meshfolio::run {
 
@@ -247,11 +243,5 @@ std::vector<double> TableReader::numbers(std::string_view key, double low, doubl
 }
 
 bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
-
-std::vector<std::string> colormap_names() {
-    std::vector<std::string> names;
-    for (const render::Colormap& map : render::colormap_list()) names.emplace_back(map.name);
-    return names;
-}
 
 }   // namespace meshfolio::run

@@ -31,8 +31,7 @@ TOML_IMPL_NAMESPACE_END;
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
-#include "questions/core/settings.h"
-#include "run/settings/settings_errors.h"
+#include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
 
@@ -117,7 +116,5 @@ private:
 };
 
 bool contains(const std::vector<std::string>& words, const std::string& word);
-/// Those of the renderer, in its order.
-std::vector<std::string> colormap_names();
 
 }   // namespace meshfolio::run

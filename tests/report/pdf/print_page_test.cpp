@@ -159,7 +159,7 @@ TEST(PrintPage, NoSentenceIsLeftInTheMiddle) {
     EXPECT_EQ(told_of({}), 0u);
 }
 
-TEST(PrintPage, WhatIsNotToldIsSaidToBeInThePage) {
+TEST(PrintPage, NamesThePageForWhatIsLeftOut) {
     Document document = supporting_document();
     Table first{"truth_first", "First.", {{"see"}}, {{std::string("truth_second")}}}, second{"truth_second", "Second.", {{"a"}}, {{1.0}}};
     first.columns[0].reference = true;
@@ -174,7 +174,7 @@ TEST(PrintPage, WhatIsNotToldIsSaidToBeInThePage) {
     EXPECT_EQ(all.find("leaves out"), std::string::npos);
 }
 
-TEST(PrintPage, WhatIsNotToldIsNamedButNotLinked) {
+TEST(PrintPage, WhatIsLeftOutIsNamedButNotLinked) {
     const Document document = supporting_document();
     const Section& section = document.sections[0];
     const auto told = blocks_told(section, Extent::brief);
@@ -189,7 +189,7 @@ TEST(PrintPage, WhatIsNotToldIsNamedButNotLinked) {
     EXPECT_EQ(blocks_told(sample_document().sections[0], Extent::brief).size(), section.blocks.size());
 }
 
-TEST(PrintPage, OnlyFiguresThatAreToldNeedAPicture) {
+TEST(PrintPage, OnlyFiguresShownNeedAPicture) {
     const auto brief = figures_told(supporting_document(), Extent::brief), all = figures_told(supporting_document(), Extent::whole);
     EXPECT_LE(brief.size(), all.size());
     EXPECT_EQ(printed(supporting_document()).files.size(), brief.size());
@@ -216,7 +216,7 @@ TEST(PrintPage, EveryPageNumberThatIsAskedForHasItsHeading) {
     for (const std::string& id : asked) EXPECT_TRUE(ids.contains(id)) << id;
 }
 
-TEST(PrintPdf, APageThatNeedsWhatIsNotThereIsRefused) {
+TEST(PrintPdf, APageWithAMissingPictureIsRefused) {
     // Engines pass over a missing picture without a word, and turn other links into paths of the machine.
     const TemporaryFolder folder;
     const PdfEngine engine{PdfEngine::Kind::chromium, "/bin/true", "Chromium 150"};
@@ -233,7 +233,7 @@ TEST(PrintPdf, APageThatNeedsWhatIsNotThereIsRefused) {
     }
 }
 
-TEST(PrintPdf, SuccessIsNotBelieved) {
+TEST(PrintPdf, AnExitCodeOfZeroWithoutAPdfFails) {
     const TemporaryFolder folder;
     PrintJob job;
     job.html = "<h1>Title</h1>";

@@ -1,8 +1,9 @@
-#include "output/draw/label_view.h"
+#include "output/draw/finished_picture.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "png/png.h"
 #include "scene/camera.h"
 #include "sheet/view_label.h"
 
@@ -33,6 +34,25 @@ void label_view(render::Image& picture, std::string_view view) {
         if (covered(picture, other.first, other.second, width, height) < covered(picture, corner.first, corner.second, width, height))
             corner = other;
     render::draw_view_label(picture, corner.first + width / 2.0, corner.second + height / 2.0, view, em, {90, 90, 100, 255});
+}
+
+render::Image with_room_below(const render::Image& picture, int height, const render::ColorBar* bar) {
+    render::Image taller(picture.width, height, picture.at(0, 0));
+    render::paste(taller, picture, 0, 0);
+    if (bar == nullptr) return taller;
+    render::ColorBar plain = *bar;
+    plain.histogram.clear();   // the sheet has it, and the room is small
+    const int room = height - picture.height;
+    // As large as fits, a little air included.
+    const double em = 0.92 * room / render::color_bar_height(plain, 100) * 100;
+    render::draw_color_bar(taller, plain, 0, picture.height, picture.width, em, {27, 27, 31, 255});
+    return taller;
+}
+
+Preview preview_of(const render::Image& picture, int widest, int jpeg_quality) {
+    if (picture.width <= widest) return {render::encode_jpeg(picture, jpeg_quality), picture.width, picture.height};
+    const int height = std::max(1, picture.height * widest / picture.width);
+    return {render::encode_jpeg(render::shrink(picture, widest, height), jpeg_quality), widest, height};
 }
 
 }   // namespace meshfolio::output

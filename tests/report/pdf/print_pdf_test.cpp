@@ -1,4 +1,4 @@
-#include "report/pdf/draft_picture.h"
+#include "report/pdf/print_pdf.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "output/publish/safe_name.h"
+#include "output/publish/folder_system.h"
 
 #include <gtest/gtest.h>
 
