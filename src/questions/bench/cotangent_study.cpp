@@ -6,8 +6,7 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
-#include "questions/bench/bench_mesh.h"
+#include "questions/bench/estimators.h"
 
 namespace meshfolio {
 
@@ -96,20 +95,17 @@ CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source)
 }
 
 PlaneTest irregular_plane(std::uint64_t seed) {
-    TriangleMesh mesh = grid_mesh(24, 24, 1, 1);
-    const MeshTopology topology = topology_of(mesh);
-    mesh.X = jittered(mesh, topology, 0.2, seed, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
-    const double edge = mean_edge_length(mesh);
-    const LaplaceBeltrami exact = laplace_beltrami(mesh), clamped = laplace_beltrami(mesh, AreaForm::barycentric, {.clamp_negative = true});
-    PlaneTest test;
-    test.uniform_H = edge * uniform_mean_curvature_scaled(mesh, topology);
-    test.cotangent_H = edge * cotangent_mean_curvature(mesh, topology, exact);
-    test.clamped_H = edge * cotangent_mean_curvature(mesh, topology, clamped);
-    test.negative_weights = negative_weights(exact.C, topology).inside / double(topology.edges.size());
+    const KnownSurface square{.mesh_at = [](int) { return grid_mesh(24, 24, 1, 1); },
+                              .projected = [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); },
+                              .normal_at = [](const Vector3&) { return Vector3(0, 0, 1); },
+                              .curvature_at = [](const Vector3&) { return CurvaturePair{}; }};
+    const BenchMesh b = bench_mesh(square, MeshKind::jittered, 0, seed);
+    const auto H = [&](const char* key) -> Vector { return b.mean_edge * estimator(key).estimate(b); };
+    PlaneTest test{b.mesh, H("H.uniform"), H("H.barycentric"), H("H.clamped")};
+    test.negative_weights = negative_weights(b.C(), b.topology).inside / double(b.topology.edges.size());
     test.uniform = largest_magnitude(test.uniform_H);
     test.cotangent = largest_magnitude(test.cotangent_H);
     test.clamped = largest_magnitude(test.clamped_H);
-    test.mesh = std::move(mesh);
     return test;
 }
 

@@ -81,8 +81,8 @@ std::string with_decimals(double x, int decimals) {
     return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
 }
 
-/// What was measured before, by surface, kind, level and seed. Locked while it grows: who needs the same meanwhile waits, rather than
-/// measuring it again.
+/// What was measured before, by surface, kind, level and seed. The lock is held while measuring, so that another section waits instead of
+/// measuring the same.
 struct Known {
     std::mutex mutex;
     std::map<std::tuple<std::string, MeshKind, int, std::uint64_t>, BenchLevel> levels;
@@ -138,6 +138,16 @@ std::string grade(double relative_error) {
                                 : relative_error < 0.05 ? "grade.fair"
                                 : relative_error < 0.2  ? "grade.rough"
                                                         : "grade.useless");
+}
+
+report::Plot error_plot(std::string id, std::string caption, std::string alt) {
+    return {.id = std::move(id),
+            .caption = std::move(caption),
+            .alt = std::move(alt),
+            .x_label = "mean edge [length]",
+            .y_label = "relative L2 error [%]",
+            .log_x = true,
+            .log_y = true};
 }
 
 report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style) {
@@ -216,6 +226,12 @@ const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind
 }
 
 double pentagon_excess() { return 3 / std::tan(54 * pi / 180) / (2 * std::sin(72 * pi / 180)) - 1; }
+
+report::Check pentagon_check(const BenchRuns& runs) {
+    const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::regular).finest();
+    return report::check_near(curvature_words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
+                              0.25 * sphere.mean_edge * sphere.mean_edge, curvature_words.line("check.pentagon.note"));
+}
 
 std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
 

@@ -20,7 +20,7 @@ struct KnownSurface {
     std::string dimensions = {};   // "R = 1, r = 0.4"
     // Each level halves the edges; vertices lie on the surface.
     std::function<TriangleMesh(int level)> mesh_at;
-    std::function<TriangleMesh(int level)> stretched_at;         // triangles of about four to one
+    std::function<TriangleMesh(int level)> stretched_at = {};    // triangles of about four to one
     std::function<Vector3(const Vector3&)> projected;            // a nearby point onto the surface
     std::function<Vector3(const Vector3&)> normal_at;            // unit, outward, at a point of the surface
     std::function<CurvaturePair(const Vector3&)> curvature_at;   // at a point of the surface

@@ -65,7 +65,7 @@ Measurement not_influenced(ClaimBench& bench, const MeshNames&) {
                                100 * level.error("H.barycentric").l2});
     }
     m.remark = words.say("claims_s0_irregular.remark", "error"_a = readable(100 * cotangent_error(bench, samplings[0])));
-    if (m.cases[3].value > 0.7 * m.cases[2].value) report::extend(m.remark, " ", words.say("claims_s0_irregular.remark.stays"));
+    if (m.cases[3].value > 0.7 * m.cases[2].value) go_on(m.remark, words.say("claims_s0_irregular.remark.stays"));
     return m;
 }
 

@@ -7,22 +7,15 @@ namespace meshfolio::claims {
 
 namespace {
 
-/// rms error [length]; of the plane, the height alone.
+/// rms error; on the plane only the height counts. [length]
 double error_of(const Positions& X, const Positions& clean, bool height_only) {
     return height_only ? std::sqrt((X.col(2) - clean.col(2)).squaredNorm() / double(X.rows())) : vertex_rms(X, clean);
 }
 
-struct Sweep {
-    std::vector<double> lambdas, errors;
-    double noisy = 0;
-    double best_step() const { return lambdas[static_cast<std::size_t>(best_of(errors))]; }
-    double least() const { return std::ranges::min(errors); }
-    double at(double lambda) const { return errors[static_cast<std::size_t>(std::ranges::find(lambdas, lambda) - lambdas.begin())]; }
-};
 Sweep sweep_of(ClaimBench& bench, std::string_view name, const Positions& clean, RunKey key, std::vector<double> lambdas) {
     const bool height_only = name == "plane_ns";
     Sweep sweep{std::move(lambdas), {}, error_of(bench.mesh(name).mesh->mesh().X, clean, height_only)};
-    for (const double lambda : sweep.lambdas) {
+    for (const double lambda : sweep.steps) {
         key.lambda = lambda;
         sweep.errors.push_back(error_of(bench.run(name, key).X, clean, height_only));
     }

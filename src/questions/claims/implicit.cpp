@@ -11,7 +11,7 @@ double energy_left(ClaimBench& bench, std::string_view name, const RunKey& key) 
     return dirichlet_energy(s.laplacian.C, bench.run(name, key).X) / s.initial_energy;
 }
 
-/// In the energy of the run's own operator, the only one that its steps cannot raise; to a millionth, below which needles leave rounding.
+/// Energy left in the run's own operator, which its steps cannot raise. Rounded to a millionth: needles leave rounding errors below.
 double own_energy_left(ClaimBench& bench, std::string_view name, const RunKey& key) {
     const TriangleMesh& mesh = bench.subject(name).mesh();
     const SparseMatrix C = laplace_operator(mesh, key.laplacian).C;
@@ -63,7 +63,7 @@ Measurement same_as_explicit(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
-/// 100 steps of λ beside fewer that are `factor` times as large: the same time.
+/// The gap between 100 steps of λ and fewer steps, `factor` times as large, over the same time.
 Case same_time(ClaimBench& bench, int factor) {
     const double step = bench.raw_step("bunny", 1e-7);
     return {words.line("case.same_time", "steps"_a = 100 / factor, "factor"_a = factor),
@@ -104,7 +104,7 @@ int explicit_steps_to(ClaimBench& bench, std::string_view name, double share) {
     options.lambda = 0.95 * s.critical;
     options.iterations = 3000;
     options.after_step = [&](int iteration, const Positions& X) {
-        // The energy costs as much as a step: looked at every tenth.
+        // The energy costs as much as a step, so it is computed every tenth.
         if (iteration % 10 == 0 && dirichlet_energy(s.laplacian.C, X) <= share * s.initial_energy) steps = iteration;
         return steps == 0;
     };

@@ -57,10 +57,10 @@ std::string best_areas(const BenchRuns& runs, MeshKind kind) {
     std::vector<std::string> told;
     for (const BenchRun& run : of_kind(runs, kind)) {
         const auto error = [&](AreaForm form) { return run.finest().error(K_with(form)).l2; };
-        const auto [best, worst] = std::ranges::minmax(area_forms, {}, error);
+        const auto [best, last] = std::ranges::minmax(area_forms, {}, error);
         told.push_back(words.line("areas.best", "best"_a = area_name(best), "surface"_a = run.surface,
-                                  "least"_a = readable_percent(error(best)), "most"_a = readable_percent(error(worst)),
-                                  "worst"_a = area_name(worst)));
+                                  "least"_a = readable_percent(error(best)), "most"_a = readable_percent(error(last)),
+                                  "worst"_a = area_name(last)));
     }
     return listed(told);
 }
@@ -94,10 +94,9 @@ report::Text about_flat(const FlatMesh& f) {
                                "normal_part"_a = at_most(f.normal_part, "mean edges"),
                                "drift"_a = symmetric ? at_most(f.drift, "mean edges") : readable(f.drift, 2));
     if (f.boundary_vertices > 0)
-        report::extend(t, " ",
-                       words.say("flat.boundary", "vertices"_a = f.boundary_vertices, "length"_a = readable(f.boundary_length, 2),
-                                 "K"_a = readable(f.boundary_K, 3), "largest_turning"_a = readable(f.largest_turning, 3),
-                                 "turning"_a = readable(f.turning, 4)));
+        go_on(t, words.say("flat.boundary", "vertices"_a = f.boundary_vertices, "length"_a = readable(f.boundary_length, 2),
+                           "K"_a = readable(f.boundary_K, 3), "largest_turning"_a = readable(f.largest_turning, 3),
+                           "turning"_a = readable(f.turning, 4)));
     return t;
 }
 
@@ -118,7 +117,7 @@ report::Text about_curved(const MeshCurvature& c) {
                                "negative"_a = readable_percent(negative / std::max(1, K.count), 2), "vertices"_a = K.count);
     if (low > 0) {
         const double spread = high / low;
-        report::extend(t, " ", words.say(spread < 1.5 ? "curved.even_edges" : "curved.uneven_edges", "spread"_a = readable(spread, 2)));
+        go_on(t, words.say(spread < 1.5 ? "curved.even_edges" : "curved.uneven_edges", "spread"_a = readable(spread, 2)));
     }
     return t;
 }

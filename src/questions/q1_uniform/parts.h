@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "questions/bench/sentences.h"
 #include "questions/q1_uniform/study.h"
 #include "report/document.h"
 

@@ -77,13 +77,8 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
 report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator) {
     const bool gaussian = estimator == deficit_K;
     const std::string quantity = gaussian ? "K (barycentric areas)" : "uniform H (scaled)";
-    report::Plot plot{.id = gaussian ? "q1_k_convergence" : "q1_h_convergence",
-                      .caption = words.line("convergence", "quantity"_a = quantity),
-                      .alt = words.line("convergence.alt", "quantity"_a = quantity),
-                      .x_label = "mean edge [length]",
-                      .y_label = "relative L2 error [%]",
-                      .log_x = true,
-                      .log_y = true};
+    report::Plot plot = error_plot(gaussian ? "q1_k_convergence" : "q1_h_convergence", words.line("convergence", "quantity"_a = quantity),
+                                   words.line("convergence.alt", "quantity"_a = quantity));
     for (const BenchRun& run : runs) {
         using enum report::Series::Style;
         const ErrorHistory errors = run.errors(estimator);

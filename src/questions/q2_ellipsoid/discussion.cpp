@@ -69,11 +69,12 @@ report::Text about_mistakes(const Tip& tip) {
 
 /// Which of H and K the last refinement of the stretched icosphere did not bring closer.
 std::string about_stretched(const DiscreteTips& tips) {
-    const ErrorHistory H = errors_of(tips.icosphere, &DiscreteTip::H_error), K = errors_of(tips.icosphere, &DiscreteTip::K_error);
-    const auto stays = [](const ErrorHistory& history) { return history.last() >= history.errors[history.errors.size() - 2]; };
-    if (!stays(H) && !stays(K)) return "";
-    if (stays(H) && stays(K)) return words.line("on_meshes.neither", "H_order"_a = words_of(H.order()), "K_order"_a = words_of(K.order()));
-    return words.line("on_meshes.one", "quantity"_a = stays(H) ? "H" : "K", "order"_a = words_of((stays(H) ? H : K).order()));
+    const std::vector<DiscreteTip> last{tips.icosphere.end() - 2, tips.icosphere.end()};
+    const Order H = errors_of(last, &DiscreteTip::H_error).order(), K = errors_of(last, &DiscreteTip::K_error).order();
+    if (H.exponent > 0 && K.exponent > 0) return "";
+    if (H.exponent <= 0 && K.exponent <= 0) return words.line("on_meshes.neither", "H_order"_a = words_of(H), "K_order"_a = words_of(K));
+    const bool of_H = H.exponent <= 0;
+    return words.line("on_meshes.one", "quantity"_a = of_H ? "H" : "K", "order"_a = words_of(of_H ? H : K));
 }
 
 report::Text about_meshes(const DiscreteTips& tips) {

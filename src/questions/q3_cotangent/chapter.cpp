@@ -18,9 +18,7 @@ void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest
         const Order order = run_on(runs, "torus", MeshKind::regular).errors(H_with(form)).order();
         section.checks.push_back(check_near(words.line("check.order", "areas"_a = area_name(form)), 2, order.exponent, 0.2));
     }
-    const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::regular).finest();
-    section.checks.push_back(check_near(words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
-                                        0.25 * sphere.mean_edge * sphere.mean_edge, words.line("check.pentagon.note")));
+    section.checks.push_back(pentagon_check(runs));
     section.checks.push_back(check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
     for (const CotangentComparison& c : meshes) {
         if (!c.subject.plane_normal || c.subject.interior == 0) continue;
@@ -59,19 +57,17 @@ report::Text about_trials(const std::vector<IndicatorTrial>& trials) {
     const IndicatorTrial& best = *std::ranges::min_element(trials, {}, [](const IndicatorTrial& t) { return t.indicator.actual; });
     report::Text t = words.say("trust.second_estimate");
     if (large > 0)
-        report::extend(t, " ",
-                       words.say("trust.large", "meshes"_a = large, "off"_a = readable_percent(rounded_up(off, 2), 2),
-                                 "found"_a = readable_percent(rounded_down(found, 2), 2)));
-    report::extend(t, " ",
-                   words.say("trust.small", "mesh"_a = best.mesh, "indicated"_a = readable_percent(best.indicator.indicated, 2),
-                             "actual"_a = readable_percent(best.indicator.actual, 2)));
+        go_on(t, words.say("trust.large", "meshes"_a = large, "off"_a = readable_percent(rounded_up(off, 2), 2),
+                           "found"_a = readable_percent(rounded_down(found, 2), 2)));
+    go_on(t, words.say("trust.small", "mesh"_a = best.mesh, "indicated"_a = readable_percent(best.indicator.indicated, 2),
+                       "actual"_a = readable_percent(best.indicator.actual, 2)));
     return t;
 }
 
 report::Text about_disagreement(const CotangentComparison& c, const Disagreement& d) {
     report::Text t = words.say("trust.mesh", "mesh"_a = c.subject.name(), "rms"_a = readable_percent(d.rms),
                                "median"_a = readable_percent(d.median), "concentration"_a = readable_percent(d.concentration, 2));
-    if (d.without_jet > 0) report::extend(t, " ", words.say("trust.without_jet", "vertices"_a = d.without_jet));
+    if (d.without_jet > 0) go_on(t, words.say("trust.without_jet", "vertices"_a = d.without_jet));
     return t;
 }
 

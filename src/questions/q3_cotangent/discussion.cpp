@@ -48,7 +48,7 @@ report::Text about_sphere(const BenchRun& regular, const BenchRun& jittered) {
                   "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.error("H.mixed").linf, 2));
     const double identity = cotangent_error(jittered, AreaForm::voronoi);
     if (identity < 0.1 * cotangent_error(jittered, AreaForm::barycentric))
-        report::extend(t, " ", words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
+        go_on(t, words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
     return t;
 }
 
@@ -62,7 +62,7 @@ report::Text about_square(const PlaneTest& plane) {
 report::Text about_flat(const CotangentComparison& c) {
     report::Text t = words.say("flat", "mesh"_a = c.subject.name());
     if (c.subject.interior == 0) {
-        report::extend(t, " ", words.say("flat.no_inside"));
+        go_on(t, words.say("flat.no_inside"));
         return t;
     }
     const auto at_most = [](double x) {
@@ -73,9 +73,9 @@ report::Text about_flat(const CotangentComparison& c) {
         verdict = words.line("flat.regular");
     else if (c.drift > 10 * c.precision)
         verdict = words.line("flat.improved", "times"_a = readable(c.drift / std::max(c.precision, 1e-300), 2));
-    report::extend(
-        t, " ", words.say("flat.inside", "precision"_a = at_most(c.precision), "drift"_a = at_most(c.drift), "verdict"_a = verdict), " ",
-        words.say("flat.boundary", "half_sum"_a = readable(c.variants[0].boundary), "opposite_mean"_a = readable(c.variants[1].boundary)));
+    go_on(t, words.say("flat.inside", "precision"_a = at_most(c.precision), "drift"_a = at_most(c.drift), "verdict"_a = verdict));
+    go_on(t, words.say("flat.boundary", "half_sum"_a = readable(c.variants[0].boundary),
+                       "opposite_mean"_a = readable(c.variants[1].boundary)));
     return t;
 }
 
@@ -96,15 +96,13 @@ report::Text about_curved(const CotangentComparison& c) {
                                "sign"_a = readable_percent(c.sign_change, 2));
     if (c.jump_uniform > 0 && c.jump_cotangent > 0) {
         const double ratio = c.jump_uniform / c.jump_cotangent;
-        report::extend(t, " ",
-                       words.say(ratio >= 1 ? "curved.smoother" : "curved.rougher", "cotangent"_a = readable(c.jump_cotangent),
-                                 "uniform"_a = readable(c.jump_uniform), "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
+        go_on(t, words.say(ratio >= 1 ? "curved.smoother" : "curved.rougher", "cotangent"_a = readable(c.jump_cotangent),
+                           "uniform"_a = readable(c.jump_uniform), "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
     }
-    report::extend(t, " ", about_negative_weights(c));
+    go_on(t, about_negative_weights(c));
     if (!s.source->prepared->preflight.closed())
-        report::extend(t, " ",
-                       words.say("curved.boundary", "boundary"_a = readable(c.variants[0].boundary),
-                                 "opposite_mean"_a = readable(c.variants[1].boundary), "inside"_a = readable(c.variants[0].inside)));
+        go_on(t, words.say("curved.boundary", "boundary"_a = readable(c.variants[0].boundary),
+                           "opposite_mean"_a = readable(c.variants[1].boundary), "inside"_a = readable(c.variants[0].inside)));
     return t;
 }
 

@@ -7,6 +7,7 @@
 
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/curvature_bench.h"
+#include "questions/bench/sentences.h"
 #include "questions/q3_cotangent/error_indicator.h"
 #include "report/document.h"
 

@@ -92,13 +92,8 @@ report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
 
 report::Plot convergence_plot(const BenchRuns& runs, MeshKind kind) {
     const std::string name(name_of(kind));
-    report::Plot plot{.id = "q3_convergence_" + name,
-                      .caption = words.line("convergence", "triangulation"_a = name),
-                      .alt = words.line("convergence.alt", "triangulation"_a = name),
-                      .x_label = "mean edge [length]",
-                      .y_label = "relative L2 error [%]",
-                      .log_x = true,
-                      .log_y = true};
+    report::Plot plot = error_plot("q3_convergence_" + name, words.line("convergence", "triangulation"_a = name),
+                                   words.line("convergence.alt", "triangulation"_a = name));
     int surface = 0;
     for (const BenchRun& run : of_kind(runs, kind)) {
         const auto add = [&](const std::string& estimator, const ErrorHistory& errors, report::Series::Style style, std::size_t pattern) {

@@ -80,13 +80,7 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
     const BenchRun& run = truth.run("ellipsoid", kind);
     const std::string caption =
         words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind), "dimensions"_a = run.dimensions);
-    report::Plot plot{.id = (quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)),
-                      .caption = caption,
-                      .alt = caption,
-                      .x_label = "mean edge [length]",
-                      .y_label = "relative L2 error [%]",
-                      .log_x = true,
-                      .log_y = true};
+    report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);
     for (const Estimator* e : panel_estimators(quantity)) {
         const auto place = std::ranges::find(shown, e->key.substr(2));   // behind "H."
         if (place == shown.end()) continue;

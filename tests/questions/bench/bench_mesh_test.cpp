@@ -40,7 +40,7 @@ TEST(BenchMesh, EachLevelHalvesTheEdges) {
     }
 }
 
-TEST(BenchMesh, KindsAreWhatTheyAreCalled) {
+TEST(BenchMesh, RandomIsIrregularAndAnisotropicIsStretched) {
     for (const KnownSurface& s : known_surfaces()) {
         const auto mean_longest_over_shortest = [&](MeshKind kind) {
             const CornerValues lengths = edge_lengths(bench_mesh(s, kind, 4, 1).mesh);

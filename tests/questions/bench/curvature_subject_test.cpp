@@ -30,7 +30,7 @@ TEST(CurvatureSubject, PlanesAreKnownAtAnyTiltAndPlace) {
     EXPECT_FALSE(common_plane_normal(icosphere(1)).has_value());
 }
 
-TEST(CurvatureSubject, SharedRangeTellsWhatEachFigureClips) {
+TEST(CurvatureSubject, SharedRangeReportsWhatEachFigureClips) {
     output::ColorRange shared;
     shared.low = -1;
     shared.high = 1;

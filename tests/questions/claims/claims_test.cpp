@@ -10,7 +10,6 @@
 #include "mesh/io/mesh_files.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/claims/claim_bench.h"
-#include "questions/claims/claim_list.h"
 #include "questions/claims/parts.h"
 #include "questions/core/study_laws.h"
 #include "shared_meshes.h"

@@ -84,7 +84,7 @@ TEST(Q1, OpenMeshesOfSeveralComponentsAreAnswered) {
     expect_checks_pass(answer.section);
 }
 
-TEST(Q1, AMeshThatIsAllBoundaryHasNoCurvatureToTellOf) {
+TEST(Q1, AMeshThatIsAllBoundaryHasNoCurvature) {
     const Answer flat = answer_for(one_triangle(), "triangle");
     expect_well_formed(flat);
     expect_checks_pass(flat.section);
