@@ -10,19 +10,20 @@ namespace {
 
 constexpr std::size_t widest_brief_table = 9;   // columns; wider ones need the page of their own that a brief section has not
 
-template <class... Kinds>
-const Block* first_of(const Section& section) {
-    const auto is_one = [](const Block& block) { return (std::holds_alternative<Kinds>(block) || ...); };
+/// The first block for which `is_one` holds; null: none.
+template <class Condition>
+const Block* first_block(const Section& section, Condition is_one) {
     const auto it = std::find_if(section.blocks.begin(), section.blocks.end(), is_one);
     return it != section.blocks.end() ? &*it : nullptr;
 }
 
-const Block* first_narrow_table(const Section& section) {
-    const auto it = std::find_if(section.blocks.begin(), section.blocks.end(), [](const Block& block) {
-        const auto* table = std::get_if<Table>(&block);
-        return table != nullptr && table->columns.size() <= widest_brief_table;
-    });
-    return it != section.blocks.end() ? &*it : nullptr;
+bool is_picture(const Block& block) {
+    return std::holds_alternative<Figure>(block) || std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
+}
+
+bool is_narrow_table(const Block& block) {
+    const auto* table = std::get_if<Table>(&block);
+    return table != nullptr && table->columns.size() <= widest_brief_table;
 }
 
 /// Whether the text stops in the middle of a sentence.
@@ -82,7 +83,7 @@ std::set<const Block*> blocks_told(const Section& section, Extent extent) {
         return told;
     }
     told = first_passage(section);
-    told.insert({first_of<Figure, Plot, Map>(section), first_narrow_table(section)});
+    told.insert({first_block(section, is_picture), first_block(section, is_narrow_table)});
     told.erase(nullptr);
     return told;
 }
