@@ -76,33 +76,33 @@ std::vector<std::string> ids_in(const Block& block) {
 
 bool is_brief(const Section& section, Extent extent) { return extent == Extent::brief && !is_question(section.id); }
 
-std::set<const Block*> blocks_told(const Section& section, Extent extent) {
-    std::set<const Block*> told;
+std::set<const Block*> blocks_shown(const Section& section, Extent extent) {
+    std::set<const Block*> shown;
     if (!is_brief(section, extent)) {
-        for (const Block& block : section.blocks) told.insert(&block);
-        return told;
+        for (const Block& block : section.blocks) shown.insert(&block);
+        return shown;
     }
-    told = first_passage(section);
-    told.insert({first_block(section, is_picture), first_block(section, is_narrow_table)});
-    told.erase(nullptr);
-    return told;
+    shown = first_passage(section);
+    shown.insert({first_block(section, is_picture), first_block(section, is_narrow_table)});
+    shown.erase(nullptr);
+    return shown;
 }
 
-void leave_out_untold(const Document& document, Extent extent, Numbering& numbering) {
+void leave_out_hidden(const Document& document, Extent extent, Numbering& numbering) {
     for (const Section& section : document.sections) {
-        const std::set<const Block*> told = blocks_told(section, extent);
+        const std::set<const Block*> shown = blocks_shown(section, extent);
         for (const Block& block : section.blocks) {
-            if (told.contains(&block)) continue;
+            if (shown.contains(&block)) continue;
             for (const std::string& id : ids_in(block)) numbering.leave_out(id);
         }
     }
 }
 
-std::set<std::string> figures_told(const Document& document, Extent extent) {
+std::set<std::string> figures_shown(const Document& document, Extent extent) {
     std::set<std::string> ids;
     if (document.cover) ids.insert(document.cover->id);
     for (const Section& section : document.sections) {
-        for (const Block* block : blocks_told(section, extent)) {
+        for (const Block* block : blocks_shown(section, extent)) {
             if (const auto* figure = std::get_if<Figure>(block)) ids.insert(figure->id);
         }
     }
