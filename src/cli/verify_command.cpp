@@ -30,7 +30,7 @@ std::uint64_t seed_of(const VerifyFlags& options) {
 }
 
 /// "ok      name: measured 1.99, expected 2, tolerance 0.15"; of what is undecided, the reason too.
-std::string told(const report::Check& check) {
+std::string in_words(const report::Check& check) {
     const std::string line = check.name + ": " + words_of(check);
     if (check.status == report::Check::Status::undecided) return "undecided  " + line + " (" + check.note + ")\n";
     return (check.passed() ? "ok      " : "FAILED  ") + line + "\n";
@@ -69,7 +69,7 @@ ExitCode run_verify(const VerifyFlags& options) {
     std::string lines;
     report::Score score;
     for (const report::Section& section : sections) {
-        for (const report::Check& check : section.checks) lines += told(check);
+        for (const report::Check& check : section.checks) lines += in_words(check);
         score += report::score_of(section.checks);
     }
     print(lines + words_of(score) + "\n");

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::uintmax_t largest_results = std::uintmax_t{256} << 20;
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;
-constexpr std::size_t most_told = 8;
+constexpr std::size_t most_named = 8;
 
 /// What is taken over as it is; the rest is written anew.
 bool is_taken_over(const std::string& file) {
@@ -155,9 +155,9 @@ ReportSettings words_of_file(const std::string& config, report::Document& docume
     return words;
 }
 
-void tell_missing(const std::vector<std::string>& missing) {
-    for (std::size_t i = 0; i < missing.size() && i < most_told; ++i) warn(missing[i] + " is missing from the earlier report");
-    if (missing.size() > most_told) warn("… and " + std::to_string(missing.size() - most_told) + " files more");
+void warn_of_missing(const std::vector<std::string>& missing) {
+    for (std::size_t i = 0; i < missing.size() && i < most_named; ++i) warn(missing[i] + " is missing from the earlier report");
+    if (missing.size() > most_named) warn("… and " + std::to_string(missing.size() - most_named) + " files more");
 }
 
 }   // namespace
@@ -189,7 +189,7 @@ ExitCode report_from_results(const ReportFlags& flags) {
     for (const std::string& remark : {note, pdf_note}) {
         if (!remark.empty()) warn(remark);
     }
-    tell_missing(missing);
+    warn_of_missing(missing);
     const ExitCode result = summarise(earlier.document);
     print_path(settings.out / "index.html");
     return result;

@@ -15,6 +15,7 @@
 #include "report/pdf/pdf_finish.h"
 #include "report/pdf/print_page.h"
 #include "report/pdf/print_pdf.h"
+#include "run/arguments.h"
 #include "run/console.h"
 #include "run/program_identity.h"
 
@@ -62,13 +63,12 @@ std::string printed_report(const report::Document& document, const report::Drawn
     const bool first_look = quick != document.provenance.settings.end() && quick->second == "yes";
     report::PrintPage page =
         report::print_page(document, figures, templates, {.extent = extent, .mathml = mathml, .page_numbers = !first_look});
-    const char* seconds = std::getenv("SOURCE_DATE_EPOCH");
     const report::PrintJob job{std::move(page.html),
                                std::move(page.files),
                                document.title,
                                document.author,
                                "meshfolio " + document.provenance.version,
-                               report::pdf_date(seconds != nullptr ? seconds : ""),
+                               report::pdf_date(environment("SOURCE_DATE_EPOCH")),
                                "results.json",
                                report::write_json(document, figures, {.timings = false})};
     const output::Temporary scratch = scratch_folder();
@@ -81,15 +81,14 @@ PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& te
     : templates_(templates), extent_(extent), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
 std::set<std::string> PaperCopy::figures(const report::Document& document) const {
-    return is_wanted() ? report::figures_told(document, extent_) : std::set<std::string>();
+    return is_wanted() ? report::figures_shown(document, extent_) : std::set<std::string>();
 }
 
 /// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
 std::string PaperCopy::key_of(const report::Document& document, const report::DrawnFigures& figures, const fs::path& folder) const {
-    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
     output::KeyMaker key;
     key.add("report.pdf").add(program_identity()).add(engine_->program.string()).add(engine_->version);
-    key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(epoch == nullptr ? "" : epoch);
+    key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(environment("SOURCE_DATE_EPOCH"));
     for (const std::string& name : templates_.names()) key.add(name).add(templates_[name]);
     key.add(report::write_json(document, figures, {.timings = false}));
     for (const std::string& id : this->figures(document)) {
@@ -107,19 +106,19 @@ void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& 
         stored_ = store->get(key_);
         if (stored_) return;
     }
-    std::vector<report::DrawnFigure*> told;
+    std::vector<report::DrawnFigure*> shown;
     for (const std::string& id : this->figures(document)) {
-        if (const auto drawn = figures.find(id); drawn != figures.end()) told.push_back(&drawn->second);
+        if (const auto drawn = figures.find(id); drawn != figures.end()) shown.push_back(&drawn->second);
     }
     const auto jpeg_of = [&](const report::DrawnFigure& figure, int quality) {
         const auto sheet = render::decode_png(read_file(folder / figure.sheet));
         return sheet ? render::encode_jpeg(*sheet, quality) : "";
     };
-    for_each_task(told.size(), [&](std::size_t i) {
-        if (told[i]->print_jpeg.empty()) told[i]->print_jpeg = jpeg_of(*told[i], output::DrawSettings().print_quality);
+    for_each_task(shown.size(), [&](std::size_t i) {
+        if (shown[i]->print_jpeg.empty()) shown[i]->print_jpeg = jpeg_of(*shown[i], output::DrawSettings().print_quality);
     });
     constexpr int lesser_quality = 72;
-    report::lighten(told, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
+    report::lighten(shown, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
 }
 
 std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,

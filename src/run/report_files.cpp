@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 #include <vector>
+
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"
 #include "output/publish/folder_system.h"

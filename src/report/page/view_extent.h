@@ -13,9 +13,9 @@ namespace meshfolio::report {
 bool is_brief(const Section& section, Extent extent);
 
 /// The blocks of the section that the page shows.
-std::set<const Block*> blocks_told(const Section& section, Extent extent);
+std::set<const Block*> blocks_shown(const Section& section, Extent extent);
 
 /// Removes the anchors of everything that the page leaves out.
-void leave_out_untold(const Document& document, Extent extent, Numbering& numbering);
+void leave_out_hidden(const Document& document, Extent extent, Numbering& numbering);
 
 }   // namespace meshfolio::report

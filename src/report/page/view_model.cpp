@@ -137,9 +137,9 @@ json section_view(const Section& section, const std::string& number, const ViewC
     };
     int headings = 0;
     json blocks = json::array();
-    const std::set<const Block*> told = blocks_told(section, context.options.extent);
+    const std::set<const Block*> shown = blocks_shown(section, context.options.extent);
     for (const Block& block : section.blocks) {
-        if (told.contains(&block)) blocks.push_back(block_view(block, number, headings, context));
+        if (shown.contains(&block)) blocks.push_back(block_view(block, number, headings, context));
     }
     json view = section_head(section, number, context.options);
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
@@ -199,13 +199,13 @@ json provenance_view(const Document& document) {
 
 /// The meshes the questions were answered on, each role once.
 json meshes_used(const Document& document) {
-    std::set<std::string> told;
+    std::set<std::string> shown;
     std::size_t stand_ins = 0;
     json list = json::array();
     for (const Section& section : document.sections) {
         if (!is_question(section.id)) continue;
         for (const Input& input : section.inputs) {
-            if (!told.insert(input.role).second) continue;
+            if (!shown.insert(input.role).second) continue;
             list.push_back(input_view(input));
             stand_ins += input.stand_in ? 1 : 0;
         }
@@ -262,7 +262,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     const std::vector<CitedWork> works = bibliography_of(templates);
     const auto formulas = formulas_of(templates);
     Numbering numbering(document, works);
-    leave_out_untold(document, options.extent, numbering);
+    leave_out_hidden(document, options.extent, numbering);
     const auto numbers = section_numbers(document);
     const ViewContext context{figures, numbering, formulas, options};
 

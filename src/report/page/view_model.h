@@ -39,7 +39,7 @@ struct ViewOptions {
 std::string print_file(const std::string& figure);
 
 /// Ids of the figures shown to this extent, the cover included.
-std::set<std::string> figures_told(const Document& document, Extent extent);
+std::set<std::string> figures_shown(const Document& document, Extent extent);
 
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula
 nlohmann::json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options);

@@ -1,7 +1,6 @@
 #include "run/settings/report_settings.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <set>
 #include <type_traits>
@@ -73,11 +72,6 @@ void take_texts(ReportSettings& settings, const char* Setting::*name_of, TextOf 
             if (!text.empty()) problems.collect([&] { take(value, setting, name, text); });
         }
     });
-}
-
-std::string environment(const std::string& name) {
-    const char* value = std::getenv(name.c_str());
-    return value != nullptr ? value : "";
 }
 
 void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& problems) {

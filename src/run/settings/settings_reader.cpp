@@ -242,6 +242,4 @@ std::vector<double> TableReader::numbers(std::string_view key, double low, doubl
                                   [&](const toml::node& node, const std::string& name) { return number_of(node, name, low, high, above); });
 }
 
-bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
-
 }   // namespace meshfolio::run

@@ -31,6 +31,7 @@ TOML_IMPL_NAMESPACE_END;
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
+#include "run/arguments.h"
 #include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
@@ -114,7 +115,5 @@ private:
     std::optional<long long> integer_of(const toml::node& node, const std::string& name, long long low, long long high) const;
     std::optional<double> number_of(const toml::node& node, const std::string& name, double low, double high, bool above) const;
 };
-
-bool contains(const std::vector<std::string>& words, const std::string& word);
 
 }   // namespace meshfolio::run

@@ -137,7 +137,7 @@ std::size_t told_of(std::vector<Block> blocks) {
     Section section;
     section.id = "truth";
     section.blocks = std::move(blocks);
-    const auto told = blocks_told(section, Extent::brief);
+    const auto told = blocks_shown(section, Extent::brief);
     for (std::size_t i = 0; i < told.size(); ++i) EXPECT_TRUE(told.contains(&section.blocks[i])) << i;
     return told.size();
 }
@@ -177,20 +177,20 @@ TEST(PrintPage, NamesThePageForWhatIsLeftOut) {
 TEST(PrintPage, WhatIsLeftOutIsNamedButNotLinked) {
     const Document document = supporting_document();
     const Section& section = document.sections[0];
-    const auto told = blocks_told(section, Extent::brief);
+    const auto told = blocks_shown(section, Extent::brief);
     EXPECT_LT(told.size(), section.blocks.size());
-    EXPECT_EQ(blocks_told(section, Extent::whole).size(), section.blocks.size());
+    EXPECT_EQ(blocks_shown(section, Extent::whole).size(), section.blocks.size());
     const auto pictures = [](const std::set<const Block*>& blocks) {
         return std::count_if(blocks.begin(), blocks.end(),
                              [](const Block* b) { return std::holds_alternative<Figure>(*b) || std::holds_alternative<Plot>(*b); });
     };
     EXPECT_EQ(pictures(told), 1);
     // A question is told whole.
-    EXPECT_EQ(blocks_told(sample_document().sections[0], Extent::brief).size(), section.blocks.size());
+    EXPECT_EQ(blocks_shown(sample_document().sections[0], Extent::brief).size(), section.blocks.size());
 }
 
 TEST(PrintPage, OnlyFiguresShownNeedAPicture) {
-    const auto brief = figures_told(supporting_document(), Extent::brief), all = figures_told(supporting_document(), Extent::whole);
+    const auto brief = figures_shown(supporting_document(), Extent::brief), all = figures_shown(supporting_document(), Extent::whole);
     EXPECT_LE(brief.size(), all.size());
     EXPECT_EQ(printed(supporting_document()).files.size(), brief.size());
     EXPECT_TRUE(std::includes(all.begin(), all.end(), brief.begin(), brief.end()));
