@@ -1,4 +1,4 @@
-#include "scene/picture_difference.h"
+#include "render/picture_difference.h"
 
 #include <gtest/gtest.h>
 
