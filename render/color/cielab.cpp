@@ -51,8 +51,6 @@ Rgba rgba_of_lab(const glm::dvec3& lab) {
     return {srgb_of(static_cast<float>(rgb.x)), srgb_of(static_cast<float>(rgb.y)), srgb_of(static_cast<float>(rgb.z)), 255};
 }
 
-double delta_e_1976(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b); }
-
 double delta_e_2000(const glm::dvec3& one, const glm::dvec3& two) {
     const double mean_chroma = (std::hypot(one.y, one.z) + std::hypot(two.y, two.z)) / 2;
     const double stretch = 1.5 - 0.5 * std::sqrt(share_of_strong(mean_chroma));   // 1 + G

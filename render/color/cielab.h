@@ -1,6 +1,6 @@
 /// @file
 /// CIELAB (CIE 1976, white D65): the space in which colour maps are drawn up, because equal steps in it look nearly equal; and how
-/// far apart two colours look in it. About 1 is just seen side by side, 2.3 in the 1976 distance (Mahy, Van Eycken, Oosterlinck 1994).
+/// far apart two colours look in it. About 1 is just seen side by side.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -14,8 +14,6 @@ glm::dvec3 lab_of(Rgba color);
 /// The nearest colour of the sRGB cube, channel by channel.
 Rgba rgba_of_lab(const glm::dvec3& lab);
 
-/// ΔE*ab of 1976: the Euclidean distance. Too large for strong colours.
-double delta_e_1976(const glm::dvec3& a, const glm::dvec3& b);
 /// CIEDE2000 (Sharma, Wu, Dalal 2005), with kL = kC = kH = 1.
 double delta_e_2000(const glm::dvec3& a, const glm::dvec3& b);
 

@@ -1,6 +1,7 @@
 /// @file
 /// Deflate (RFC 1951) for filtered pictures: bytes by Huffman code, and runs of one repeating pixel. No other matches are looked for:
 /// behind the Paeth filter a search takes three times as long and shortens a shaded surface by a few percent or not at all.
+/// Beside libdeflate because `render armadillo.obj` takes 1.5 times its processor time with that at level 1 (0.48 s instead of 0.31 s).
 #pragma once
 
 #include <cstddef>

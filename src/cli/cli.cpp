@@ -14,7 +14,7 @@
 #include "cli/commands.h"
 #include "run/console.h"
 #include "run/progress.h"
-#include "run/settings/settings_file.h"
+#include "run/settings/report_settings.h"
 
 namespace meshfolio::cli {
 

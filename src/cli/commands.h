@@ -1,11 +1,17 @@
 /// @file
-/// The subcommands, one file each (<name>_command.cpp). A new one is a function here and a line in the table of cli.cpp.
+/// The subcommands, one file each (<name>_command.cpp). A new one is a function here and a line in the table of cli.cpp. CLI11, whose
+/// headers take seconds to compile, is included by cli.cpp alone.
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "base/errors.h"
-#include "cli/options.h"
+
+namespace CLI {
+class App;
+}
 
 namespace meshfolio::run {}
 
@@ -13,8 +19,29 @@ namespace meshfolio::cli {
 
 using namespace run;   // what the commands share with `report`
 
+/// Puts what follows a command into variables of its own, which must outlive the parsing. Names are CLI11's: "MESH" is a place,
+/// "-o,--output" an option. A variable that is not empty keeps its value as the default, which the help shows.
+class CommandOptions {
+public:
+    CommandOptions(CLI::App& parent, const std::string& command, const std::string& purpose);
+
+    void text(const std::string& names, std::string& value, const std::string& help);
+    void required(const std::string& names, std::string& value, const std::string& help);
+    void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help);
+    /// A place takes all that follows, an option one word each time.
+    void texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
+    void flag(const std::string& names, bool& value, const std::string& help);
+    /// What the help ends with: an example.
+    void footer(const std::string& text);
+
+    operator CLI::App*() const { return app_; }
+
+private:
+    CLI::App* app_;
+};
+
 struct Command {
-    CLI::App* app;                   // its options; parsed() tells whether it was asked for
+    CLI::App* app;                   // its options; parsed() if it was asked for
     std::function<ExitCode()> run;   // throws an Error, or returns ok or failed
 };
 

@@ -41,7 +41,7 @@ std::string as_json(const MeshDifference& difference) {
     return json.dump(2) + "\n";
 }
 
-std::string told(const MeshDifference& difference) {
+std::string in_words(const MeshDifference& difference) {
     std::string text;
     for (const Line& line : lines_of(difference)) {
         const std::string value = std::isfinite(line.value) ? plain_text(line.value) : "undefined", key = line.key;
@@ -79,7 +79,7 @@ Command compare_command(CLI::App& parent) {
     app.footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] {
                 const MeshDifference difference = about_mesh(options->b, [&] { return difference_of(options->a, options->b); });
-                print(options->json ? as_json(difference) : told(difference));
+                print(options->json ? as_json(difference) : in_words(difference));
                 return ExitCode::ok;
             }};
 }

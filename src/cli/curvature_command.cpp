@@ -9,7 +9,6 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/curvature/jet_fit.h"
 #include "geometry/operators/laplace_operator.h"
-#include "geometry/operators/mesh_operators.h"
 #include "run/console.h"
 
 namespace meshfolio::cli {
@@ -31,12 +30,12 @@ NamedColumn operator_column(const PreparedMesh& prepared, AreaForm form, Operato
 
 std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets) {
     const auto& [mesh, topology] = std::tie(prepared.mesh, prepared.topology);
-    const MeshOperators operators = mesh_operators(mesh, topology, form);
-    const Vector& areas = operators.areas(form);
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh, form);
+    const Vector& areas = laplacian.M;
     std::vector<NamedColumn> columns{{"area", (areas.array() > 0).select(areas, std::nan(""))},
                                      {"h_uniform", uniform_mean_curvature(mesh, topology)},
-                                     {"k_gauss", operators.K},
-                                     {"h_cotan", operators.H},
+                                     {"k_gauss", gaussian_curvature(mesh, topology, areas)},
+                                     {"h_cotan", cotangent_mean_curvature(mesh, topology, laplacian)},
                                      {"h_uniform_scaled", uniform_mean_curvature_scaled(mesh, topology)}};
     if (with_jets) {
         JetCurvature jet = jet_curvature(mesh, topology);

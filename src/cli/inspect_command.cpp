@@ -68,7 +68,7 @@ std::string consequences(const MeshFacts& facts) {
 
 std::string line(const std::string& name, const std::string& value) { return name + std::string(26 - name.size(), ' ') + value + "\n"; }
 
-std::string told(const StabilityCertificate& proved) {
+std::string in_words(const StabilityCertificate& proved) {
     const Definiteness& d = proved.bottom;
     const double limit = largest_stable_step(proved.top);
     const std::string interval =
@@ -82,14 +82,14 @@ std::string told(const StabilityCertificate& proved) {
     }
     if (!d.semidefinite()) {
         return line("largest stable lambda", "at most " + plain_text(limit, 8) + ", set at vertex " + std::to_string(proved.top.vertex)) +
-               line("proved", edge + "; no step is proved stable: " + interval + ", which cannot be told from 0 here");
+               line("proved", edge + "; no step is proved stable: " + interval + ", which cannot be in_words from 0 here");
     }
     return line("largest stable lambda", plain_text(limit, 8) + " (always safe: " + plain_text(rounded_down(proved.lambda_safe(), 4), 4) +
                                              "), set at vertex " + std::to_string(proved.top.vertex)) +
            line("proved", "stable up to " + plain_text(rounded_down(proved.lambda_low(), 10), 10) + ", " + edge);
 }
 
-std::string told(const Inspection& inspection) {
+std::string in_words(const Inspection& inspection) {
     const Preflight& p = inspection.prepared.preflight;
     const auto count = [&](const std::string& name, int n) { return line(name, std::to_string(n)); };
     std::string text = facts_line(p);
@@ -112,7 +112,7 @@ std::string told(const Inspection& inspection) {
     text +=
         line("Gauss-Bonnet", "sum of deficits / 2 pi = " + plain_text(inspection.deficits_over_2pi(), 12) +
                                  (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
-    if (inspection.stability) text += told(*inspection.stability);
+    if (inspection.stability) text += in_words(*inspection.stability);
     if (inspection.floored) {
         text += line("with zero-area faces", plain_text(*inspection.floored, 8) +
                                                  " if their cotangents counted, cut off at 1e12; flip edges, or take --operator idt");
@@ -133,7 +133,7 @@ ordered_json consequences_json(const MeshFacts& facts) {
     return list;
 }
 
-/// Where −C is indefinite no step is stable: the limits are null. Where that cannot be told, none is proved.
+/// Where −C is indefinite no step is stable: the limits are null. Where that is undecided, none is proved.
 void add_stability(ordered_json& json, const std::optional<StabilityCertificate>& proved) {
     for (const char* name : {"lambda_crit", "lambda_safe", "lambda_crit_vertex", "lambda_crit_proved", "definiteness"})
         json[name] = nullptr;
@@ -219,7 +219,7 @@ Command inspect_command(CLI::App& parent) {
     return {app, [options] {
                 const OperatorKind kind = operator_named(options->laplacian);
                 const Inspection inspection = about_mesh(options->mesh, [&] { return inspection_of(options->mesh, kind); });
-                print(options->json ? as_json(inspection).dump(2) + "\n" : told(inspection));
+                print(options->json ? as_json(inspection).dump(2) + "\n" : in_words(inspection));
                 return ExitCode::ok;
             }};
 }

@@ -11,7 +11,7 @@
 #include "cli/fields.h"
 #include "draw_mesh.h"
 #include "mesh/io/polygon_list.h"
-#include "output/draw/label_view.h"
+#include "output/draw/finished_picture.h"
 #include "output/draw/surface_of.h"
 #include "output/draw/write_glb.h"
 #include "output/publish/file_group.h"
@@ -118,7 +118,7 @@ struct BareGrid {
     int columns, rows;
 };
 
-/// No PNG holds it, which had better be known before anything is drawn.
+/// No PNG can hold it. Refused before anything is drawn.
 void refuse_large_sheet(std::size_t views, const render::DrawOptions& draw) {
     const BareGrid grid(views);
     const std::int64_t pixels = std::int64_t{grid.columns} * draw.width * grid.rows * draw.height;

@@ -18,11 +18,10 @@
 #include "run/progress.h"
 #include "run/provenance.h"
 #include "run/report_files.h"
-#include "run/report_summary.h"
 #include "run/run_questions.h"
 #include "run/settings/report_settings.h"
 #include "run/stored_results.h"
-#include "submission/citations.h"
+#include "submission/source_listing.h"
 
 namespace meshfolio::cli {
 
@@ -58,8 +57,8 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
         requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
     if (cover && cover->request) requests.push_back(*cover->request);
     output::DrawSettings draw;
-    draw.width = settings.width;
-    draw.height = settings.height;
+    draw.width = settings.size.width;
+    draw.height = settings.size.height;
     draw.on_paper = on_paper;
     display.step("drawing");
     auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
@@ -72,7 +71,7 @@ ExitCode run_report(const ReportFlags& flags) {
     const ReportSettings settings = report_settings(flags);
     report::Templates templates(settings.templates);
     report::use_words_of(templates);
-    if (settings.page_template) templates.replace("report.html", *settings.page_template);
+    if (settings.page.file) templates.replace("report.html", *settings.page.file);
     PaperCopy paper(settings, templates, settings.printed);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
     const auto threads = limited_threads(settings);
@@ -98,7 +97,7 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"drawing", drawing.seconds()});
         document.timings.push_back({"up to writing", whole.seconds()});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
-        const report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.design};
+        const report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
         paper.prepare(document, figures, store.get(), folder);
         run_tasks([&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
                   [&] { pdf_note = paper.write(document, figures, store.get(), folder); },

@@ -40,12 +40,12 @@ sigset_t ending_signals() {
     return set;
 }
 
-/// Not where that would have to wait: a pipe that nobody empties must not keep the process.
+/// Does not block: a full pipe must not keep the process alive.
 void tell(std::string_view message) {
     pollfd ready{STDERR_FILENO, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1) return;
     if (::write(STDERR_FILENO, message.data(), message.size()) < 0) {
-        // There is nobody left to tell.
+        // Standard error is gone: there is nowhere to report it.
     }
 }
 
@@ -88,7 +88,7 @@ void hand_on(int signal) { pthread_kill(ending_thread, signal); }
     ::_exit(static_cast<int>(ExitCode::failed));
 }
 
-/// Some libraries crash, or throw where nobody catches, when they find no memory while they are loaded.
+/// Some libraries crash, or throw outside any handler, when memory runs out while they are loaded.
 __attribute__((no_sanitize("address", "thread", "undefined"))) void require_room_to_begin() {
     constexpr std::size_t room = std::size_t{8} << 20;   // less than any command needs
     std::set_terminate(end_before_begin);                // until prepare_process()

@@ -97,7 +97,7 @@ void warn_of_taubin(const SmoothingOptions& smoothing, const TriangleMesh& mesh)
 }
 
 /// What became of the limit of a run whose operator was rebuilt, or whose steps were cut.
-void tell_about_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
+void warn_of_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
     if (result.crossing_iteration > 0) {
         const StepStability& step = result.steps[static_cast<std::size_t>(result.crossing_iteration) - 1];
         warn("lambda mu_max = " + plain_text(step.top, 4) + " is beyond 2 in iteration " + std::to_string(result.crossing_iteration) +
@@ -125,7 +125,7 @@ ExitCode run_smooth(const SmoothFlags& options) {
              " iterations of conjugate gradients made " + "the " + std::to_string(result.iterations) + " steps instead");
     }
     write_mesh_to(options.output, moved_to(prepared.mesh, result.X));
-    tell_about_limit(smoothing, result);
+    warn_of_limit(smoothing, result);
     if (result.collapse_iteration > 0) {
         complain(options.mesh + ": nothing was left of the surface before iteration " + std::to_string(result.collapse_iteration) + "; " +
                  options.output + " has the last positions; take fewer --iterations or a smaller --lambda");

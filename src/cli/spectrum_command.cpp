@@ -50,10 +50,12 @@ struct SpectrumFlags {
 
 constexpr int largest_k = 100000;
 
-std::string told(Proof proof) { return proof == Proof::proved ? "proved" : proof == Proof::refuted ? "REFUTED" : "cannot be proved here"; }
+std::string in_words(Proof proof) {
+    return proof == Proof::proved ? "proved" : proof == Proof::refuted ? "REFUTED" : "cannot be proved here";
+}
 
 /// One line for people.
-std::string told(const SpectrumCertificate& c) {
+std::string in_words(const SpectrumCertificate& c) {
     const auto within = [](const std::string& what, double measured, double limit) {
         return what + " " + plain_text(measured, 2) + (measured <= limit ? " (at most " : " (ABOVE ") + plain_text(limit, 2) + "), ";
     };
@@ -65,7 +67,7 @@ std::string told(const SpectrumCertificate& c) {
     return "certificate: " + std::string(failed ? "FAILED: " : "") + residual +
            within("orthonormality", c.orthonormality_error, SpectrumCertificate::orthonormality_limit) +
            within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "none missing below " + plain_text(c.shift, 6) + ": " +
-           told(c.complete) + " (" + (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) +
+           in_words(c.complete) + " (" + (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) +
            " counted by inertia, " + std::to_string(c.found_below) + " found" +
            (cut > 0 ? ", " + std::to_string(cut) + " more in the last cluster, just above" : "") + "; rounding " + plain_text(c.delta, 2) +
            ", gap " + plain_text(c.gap, 2) + "); zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " +
@@ -99,7 +101,7 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
         warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) + " asked for");
     }
     const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum);
-    complain(told(certificate));
+    complain(in_words(certificate));
     output::FileGroup files;
     files.keep(options.mesh);
     if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);

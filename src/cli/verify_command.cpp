@@ -7,7 +7,6 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "output/publish/publish.h"
-#include "questions/bench/ground_truth.h"
 #include "questions/core/chapter.h"
 #include "questions/truth/parts.h"
 #include "run/arguments.h"
@@ -31,14 +30,14 @@ std::uint64_t seed_of(const VerifyFlags& options) {
 }
 
 /// "ok      name: measured 1.99, expected 2, tolerance 0.15"; of what is undecided, the reason too.
-std::string told(const report::Check& check) {
+std::string in_words(const report::Check& check) {
     const std::string line = check.name + ": " + words_of(check);
     if (check.status == report::Check::Status::undecided) return "undecided  " + line + " (" + check.note + ")\n";
     return (check.passed() ? "ok      " : "FAILED  ") + line + "\n";
 }
 
 /// The sections as a report of their own, and everything measured on curvature as tables/truth_all.csv.
-void write_report(const VerifyFlags& options, const GroundTruth& truth, const std::vector<report::Section>& sections) {
+void write_report(const VerifyFlags& options, const truth::GroundTruth& truth, const std::vector<report::Section>& sections) {
     output::Publication publication(options.out);
     report::Document document;
     document.title = "Verification: curvature against closed forms, certificates, planted faults";
@@ -58,19 +57,19 @@ report::Section certificates(const VerifyFlags& options, const Progress& progres
 }
 
 ExitCode run_verify(const VerifyFlags& options) {
-    GroundTruth truth;
+    truth::GroundTruth truth;
     std::vector<report::Section> sections;
     {
         ProgressDisplay display(stderr_is_terminal());
         const Progress progress = [&](std::string_view step) { display.step(std::string(step)); };
-        truth = ground_truth(seed_of(options), options.quick, progress);
+        truth = truth::ground_truth(seed_of(options), options.quick, progress);
         sections = {truth::ground_truth_section(truth), certificates(options, progress)};
     }
     if (!options.out.empty()) write_report(options, truth, sections);
     std::string lines;
     report::Score score;
     for (const report::Section& section : sections) {
-        for (const report::Check& check : section.checks) lines += told(check);
+        for (const report::Check& check : section.checks) lines += in_words(check);
         score += report::score_of(section.checks);
     }
     print(lines + words_of(score) + "\n");

@@ -12,8 +12,8 @@
 #include "base/parallel.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/orientation.h"
+#include "mesh/point_table.h"
 #include "mesh/prefetch.h"
-#include "mesh/repeated_points.h"
 #include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
 
@@ -80,7 +80,7 @@ public:
 
     PreparedMesh run() {
         drop_faces();
-        const Box box = bounding_box(mesh(), topology().vertex_faces);
+        const Box box = bounding_box(mesh());
         if (box.low == box.high) {
             throw InputError({prepared_.file, 0}, "all vertices coincide (the bounding box is a point)",
                              "the export may have lost the coordinates");
@@ -200,9 +200,18 @@ private:
         warn_of(counts().vertices - counts().vertices_in_use, "isolated vertex ignored", "isolated vertices ignored");
     }
 
+    /// Of the vertices in use, those with the coordinates of an earlier one.
+    int repeated_points() {
+        PointTable points(at(counts().vertices_in_use));
+        for (int v = 0; v < mesh().vertex_count(); ++v) {
+            if (topology().vertex_faces.size(v) > 0) points.number_of({mesh().X(v, 0), mesh().X(v, 1), mesh().X(v, 2)});
+        }
+        return counts().vertices_in_use - static_cast<int>(points.points().size());
+    }
+
     void measure() {
         Preflight& p = counts();
-        p.duplicated_positions = count_repeated_points(mesh(), topology().vertex_faces);
+        p.duplicated_positions = repeated_points();
         p.euler_characteristic = p.vertices_in_use - p.edges + p.triangles;
         const int handles = 2 - p.euler_characteristic - p.boundary_loops;
         if (p.components == 1 && p.manifold() && p.orientable) p.genus = handles / 2;

@@ -29,6 +29,7 @@ public:
 
     const std::vector<std::array<double, 3>>& points() const { return points_; }
 
+private:
     /// Multiplies and folds the bits of each coordinate (finaliser of MurmurHash3).
     static std::size_t hash(const std::array<double, 3>& point) {
         std::uint64_t h = 0;
@@ -41,7 +42,6 @@ public:
         return h;
     }
 
-private:
     std::vector<int> slots_;
     std::vector<std::array<double, 3>> points_;
 };

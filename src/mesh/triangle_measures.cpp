@@ -41,45 +41,32 @@ void include(const Vector3& x, Box& box) {
     box.high = box.high.cwiseMax(x);
 }
 
-/// Box of all that add(i, box) includes for i below n.
-template <class Add>
-Box box_of(int n, Add add) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
-    const auto boxes = of_blocks(n, [&](int begin, int end) {
-        Box box = nothing;
-        for (int i = begin; i < end; ++i) add(i, box);
-        return box;
-    });
-    Box box = nothing;
-    for (const auto& block : boxes) {
-        box.low = box.low.cwiseMin(block.value.low);
-        box.high = box.high.cwiseMax(block.value.high);
-    }
-    return box;
-}
-
 }   // namespace
 
 Box bounding_box(const TriangleMesh& mesh) {
     if (mesh.vertex_count() == 0) return {Vector3::Zero(), Vector3::Zero()};
     if (mesh.face_count() == 0) return {mesh.X.colwise().minCoeff(), mesh.X.colwise().maxCoeff()};
-    return box_of(mesh.face_count(), [&](int t, Box& box) {
-        for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), box);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
+    const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
+        Box box = nothing;
+        for (int t = begin; t < end; ++t) {
+            for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), box);
+        }
+        return box;
     });
-}
-
-Box bounding_box(const TriangleMesh& mesh, const Incidence& vertex_faces) {
-    if (mesh.face_count() == 0) return bounding_box(mesh);
-    return box_of(mesh.vertex_count(), [&](int v, Box& box) {
-        if (vertex_faces.size(v) > 0) include(mesh.X.row(v), box);
-    });
+    Box box = nothing;
+    for (const auto& block : boxes) {
+        include(block.value.low, box);
+        include(block.value.high, box);
+    }
+    return box;
 }
 
 CornerValues edge_lengths(const TriangleMesh& mesh) {
     CornerValues l(mesh.face_count(), 3);
     for (int t = 0; t < mesh.face_count(); ++t) {
-        for (int k = 0; k < 3; ++k) l(t, k) = (corner(mesh, t, k + 2) - corner(mesh, t, k + 1)).norm();
+        for (int k = 0; k < 3; ++k) l(t, k) = (corner(mesh, t, k + 2) - corner(mesh, t, k + 1)).stableNorm();
     }
     return l;
 }

@@ -18,8 +18,6 @@ struct Box {
 
 /// Smallest axis-aligned box of the vertices that triangles use (of all vertices when there are no triangles).
 Box bounding_box(const TriangleMesh& mesh);
-/// The same where the triangles around each vertex are known.
-Box bounding_box(const TriangleMesh& mesh, const Incidence& vertex_faces);
 
 /// m × 3 lengths; entry (t, k) is the edge opposite corner k. [length]
 CornerValues edge_lengths(const TriangleMesh& mesh);

@@ -2,8 +2,6 @@
 /// The triangles around a vertex as it sees them: whether they form one fan, and which vertices lie around.
 #pragma once
 
-#include <array>
-#include <span>
 #include <vector>
 
 #include "mesh/disjoint_sets.h"
@@ -12,23 +10,18 @@
 namespace meshfolio {
 
 struct FanFacts {
-    int ring_size = 0;            // distinct neighbours
-    int smallest_neighbour = 0;   // v itself where none is smaller
-    bool on_boundary = false;     // an edge at v has one triangle
-    bool nonmanifold = false;     // an edge at v has more than two, or the triangles form more than one fan
-    bool regular = true;          // one fan (or none) of different triangles that all run round v the same way
+    bool on_boundary = false;   // an edge at v has one triangle
+    bool nonmanifold = false;   // an edge at v has more than two, or the triangles form more than one fan
+    bool regular = true;        // one fan (or none) of different triangles that all run round v the same way
 };
 
 /// Looks at the vertices of a mesh, one after the other. Nearly all are umbrellas: up to eight triangles that form one closed fan and
-/// run the same way. These are recognised by comparing all with all, without a branch or a sort; the others go the long way.
+/// run the same way. These are recognised by going round once; the others go the long way.
 class FanReader {
 public:
     FanReader(const TriangleMesh& mesh, const Incidence& vertex_faces) : mesh_(mesh), vertex_faces_(vertex_faces) {}
 
     FanFacts facts(int v);
-
-    /// The one-ring, ascending; valid until the next call. `interior`: v is regular and not on the boundary.
-    std::span<const int> ring(int v, bool interior);
 
 private:
     /// From v along one of the edges of a triangle: `out` where the triangle runs through it away from v.
@@ -44,9 +37,8 @@ private:
     const TriangleMesh& mesh_;
     const Incidence& vertex_faces_;
     std::vector<Spoke> spokes_;   // sorted by `other`
-    std::vector<int> ring_;
-    std::array<int, 9> sorted_{};
-    DisjointSets fans_;
+    std::vector<int> ring_;       // distinct neighbours, ascending
+    DisjointSets fans_{0};
 };
 
 }   // namespace meshfolio

@@ -8,7 +8,7 @@ namespace meshfolio::report {
 
 namespace {
 
-/// What `read` makes of a JSON template; a wrong shape is told as the user's error, for only a replaced file can have it.
+/// What `read` makes of a JSON template. A wrong shape is a usage error: only a replaced file can have it.
 template <class Read>
 auto read_json(const Templates& templates, const std::string& name, Read read) {
     try {

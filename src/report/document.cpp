@@ -16,6 +16,12 @@ std::string number_or_dash(double x, int digits = 6) { return std::isnan(x) ? "â
 
 }   // namespace
 
+std::string plain(const Text& text) {
+    std::string joined;
+    for (const Run& run : text) joined += run.content;
+    return joined;
+}
+
 std::string words_of(const Check& check) {
     const std::string relation = check.kind == Check::Kind::at_most ? "at most " : check.kind == Check::Kind::at_least ? "at least " : "";
     return "measured " + number_or_dash(check.measured) + ", expected " + (std::isnan(check.expected) ? "" : relation) +

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "report/document.h"
-#include "report/page/page_viewer.h"
 
 namespace meshfolio::report {
+
+/// The script bundled from templates/viewer; empty when the program was built without it.
+std::string_view viewer_program();
 
 /// Templates by file name ("report.html"): those compiled in, each replaced by the file of that name in a folder when it is there.
 class Templates {
@@ -45,6 +47,9 @@ std::string write_html(const Document& document, const DrawnFigures& figures, co
 std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates,
                            const WriteOptions& options = {});
 std::string write_json(const Document& document, const DrawnFigures& figures, const WriteOptions& options = {});
+
+/// The JSON schema (draft 7) of results.json, made from the descriptions that write and read it (json/json_fields.h).
+const std::string& results_schema();
 
 /// RFC 4180, LF line ends, header `name [unit]`, numbers exact, undefined cells empty.
 std::string write_csv(const Table& table);

@@ -1,6 +1,7 @@
 #include "run/arguments.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
@@ -15,6 +16,13 @@ namespace {
 }
 
 }   // namespace
+
+bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
+
+std::string environment(const std::string& name) {
+    const char* value = std::getenv(name.c_str());
+    return value != nullptr ? value : "";
+}
 
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;

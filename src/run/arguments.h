@@ -8,6 +8,11 @@
 
 namespace meshfolio::run {
 
+bool contains(const std::vector<std::string>& words, const std::string& word);
+
+/// A variable of the environment; empty where it is not set.
+std::string environment(const std::string& name);
+
 /// The parts between separators, empty ones too; none of an empty text.
 std::vector<std::string> split(std::string_view text, char separator);
 

@@ -1,7 +1,5 @@
 #include "run/cache_folder.h"
 
-#include <cstdlib>
-
 #include "base/errors.h"
 #include "run/arguments.h"
 #include "run/console.h"
@@ -16,8 +14,8 @@ constexpr std::uintmax_t default_limit = 2048 * megabyte;   // some ten full rep
 }   // namespace
 
 std::uintmax_t cache_limit() {
-    const char* given = std::getenv("MESHFOLIO_CACHE_LIMIT");
-    if (given == nullptr || *given == '\0') return default_limit;
+    const std::string given = environment("MESHFOLIO_CACHE_LIMIT");
+    if (given.empty()) return default_limit;
     return static_cast<std::uintmax_t>(integer_between("MESHFOLIO_CACHE_LIMIT", given, 1, 1000000)) * megabyte;
 }
 

@@ -36,7 +36,7 @@ void complain(const std::string& message) {
     try {
         write_all(STDERR_FILENO, "meshfolio: " + printable(message) + "\n", "standard error");
     } catch (const OutputError&) {
-        // There is nobody left to tell.
+        // Standard error is gone: there is nowhere to report it.
     }
 }
 

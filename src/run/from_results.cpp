@@ -7,7 +7,7 @@
 #include "base/parallel_tasks.h"
 #include "base/sha256.h"
 #include "output/draw/draw_figures.h"
-#include "output/draw/preview.h"
+#include "output/draw/finished_picture.h"
 #include "output/publish/file_sums.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
@@ -17,7 +17,6 @@
 #include "run/console.h"
 #include "run/paper_copy.h"
 #include "run/report_files.h"
-#include "run/report_summary.h"
 #include "run/stored_results.h"
 
 namespace meshfolio::run {
@@ -28,7 +27,7 @@ namespace {
 
 constexpr std::uintmax_t largest_results = std::uintmax_t{256} << 20;
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;
-constexpr std::size_t most_told = 8;
+constexpr std::size_t most_named = 8;
 
 /// What is taken over as it is; the rest is written anew.
 bool is_taken_over(const std::string& file) {
@@ -142,16 +141,23 @@ void refuse_computing_options(const ReportFlags& flags) {
 }
 
 /// What a settings file says of the report itself; the rest of it has no use here.
-void take_words(const SettingsFile& file, report::Document& document, report::Templates& templates) {
-    document.title = file.title.value_or(document.title);
-    document.author = file.author.value_or(document.author);
-    document.course = file.course.value_or(document.course);
-    if (file.page_template) templates.replace("report.html", *file.page_template);
+ReportSettings words_of_file(const std::string& config, report::Document& document, report::Templates& templates) {
+    ReportSettings words;
+    if (config.empty()) return words;
+    words.title = document.title;
+    words.author = document.author;
+    words.course = document.course;
+    words = read_settings(config, words);
+    document.title = words.title;
+    document.author = words.author;
+    document.course = words.course;
+    if (words.page.file) templates.replace("report.html", *words.page.file);
+    return words;
 }
 
-void tell_missing(const std::vector<std::string>& missing) {
-    for (std::size_t i = 0; i < missing.size() && i < most_told; ++i) warn(missing[i] + " is missing from the earlier report");
-    if (missing.size() > most_told) warn("… and " + std::to_string(missing.size() - most_told) + " files more");
+void warn_of_missing(const std::vector<std::string>& missing) {
+    for (std::size_t i = 0; i < missing.size() && i < most_named; ++i) warn(missing[i] + " is missing from the earlier report");
+    if (missing.size() > most_named) warn("… and " + std::to_string(missing.size() - most_named) + " files more");
 }
 
 }   // namespace
@@ -163,22 +169,15 @@ ExitCode report_from_results(const ReportFlags& flags) {
     const fs::path source = flags.from, folder = source.has_parent_path() ? source.parent_path() : fs::path(".");
     report::ReadReport earlier = report::read_json(read_file(source, largest_results), source.string());
     report::Templates templates(settings.templates);
-    std::string design = "report";
-    report::Extent printed = report::Extent::brief;
-    if (!flags.config.empty()) {
-        const SettingsFile file = named_settings(flags.config);
-        take_words(file, earlier.document, templates);
-        design = file.design.value_or(design);
-        printed = file.printed.value_or(printed);
-    }
-    PaperCopy paper(settings, templates, printed);
+    const ReportSettings words = words_of_file(flags.config, earlier.document, templates);
+    PaperCopy paper(settings, templates, words.printed);
     const auto store = flags.no_cache ? nullptr : cache_for_report();
     const EarlierFiles files(folder);
     output::Publication publication(settings.out);
     output::Publication::Digests digests;
     const std::vector<std::string> missing = files.copy_to(publication.folder(), digests);
     restore_all(files, earlier.figures);
-    const report::WriteOptions options{.timings = earlier.timings && !flags.no_timings, .plot_files = true, .design = design};
+    const report::WriteOptions options{.timings = earlier.timings && !flags.no_timings, .plot_files = true, .design = words.page.design};
     try {
         write_report_files(earlier.document, earlier.figures, templates, options, {}, {}, publication.folder());
     } catch (const std::logic_error& error) {   // a text refers to what is not there
@@ -187,10 +186,10 @@ ExitCode report_from_results(const ReportFlags& flags) {
     paper.prepare(earlier.document, earlier.figures, store.get(), publication.folder());
     const std::string pdf_note = paper.write(earlier.document, earlier.figures, store.get(), publication.folder());
     const std::string note = publication.publish(digests);
-    for (const std::string& words : {note, pdf_note}) {
-        if (!words.empty()) warn(words);
+    for (const std::string& remark : {note, pdf_note}) {
+        if (!remark.empty()) warn(remark);
     }
-    tell_missing(missing);
+    warn_of_missing(missing);
     const ExitCode result = summarise(earlier.document);
     print_path(settings.out / "index.html");
     return result;

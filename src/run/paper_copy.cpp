@@ -1,6 +1,8 @@
 #include "run/paper_copy.h"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include "base/errors.h"
@@ -8,28 +10,85 @@
 #include "base/parallel_tasks.h"
 #include "base/sha256.h"
 #include "output/draw/draw_figures.h"
+#include "output/publish/temporaries.h"
 #include "png/png.h"
+#include "report/pdf/pdf_finish.h"
 #include "report/pdf/print_page.h"
-#include "run/print_report.h"
+#include "report/pdf/print_pdf.h"
+#include "run/arguments.h"
+#include "run/console.h"
 #include "run/program_identity.h"
 
 namespace meshfolio::run {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Short, because sockets that browsers make in it have paths of at most 107 bytes.
+output::Temporary scratch_folder() {
+    std::error_code error;
+    const fs::path place = fs::temp_directory_path(error);
+    const std::string stem = "meshfolio-print-";
+    output::sweep_scratch_leftovers(error ? "/tmp" : place, stem);
+    std::string name = ((error ? fs::path("/tmp") : place) / (stem + output::process_number() + "-XXXXXX")).string();
+    const auto permission = output::permission_to_create();
+    if (::mkdtemp(name.data()) == nullptr)
+        throw OutputError(name, std::string("cannot be made (") + std::strerror(errno) + ")", "set TMPDIR");
+    return output::Temporary(name);
+}
+
+/// The engine that --pdf asks for; with `auto`, when there is none, says so in a warning.
+/// @throws EngineError when one is required and none is there
+std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings) {
+    if (settings.pdf == "off") return {};
+    report::EngineFinding finding = report::find_pdf_engine(report::engine_search(settings.pdf_browser));
+    std::string refused;
+    for (const std::string& one : finding.refused) refused += (refused.empty() ? " (" : "; ") + one;
+    if (!refused.empty()) refused += ")";
+    const std::string remedy = "install chromium-headless-shell, or name a browser with --pdf-browser";
+    if (!finding.engine && settings.pdf == "require") throw EngineError("there is no PDF engine" + refused, remedy);
+    if (!finding.engine) warn("there is no PDF engine" + refused + ", and so no report.pdf; " + remedy);
+    return finding.engine;
+}
+
+/// The bytes of report.pdf. Nothing in them depends on the time or the place.
+/// @throws EngineError if the engine does not deliver
+std::string printed_report(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                           report::Extent extent, const report::PdfEngine& engine) {
+    const bool mathml = engine.kind == report::PdfEngine::Kind::chromium;
+    // A first look does without page numbers in the contents, and comes a third sooner. Read from the document, so that a report rendered
+    // again is printed as it was.
+    const auto quick = document.provenance.settings.find("quick");
+    const bool first_look = quick != document.provenance.settings.end() && quick->second == "yes";
+    report::PrintPage page =
+        report::print_page(document, figures, templates, {.extent = extent, .mathml = mathml, .page_numbers = !first_look});
+    const report::PrintJob job{std::move(page.html),
+                               std::move(page.files),
+                               document.title,
+                               document.author,
+                               "meshfolio " + document.provenance.version,
+                               report::pdf_date(environment("SOURCE_DATE_EPOCH")),
+                               "results.json",
+                               report::write_json(document, figures, {.timings = false})};
+    const output::Temporary scratch = scratch_folder();
+    return report::print_pdf(job, engine, scratch.path());
+}
+
+}   // namespace
+
 PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates, report::Extent extent)
     : templates_(templates), extent_(extent), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
 std::set<std::string> PaperCopy::figures(const report::Document& document) const {
-    return is_wanted() ? report::figures_told(document, extent_) : std::set<std::string>();
+    return is_wanted() ? report::figures_shown(document, extent_) : std::set<std::string>();
 }
 
 /// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
 std::string PaperCopy::key_of(const report::Document& document, const report::DrawnFigures& figures, const fs::path& folder) const {
-    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
     output::KeyMaker key;
     key.add("report.pdf").add(program_identity()).add(engine_->program.string()).add(engine_->version);
-    key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(epoch == nullptr ? "" : epoch);
+    key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(environment("SOURCE_DATE_EPOCH"));
     for (const std::string& name : templates_.names()) key.add(name).add(templates_[name]);
     key.add(report::write_json(document, figures, {.timings = false}));
     for (const std::string& id : this->figures(document)) {
@@ -47,19 +106,19 @@ void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& 
         stored_ = store->get(key_);
         if (stored_) return;
     }
-    std::vector<report::DrawnFigure*> told;
+    std::vector<report::DrawnFigure*> shown;
     for (const std::string& id : this->figures(document)) {
-        if (const auto drawn = figures.find(id); drawn != figures.end()) told.push_back(&drawn->second);
+        if (const auto drawn = figures.find(id); drawn != figures.end()) shown.push_back(&drawn->second);
     }
     const auto jpeg_of = [&](const report::DrawnFigure& figure, int quality) {
         const auto sheet = render::decode_png(read_file(folder / figure.sheet));
         return sheet ? render::encode_jpeg(*sheet, quality) : "";
     };
-    for_each_task(told.size(), [&](std::size_t i) {
-        if (told[i]->print_jpeg.empty()) told[i]->print_jpeg = jpeg_of(*told[i], output::DrawSettings().print_quality);
+    for_each_task(shown.size(), [&](std::size_t i) {
+        if (shown[i]->print_jpeg.empty()) shown[i]->print_jpeg = jpeg_of(*shown[i], output::DrawSettings().print_quality);
     });
     constexpr int lesser_quality = 72;
-    report::lighten(told, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
+    report::lighten(shown, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
 }
 
 std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,

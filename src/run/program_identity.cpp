@@ -3,7 +3,6 @@
 #include <link.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "base/file_bytes.h"
 #include "base/sha256.h"
 #include "output/cache/result_cache.h"
+#include "run/arguments.h"
 
 namespace meshfolio::run {
 
@@ -27,7 +27,7 @@ int add_library(dl_phdr_info* info, std::size_t, void* key) {
     return 0;
 }
 
-/// The first line of each kind that tells processors apart.
+/// The first line of each kind that identifies the processor.
 void add_processor(output::KeyMaker& key) {
     std::ifstream file("/proc/cpuinfo");
     std::set<std::string> seen;
@@ -44,10 +44,7 @@ std::string made() try {
     key.add(sha256_of_file("/proc/self/exe"));
     ::dl_iterate_phdr(add_library, &key);
     add_processor(key);
-    for (const char* name : {"OPENBLAS_CORETYPE", "GLIBC_TUNABLES", "LD_PRELOAD"}) {
-        const char* value = std::getenv(name);
-        key.add(value != nullptr ? value : "");
-    }
+    for (const char* name : {"OPENBLAS_CORETYPE", "GLIBC_TUNABLES", "LD_PRELOAD"}) key.add(environment(name));
     return key.key();
 } catch (const InputError&) {
     return "";

@@ -8,7 +8,6 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "base/number_text.h"
 #include "output/publish/folder_system.h"
 #include "report/json/json_reader.h"
 #include "report/json/read_json.h"
@@ -25,28 +24,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* form = "meshfolio answer 1";   // of what is stored: another form, another key
-
-template <class Number>
-void add_all(output::KeyMaker& key, const std::vector<Number>& values) {
-    key.add(std::to_string(values.size()));
-    for (const Number value : values) key.add(exact_text(static_cast<double>(value)));
-}
-
-void add_texts(output::KeyMaker& key, const std::vector<std::string>& texts) {
-    key.add(std::to_string(texts.size()));
-    for (const std::string& text : texts) key.add(text);
-}
-
-/// All that question_settings() hands to a question. Experiments of the bundled files are part of the program.
-void add_settings(output::KeyMaker& key, const QuestionSettings& settings, const std::string& own_experiments) {
-    add_texts(key, settings.meshes);
-    add_all(key, settings.k);
-    add_all(key, settings.lambda);
-    add_all(key, settings.iterations);
-    add_all(key, settings.noise);
-    key.add(std::to_string(settings.seed)).add(settings.quick ? "quick" : "full").add(settings.laboratory ? "laboratory" : "");
-    key.add(settings.colormap).add(settings.own_experiments ? own_experiments : "");
-}
 
 json json_of(const std::vector<MeshLookup>& lookups) {
     json list = json::array();
@@ -140,13 +117,7 @@ QuestionCache::QuestionCache(output::ResultCache& store, const ReportSettings& s
 std::string QuestionCache::question_key(const std::string& question) const {
     output::KeyMaker key;
     key.add(form).add(program_identity()).add(report::words_identity()).add(question);
-    add_settings(key, question_settings(settings_, question), settings_.experiments_digest);
-    key.add(std::to_string(settings_.width)).add(std::to_string(settings_.height));
-    std::vector<std::string> own;
-    for (const fs::path& mesh : settings_.meshes) own.push_back(mesh.string());
-    add_texts(key, own);   // they take every role; what is in them, the lookups tell
-    const auto table = settings_.questions.find(question);
-    key.add(table != settings_.questions.end() ? table->second.output.value_or("") : "");
+    for (const std::string& word : identity_of(settings_, question)) key.add(word);
     return key.key();
 }
 
@@ -163,7 +134,7 @@ std::string QuestionCache::answer_key(const std::string& question, const std::ve
 std::optional<StoredAnswer> QuestionCache::find(const std::string& question) const try {
     const auto lookups = store_.get(question_key(question));
     return lookups ? read(answer_key(question, lookups_of(json::parse(*lookups)))) : std::nullopt;
-} catch (const json::exception&) {   // a form of another time
+} catch (const json::exception&) {   // written by another version
     return {};
 }
 

@@ -1,3 +1,5 @@
+/// @file
+/// A report as files, and what it did not achieve in a few lines for the terminal.
 #pragma once
 
 #include <filesystem>
@@ -5,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/errors.h"
 #include "questions/core/chapter.h"
+#include "report/document.h"
 #include "report/writers.h"
 
 namespace meshfolio::run {
@@ -16,5 +20,9 @@ namespace meshfolio::run {
 void write_report_files(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
                         const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
                         const std::filesystem::path& folder);
+
+/// Warnings, failures, failed checks and the number of undecided ones, on stderr.
+/// @return failed when a section or a check has failed; what is undecided is no failure
+ExitCode summarise(const report::Document& document);
 
 }   // namespace meshfolio::run

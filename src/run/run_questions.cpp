@@ -2,17 +2,16 @@
 
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <new>
 #include <stdexcept>
 
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
-#include "output/publish/safe_name.h"
+#include "output/publish/folder_system.h"
 #include "questions/core/section_tools.h"
+#include "run/arguments.h"
 
 namespace meshfolio::run {
 
@@ -20,11 +19,6 @@ namespace {
 
 /// Thrown through a question that --fail-fast stops.
 struct Stopped {};
-
-bool is_listed(const std::string& list, std::string_view id) {
-    const std::string padded = "," + list + ",";
-    return padded.find("," + std::string(id) + ",") != std::string::npos;
-}
 
 /// Names become files: they begin with the question, so that no two questions write the same one.
 void require_own_names(const Answer& answer) {
@@ -63,9 +57,8 @@ public:
         : meshes_(meshes), settings_(settings), cache_(cache), display_(display) {}
 
     QuestionResult result(const Chapter& question) {
-        const bool asked =
-            settings_.only.empty() || std::find(settings_.only.begin(), settings_.only.end(), question.id) != settings_.only.end();
-        if (!asked) return {skipped(question.id, "not asked for"), {}, {}};
+        if (!settings_.only.empty() && !contains(settings_.only, std::string(question.id)))
+            return {skipped(question.id, "not asked for"), {}, {}};
         const auto began = std::chrono::steady_clock::now();
         QuestionResult result;
         if (cache_ != nullptr) result.stored = cache_->find(std::string(question.id));
@@ -78,7 +71,7 @@ public:
         }
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
         result.answer.section.timings.push_back({result.stored ? "taken from the cache" : "whole question", took.count()});
-        tell(result, took.count());
+        announce(result, took.count());
         return result;
     }
 
@@ -97,13 +90,13 @@ private:
             display_.step(std::string(question.id) + ": " + std::string(step));
         };
         progress("begins");
-        const char* fail = std::getenv("MESHFOLIO_FAIL");
-        if (fail != nullptr && is_listed(fail, question.id)) throw std::runtime_error("made to fail by MESHFOLIO_FAIL");
+        if (contains(split(environment("MESHFOLIO_FAIL"), ','), std::string(question.id)))
+            throw std::runtime_error("made to fail by MESHFOLIO_FAIL");
         Answer answer = on_its_threads(
             question, [&] { return question.answer(meshes, question_settings(settings_, std::string(question.id)), progress); });
         require_own_names(answer);
         place_meshes(answer);
-        tell_unusable(answer, meshes);
+        report_unusable(answer, meshes);
         return answer;
     } catch (const Stopped&) {
         return skipped(question.id, "stopped, because another question had failed");
@@ -127,7 +120,7 @@ private:
     }
 
     /// A bad mesh among good ones is a failed check of every section that the good ones have answered.
-    static void tell_unusable(Answer& answer, const MeshLibrary& meshes) {
+    static void report_unusable(Answer& answer, const MeshLibrary& meshes) {
         if (answer.section.inputs.empty()) return;
         for (const std::string& reason : meshes.unusable_own_meshes()) answer.section.checks.push_back(unusable_mesh_check(reason));
     }
@@ -141,7 +134,7 @@ private:
         }
     }
 
-    void tell(const QuestionResult& result, double seconds) {
+    void announce(const QuestionResult& result, double seconds) {
         const report::Section& section = result.section();
         const bool ok = section.status == report::Status::ok;
         display_.milestone(section.id + (result.stored                              ? ": from the cache"

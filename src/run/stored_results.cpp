@@ -1,9 +1,8 @@
 #include "run/stored_results.h"
 
-#include <cstdlib>
-
 #include "base/errors.h"
 #include "questions/core/section_tools.h"
+#include "run/arguments.h"
 #include "run/cache_folder.h"
 #include "run/console.h"
 #include "run/program_identity.h"
@@ -26,9 +25,7 @@ report::DrawnFigures figures_of(const Answer& answer, const report::DrawnFigures
 }   // namespace
 
 std::unique_ptr<output::ResultCache> cache_for_report() {
-    const char* fail = std::getenv("MESHFOLIO_FAIL");
-    const bool made_to_fail = fail != nullptr && *fail != '\0';
-    return made_to_fail || program_identity().empty() ? nullptr : usable_cache();
+    return !environment("MESHFOLIO_FAIL").empty() || program_identity().empty() ? nullptr : usable_cache();
 }
 
 std::vector<const Answer*> answers_of(const std::vector<QuestionResult>& results) {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
-#include "submission/submission_error.h"
+#include "submission/report_folder.h"
 
 namespace meshfolio::submission {
 

@@ -1,5 +1,5 @@
 /// @file
-/// Whether a report may be handed in, and what of results.json a submission tells.
+/// Whether a report may be handed in, and what a submission states from results.json.
 #pragma once
 
 #include <string>

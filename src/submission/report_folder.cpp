@@ -7,7 +7,6 @@
 #include "base/sha256.h"
 #include "output/publish/file_sums.h"
 #include "output/publish/publish.h"
-#include "submission/submission_error.h"
 #include "submission/suspicious_file.h"
 
 namespace meshfolio::submission {
@@ -20,7 +19,7 @@ namespace {
     throw InputError({file.string(), line}, problem, remedy);
 }
 
-/// Neither kept by SHA256SUMS nor part of the report: the sums themselves, and what git is told.
+/// Neither listed in SHA256SUMS nor part of the report: the sums themselves and .gitignore.
 bool is_apart(const std::string& path) { return path == output::sums_file || path == ".gitignore"; }
 
 void require_harmless(const fs::path& file, const std::string& path, const fs::file_status& status) {

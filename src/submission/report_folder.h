@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "base/errors.h"
+
 namespace meshfolio::submission {
 
 struct ReportFolder {
@@ -16,5 +18,14 @@ struct ReportFolder {
 /// @throws InputError if there is no report of ours, a file is not what SHA256SUMS says, or something is among them that has no place in
 /// a report: a program, a link, a build folder
 ReportFolder read_report(const std::filesystem::path& folder);
+
+inline constexpr const char* renew = "make the report again with meshfolio report";
+
+/// A report that is not fit to be handed in: a question or a citation is missing.
+class SubmissionError : public Error {
+public:
+    explicit SubmissionError(const std::string& file, const std::string& problem, const std::string& remedy)
+        : Error(ExitCode::failed, {file, 0}, problem, remedy) {}
+};
 
 }   // namespace meshfolio::submission

@@ -7,9 +7,20 @@
 #include <vector>
 
 #include "report/document.h"
-#include "submission/source_tree.h"
 
 namespace meshfolio::submission {
+
+struct SourceFile {
+    std::string path;         // "src/main.cpp"
+    std::string_view bytes;   // compiled in
+};
+
+/// All of them, sorted by path: what git holds, meshes and pictures too.
+std::vector<SourceFile> source_tree();
+
+/// The words of `build_packages` in tests/setup.sh: the Debian packages that building takes.
+/// @throws std::logic_error if `setup_script` has no such list
+std::vector<std::string> build_packages(std::string_view setup_script);
 
 /// A section of the report and the code it cites, for the index.
 struct CitingSection {
@@ -47,5 +58,9 @@ private:
 
     std::vector<std::string> head(const std::string& title) const;
 };
+
+/// Enters the line of every cited function and class. One that is not found keeps line 0 and becomes a warning of its section.
+/// @return  those that are not found, as sentences
+std::vector<std::string> cite(report::Document& document, const SourceListing& listing);
 
 }   // namespace meshfolio::submission

@@ -1,22 +1,125 @@
 #include "submission/submission.h"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
-#include "submission/instructions.h"
-#include "submission/source_tree.h"
+#include "report/escape.h"
+#include "report/page/template_render.h"
+#include "report/writers.h"
+#include "submission/readiness.h"
+#include "submission/source_listing.h"
 #include "submission/suspicious_file.h"
-#include "submission/zip_archive.h"
 
 namespace meshfolio::submission {
 
 namespace {
+
+struct ZipEntry {
+    std::string path;
+    std::string_view bytes;
+    bool executable = false;   // mode 0755; else 0644
+};
+
+using Writer = std::unique_ptr<archive, decltype(&archive_write_free)>;
+using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
+
+/// @throws OutputError with libarchive's reason
+void require(int code, archive* writer) {
+    if (code != ARCHIVE_OK) {
+        const char* reason = archive_error_string(writer);
+        throw OutputError("submission.zip", std::string("cannot be packed (") + (reason ? reason : "libarchive failed") + ")");
+    }
+}
+
+la_ssize_t append(archive*, void* zip, const void* bytes, std::size_t count) {
+    static_cast<std::string*>(zip)->append(static_cast<const char*>(bytes), count);
+    return static_cast<la_ssize_t>(count);
+}
+
+void add(archive* writer, const ZipEntry& file) {
+    // No time: libarchive would write the local one beside it, which differs with the time zone.
+    const Entry entry(archive_entry_new(), &archive_entry_free);
+    archive_entry_set_pathname(entry.get(), file.path.c_str());
+    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(file.bytes.size()));
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), file.executable ? 0755 : 0644);
+    archive_entry_set_uid(entry.get(), 0);
+    archive_entry_set_gid(entry.get(), 0);
+    require(archive_write_header(writer, entry.get()), writer);
+    const la_ssize_t written = archive_write_data(writer, file.bytes.data(), file.bytes.size());
+    require(written == static_cast<la_ssize_t>(file.bytes.size()) ? ARCHIVE_OK : ARCHIVE_FATAL, writer);
+}
+
+/// The archive, in the order of the entries, deflated, without owners and times (readers show 1 January 1980): its bytes depend on nothing
+/// but its entries.
+/// @throws OutputError if libarchive cannot
+std::string zip_of(const std::vector<ZipEntry>& entries) {
+    std::string zip;
+    const Writer writer(archive_write_new(), &archive_write_free);
+    archive* const w = writer.get();
+    require(archive_write_set_format_zip(w), w);
+    require(archive_write_set_options(w, "zip:compression=deflate,zip:compression-level=9"), w);
+    require(archive_write_set_bytes_in_last_block(w, 1), w);   // no padding
+    require(archive_write_open(w, &zip, nullptr, append, nullptr), w);
+    for (const ZipEntry& entry : entries) add(w, entry);
+    require(archive_write_close(w), w);
+    return zip;
+}
+
+using nlohmann::json;
+
+std::string words_of(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+    return line;
+}
+
+std::string packages_of(const std::vector<SourceFile>& tree) {
+    const auto setup = std::find_if(tree.begin(), tree.end(), [](const SourceFile& f) { return f.path == "tests/setup.sh"; });
+    return words_of(build_packages(setup == tree.end() ? std::string_view() : setup->bytes));
+}
+
+json citations_view(const SourceListing& listing) {
+    json list = json::array();
+    for (const CitingSection& section : listing.index()) {
+        for (const report::CodeReference& code : section.code) {
+            list.push_back(
+                {{"section", section.label}, {"line", std::to_string(code.line)}, {"function", code.function}, {"file", code.file}});
+        }
+    }
+    return list;
+}
+
+/// INSTRUCTIONS.md from templates/instructions.md: what the archive holds, how to build and run it, where each question is.
+std::string instructions(const ReportFacts& facts, const SourceListing& listing, const std::vector<SourceFile>& tree,
+                         const SubmissionOptions& options) {
+    const json model = {{"title", report::safe_text(facts.title)},
+                        {"author", report::safe_text(facts.author)},
+                        {"course", report::safe_text(facts.course)},
+                        {"has_course", !facts.course.empty()},
+                        {"version", facts.version},
+                        {"commit", facts.commit},
+                        {"has_commit", !facts.commit.empty() && facts.commit != "unknown"},
+                        {"has_pdf", options.pdf},
+                        {"has_images", options.images},
+                        {"has_own_meshes", facts.own_meshes},
+                        {"packages", packages_of(tree)},
+                        {"citations", citations_view(listing)}};
+    return report::render(report::Templates(), "instructions.md", model, report::markdown_escape);
+}
 
 constexpr const char* archive_file = "submission.zip";
 constexpr const char* manifest_file = "MANIFEST.sha256";

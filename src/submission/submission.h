@@ -21,7 +21,7 @@ struct Submission {
 Submission pack(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options);
 
 /// The report's folder again, with the archive in it and its sums renewed, all at once.
-/// @return  what to tell the user when that could not be one step; else empty
+/// @return  a warning for the user when that could not be one step; else empty
 /// @throws OutputError
 std::string publish(const ReportFolder& report, const Submission& submission);
 

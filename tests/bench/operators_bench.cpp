@@ -1,16 +1,9 @@
-// The operators of one mesh in five sizes, on one thread and on two: the matrix C, three forms of M and all curvatures. Beside them the
-// time that memory alone takes.
+// The operators of one mesh in five sizes, on one thread and on two: the matrix C, three forms of M and the curvatures.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
-#include <cstdint>
-#include <memory>
-
-#include "base/large_pages.h"
-#include "base/parallel.h"
 #include "bench/bench_meshes.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/operators/mesh_operators.h"
 
 namespace {
 
@@ -41,34 +34,6 @@ const Subject& subject_at(int level) {
     return subject;
 }
 
-/// Sum of n values, in any order.
-template <class T>
-auto sum_of(const T* values, Eigen::Index n) {
-    using Sum = decltype(T() + 0LL);
-    Sum sum = 0;
-    for (const auto& block : of_blocks(static_cast<int>(n), [&](int begin, int end) {
-             Sum of_block = 0;
-             for (int i = begin; i < end; ++i) of_block += values[i];
-             return of_block;
-         }))
-        sum += block.value;
-    return sum;
-}
-
-/// What no way of computing them can do without: the mesh and the lists of triangles are read once, in order, and as many bytes as the
-/// operators have are written to new memory.
-double memory_alone(const Subject& subject) {
-    const Eigen::Index n = subject.mesh.X.rows(), entries = subject.laplacian.C.nonZeros();
-    const auto words = static_cast<std::size_t>((entries * 12 + n * (6 * 8 + 4)) / 8);
-    const std::unique_ptr<std::uint64_t[]> results(new std::uint64_t[words]);
-    prefer_large_pages(results.get(), words * sizeof(std::uint64_t));
-    for_each_index(static_cast<int>(words), [&](int i) { results[static_cast<std::size_t>(i)] = static_cast<std::uint64_t>(i); });
-    const Incidence& around = subject.topology.vertex_faces;
-    const long long indices =
-        sum_of(subject.mesh.F.data(), subject.mesh.F.size()) + sum_of(around.item.data(), static_cast<Eigen::Index>(around.item.size()));
-    return sum_of(subject.mesh.X.data(), subject.mesh.X.size()) + static_cast<double>(indices) + static_cast<double>(results[words / 2]);
-}
-
 /// Times stage(subject). Arguments: level, threads.
 template <class Stage>
 void time_stage(benchmark::State& state, Stage stage) {
@@ -94,8 +59,6 @@ void add(const char* name, Stage stage) {
 }   // namespace
 
 int main(int count_of_arguments, char** arguments) {
-    add("all_at_once", [](const Subject& s) { return mesh_operators(s.mesh, s.topology); });
-    add("memory_alone", memory_alone);
     add("topology", [](const Subject& s) { return topology_of(s.mesh); });
     add("laplace_beltrami", [](const Subject& s) { return laplace_beltrami(s.mesh); });
     add("barycentric", [](const Subject& s) { return vertex_areas(s.mesh, AreaForm::barycentric); });

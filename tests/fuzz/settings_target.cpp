@@ -1,6 +1,6 @@
 // Settings files: any bytes are read, or refused with errors that each are one line.
 #include "fuzz/fuzz_input.h"
-#include "run/settings/settings_file.h"
+#include "run/settings/report_settings.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace meshfolio;

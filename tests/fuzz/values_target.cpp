@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "cli/csv_column.h"
+#include "cli/fields.h"
 #include "fuzz/fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "base/sha256.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/operator_test_meshes.h"
-#include "geometry/operators/mesh_operators.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/reference_tables.h"
 #include "geometry/spectrum/laplace_spectrum.h"
@@ -76,24 +76,25 @@ std::string name_of_test(const ::testing::TestParamInfo<std::string>& mesh) {
 
 INSTANTIATE_TEST_SUITE_P(Meshes, ReferenceTables, ::testing::ValuesIn(reference_meshes()), name_of_test);
 
-/// From the functions for one quantity, or from the one pass.
-MeshOperators one_by_one(const TriangleMesh& mesh, const MeshTopology& topology) {
-    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
-    return {laplacian.C,
-            laplacian.M,
-            vertex_areas(mesh, AreaForm::voronoi),
-            vertex_areas(mesh, AreaForm::mixed),
-            angle_deficit(mesh, topology),
-            cotangent_mean_curvature(mesh, topology, laplacian),
-            gaussian_curvature(mesh, topology, laplacian.M)};
+struct Measured {
+    std::map<AreaForm, Vector> areas;
+    Vector angle_deficit, H, K;   // by barycentric areas
+};
+Measured measured(const TriangleMesh& mesh, const MeshTopology& topology) {
+    Measured all;
+    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) all.areas[form] = vertex_areas(mesh, form);
+    all.angle_deficit = angle_deficit(mesh, topology);
+    all.H = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
+    all.K = gaussian_curvature(mesh, topology, all.areas[AreaForm::barycentric]);
+    return all;
 }
 
-void expect_vertices(const MeshOperators& ours, const std::vector<TableRow>& rows) {
+void expect_vertices(const Measured& ours, const std::vector<TableRow>& rows) {
     for (const TableRow& row : rows) {
         const int v = whole_number(row, "vertex");
         SCOPED_TRACE("vertex " + std::to_string(v));
-        for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
-            expect_close(ours.areas(form)[v], row, std::string(name_of(form)), number(row, "barycentric"));
+        for (const auto& [form, areas] : ours.areas) {
+            expect_close(areas[v], row, std::string(name_of(form)), number(row, "barycentric"));
         }
         expect_close(ours.angle_deficit[v], row, "deficit", 2 * pi);
         expect_close_for_terms(ours.H[v], row, "h_cotan");
@@ -102,15 +103,15 @@ void expect_vertices(const MeshOperators& ours, const std::vector<TableRow>& row
 }
 
 /// Over all vertices in use, so that none escapes.
-void expect_sums_of_areas(const MeshOperators& ours, const MeshTopology& topology, const TableRow& row) {
-    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
+void expect_sums_of_areas(const Measured& ours, const MeshTopology& topology, const TableRow& row) {
+    for (const auto& [form, areas] : ours.areas) {
         const std::string name(name_of(form));
         std::vector<double> in_use;
-        for (int v = 0; v < ours.barycentric.size(); ++v) {
-            if (topology.vertex_faces.size(v) > 0) in_use.push_back(ours.areas(form)[v]);
+        for (int v = 0; v < areas.size(); ++v) {
+            if (topology.vertex_faces.size(v) > 0) in_use.push_back(areas[v]);
         }
         const auto [least, largest] = std::minmax_element(in_use.begin(), in_use.end());
-        expect_close(ours.areas(form).sum(), row, name + "_sum", 0, relative_of_sums);
+        expect_close(areas.sum(), row, name + "_sum", 0, relative_of_sums);
         expect_close(*least, row, name + "_min", number(row, "barycentric_min"));
         expect_close(*largest, row, name + "_max");
     }
@@ -134,13 +135,6 @@ void expect_norms(const Vector& A, const Vector& f, const TableRow& row, const s
     EXPECT_LE(negative, surely_negative + whole_number(row, column + "_undecided")) << column;
 }
 
-void expect_as_in_the_tables(const MeshOperators& ours, const MeshTopology& topology, const TableRow& row) {
-    expect_vertices(ours, rows_of_mesh("vertices", row.at("mesh")));
-    expect_sums_of_areas(ours, topology, row);
-    expect_norms(ours.barycentric, ours.H, row, "h_cotan");
-    expect_norms(ours.barycentric, ours.K, row, "k_gauss");
-}
-
 TEST_P(ReferenceTables, Counts) {
     EXPECT_EQ(prepared.preflight.vertices_in_use, whole_number(row, "vertices"));
     EXPECT_EQ(prepared.preflight.triangles, whole_number(row, "triangles"));
@@ -148,9 +142,13 @@ TEST_P(ReferenceTables, Counts) {
     expect_close(prepared.preflight.area, row, "area");
 }
 
-TEST_P(ReferenceTables, AreasAndCurvaturesOneByOne) { expect_as_in_the_tables(one_by_one(mesh(), topology()), topology(), row); }
-
-TEST_P(ReferenceTables, AreasAndCurvaturesInOnePass) { expect_as_in_the_tables(mesh_operators(mesh(), topology()), topology(), row); }
+TEST_P(ReferenceTables, AreasAndCurvatures) {
+    const Measured ours = measured(mesh(), topology());
+    expect_vertices(ours, rows_of_mesh("vertices", GetParam()));
+    expect_sums_of_areas(ours, topology(), row);
+    expect_norms(ours.areas.at(AreaForm::barycentric), ours.H, row, "h_cotan");
+    expect_norms(ours.areas.at(AreaForm::barycentric), ours.K, row, "k_gauss");
+}
 
 TEST_P(ReferenceTables, UniformMeanCurvature) {
     const Vector H = uniform_mean_curvature(mesh(), topology());

@@ -12,7 +12,6 @@
 #include "mesh/io/rejections.h"
 #include "mesh/orientation.h"
 #include "mesh/random_triangles.h"
-#include "mesh/repeated_points.h"
 #include "mesh/small_meshes.h"
 #include "mesh/triangle_measures.h"
 
@@ -265,15 +264,13 @@ TEST(MeshChecks, CoincidentVerticesAreCountedAsASetCountsThem) {
         TriangleMesh mesh = random_triangles(n, n, 3);
         std::mt19937 random(4);
         for (double& x : mesh.X.reshaped()) x = (random() % 40 < 20 ? 1 : -1) * static_cast<double>(random() % 20);   // has −0
-        const Incidence around = triangles_around(mesh);
+        const PreparedMesh prepared = prepare_mesh({mesh, "m.obj", {}, {}});
         std::set<std::array<double, 3>> points;   // −0 < 0 is false: they are one
-        int in_use = 0;
         for (int v = 0; v < n; ++v) {
-            if (around.size(v) == 0) continue;
-            points.insert({mesh.X(v, 0), mesh.X(v, 1), mesh.X(v, 2)});
-            ++in_use;
+            if (prepared.topology.vertex_faces.size(v) > 0) points.insert({mesh.X(v, 0), mesh.X(v, 1), mesh.X(v, 2)});
         }
-        EXPECT_EQ(count_repeated_points(mesh, around), in_use - static_cast<int>(points.size())) << n;
+        const Preflight& counts = prepared.preflight;
+        EXPECT_EQ(counts.duplicated_positions, counts.vertices_in_use - static_cast<int>(points.size())) << n;
     }
 }
 

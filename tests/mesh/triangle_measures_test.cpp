@@ -99,9 +99,8 @@ TEST(TriangleMeasures, BoxOfFewAmongManyUnusedVertices) {
         TriangleMesh mesh{Positions::Constant(n, 3, 99), Faces(1, 3)};
         mesh.X.middleRows(first, 3) << 0, 0, -3, 1, 0, 0, 0, 2, 0;
         mesh.F << first, first + 1, first + 2;
-        const Box box = bounding_box(mesh, triangles_around(mesh));
+        const Box box = bounding_box(mesh);
         EXPECT_EQ(box.low, Vector3(0, 0, -3));
         EXPECT_EQ(box.high, Vector3(1, 2, 0));
-        EXPECT_EQ(box.diagonal(), bounding_box(mesh).diagonal());
     }
 }

@@ -66,14 +66,9 @@ void expect_facts(const TriangleMesh& mesh) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         const SlowFan slow(mesh, v);
         const FanFacts facts = fans.facts(v);
-        EXPECT_EQ(facts.ring_size, static_cast<int>(slow.edges.size())) << v;
-        EXPECT_EQ(facts.smallest_neighbour, slow.edges.empty() ? v : std::min(v, slow.edges.begin()->first)) << v;
         EXPECT_EQ(facts.on_boundary, slow.on_boundary()) << v;
         EXPECT_EQ(facts.nonmanifold, slow.nonmanifold()) << v;
         EXPECT_EQ(facts.regular, slow.regular()) << v;
-        const auto ring = fans.ring(v, facts.regular && !facts.on_boundary);
-        ASSERT_EQ(ring.size(), slow.edges.size()) << v;
-        EXPECT_TRUE(std::equal(ring.begin(), ring.end(), slow.edges.begin(), [](int w, const auto& e) { return w == e.first; })) << v;
     }
 }
 

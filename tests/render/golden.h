@@ -14,7 +14,7 @@
 
 #include "png/png.h"
 #include "render/decode_picture.h"
-#include "scene/picture_difference.h"
+#include "render/picture_difference.h"
 #include "sheet/contact_sheet.h"
 
 namespace render_tests {

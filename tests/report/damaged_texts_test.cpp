@@ -40,7 +40,7 @@ TEST(DamagedResults, AreReadOrRefusedWithTheirLine) {
     for_each_damage(text, read_or_refuse);
 }
 
-TEST(DamagedResults, WithEverythingInThem) {
+TEST(DamagedResults, AreReadOrRefusedWithTheirLineForTheWholeSample) {
     const std::string text = write_json(sample_document(), sample_figures());
     for_each_damage(text, read_or_refuse, 1 + text.size() / 60);
 }

@@ -20,7 +20,7 @@ double area(double r);
 class Disk;
 const char* const words = "double area(double r) {";
 const char* const more = R"x(
-double area(double r) {
+    double area(double r) {
 )x";
 const double unit = area({1'000}) + Disk{}.area();
 struct Wrapper {

@@ -9,7 +9,7 @@
 
 #include "base/file_bytes.h"
 #include "source_dir.h"
-#include "submission/source_tree.h"
+#include "submission/source_listing.h"
 
 namespace meshfolio::submission {
 namespace {

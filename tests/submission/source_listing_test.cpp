@@ -10,7 +10,6 @@
 
 #include "base/file_bytes.h"
 #include "source_dir.h"
-#include "submission/citations.h"
 
 namespace meshfolio::submission {
 namespace {

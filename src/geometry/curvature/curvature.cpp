@@ -1,12 +1,11 @@
 #include "geometry/curvature/curvature.h"
 
-#include <cmath>
-#include <numbers>
+#include <array>
 #include <string>
 
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/operators/corner_rings.h"
 #include "geometry/operators/triangle_shape.h"
 #include "geometry/operators/uniform_laplacian.h"
 
@@ -88,17 +87,19 @@ Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& to
 
 Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
     require_size("angle_deficit", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
-    const double scale = unit_scale(mesh, topology.vertex_faces);
-    const auto measure = [&](CornerBatch& corners) {
-        find_shapes(mesh, scale, corners);
-        find_angles(corners);
+    const double scale = unit_scale(mesh);
+    const auto angles_of = [&](int t) {
+        const TriangleShape triangle = triangle_shape(mesh, t, scale);
+        return std::array{triangle.angle(0), triangle.angle(1), triangle.angle(2)};
     };
-    Vector deficit(mesh.X.rows());
-    const auto visit = [&](const Ring& ring) {
-        const double flat = topology.on_boundary[static_cast<std::size_t>(ring.vertex)] ? std::numbers::pi : 2 * std::numbers::pi;
-        deficit[ring.vertex] = ring.size > 0 ? flat - ring.sum(ring.batch.angle) : 0;
-    };
-    visit_rings(mesh, topology.vertex_faces, measure, [&] { return visit; });
+    Vector deficit = Vector::Zero(mesh.X.rows());
+    in_order(mesh.face_count(), angles_of, [&](int t, const std::array<double, 3>& angles) {
+        for (int k = 0; k < 3; ++k) deficit[mesh.F(t, k)] += angles[static_cast<std::size_t>(k)];
+    });
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        if (topology.vertex_faces.size(v) == 0) continue;
+        deficit[v] = (topology.on_boundary[static_cast<std::size_t>(v)] ? pi : 2 * pi) - deficit[v];
+    }
     return deficit;
 }
 

@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "base/errors.h"
+#include "geometry/linear/special_values.h"
 
 namespace meshfolio {
 namespace {
@@ -21,7 +21,7 @@ void require_ellipsoid(const Ellipsoid& ellipsoid) {
 
 void require_regular_point(double u, double v) {
     const std::string where = "(u, v) = (" + std::to_string(u) + ", " + std::to_string(v) + ")";
-    if (!std::isfinite(u) || !(v >= 0 && v <= std::numbers::pi)) {
+    if (!std::isfinite(u) || !(v >= 0 && v <= pi)) {
         throw MeshError("ellipsoid_forms: " + where + " is outside the parameter domain", "u is any angle, v lies in [0, π]");
     }
     if (std::sin(v) < 1e-12) {

@@ -42,7 +42,12 @@ private:
     std::unique_ptr<double[], Free> numbers_;
 };
 
-using FourColumns = AlignedColumns<4>;    // three coordinates and a zero
+using FourColumns = AlignedColumns<4>;   // three coordinates and a zero
+using Four = Eigen::Array4d;             // a row of them
+using FourRow = Eigen::Map<Four, Eigen::Aligned32>;
+using ConstFourRow = Eigen::Map<const Four, Eigen::Aligned32>;
+inline FourRow row_of(FourColumns& X, Eigen::Index i) { return FourRow(X.row(i)); }
+inline ConstFourRow row_of(const FourColumns& X, Eigen::Index i) { return ConstFourRow(X.row(i)); }
 using EightColumns = AlignedColumns<8>;   // what one step of a block method works on
 
 }   // namespace meshfolio

@@ -50,9 +50,8 @@ struct SparseFactor::Implementation {
 
     FactorKind kind = FactorKind::ldlt;
     Eigen::Index rows = 0;
-    bool supernodal = false;    // asked for before `analyze`, where the library has it
-    std::vector<int> pattern;   // of the matrix analysed: column starts, then rows
-    int negative = 0;           // pivots < 0
+    bool supernodal = false;   // asked for before `analyze`, where the library has it
+    int negative = 0;          // pivots < 0
 };
 
 /// Analysed, not factored yet. `A` compressed.

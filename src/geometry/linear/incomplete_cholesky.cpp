@@ -5,7 +5,6 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "geometry/smoothing/diffusion_kernels.h"
 
 namespace meshfolio {
 
@@ -87,7 +86,19 @@ IncompleteCholesky incomplete_cholesky(const SparseMatrix& A) {
 }
 
 void solve(const IncompleteCholesky& factor, const FourColumns& R, FourColumns& Z) {
-    for_blocks(factor.rows(), [&](int, int begin, int end) { incomplete_solve(factor, R.data(), begin, end, Z.data()); });
+    const std::uint32_t* const start = factor.start.data();
+    for_blocks(factor.rows(), [&](int, int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            Four z = row_of(R, i);
+            for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) z -= factor.value[k] * row_of(Z, factor.column[k]);
+            row_of(Z, i) = z;
+        }
+        for (int i = begin; i < end; ++i) row_of(Z, i) /= factor.pivots[i];
+        for (int i = end - 1; i >= begin; --i) {
+            const Four z = row_of(Z, i);
+            for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) row_of(Z, factor.column[k]) -= factor.value[k] * z;
+        }
+    });
 }
 
 }   // namespace meshfolio

@@ -19,51 +19,33 @@ constexpr int width = EightColumns::width;
 /// Eight sums at once, of the products of one lane group with each of the eight columns of V.
 HWY_INLINE void AddProductsOfBlock(const double* V, const double* W, Eigen::Index rows, double* G) {
     const Lanes d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int c = 0; c < width; c += lanes) {
-        Numbers g0 = hn::Load(d, G + c), g1 = hn::Load(d, G + 8 + c), g2 = hn::Load(d, G + 16 + c), g3 = hn::Load(d, G + 24 + c);
-        Numbers g4 = hn::Load(d, G + 32 + c), g5 = hn::Load(d, G + 40 + c), g6 = hn::Load(d, G + 48 + c), g7 = hn::Load(d, G + 56 + c);
+    for (int c = 0; c < width; c += static_cast<int>(hn::Lanes(d))) {
+        Numbers g[width];
+        for (int i = 0; i < width; ++i) g[i] = hn::Load(d, G + width * i + c);
         const double *v = V, *w = W + c;
         for (Eigen::Index r = 0; r < rows; ++r, v += width, w += width) {
             const Numbers x = hn::Load(d, w);
-            g0 = hn::MulAdd(hn::Set(d, v[0]), x, g0);
-            g1 = hn::MulAdd(hn::Set(d, v[1]), x, g1);
-            g2 = hn::MulAdd(hn::Set(d, v[2]), x, g2);
-            g3 = hn::MulAdd(hn::Set(d, v[3]), x, g3);
-            g4 = hn::MulAdd(hn::Set(d, v[4]), x, g4);
-            g5 = hn::MulAdd(hn::Set(d, v[5]), x, g5);
-            g6 = hn::MulAdd(hn::Set(d, v[6]), x, g6);
-            g7 = hn::MulAdd(hn::Set(d, v[7]), x, g7);
+            HWY_UNROLL(8)
+            for (int i = 0; i < width; ++i) g[i] = hn::MulAdd(hn::Set(d, v[i]), x, g[i]);
         }
-        hn::Store(g0, d, G + c);
-        hn::Store(g1, d, G + 8 + c);
-        hn::Store(g2, d, G + 16 + c);
-        hn::Store(g3, d, G + 24 + c);
-        hn::Store(g4, d, G + 32 + c);
-        hn::Store(g5, d, G + 40 + c);
-        hn::Store(g6, d, G + 48 + c);
-        hn::Store(g7, d, G + 56 + c);
+        for (int i = 0; i < width; ++i) hn::Store(g[i], d, G + width * i + c);
     }
 }
 
 HWY_INLINE void SubtractBlock(const double* V, const double* G, Eigen::Index rows, double* W) {
     const Lanes d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int c = 0; c < width; c += lanes) {
-        const Numbers g0 = hn::Load(d, G + c), g1 = hn::Load(d, G + 8 + c), g2 = hn::Load(d, G + 16 + c), g3 = hn::Load(d, G + 24 + c);
-        const Numbers g4 = hn::Load(d, G + 32 + c), g5 = hn::Load(d, G + 40 + c), g6 = hn::Load(d, G + 48 + c);
-        const Numbers g7 = hn::Load(d, G + 56 + c);
+    for (int c = 0; c < width; c += static_cast<int>(hn::Lanes(d))) {
+        Numbers g[width];
+        for (int i = 0; i < width; ++i) g[i] = hn::Load(d, G + width * i + c);
         const double* v = V;
         double* w = W + c;
         for (Eigen::Index r = 0; r < rows; ++r, v += width, w += width) {   // two chains of four, so that neither waits long
-            Numbers x = hn::NegMulAdd(hn::Set(d, v[0]), g0, hn::Load(d, w));
-            Numbers y = hn::Mul(hn::Set(d, v[4]), g4);
-            x = hn::NegMulAdd(hn::Set(d, v[1]), g1, x);
-            y = hn::MulAdd(hn::Set(d, v[5]), g5, y);
-            x = hn::NegMulAdd(hn::Set(d, v[2]), g2, x);
-            y = hn::MulAdd(hn::Set(d, v[6]), g6, y);
-            x = hn::NegMulAdd(hn::Set(d, v[3]), g3, x);
-            y = hn::MulAdd(hn::Set(d, v[7]), g7, y);
+            Numbers x = hn::Load(d, w), y = hn::Mul(hn::Set(d, v[4]), g[4]);
+            HWY_UNROLL(4)
+            for (int i = 0; i < 4; ++i) {
+                x = hn::NegMulAdd(hn::Set(d, v[i]), g[i], x);
+                if (i > 0) y = hn::MulAdd(hn::Set(d, v[4 + i]), g[4 + i], y);
+            }
             hn::Store(hn::Sub(x, y), d, w);
         }
     }
@@ -157,26 +139,13 @@ HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Inde
 
 // NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
 
-template <class Visit>
+/// visit(std::integral_constant<int, w>()), w from 1 to 8.
+template <int most = LdltPanels::widest, class Visit>
 HWY_INLINE void WithWidth(int w, const Visit& visit) {
-    switch (w) {
-        case 1:
-            return visit(std::integral_constant<int, 1>());
-        case 2:
-            return visit(std::integral_constant<int, 2>());
-        case 3:
-            return visit(std::integral_constant<int, 3>());
-        case 4:
-            return visit(std::integral_constant<int, 4>());
-        case 5:
-            return visit(std::integral_constant<int, 5>());
-        case 6:
-            return visit(std::integral_constant<int, 6>());
-        case 7:
-            return visit(std::integral_constant<int, 7>());
-        default:
-            return visit(std::integral_constant<int, 8>());
+    if constexpr (most > 1) {
+        if (w < most) return WithWidth<most - 1>(w, visit);
     }
+    visit(std::integral_constant<int, most>());
 }
 
 template <int columns>

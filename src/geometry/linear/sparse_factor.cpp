@@ -17,12 +17,6 @@ using Implementation = SparseFactor::Implementation;
 
 std::string name_of(FactorKind kind) { return kind == FactorKind::ldlt ? "LDLᵀ factorisation" : "Cholesky factorisation"; }
 
-std::vector<int> pattern_of(const SparseMatrix& A) {
-    std::vector<int> pattern(A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1);
-    pattern.insert(pattern.end(), A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
-    return pattern;
-}
-
 /// A pivot is what is left of a diagonal entry after the elimination. Below a few roundings of that entry its sign means nothing.
 void check_pivots(const Implementation& factor, const SparseMatrix& A) {
     const Vector d = factor.pivots();
@@ -79,7 +73,6 @@ std::unique_ptr<Implementation> factored(const SparseMatrix& A, FactorKind kind,
     if (A.rows() != A.cols() || A.rows() == 0) throw SolverError(name_of(kind) + ": the matrix is empty or not square");
     if (!A.isCompressed()) return factored(compressed(A), kind, library);
     auto factor = analysed(A, kind, library);
-    factor->pattern = pattern_of(A);
     factorize_checked(*factor, A);
     return factor;
 }
@@ -97,12 +90,6 @@ SparseFactor SparseFactor::ldlt(const SparseMatrix& A, FactorLibrary library) {
 
 SparseFactor SparseFactor::cholesky(const SparseMatrix& A, FactorLibrary library) {
     return SparseFactor(factored(A, FactorKind::cholesky, library));
-}
-
-void SparseFactor::refactor(const SparseMatrix& A) {
-    if (!A.isCompressed()) return refactor(compressed(A));
-    if (pattern_of(A) != implementation_->pattern) throw SolverError("refactor: the matrix has another pattern than the one analysed");
-    factorize_checked(*implementation_, A);
 }
 
 Vector SparseFactor::solve(const Vector& b) const { return solve(DenseMatrix(b)).col(0); }

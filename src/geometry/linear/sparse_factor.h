@@ -24,10 +24,6 @@ public:
     SparseFactor& operator=(SparseFactor&&) noexcept;
     ~SparseFactor();
 
-    /// Refactors another matrix of the same pattern, reusing the symbolic analysis.
-    /// @throws SolverError as at first, or if the pattern is another one
-    void refactor(const SparseMatrix& A);
-
     /// Solving from several threads at once is safe.
     Vector solve(const Vector& b) const;
     /// Several right-hand sides together (columns of B).

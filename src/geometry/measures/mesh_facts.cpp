@@ -7,12 +7,21 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/measures/mesh_laws.h"
-#include "geometry/operators/mesh_operators.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
 namespace {
+
+struct Operators {
+    LaplaceBeltrami laplacian;
+    Vector H, K;
+};
+Operators operators_of(const TriangleMesh& mesh, const MeshTopology& topology) {
+    LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    Vector H = cotangent_mean_curvature(mesh, topology, laplacian), K = gaussian_curvature(mesh, topology, laplacian.M);
+    return {std::move(laplacian), std::move(H), std::move(K)};
+}
 
 /// A power of two not below x > 0.
 double power_of_two_above(double x) { return std::ldexp(1.0, std::ilogb(x) + 1); }
@@ -59,10 +68,9 @@ double change_when_moved(const PreparedMesh& prepared, double scale) {
     const Positions near = (mesh.X.rowwise() - box.centre().transpose()) / unit;   // within [−1, 1]
     const Positions far = near.array() * scale * unit + away * scale;              // rounded here
     const Positions back = far.array() / scale - away;                             // not here
-    const MeshOperators a = mesh_operators(moved_to(mesh, far), prepared.topology);
-    const MeshOperators b = mesh_operators(moved_to(mesh, back), prepared.topology);
-    const Vector Ca = a.C.coeffs(), Cb = b.C.coeffs();
-    return std::max({relative_change(Ca, 1, Cb), relative_change(a.barycentric, 1 / (scale * scale), b.barycentric),
+    const Operators a = operators_of(moved_to(mesh, far), prepared.topology), b = operators_of(moved_to(mesh, back), prepared.topology);
+    const Vector Ca = a.laplacian.C.coeffs(), Cb = b.laplacian.C.coeffs();
+    return std::max({relative_change(Ca, 1, Cb), relative_change(a.laplacian.M, 1 / (scale * scale), b.laplacian.M),
                      relative_change(a.H, scale, b.H), relative_change(a.K, scale * scale, b.K)});
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
+#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/triangle_measures.h"
@@ -96,7 +96,7 @@ double flux_over_area(const TriangleMesh& mesh) {
 }
 
 double gauss_bonnet_error(const Vector& angle_deficits, int euler_characteristic) {
-    return std::abs(angle_deficits.sum() / (2 * std::numbers::pi) - euler_characteristic);
+    return std::abs(angle_deficits.sum() / (2 * pi) - euler_characteristic);
 }
 
 double gauss_bonnet_tolerance(int triangles) { return 1e-12 + 1e-15 * triangles; }

@@ -7,12 +7,18 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "geometry/operators/intrinsic_input.h"
-#include "geometry/operators/stiffness_rows.h"
 #include "geometry/operators/triangle_shape.h"
 #include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
+
+/// The weight C_ij of an edge from the sum of its opposite cotangents and their number.
+double edge_weight(double cotangent_sum, std::ptrdiff_t opposite_corners, const CotangentOptions& options) {
+    const bool mean = options.opposite == CotangentOptions::OppositeVertices::mean;
+    const double weight = mean ? cotangent_sum / static_cast<double>(opposite_corners) : 0.5 * cotangent_sum;
+    return options.clamp_negative ? std::max(weight, 0.0) : weight;
+}
 
 /// An edge seen from its smaller end: the other end, and the cotangent of an opposite corner, later the weight of the edge.
 struct Spoke {
@@ -113,15 +119,18 @@ void fill_columns(const Spokes& edges, SparseMatrix& C) {
     }
 }
 
+using Cotangent = double (TriangleShape::*)(std::size_t k) const;
+
 /// Cotangents of triangles given by `shape_of(t)`, and how many have no area.
 template <class ShapeOf>
-CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int* without_area) {
+CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int* without_area,
+                                  Cotangent cotangent = &TriangleShape::cotangent) {
     CornerValues cotangents(triangles, 3);
     const auto degenerate_of_blocks = of_blocks(static_cast<int>(triangles), [&](int begin, int end) {
         int count = 0;
         for (int t = begin; t < end; ++t) {
             const TriangleShape triangle = shape_of(t);
-            for (int k = 0; k < 3; ++k) cotangents(t, k) = triangle.cotangent(static_cast<std::size_t>(k));
+            for (int k = 0; k < 3; ++k) cotangents(t, k) = (triangle.*cotangent)(static_cast<std::size_t>(k));
             count += triangle.degenerate() ? 1 : 0;
         }
         return count;
@@ -170,11 +179,8 @@ LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area, const 
 
 LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area) {
     const double scale = unit_scale(mesh);
-    CornerValues cotangents(mesh.F.rows(), 3);
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        const TriangleShape triangle = triangle_shape(mesh, t, scale);
-        for (int k = 0; k < 3; ++k) cotangents(t, k) = triangle.floored_cotangent(static_cast<std::size_t>(k));
-    }
+    const auto shape_of = [&](int t) { return triangle_shape(mesh, t, scale); };
+    const CornerValues cotangents = cotangents_of_shapes(mesh.F.rows(), shape_of, nullptr, &TriangleShape::floored_cotangent);
     return {cotangent_stiffness(mesh.F, mesh.vertex_count(), cotangents), vertex_areas(mesh, area)};
 }
 

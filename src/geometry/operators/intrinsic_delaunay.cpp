@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <numbers>
 #include <string>
 
 #include "base/errors.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/triangle_shape.h"
 
 namespace meshfolio {
@@ -69,7 +69,7 @@ private:
     bool wants_flip(int side) {
         const int other = mate(side);
         if (other == IntrinsicTriangles::not_glued || other / 3 == side / 3) return false;
-        return opposite_angle(side) + opposite_angle(other) > std::numbers::pi + angle_tolerance;
+        return opposite_angle(side) + opposite_angle(other) > pi + angle_tolerance;
     }
 
     /// The length of the other diagonal of the two triangles laid out in the plane.

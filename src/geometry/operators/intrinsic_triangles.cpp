@@ -4,15 +4,9 @@
 #include <cstddef>
 #include <tuple>
 
-namespace meshfolio {
+#include "mesh/triangle_measures.h"
 
-CornerValues side_lengths(const TriangleMesh& mesh) {
-    CornerValues lengths(mesh.F.rows(), 3);
-    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
-        for (int k = 0; k < 3; ++k) lengths(t, k) = (mesh.X.row(mesh.F(t, (k + 1) % 3)) - mesh.X.row(mesh.F(t, (k + 2) % 3))).stableNorm();
-    }
-    return lengths;
-}
+namespace meshfolio {
 
 std::vector<SideOfEdge> sides_by_edge(const Faces& F) {
     std::vector<SideOfEdge> sides;
@@ -29,7 +23,7 @@ std::vector<SideOfEdge> sides_by_edge(const Faces& F) {
 }
 
 IntrinsicTriangles intrinsic_triangles(const TriangleMesh& mesh) {
-    IntrinsicTriangles triangles{mesh.F, side_lengths(mesh), {}, mesh.vertex_count()};
+    IntrinsicTriangles triangles{mesh.F, edge_lengths(mesh), {}, mesh.vertex_count()};
     triangles.glued_to.assign(3 * static_cast<std::size_t>(mesh.F.rows()), IntrinsicTriangles::not_glued);
     const std::vector<SideOfEdge> sides = sides_by_edge(mesh.F);
     const auto same_edge = [](const SideOfEdge& a, const SideOfEdge& b) { return a.low == b.low && a.high == b.high; };

@@ -23,9 +23,6 @@ struct IntrinsicTriangles {
 /// edges and edges where orientations disagree stay open.
 IntrinsicTriangles intrinsic_triangles(const TriangleMesh& mesh);
 
-/// m × 3 lengths of the edges opposite the corners. [length]
-CornerValues side_lengths(const TriangleMesh& mesh);
-
 struct SideOfEdge {
     int low, high;   // the ends, low <= high
     int side;

@@ -20,19 +20,10 @@ TriangleShape triangle_shape(double l0, double l1, double l2) {
     return shape;
 }
 
-namespace {
-
-double scale_of(double extent) {
+double unit_scale(const TriangleMesh& mesh) {
+    const double extent = bounding_box(mesh).extent().maxCoeff();
     if (!(extent > 0) || !std::isfinite(extent)) return 1;
     return std::ldexp(1.0, -std::clamp(std::ilogb(extent), -1000, 1000));
-}
-
-}   // namespace
-
-double unit_scale(const TriangleMesh& mesh) { return scale_of(bounding_box(mesh).extent().maxCoeff()); }
-
-double unit_scale(const TriangleMesh& mesh, const Incidence& triangles) {
-    return scale_of(bounding_box(mesh, triangles).extent().maxCoeff());
 }
 
 }   // namespace meshfolio

@@ -6,9 +6,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "mesh/mesh_topology.h"
+#include "geometry/linear/special_values.h"
 #include "mesh/triangle_kind.h"
+#include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
 
@@ -28,6 +30,12 @@ struct TriangleShape {
     double floored_cotangent(std::size_t k) const {
         const double denominator = std::max(cross, no_area * longest_squared_edge());
         return denominator > 0 ? dot[k] / denominator : 0;
+    }
+    /// θ_k in [0, π]. The angles of a triangle add up to π whatever its shape, or Gauss–Bonnet would not hold: they are right at both ends
+    /// of a side without length, and alike where all three points are one. [rad]
+    double angle(std::size_t k) const {
+        if (cross > 0 || dot[k] != 0) return std::atan2(cross, dot[k]);
+        return squared_edge[k] > 0 ? pi / 2 : pi / 3;
     }
 };
 
@@ -57,7 +65,5 @@ TriangleShape triangle_shape(double l0, double l1, double l2);
 /// The power of two that brings the largest extent of the mesh into [1, 2): multiplying by it is exact, and keeps squares and
 /// fourth powers of lengths within range whatever the model's unit. 1 for a mesh of one point.
 double unit_scale(const TriangleMesh& mesh);
-/// The same where the triangles around each vertex are known.
-double unit_scale(const TriangleMesh& mesh, const Incidence& triangles);
 
 }   // namespace meshfolio

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/linear/special_values.h"
+#include "mesh/triangle_measures.h"
+
 namespace meshfolio {
 
 namespace {
@@ -34,7 +37,7 @@ std::vector<Blade> blades_around(const TriangleMesh& mesh, std::vector<SideOfEdg
     for (auto s = first; s != last; ++s) {
         const int back = other_face_of(s->side, mesh.face_count());
         blades.push_back({s == first ? 0 : angle_around(mesh, *s, start), s->ascending ? s->side : back, s->ascending ? back : s->side});
-        if (blades.back().angle < 0) blades.back().angle += 2 * M_PI;
+        if (blades.back().angle < 0) blades.back().angle += 2 * pi;
     }
     std::stable_sort(blades.begin(), blades.end(), [](const Blade& a, const Blade& b) { return a.angle < b.angle; });
     return blades;
@@ -56,7 +59,7 @@ double mollify(CornerValues& lengths, double relative) {
 
 IntrinsicTriangles two_sided_cover(const TriangleMesh& mesh) {
     const int m = mesh.face_count();
-    const CornerValues lengths = side_lengths(mesh);
+    const CornerValues lengths = edge_lengths(mesh);
     IntrinsicTriangles cover{Faces(2 * m, 3), CornerValues(2 * m, 3), {}, mesh.vertex_count()};
     cover.F << mesh.F, mesh.F(Eigen::all, {0, 2, 1});
     cover.lengths << lengths, lengths(Eigen::all, {0, 2, 1});

@@ -1,32 +1,25 @@
 #include "geometry/smoothing/conjugate_gradients.h"
 
-#include <array>
 #include <limits>
 #include <string>
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "geometry/smoothing/diffusion_step.h"
 
 namespace meshfolio {
 
 namespace {
 
-using Four = Eigen::Array4d;
-using Row = Eigen::Map<Four>;
-using ConstRow = Eigen::Map<const Four>;
-
 /// Σ over rows of value(i), coordinate by coordinate, block by block in order.
 template <class Value>
 Four row_sum(int n, Value value) {
     const auto blocks = of_blocks(n, [&](int begin, int end) {
-        std::array<double, 4> sum{};
-        Row total(sum.data());
-        for (int i = begin; i < end; ++i) total += value(i);
+        Four sum = Four::Zero();
+        for (int i = begin; i < end; ++i) sum += value(i);
         return sum;
     });
     Four sum = Four::Zero();
-    for (const auto& block : blocks) sum += ConstRow(block.value.data());
+    for (const auto& block : blocks) sum += block.value;
     return sum;
 }
 
@@ -44,38 +37,37 @@ ConjugateGradients::ConjugateGradients(const OperatorWithMass& whole, const Spar
 
 void ConjugateGradients::apply(const FourColumns& p, FourColumns& q) const {
     for_blocks(L_.rows(), [&](int, int begin, int end) {
-        explicit_rows(L_, -lambda_, p.data(), begin, end, std::numeric_limits<double>::max(), q.data());
-        for (int i = begin; i < end; ++i) Row(q.row(i)) *= M_[i];
+        explicit_rows(L_, -lambda_, p, begin, end, std::numeric_limits<double>::max(), q);
+        for (int i = begin; i < end; ++i) row_of(q, i) *= M_[i];
     });
 }
 
 int ConjugateGradients::solve(FourColumns& X) const {
     constexpr int most_iterations = 5000;
     const int n = L_.rows();
-    const auto row = [](const FourColumns& F, int i) { return ConstRow(F.row(i)); };
     FourColumns r(n), z(n), p(n), q(n);
     apply(X, q);
-    for_each_index(n, [&](int i) { Row(r.row(i)) = M_[i] * row(X, i) - row(q, i); });
-    const Four goal = tolerance * tolerance * row_sum(n, [&](int i) { return Four(M_[i] * row(X, i).square()); });
-    const auto rest = [&] { return row_sum(n, [&](int i) { return Four(row(r, i).square() / M_[i]); }); };
+    for_each_index(n, [&](int i) { row_of(r, i) = M_[i] * row_of(X, i) - row_of(q, i); });
+    const Four goal = tolerance * tolerance * row_sum(n, [&](int i) { return Four(M_[i] * row_of(X, i).square()); });
+    const auto rest = [&] { return row_sum(n, [&](int i) { return Four(row_of(r, i).square() / M_[i]); }); };
     if ((rest() <= goal).all()) return 0;
 
     meshfolio::solve(preconditioner_, r, z);
-    for_each_index(n, [&](int i) { Row(p.row(i)) = row(z, i); });
-    Four rz = row_sum(n, [&](int i) { return Four(row(r, i) * row(z, i)); });
+    for_each_index(n, [&](int i) { row_of(p, i) = row_of(z, i); });
+    Four rz = row_sum(n, [&](int i) { return Four(row_of(r, i) * row_of(z, i)); });
     for (int iteration = 1; iteration <= most_iterations; ++iteration) {
         apply(p, q);
-        const Four alpha = quotient(rz, row_sum(n, [&](int i) { return Four(row(p, i) * row(q, i)); }));
+        const Four alpha = quotient(rz, row_sum(n, [&](int i) { return Four(row_of(p, i) * row_of(q, i)); }));
         for_each_index(n, [&](int i) {
-            Row(X.row(i)) += alpha * row(p, i);
-            Row(r.row(i)) -= alpha * row(q, i);
+            row_of(X, i) += alpha * row_of(p, i);
+            row_of(r, i) -= alpha * row_of(q, i);
         });
         if ((rest() <= goal).all()) return iteration;
         meshfolio::solve(preconditioner_, r, z);
-        const Four next = row_sum(n, [&](int i) { return Four(row(r, i) * row(z, i)); });
+        const Four next = row_sum(n, [&](int i) { return Four(row_of(r, i) * row_of(z, i)); });
         const Four beta = quotient(next, rz);
         rz = next;
-        for_each_index(n, [&](int i) { Row(p.row(i)) = row(z, i) + beta * row(p, i); });
+        for_each_index(n, [&](int i) { row_of(p, i) = row_of(z, i) + beta * row_of(p, i); });
     }
     throw SolverError("implicit step: conjugate gradients did not end within " + std::to_string(most_iterations) + " iterations",
                       "take a smaller lambda");

@@ -2,8 +2,9 @@
 /// The implicit step by conjugate gradients, where a factorisation would not fit into memory. Private to the layer.
 #pragma once
 
+#include "geometry/linear/incomplete_cholesky.h"
 #include "geometry/operators/vertices_with_mass.h"
-#include "geometry/smoothing/diffusion_kernels.h"
+#include "geometry/smoothing/diffusion_step.h"
 
 namespace meshfolio {
 

@@ -34,7 +34,7 @@ bool ExplicitDiffusion::step(double lambda, const FourColumns& X, FourColumns& Y
     constexpr int rows_a_task = 4096;
     std::atomic<bool> near = true;
     const auto body = [&](const tbb::blocked_range<int>& rows) {
-        if (!explicit_rows(L_, lambda, X.data(), rows.begin(), rows.end(), bound, Y.data())) near = false;
+        if (!explicit_rows(L_, lambda, X, rows.begin(), rows.end(), bound, Y)) near = false;
     };
     // Each thread comes back to the rows that are in its cache.
     tbb::parallel_for(tbb::blocked_range<int>(0, L_.rows(), rows_a_task), body, tbb::static_partitioner());

@@ -2,12 +2,29 @@
 /// Explicit steps of ∂X/∂t = LX with a fixed operator, prepared once and applied many times. Private to the layer.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <vector>
 
+#include "geometry/linear/aligned_columns.h"
 #include "geometry/operators/vertices_with_mass.h"
-#include "geometry/smoothing/diffusion_kernels.h"
 
 namespace meshfolio {
+
+/// Off-diagonal entries of a matrix whose rows sum to 0, row by row.
+struct DifferenceRows {
+    std::vector<std::uint32_t> start;   // of row i in the two below; one more than rows
+    std::vector<std::int32_t> column;
+    std::vector<double> weight;
+
+    int rows() const { return static_cast<int>(start.size()) - 1; }
+};
+/// Rows of M⁻¹C without their diagonal.
+DifferenceRows difference_rows(const OperatorWithMass& whole);
+
+/// y_i = x_i + λ Σ_j w_ij (x_j − x_i) for the rows [first, last).
+/// @return  whether all |y| there are finite and at most `bound`
+bool explicit_rows(const DifferenceRows& L, double lambda, const FourColumns& X, int first, int last, double bound, FourColumns& Y);
 
 /// X ↦ X + λLX, L = M⁻¹C. Each weight read serves three coordinates; constants stay to the last bit, since only differences of
 /// neighbours are weighted. Every row is a sum in fixed order: threads do not change it.
@@ -25,8 +42,5 @@ private:
     std::vector<int> vertex_;
     DifferenceRows L_;
 };
-
-/// Rows of M⁻¹C without their diagonal.
-DifferenceRows difference_rows(const OperatorWithMass& whole);
 
 }   // namespace meshfolio

@@ -119,9 +119,7 @@ void ImplicitSolver::step(FourColumns& X) {
         s.iterations += s.gradients->solve(X);
         return;
     }
-    for_each_index(static_cast<int>(X.rows()), [&](int i) {
-        for (int c = 0; c < FourColumns::width; ++c) X.row(i)[c] *= s.M[i];
-    });
+    for_each_index(static_cast<int>(X.rows()), [&](int i) { row_of(X, i) *= s.M[i]; });
     solve_in_place(s.factor, X);
 }
 

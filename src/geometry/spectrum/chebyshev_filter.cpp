@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertices_with_mass.h"
 
 namespace meshfolio {
@@ -15,14 +16,14 @@ namespace {
 Vector step_series(double t_cutoff, int degree) {
     const double angle = std::acos(std::clamp(t_cutoff, -1.0, 1.0));
     Vector c(degree + 1);
-    c[0] = 1 - angle / M_PI;
-    for (int j = 1; j <= degree; ++j) c[j] = -2 * std::sin(j * angle) / (j * M_PI);
+    c[0] = 1 - angle / pi;
+    for (int j = 1; j <= degree; ++j) c[j] = -2 * std::sin(j * angle) / (j * pi);
     return c;
 }
 
 /// Jackson's factors: the series of a positive kernel as narrow as the degree allows.
 Vector jackson_factors(int degree) {
-    const double N = degree + 1, a = M_PI / (N + 1);
+    const double N = degree + 1, a = pi / (N + 1);
     Vector g(degree + 1);
     for (int j = 0; j <= degree; ++j) g[j] = ((N - j + 1) * std::cos(j * a) + std::sin(j * a) / std::tan(a)) / (N + 1);
     return g;
@@ -33,11 +34,11 @@ template <class Function>
 Vector series_of(Function f, int degree) {
     const int points = 2 * degree + 64;
     Vector values(points);
-    for (int i = 0; i < points; ++i) values[i] = f(std::cos(M_PI * (i + 0.5) / points));
+    for (int i = 0; i < points; ++i) values[i] = f(std::cos(pi * (i + 0.5) / points));
     Vector c(degree + 1);
     for (int j = 0; j <= degree; ++j) {
         double sum = 0;
-        for (int i = 0; i < points; ++i) sum += values[i] * std::cos(M_PI * j * (i + 0.5) / points);
+        for (int i = 0; i < points; ++i) sum += values[i] * std::cos(pi * j * (i + 0.5) / points);
         c[j] = (j == 0 ? 1.0 : 2.0) / points * sum;
     }
     return c;

@@ -27,8 +27,7 @@ void check_sizes(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, con
 
 /// Components of the triangles, or of those with an area, in which some vertex has a mass.
 int components_with_mass(const TriangleMesh& mesh, const Vector& M, bool with_area) {
-    DisjointSets sets;
-    sets.reset(mesh.vertex_count());
+    DisjointSets sets(mesh.vertex_count());
     const double scale = unit_scale(mesh);
     for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
         if (with_area && triangle_shape(mesh, t, scale).degenerate()) continue;

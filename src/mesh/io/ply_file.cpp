@@ -14,7 +14,6 @@
 #include "base/number_text.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/ply_header.h"
-#include "mesh/io/ply_rows.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
 
@@ -81,11 +80,6 @@ private:
     const std::string& file_;
 };
 
-void warn_of_bytes_left(std::size_t bytes, WarningTally& warnings) {
-    if (bytes == 0) return;
-    warnings.add(0, "bytes after the last element ignored", "bytes after the last element ignored", std::to_string(bytes));
-}
-
 class BinaryBody {
 public:
     BinaryBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
@@ -128,7 +122,11 @@ public:
         at_ += bytes;
     }
 
-    void end(WarningTally& warnings) const { warn_of_bytes_left(bytes_.size() - at_, warnings); }
+    void end(WarningTally& warnings) const {
+        if (at_ == bytes_.size()) return;
+        const char* const message = "bytes after the last element ignored";
+        warnings.add(0, message, message, std::to_string(bytes_.size() - at_));
+    }
 
 private:
     void need(std::size_t bytes) const {
@@ -315,10 +313,6 @@ LoadedMesh parse_ply(std::string_view bytes, const std::string& file) {
     const PlyMeshParts parts = mesh_parts(header, file);
     if (parts.ignored != nullptr) {
         warnings.add(parts.ignored->line, "tristrips beside faces ignored", "elements of tristrips beside faces ignored");
-    }
-    if (std::optional<PlyTriangles> all_at_once = read_triangle_rows(bytes, header, parts)) {
-        warn_of_bytes_left(bytes.size() - all_at_once->end, warnings);
-        return {std::move(all_at_once->mesh), file, {}, warnings.warnings()};
     }
     if (header.format == PlyHeader::Format::ascii) return PlyReader(header, parts, TextBody(bytes, header, file), file).run(warnings);
     return PlyReader(header, parts, BinaryBody(bytes, header, file), file).run(warnings);

@@ -159,6 +159,22 @@ private:
     PlyHeader header_;
 };
 
+[[noreturn]] void fail(const std::string& file, long line, const std::string& problem, const std::string& remedy) {
+    throw InputError({file, line}, problem, remedy);
+}
+
+const PlyElement* element_named(const PlyHeader& header, std::string_view name) {
+    const auto e = std::find_if(header.elements.begin(), header.elements.end(), [&](auto& element) { return element.name == name; });
+    return e == header.elements.end() ? nullptr : &*e;
+}
+
+/// Place of a property among those of its element; nothing when it has none of that name.
+std::optional<std::size_t> property_named(const PlyElement& element, std::string_view name) {
+    const auto p = std::find_if(element.properties.begin(), element.properties.end(), [&](auto& q) { return q.name == name; });
+    if (p == element.properties.end()) return std::nullopt;
+    return static_cast<std::size_t>(p - element.properties.begin());
+}
+
 }   // namespace
 
 std::size_t size_of(PlyType type) {
@@ -182,5 +198,33 @@ std::size_t size_of(PlyType type) {
 bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& file) { return HeaderReader(bytes, file).run(); }
+
+PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file) {
+    PlyMeshParts parts{};
+    parts.vertices = element_named(header, "vertex");
+    if (parts.vertices == nullptr) fail(file, 0, "no vertex element", "export the mesh with its vertices");
+    for (const char* name : {"x", "y", "z"}) {
+        const auto p = property_named(*parts.vertices, name);
+        if (!p) fail(file, 0, std::string("element vertex has no property '") + name + "'", "a mesh needs x, y and z");
+        const PlyProperty& property = parts.vertices->properties[*p];
+        if (property.is_list) fail(file, property.line, std::string("property '") + name + "' is a list", "it must be one number");
+        parts.axis[static_cast<std::size_t>(*name - 'x')] = *p;
+    }
+    const PlyElement* const faces = element_named(header, "face");
+    const PlyElement* const strips = element_named(header, "tristrips");
+    parts.are_strips = strips != nullptr && (faces == nullptr || faces->count == 0);
+    parts.faces = parts.are_strips ? strips : faces;
+    parts.ignored = parts.are_strips ? nullptr : strips;
+    if (parts.faces == nullptr) fail(file, 0, "no face element", "export the mesh as polygons");
+    const auto indices = property_named(*parts.faces, "vertex_indices"), index = property_named(*parts.faces, "vertex_index");
+    if (!indices && !index) {
+        fail(file, parts.faces->line, "element " + parts.faces->name + " has no property 'vertex_indices'", "export the mesh as polygons");
+    }
+    parts.corners = std::max(indices.value_or(0), index.value_or(0));
+    const PlyProperty& corners = parts.faces->properties[parts.corners];
+    if (!corners.is_list || !is_integer(corners.type))
+        fail(file, corners.line, "vertex index type must be a list of an integer type", "such as int");
+    return parts;
+}
 
 }   // namespace meshfolio

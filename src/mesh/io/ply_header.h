@@ -1,7 +1,8 @@
 /// @file
-/// The header of a PLY file (Turk 1994): which elements follow, and what each is made of.
+/// The header of a PLY file (Turk 1994): which elements follow, what each is made of, and where among them the mesh stands.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,5 +42,20 @@ struct PlyHeader {
 /// Counts are checked against the bytes that follow.
 /// @throws InputError with the header's line
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& file);
+
+/// The elements and properties that make up the mesh.
+struct PlyMeshParts {
+    const PlyElement* vertices;
+    const PlyElement* faces;           // or `tristrips`, where there are no faces
+    std::array<std::size_t, 3> axis;   // which property of a vertex is x, y, z
+    std::size_t corners;               // which property of a face is the list of its corners
+    bool are_strips;                   // a row of `faces` holds strips of triangles, ended by −1
+    const PlyElement* ignored;         // strips beside faces; null without
+
+    bool is_corners(const PlyElement& element, std::size_t property) const { return &element == faces && property == corners; }
+};
+
+/// @throws InputError naming what is missing
+PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file);
 
 }   // namespace meshfolio

@@ -15,7 +15,6 @@
 #include "base/file_bytes.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
-#include "output/publish/leftovers.h"
 #include "output/publish/temporaries.h"
 
 namespace meshfolio::output {
@@ -140,14 +139,7 @@ std::string ResultCache::keep(std::string_view bytes) {
     return digest;
 }
 
-std::string ResultCache::keep_file(const fs::path& file) {
-    const std::string bytes = read_file(file);
-    std::string digest = sha256(bytes);
-    const fs::path path = object(digest);
-    make_folder(path.parent_path());
-    if (!bytes_of(digest)) write_new(path, bytes);
-    return digest;
-}
+std::string ResultCache::keep_file(const fs::path& file) { return keep(read_file(file)); }
 
 bool ResultCache::place(const std::string& digest, const fs::path& target) {
     const std::optional<std::string> bytes = bytes_of(digest);

@@ -167,7 +167,7 @@ std::string hexadecimal(render::Rgba color) {
     return text;
 }
 
-Json told_of_values(const ColorRange& range, bool has_undefined, render::Rgba undefined) {
+Json extras_of_values(const ColorRange& range, bool has_undefined, render::Rgba undefined) {
     Json colors = Json::array();
     for (const render::Rgba& stop : value_range(range).colormap->stops) colors.push_back(hexadecimal(stop));
     return {{"attribute", "_VALUE"},
@@ -216,7 +216,7 @@ std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std:
         writer.write_colors(values, value_range(*range), look.undefined_color);
         writer.write_values(values);
         if (has_undefined) writer.write_mask(values);
-        extras["value"] = told_of_values(*range, has_undefined, look.undefined_color);
+        extras["value"] = extras_of_values(*range, has_undefined, look.undefined_color);
     }
     extras["frame"] = {{"centre", numbers(frame.centre)}, {"radius", frame.radius}};
     Json json;

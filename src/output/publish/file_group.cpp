@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "output/publish/folder_system.h"
-#include "output/publish/leftovers.h"
+#include "output/publish/temporaries.h"
 
 namespace meshfolio::output {
 

@@ -13,7 +13,7 @@ struct FileSum {
     long line = 0;        // in the list
 };
 
-/// By path. The paths are as they stand there: whoever writes to them looks at them first.
+/// By path. Paths are not checked: check them before writing to them.
 /// @param file  the list, for messages
 /// @throws InputError with the line that is not of the format
 std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file);

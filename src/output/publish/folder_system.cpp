@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <cerrno>
 #include <cstdio>
@@ -61,6 +62,13 @@ void make_folder(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);
     if (error) throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")");
+}
+
+bool is_safe_name(std::string_view name) {
+    const auto safe = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '+' || c == '-';
+    };
+    return !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-' && std::all_of(name.begin(), name.end(), safe);
 }
 
 }   // namespace meshfolio::output

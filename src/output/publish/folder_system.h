@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace meshfolio::output {
 
@@ -35,5 +36,8 @@ std::filesystem::path resolved(const std::filesystem::path& path, std::error_cod
 
 /// mkdir, parents too. @throws OutputError
 void make_folder(const std::filesystem::path& path);
+
+/// True for a plain file name: 1 to 120 characters of [A-Za-z0-9_.+-], the first of which is no point and no minus.
+bool is_safe_name(std::string_view name);
 
 }   // namespace meshfolio::output

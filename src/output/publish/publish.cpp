@@ -12,7 +12,6 @@
 #include "base/file_bytes.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
-#include "output/publish/leftovers.h"
 #include "output/publish/temporaries.h"
 
 namespace meshfolio::output {
@@ -96,7 +95,7 @@ void sync_folders(const fs::path& folder) {
     OpenFolder(folder).sync();
 }
 
-/// Two renames where one exchange is not to be had; what was there waits under a name that the next run knows how to restore.
+/// Two renames where the file system cannot exchange names. The next run can restore the old folder from its name.
 void replace_in_two_steps(const fs::path& folder, const fs::path& target) {
     const fs::path aside = target.string() + ".old-" + process_number();
     const int moved = rename_with(target, aside, 0);
@@ -110,7 +109,7 @@ void replace_in_two_steps(const fs::path& folder, const fs::path& target) {
 
 enum class Placed { fresh, exchanged, unsupported };
 
-/// `folder` becomes `target` by one rename. Two first runs may race: whoever comes second finds the name taken and exchanges.
+/// `folder` becomes `target` by one rename. Two first runs may race: the second finds the name taken and exchanges.
 Placed place(const fs::path& folder, const fs::path& target) {
     int error = 0;
     for (int attempt = 0; attempt < 10; ++attempt) {

@@ -11,7 +11,7 @@
 
 namespace meshfolio::output {
 
-/// The marker file that tells a folder made by us.
+/// The marker file of a folder made by us.
 inline constexpr const char* marker_file = ".meshfolio";
 /// Digests of every other file, in the format of sha256sum.
 inline constexpr const char* sums_file = "SHA256SUMS";
@@ -31,11 +31,11 @@ public:
 
     const std::filesystem::path& folder() const;   // to write into
 
-    /// Files whose digest is known (by path below the folder): whoever hashed the bytes that were put there may say so.
+    /// Digests that are known already, by path below the folder.
     using Digests = std::map<std::string, std::string>;
 
     /// Writes SHA256SUMS and the marker, carries over .gitignore, syncs, exchanges, removes the old one.
-    /// @return  what to tell the user when the exchange could not be one atomic step, or the old one not be removed; else empty
+    /// @return  a warning for the user when the exchange could not be one atomic step, or the old one not be removed; else empty
     /// @throws OutputError
     std::string publish(const Digests& known = {});
 
@@ -47,7 +47,7 @@ private:
     std::unique_ptr<OpenFolder> lock_;   // of such a target, where two runs would mix their files
 };
 
-/// For whoever ends the process early, on a signal say: removes every temporary file and folder of this process and lets nothing more be
+/// For an early end of the process, such as a signal: removes every temporary file and folder of this process and lets nothing more be
 /// published. Never returns control to a publication that is under way.
 /// @return whether something was published before
 bool abandon_publications() noexcept;

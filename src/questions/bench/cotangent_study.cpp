@@ -4,34 +4,13 @@
 #include <utility>
 
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
-#include "geometry/operators/uniform_laplacian.h"
+#include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
+#include "questions/bench/estimators.h"
 
 namespace meshfolio {
 
 namespace {
-
-/// Weights this close to 0 are right angles, rounded.
-constexpr double negative_below = -1e-9;
-
-struct NegativeWeights {
-    int inside = 0, boundary = 0;
-    double smallest = 0;
-};
-
-NegativeWeights negative_weights(const SparseMatrix& C, const MeshTopology& topology) {
-    NegativeWeights found;
-    for (const Edge& edge : topology.edges) {
-        const double weight = C.coeff(edge.a, edge.b);
-        found.smallest = std::min(found.smallest, weight);
-        if (weight < negative_below) ++(edge.faces == 1 ? found.boundary : found.inside);
-    }
-    return found;
-}
-
-double share(int part, std::size_t whole) { return whole == 0 ? 0 : double(part) / double(whole); }
 
 /// ½‖Lx‖ everywhere, boundary included; 0 where there is no area.
 Vector half_laplacian_length(const LaplaceBeltrami& laplacian, const Positions& X) {
@@ -87,36 +66,6 @@ OperatorVariant variant_of(const CurvatureSubject& s, std::string name, const Co
 
 }   // namespace
 
-CotangentErrors cotangent_errors(const SampledSurface& s) {
-    CotangentErrors e;
-    e.vertices = s.mesh.vertex_count();
-    e.mean_edge = s.mean_edge;
-    e.smallest_angle = s.smallest_angle;
-    e.uniform = relative_error(uniform_mean_curvature_scaled(s.mesh, s.topology), s.H, s.areas);
-    const CornerValues cotangents = corner_cotangents(s.mesh);
-    LaplaceBeltrami laplacian{cotangent_stiffness(s.mesh.F, e.vertices, cotangents), s.areas};
-    e.negative_weights = share(negative_weights(laplacian.C, s.topology).inside, s.topology.edges.size());
-    for (std::size_t form = 0; form < area_forms.size(); ++form) {
-        if (area_forms[form] != AreaForm::barycentric) laplacian.M = vertex_areas(s.mesh, area_forms[form]);
-        const Vector H = cotangent_mean_curvature(s.mesh, s.topology, laplacian);
-        e.H[form] = relative_error(H, s.H, s.areas);
-        e.undefined[form] = summary_of(H).undefined;
-    }
-    laplacian = {cotangent_stiffness(s.mesh.F, e.vertices, cotangents, {.clamp_negative = true}), s.areas};
-    e.clamped = relative_error(cotangent_mean_curvature(s.mesh, s.topology, laplacian), s.H, s.areas);
-    return e;
-}
-
-ErrorHistory cotangent_H(const CotangentRefinement& refinement, std::size_t area_form, double FieldError::*norm) {
-    return refinement.history([&](const CotangentErrors& level) { return level.H[area_form].*norm; });
-}
-
-ErrorHistory scaled_uniform_H(const CotangentRefinement& refinement) {
-    return refinement.history([](const CotangentErrors& level) { return level.uniform.l2; });
-}
-
-double pentagon_excess() { return 3 / std::tan(54 * pi / 180) / (2 * std::sin(72 * pi / 180)) - 1; }
-
 CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source) {
     CotangentComparison c;
     c.subject = curvature_subject(std::move(source));
@@ -146,20 +95,17 @@ CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source)
 }
 
 PlaneTest irregular_plane(std::uint64_t seed) {
-    TriangleMesh mesh = grid_mesh(24, 24, 1, 1);
-    const MeshTopology topology = topology_of(mesh);
-    mesh.X = jittered(mesh, topology, 0.2, seed, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
-    const double edge = mean_edge_length(mesh);
-    const LaplaceBeltrami exact = laplace_beltrami(mesh), clamped = laplace_beltrami(mesh, AreaForm::barycentric, {.clamp_negative = true});
-    PlaneTest test;
-    test.uniform_H = edge * uniform_mean_curvature_scaled(mesh, topology);
-    test.cotangent_H = edge * cotangent_mean_curvature(mesh, topology, exact);
-    test.clamped_H = edge * cotangent_mean_curvature(mesh, topology, clamped);
-    test.negative_weights = share(negative_weights(exact.C, topology).inside, topology.edges.size());
+    const KnownSurface square{.mesh_at = [](int) { return grid_mesh(24, 24, 1, 1); },
+                              .projected = [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); },
+                              .normal_at = [](const Vector3&) { return Vector3(0, 0, 1); },
+                              .curvature_at = [](const Vector3&) { return CurvaturePair{}; }};
+    const BenchMesh b = bench_mesh(square, MeshKind::jittered, 0, seed);
+    const auto H = [&](const char* key) -> Vector { return b.mean_edge * estimator(key).estimate(b); };
+    PlaneTest test{b.mesh, H("H.uniform"), H("H.barycentric"), H("H.clamped")};
+    test.negative_weights = negative_weights(b.C(), b.topology).inside / double(b.topology.edges.size());
     test.uniform = largest_magnitude(test.uniform_H);
     test.cotangent = largest_magnitude(test.cotangent_H);
     test.clamped = largest_magnitude(test.clamped_H);
-    test.mesh = std::move(mesh);
     return test;
 }
 

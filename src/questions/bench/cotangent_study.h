@@ -1,39 +1,15 @@
 /// @file
-/// What question 3 measures: the cotangent operator against the uniform one, on the meshes it is given, on surfaces with closed form and
-/// on the plane.
+/// The cotangent operator against the uniform one, on a mesh and on an irregular flat square.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "geometry/operators/cotangent_laplacian.h"
-#include "questions/bench/curvature_study.h"
-#include "questions/bench/uniform_curvature_study.h"
+#include "questions/bench/curvature_subject.h"
 
 namespace meshfolio {
-
-/// Errors of H on a known surface at one level.
-struct CotangentErrors {
-    int vertices = 0;
-    double mean_edge = 0;             // [length]
-    double smallest_angle = 0;        // [rad]
-    double negative_weights = 0;      // share of the edges
-    FieldError uniform;               // ½‖Δ_uniform x‖ · 4/h²
-    std::array<FieldError, 3> H;      // cotangent, one an area form
-    std::array<int, 3> undefined{};   // vertices whose area is ≤ 0
-    FieldError clamped;               // barycentric areas, negative weights set to 0
-};
-CotangentErrors cotangent_errors(const SampledSurface& s);
-
-using CotangentRefinement = Refinement<CotangentErrors>;
-ErrorHistory cotangent_H(const CotangentRefinement& refinement, std::size_t area_form, double FieldError::*norm = &FieldError::l2);
-ErrorHistory scaled_uniform_H(const CotangentRefinement& refinement);   // L2
-
-/// Barycentric H of a flat regular pentagon cap over its true value, less 1: where L∞ on the icosphere stalls, at its twelve vertices of
-/// valence 5.
-double pentagon_excess();
 
 /// One way of building the operator, on one mesh.
 struct OperatorVariant {

@@ -117,10 +117,13 @@ DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick) {
     return tips;
 }
 
-double order_of(const std::vector<DiscreteTip>& tips, double DiscreteTip::*error) {
-    const DiscreteTip& coarse = tips[tips.size() - 2];
-    const DiscreteTip& fine = tips.back();
-    return std::log(coarse.*error / fine.*error) / std::log(coarse.mean_edge / fine.mean_edge);
+ErrorHistory errors_of(const std::vector<DiscreteTip>& tips, double DiscreteTip::*error) {
+    ErrorHistory history;
+    for (const DiscreteTip& tip : tips) {
+        history.mean_edges.push_back(tip.mean_edge);
+        history.errors.push_back(tip.*error);
+    }
+    return history;
 }
 
 }   // namespace meshfolio

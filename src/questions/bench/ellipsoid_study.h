@@ -8,6 +8,7 @@
 
 #include "geometry/curvature/fundamental_forms.h"
 #include "mesh/triangle_mesh.h"
+#include "questions/bench/curvature_bench.h"
 #include "questions/core/settings.h"
 
 namespace meshfolio {
@@ -68,7 +69,6 @@ struct DiscreteTips {
 };
 DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick);
 
-/// From the two finest meshes.
-double order_of(const std::vector<DiscreteTip>& tips, double DiscreteTip::*error);
+ErrorHistory errors_of(const std::vector<DiscreteTip>& tips, double DiscreteTip::*error);
 
 }   // namespace meshfolio

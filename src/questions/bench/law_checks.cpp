@@ -1,7 +1,6 @@
 #include "questions/bench/law_checks.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/errors.h"
 #include "base/number_text.h"

@@ -1,6 +1,6 @@
 /// @file
-/// Named checks of what must hold for every mesh, operator and spectrum. The questions, the certificates and the planted faults all use
-/// these: that the checks can fail is shown by the same functions that pass in the report.
+/// Named checks of what must hold for every mesh, operator and spectrum. The questions, the certificates and the planted faults use the
+/// same functions, so the checks that pass in the report are those that fail on the faults.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 /// @file
-/// Sentences that may have nothing to say, and the paragraphs they make.
+/// Joins sentences to paragraphs. An empty sentence stands for one that does not apply.
 #pragma once
 
 #include <initializer_list>
@@ -22,7 +22,7 @@ inline report::Text paragraph_of(std::initializer_list<report::Text> sentences) 
     return paragraph;
 }
 
-/// Adds a sentence behind a space, also an empty one.
+/// Appends a space and a sentence.
 inline void go_on(report::Text& text, const report::Text& sentence) { report::extend(text, " ", sentence); }
 
 /// What the message says of these {{meshes}}; nothing where there are none.

@@ -44,6 +44,12 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
 /// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples);
 
+/// As meshes_for(), for sections that look at smoothing itself: cube, noisy plane, noisy fandisk and armadillo in the laboratory, of them
+/// what fits its budget in a report.
+/// @throws InputError if one is missing or unusable
+std::vector<std::shared_ptr<const LibraryMesh>> laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings,
+                                                                  report::Section& section);
+
 struct SmoothingRun {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
     double lambda = 0;    // [length²]

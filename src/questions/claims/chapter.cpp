@@ -126,7 +126,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.parameters = {{"rules", words.line("parameter.rules")}, {"noise", words.line("parameter.noise", "seed"_a = settings.seed)}};
     section.extent = report::plain(ledger_summary(ledger));
     report::Text finding = ledger_summary(ledger);
-    if (const JudgedClaim* most = most_refuted(ledger)) report::extend(finding, " ", words.say("finding", facts_of(*most)));
+    if (const JudgedClaim* most = most_refuted(ledger)) go_on(finding, words.say("finding", facts_of(*most)));
     section.findings.push_back({std::move(finding), 82});
     return answer;
 }
@@ -134,7 +134,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 extern const Chapter chapter{
     .id = "claims",
     .code = {{"decide", "src/questions/claims/claim.cpp"},
-             {"claim_list", "src/questions/claims/claim_list.cpp"},
+             {"claim_list", "src/questions/claims/claim.cpp"},
              {"ClaimBench", "src/questions/claims/claim_bench.h"},
              {"report_mesh", "src/questions/core/stand_ins.cpp"},
              {"answer", "src/questions/claims/chapter.cpp"}},

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "base/errors.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
@@ -56,7 +57,40 @@ std::string_view key_of(Verdict verdict) {
     return keys[static_cast<std::size_t>(verdict)];
 }
 
+Measurement unmeasured(const Error& error) { return {.undecidable = words.line("unmeasured", "why"_a = error.what())}; }
+
+Measurement measured(const Claim& claim, ClaimBench& bench) try {
+    if (claim.effort == Effort::full && bench.settings().quick) return {.undecidable = words.line("not_in_quick_run")};
+    const Measurable about = bench.measurable(claim.about);
+    if (!about.why_not.empty()) return {.undecidable = about.why_not};
+    Measurement measurement = claim.measure(bench, about.meshes);
+    measurement.meshes = bench.called(about.meshes);
+    return measurement;
+} catch (const MeshError& error) {   // too large, without an operator
+    return unmeasured(error);
+} catch (const SolverError& error) {
+    return unmeasured(error);
+}
+
 }   // namespace
+
+const std::vector<Claim>& claim_list() {
+    static const std::vector<Claim> all = [] {
+        std::vector<Claim> claims;
+        for (const auto* part :
+             {&curvature_claims, &spectral_claims, &explicit_claims, &implicit_claims, &denoising_claims, &fandisk_claims, &paper_claims})
+            claims.insert(claims.end(), part->begin(), part->end());
+        std::ranges::stable_sort(claims, {}, &Claim::question);
+        return claims;
+    }();
+    return all;
+}
+
+JudgedClaim judged(const Claim& claim, ClaimBench& bench) {
+    JudgedClaim result{&claim, measured(claim, bench), {}};
+    result.decision = decide(claim.rule, result.measurement);
+    return result;
+}
 
 std::string word_of(Verdict verdict) { return words.line("verdict." + std::string(key_of(verdict))); }
 
@@ -72,7 +106,7 @@ std::string Claim::said() const { return words.line(std::string(id) + ".said"); 
 const Source& Claim::source() const {
     const auto* source =
         std::ranges::find_if(sources, [&](const Source& s) { return id.starts_with("claims_" + std::string(s.key) + "_"); });
-    if (source == sources.end()) throw std::logic_error("nobody claims " + std::string(id));
+    if (source == sources.end()) throw std::logic_error("no source of " + std::string(id));
     return *source;
 }
 
@@ -131,8 +165,8 @@ report::Text verdict_text(const JudgedClaim& judged) {
         verdict == Verdict::conditional
             ? words.say("judged.conditional", shown, "within"_a = values_of(judged, within), "beyond"_a = values_of(judged, beyond))
             : words.say("judged", shown, "values"_a = values_of(judged, verdict == Verdict::holds ? within : beyond));
-    if (!judged.measurement.remark.empty()) report::extend(t, " ", judged.measurement.remark);
-    if (!judged.measurement.meshes.empty()) report::extend(t, " ", words.say("measured_on", "meshes"_a = judged.measurement.meshes));
+    if (!judged.measurement.remark.empty()) go_on(t, judged.measurement.remark);
+    if (!judged.measurement.meshes.empty()) go_on(t, words.say("measured_on", "meshes"_a = judged.measurement.meshes));
     return t;
 }
 

@@ -2,16 +2,15 @@
 /// A claim that someone made, as data: what it is about, the rule that would make it true, the measurement, and the verdict that follows
 /// from all of them. Its words are messages: "<id>.said" of what is claimed, "<id>.case…" and "<id>.remark…" of what was measured.
 ///
-/// What a claim is about decides, before anything is measured, which meshes may be measured (About). A mesh that takes the place of
-/// another decides nothing about what is particular to that other one:
-///   - A claim about formulas, or about surfaces that the program itself makes, names no mesh. It is always measured.
-///   - A claim about any mesh names those that its author used. Whatever takes their places decides as well as they do.
-///   - A claim about a kind of mesh ("the noisy plane", "hands, feet and tail") is decided by the mesh itself or by the bundled one that
-///     was made as one of that kind for its role. The user's own mesh never decides it: nobody has told of what kind it is.
-///   - A claim about one mesh itself has a step, a number of iterations or of modes that belongs to its triangles. Only that mesh decides
-///     it: known by its counts, mean edge and λ_crit, or as the assignment's file in a data folder.
-/// Of those left, a mesh without a property that the claim needs is not measured, and a mesh that takes two places counts once. Where none
-/// is left, or fewer than the claim compares with each other, the claim is not decidable here, and the reason is told.
+/// What a claim is about (About) decides, before anything is measured, which meshes may be measured:
+///   - A claim about formulas, or about surfaces that the program makes, names no mesh. It is always measured.
+///   - A claim about any mesh names those that its author used. Any mesh in their places decides it.
+///   - A claim about a kind of mesh ("the noisy plane") is decided by the mesh itself or by the bundled mesh made for its role. The user's
+///     mesh never decides it, because its kind is not known.
+///   - A claim about one mesh itself has a step or a number of iterations or modes that belongs to its triangles. Only that mesh decides
+///     it. It is known by its counts, mean edge and λ_crit, or as the assignment's file in a data folder.
+/// A mesh without a property that the claim needs is left out, and a mesh in two places counts once. A claim with too few meshes left is
+/// not decidable here.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +51,7 @@ struct Case {
 /// Meshes by name: "bunny", or a role of the library.
 using MeshNames = std::vector<std::string_view>;
 
-/// A property without which a mesh says nothing of a claim.
+/// A property that a mesh needs to decide a claim.
 enum class Property {
     flat,                  // all vertices lie in one plane
     not_flat,              // else noise has no normal direction, and there are no features
@@ -61,16 +60,16 @@ enum class Property {
     negative_weights,      // some cotangent weight is below 0
     unequal_areas,         // the areas of the vertices differ, by 1 % or more
     clean_form_known,      // the surface under the noise is known, vertex by vertex
-    above_1500_vertices,   // so that 150 modes are few of them
+    above_1500_vertices,   // 150 modes are then a small share
 };
 
-/// What a claim is about; the rule is above.
+/// Which meshes a claim is about.
 struct About {
     enum class Scope { any_mesh, its_kind, itself };
-    MeshNames meshes = {};   // none: formulas, or surfaces that the program makes
-    Scope scope = Scope::any_mesh;
+    MeshNames meshes = {};                   // none: formulas, or surfaces that the program makes
     std::vector<Property> properties = {};   // that every mesh must have
-    std::size_t compared = 1;                // different meshes without which there is nothing to compare
+    Scope scope = Scope::any_mesh;
+    std::size_t compared = 1;   // how many different meshes the claim compares
 };
 
 struct Measurement {
@@ -112,7 +111,7 @@ struct Claim {
     Measurement (*measure)(ClaimBench& bench, const MeshNames& meshes) = nullptr;
     Effort effort = Effort::quick;
 
-    /// What is claimed, in words of our own.
+    /// The claim in our own words.
     std::string said() const;
     const Source& source() const;
 };
@@ -134,5 +133,14 @@ std::string with_unit(double value, const Rule& rule);
 report::Text rule_text(const JudgedClaim& judged);
 /// Verdict, deciding number and what explains it, generated from the numbers.
 report::Text verdict_text(const JudgedClaim& judged);
+
+// By subject; each file states a rule for every claim before anything is measured.
+extern const std::vector<Claim> curvature_claims, spectral_claims, explicit_claims, implicit_claims, denoising_claims, fandisk_claims,
+    paper_claims;
+/// Those of four earlier reports on the same coursework, S0 to S3, and of the papers they rest on: by question, then by source.
+const std::vector<Claim>& claim_list();
+
+/// Measures a claim and applies its rule. What cannot be measured here is undecidable, with the reason.
+JudgedClaim judged(const Claim& claim, ClaimBench& bench);
 
 }   // namespace meshfolio::claims

@@ -4,7 +4,7 @@
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
-#include "questions/bench/curvature_study.h"
+#include "questions/bench/curvature_subject.h"
 #include "questions/bench/mesh_class.h"
 #include "questions/claims/parts.h"
 
@@ -46,17 +46,21 @@ SmoothingOptions options_of(const auto& key) {
     return options;
 }
 
+/// What the map keeps under the key, made when it is first asked for.
+template <class Map, class Make>
+const auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
+    const auto found = map.find(key);
+    return found != map.end() ? found->second : map.emplace(key, make()).first->second;
+}
+
 }   // namespace
 
 const ReportMesh& ClaimBench::mesh(std::string_view name) {
-    auto it = meshes_.find(name);
-    if (it == meshes_.end()) it = meshes_.emplace(std::string(name), report_mesh(library_, name)).first;
-    const int n = it->second.mesh->mesh().vertex_count();
-    if (n > largest_mesh(settings_)) {
-        throw MeshError(it->second.mesh->name + " has " + std::to_string(n) +
-                        " vertices, more than a run without laboratory = true measures");
-    }
-    return it->second;
+    const ReportMesh& found = kept(meshes_, std::string(name), [&] { return report_mesh(library_, name); });
+    const int n = found.mesh->mesh().vertex_count();
+    if (n > largest_mesh(settings_))
+        throw MeshError(found.mesh->name + " has " + std::to_string(n) + " vertices, more than a run without laboratory = true measures");
+    return found;
 }
 
 std::string ClaimBench::called(const MeshNames& names) {
@@ -161,19 +165,13 @@ std::optional<Positions> ClaimBench::clean_form(std::string_view noisy) {
 
 const SmoothingSubject& ClaimBench::subject(std::string_view name) {
     const auto& source = mesh(name).mesh;
-    auto it = subjects_.find(source.get());
-    if (it == subjects_.end()) it = subjects_.emplace(source.get(), smoothing_subject(source)).first;
-    return it->second;
+    return kept(subjects_, source.get(), [&] { return smoothing_subject(source); });
 }
 
 double ClaimBench::uniform_limit(std::string_view name) {
     const auto& source = mesh(name).mesh;
-    auto it = uniform_limits_.find(source.get());
-    if (it == uniform_limits_.end()) {
-        const double limit = largest_stable_step(largest_eigenvalue(uniform_operator(source->prepared->topology)));
-        it = uniform_limits_.emplace(source.get(), limit).first;
-    }
-    return it->second;
+    return kept(uniform_limits_, source.get(),
+                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->prepared->topology))); });
 }
 
 double ClaimBench::raw_step(std::string_view name, double lambda) {
@@ -187,61 +185,52 @@ double ClaimBench::raw_length(std::string_view name, double length, int power) {
 
 const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {
     const auto& source = mesh(name).mesh;
-    const std::pair<const LibraryMesh*, RunKey> whole{source.get(), key};
-    if (const auto it = runs_.find(whole); it != runs_.end()) return it->second;
-    return runs_.emplace(whole, smooth(source->mesh(), options_of(key), solvers_[source.get()])).first->second;
+    return kept(runs_, {source.get(), key}, [&] { return smooth(source->mesh(), options_of(key), solvers_[source.get()]); });
 }
 
 double ClaimBench::motion(std::string_view name, const RunKey& key) { return vertex_rms(mesh(name).mesh->mesh().X, run(name, key).X); }
 
 const std::vector<double>& ClaimBench::denoised(std::string_view name, const NoisyKey& key) {
-    const auto& source = mesh(name).mesh;
-    const auto it = noisy_runs_.find({source.get(), key.tied()});
-    return it != noisy_runs_.end() ? it->second : noisy_runs_[{source.get(), key.tied()}] = errors_along(source, key);
-}
-
-std::vector<double> ClaimBench::errors_along(const std::shared_ptr<const LibraryMesh>& source, const NoisyKey& key) {
-    const TriangleMesh& clean = source->mesh();
-    const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, key.sigma, settings_.seed));
-    std::vector<double> errors{vertex_rms(clean.X, noisy.X)};
-    SmoothingOptions options = options_of(key);
-    options.rebuild = key.rebuild;
-    options.after_step = [&](int, const Positions& X) {
-        errors.push_back(vertex_rms(clean.X, X));
-        return true;
-    };
-    smooth(noisy, options, solvers_[source.get()]);
-    return errors;
+    const LibraryMesh& source = *mesh(name).mesh;
+    return kept(noisy_runs_, {&source, key.tied()}, [&] {
+        const TriangleMesh& clean = source.mesh();
+        const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, key.sigma, settings_.seed));
+        std::vector<double> errors{vertex_rms(clean.X, noisy.X)};
+        SmoothingOptions options = options_of(key);
+        options.rebuild = key.rebuild;
+        options.after_step = [&](int, const Positions& X) {
+            errors.push_back(vertex_rms(clean.X, X));
+            return true;
+        };
+        smooth(noisy, options, solvers_[&source]);
+        return errors;
+    });
 }
 
 const DenoisingStudy& ClaimBench::denoising(std::string_view name, const std::vector<double>& noise, int iterations) {
     const auto& source = mesh(name).mesh;
-    const std::tuple key{source.get(), noise, iterations};
-    if (const auto it = denoising_.find(key); it != denoising_.end()) return it->second;
-    QuestionSettings settings = settings_;
-    settings.noise = noise;
-    settings.iterations = {iterations};
-    settings.lambda.clear();
-    return denoising_.emplace(key, denoising_study(source, settings)).first->second;
+    return kept(denoising_, {source.get(), noise, iterations}, [&] {
+        QuestionSettings settings = settings_;
+        settings.noise = noise;
+        settings.iterations = {iterations};
+        settings.lambda.clear();
+        return denoising_study(source, settings);
+    });
 }
 
 const SpectralStudy& ClaimBench::spectrum(std::string_view name) {
     const auto& source = mesh(name).mesh;
-    auto it = spectra_.find(source.get());
-    if (it == spectra_.end()) {
+    return kept(spectra_, source.get(), [&] {
         QuestionSettings settings = settings_;
         settings.k = {5, 10, 15, 30, 60, 150};
-        it = spectra_.emplace(source.get(), spectral_study(source, settings)).first;
-    }
-    return it->second;
+        return spectral_study(source, settings);
+    });
 }
 
-const PanelLevel& ClaimBench::panel(const std::string& surface, MeshKind kind, int level) {
-    const std::tuple key{surface, kind, level};
-    if (const auto it = panels_.find(key); it != panels_.end()) return it->second;
-    const std::vector<TruthSurface> surfaces = truth_surfaces();
-    const auto s = std::ranges::find(surfaces, surface, [](const TruthSurface& t) { return t.surface.name; });
-    return panels_.emplace(key, panel_level(truth_mesh(*s, kind, level, settings_.seed))).first->second;
+BenchRun ClaimBench::curvature(const std::string& surface, MeshKind kind, int coarse, int fine) const {
+    std::vector<int> levels;
+    for (int level = coarse; level <= fine; ++level) levels.push_back(level);
+    return bench_runs({known_surface(surface)}, std::array{kind}, levels, settings_.seed, [](std::string_view) {}).front();
 }
 
 const PlaneTest& ClaimBench::plane() {

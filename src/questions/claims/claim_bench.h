@@ -1,5 +1,5 @@
 /// @file
-/// What claims are measured with: each mesh, operator, run, spectrum is worked out once, whichever claims need it.
+/// What claims are measured with. Meshes, operators, runs and spectra are computed once and shared.
 #pragma once
 
 #include <map>
@@ -12,8 +12,8 @@
 
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "questions/bench/cotangent_study.h"
+#include "questions/bench/curvature_bench.h"
 #include "questions/bench/denoising_study.h"
-#include "questions/bench/ground_truth.h"
 #include "questions/bench/smoothing_study.h"
 #include "questions/bench/spectral_study.h"
 #include "questions/claims/claim.h"
@@ -25,7 +25,7 @@ namespace meshfolio::claims {
 /// What may be measured of what a claim is about.
 struct Measurable {
     MeshNames meshes;
-    std::string why_not;   // empty: it may
+    std::string why_not;   // empty where it can be measured
 };
 
 /// A smoothing run from the mesh itself.
@@ -60,25 +60,24 @@ public:
     const ReportMesh& mesh(std::string_view name);
     /// "bunny and creature in place of cow.off": for texts.
     std::string called(const MeshNames& names);
-    /// Is it the very mesh that the name means? One with known measures is, if counts, mean edge and λ_crit agree to 10⁻⁴, whatever its
-    /// file is called; another is, if a data folder has the assignment's file.
+    /// Whether the named mesh itself is there, and no stand-in. A mesh with known measures is recognised by its counts, mean edge and
+    /// λ_crit, to 10⁻⁴; any other by the assignment's file in a data folder.
     bool is_itself(std::string_view name);
     bool has(std::string_view name, Property property);
     /// By the rule in claim.h.
     Measurable measurable(const About& about);
-    /// The surface under the noise, vertex by vertex, where it is known: of the bundled noisy meshes alone.
+    /// The positions without noise, which are known of the bundled noisy meshes only.
     std::optional<Positions> clean_form(std::string_view noisy);
 
     const SmoothingSubject& subject(std::string_view name);
     /// λ_crit of the uniform operator.
     double uniform_limit(std::string_view name);
 
-    /// A step of an earlier report, given for the original: itself there, elsewhere the same multiple of the limit.
+    /// A step that a report took on the original mesh; on a stand-in, the same multiple of the largest stable step.
     double raw_step(std::string_view name, double lambda);
     /// The same for a length or, with power 2, an area: the same multiple of the mean edge.
     double raw_length(std::string_view name, double length, int power = 1);
 
-    /// The shared solver is a cache like the rest: it never changes a result.
     const Smoothed& run(std::string_view name, const RunKey& key);
     /// rms distance of the result of a run from the mesh [length].
     double motion(std::string_view name, const RunKey& key);
@@ -87,11 +86,11 @@ public:
     /// Question 7 on that mesh, at these noise levels. [box diagonals]
     const DenoisingStudy& denoising(std::string_view name, const std::vector<double>& noise, int iterations);
 
-    /// With the modes 5, 10, 15, 30 and `most`, fewer on smaller meshes.
+    /// With 150 modes, fewer on smaller meshes.
     const SpectralStudy& spectrum(std::string_view name);
 
-    /// Errors of the estimates of curvature on a surface with a closed form; level 3 to 5.
-    const PanelLevel& panel(const std::string& surface, MeshKind kind, int level);
+    /// Estimates of curvature on a surface with a closed form, between two levels of 3 to 5.
+    BenchRun curvature(const std::string& surface, MeshKind kind, int coarse, int fine) const;
     /// A flat square of irregular triangles.
     const PlaneTest& plane();
 
@@ -103,11 +102,10 @@ public:
 
 private:
     bool in_scope(std::string_view name, About::Scope scope);
-    std::vector<double> errors_along(const std::shared_ptr<const LibraryMesh>& source, const NoisyKey& key);
 
     const MeshLibrary& library_;
     const QuestionSettings& settings_;
-    std::map<std::string, ReportMesh, std::less<>> meshes_;
+    std::map<std::string, ReportMesh> meshes_;
     std::map<const LibraryMesh*, SmoothingSubject> subjects_;
     std::map<const LibraryMesh*, double> uniform_limits_;
     std::map<const LibraryMesh*, SpectralStudy> spectra_;
@@ -115,7 +113,6 @@ private:
     std::map<std::pair<const LibraryMesh*, RunKey>, Smoothed> runs_;
     std::map<std::pair<const LibraryMesh*, decltype(NoisyKey().tied())>, std::vector<double>> noisy_runs_;
     std::map<std::tuple<const LibraryMesh*, std::vector<double>, int>, DenoisingStudy> denoising_;
-    std::map<std::tuple<std::string, MeshKind, int>, PanelLevel> panels_;
     std::unique_ptr<PlaneTest> plane_;
 };
 

@@ -19,13 +19,14 @@ constexpr std::array samplings{Sampling{"ellipsoid", MeshKind::regular}, Samplin
 
 int level_of(const ClaimBench& bench) { return bench.settings().laboratory ? 5 : bench.settings().quick ? 3 : 4; }
 
-double error_of(ClaimBench& bench, const Sampling& s, Quantity quantity, const std::string& key, int coarser = 0) {
-    const PanelLevel& level = bench.panel(s.surface, s.kind, level_of(bench) - coarser);
-    return (quantity == Quantity::H ? level.H : level.K)[estimator_index(quantity, key)].l2;
+BenchRun run_on(ClaimBench& bench, const Sampling& s, int coarser = 0) {
+    const int level = level_of(bench);
+    return bench.curvature(s.surface, s.kind, level - coarser, level);
 }
-double uniform_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, Quantity::H, "uniform"); }
-double cotangent_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, Quantity::H, "barycentric"); }
-double deficit_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, Quantity::K, "barycentric"); }
+double error_of(ClaimBench& bench, const Sampling& s, std::string_view estimator) { return run_on(bench, s).finest().error(estimator).l2; }
+double uniform_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "H.uniform"); }
+double cotangent_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "H.barycentric"); }
+double deficit_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "K.barycentric"); }
 
 std::vector<Case> over_samplings(ClaimBench& bench, double (*value)(ClaimBench&, const Sampling&)) {
     return each(samplings, [&](const Sampling& s) { return Case{s.said(), value(bench, s)}; });
@@ -58,15 +59,13 @@ Measurement cotangent_beats_deficit(ClaimBench& bench, const MeshNames&) {
 Measurement not_influenced(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     for (const char* surface : {"sphere", "ellipsoid"}) {
-        for (const int coarser : {1, 0}) {
-            const Sampling s{surface, MeshKind::random};
-            const int vertices = bench.panel(s.surface, s.kind, level_of(bench) - coarser).vertices;
-            m.cases.push_back({words.line("claims_s0_irregular.case", "sampling"_a = s.said(), "vertices"_a = vertices),
-                               100 * error_of(bench, s, Quantity::H, "barycentric", coarser)});
-        }
+        const Sampling s{surface, MeshKind::random};
+        for (const BenchLevel& level : run_on(bench, s, 1).levels)
+            m.cases.push_back({words.line("claims_s0_irregular.case", "sampling"_a = s.said(), "vertices"_a = level.vertices),
+                               100 * level.error("H.barycentric").l2});
     }
     m.remark = words.say("claims_s0_irregular.remark", "error"_a = readable(100 * cotangent_error(bench, samplings[0])));
-    if (m.cases[3].value > 0.7 * m.cases[2].value) report::extend(m.remark, " ", words.say("claims_s0_irregular.remark.stays"));
+    if (m.cases[3].value > 0.7 * m.cases[2].value) go_on(m.remark, words.say("claims_s0_irregular.remark.stays"));
     return m;
 }
 
@@ -126,27 +125,20 @@ Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
 
 }   // namespace
 
-const std::vector<Claim>& curvature_claims() {
-    using enum Rule::Relation;
-    using enum Property;
-    using enum About::Scope;
-    static const std::vector<Claim> claims{
-        {"claims_s0_uniform", "q1", {}, {"uniform_error", "%", at_least, 10}, uniform_inaccurate},
-        {"claims_s0_drift", "q1", {}, {"flat_h", "", at_least, 0.01}, uniform_on_flat},
-        {"claims_s1_deficit", "q1", {}, {"error_ratio", "", at_most, 1}, deficit_beats_uniform},
-        {"claims_s3_plane_uniform", "q1", {{"plane"}, its_kind, {flat}}, {"flat_h", "", at_most, 0.001}, uniform_on_plane},
-        {"claims_s3_plane_structure", "q1", {{"plane"}, itself, {flat}}, {"flat_h", "", at_least, 0.01}, structure_on_plane},
-        {"claims_s3_tip", "q2", {}, {"tip_distance", "", at_most, 1e-9}, parameters_of_the_tip},
-        {"claims_s3_extrema", "q2", {}, {"normal_curvatures", "", at_least, 1}, places_of_extrema},
-        {"claims_s0_irregular", "q3", {}, {"random_error", "%", at_most, 5}, not_influenced},
-        {"claims_s0_best", "q3", {}, {"error_over_others", "", at_most, 1}, cotangent_beats_both},
-        {"claims_s1_cotangent", "q3", {}, {"error_ratio", "", at_most, 0.5}, cotangent_beats_uniform},
-        {"claims_s1_over_deficit", "q3", {}, {"error_ratio", "", at_most, 1}, cotangent_beats_deficit},
-        {"claims_s2_artefacts", "q3", {}, {"flat_h", "", at_most, 1e-9}, cotangent_on_flat},
-        {"claims_s3_clamp", "q3", {}, {"flat_h", "", at_most, 1e-9}, clamping_is_harmless},
-        {"claims_s3_plane_rapid", "q3", {{"plane"}, itself}, {"jumps", "", at_most, 1}, less_rapid_on_plane},
-    };
-    return claims;
-}
+extern const std::vector<Claim> curvature_claims{
+    {"claims_s0_uniform", "q1", {}, {"uniform_error", "%", at_least, 10}, uniform_inaccurate},
+    {"claims_s0_drift", "q1", {}, {"flat_h", "", at_least, 0.01}, uniform_on_flat},
+    {"claims_s1_deficit", "q1", {}, {"error_ratio", "", at_most, 1}, deficit_beats_uniform},
+    {"claims_s3_plane_uniform", "q1", {{"plane"}, {flat}, its_kind}, {"flat_h", "", at_most, 0.001}, uniform_on_plane},
+    {"claims_s3_plane_structure", "q1", {{"plane"}, {flat}, itself}, {"flat_h", "", at_least, 0.01}, structure_on_plane},
+    {"claims_s3_tip", "q2", {}, {"tip_distance", "", at_most, 1e-9}, parameters_of_the_tip},
+    {"claims_s3_extrema", "q2", {}, {"normal_curvatures", "", at_least, 1}, places_of_extrema},
+    {"claims_s0_irregular", "q3", {}, {"random_error", "%", at_most, 5}, not_influenced},
+    {"claims_s0_best", "q3", {}, {"error_over_others", "", at_most, 1}, cotangent_beats_both},
+    {"claims_s1_cotangent", "q3", {}, {"error_ratio", "", at_most, 0.5}, cotangent_beats_uniform},
+    {"claims_s1_over_deficit", "q3", {}, {"error_ratio", "", at_most, 1}, cotangent_beats_deficit},
+    {"claims_s2_artefacts", "q3", {}, {"flat_h", "", at_most, 1e-9}, cotangent_on_flat},
+    {"claims_s3_clamp", "q3", {}, {"flat_h", "", at_most, 1e-9}, clamping_is_harmless},
+    {"claims_s3_plane_rapid", "q3", {{"plane"}, {}, itself}, {"jumps", "", at_most, 1}, less_rapid_on_plane}};
 
 }   // namespace meshfolio::claims

@@ -7,24 +7,15 @@ namespace meshfolio::claims {
 
 namespace {
 
-using enum SmoothingScheme;
-
-/// rms error [length]; of the plane, the height alone.
+/// rms error; on the plane only the height counts. [length]
 double error_of(const Positions& X, const Positions& clean, bool height_only) {
     return height_only ? std::sqrt((X.col(2) - clean.col(2)).squaredNorm() / double(X.rows())) : vertex_rms(X, clean);
 }
 
-struct Sweep {
-    std::vector<double> lambdas, errors;
-    double noisy = 0;
-    double best_step() const { return lambdas[static_cast<std::size_t>(best_of(errors))]; }
-    double least() const { return std::ranges::min(errors); }
-    double at(double lambda) const { return errors[static_cast<std::size_t>(std::ranges::find(lambdas, lambda) - lambdas.begin())]; }
-};
 Sweep sweep_of(ClaimBench& bench, std::string_view name, const Positions& clean, RunKey key, std::vector<double> lambdas) {
     const bool height_only = name == "plane_ns";
     Sweep sweep{std::move(lambdas), {}, error_of(bench.mesh(name).mesh->mesh().X, clean, height_only)};
-    for (const double lambda : sweep.lambdas) {
+    for (const double lambda : sweep.steps) {
         key.lambda = lambda;
         sweep.errors.push_back(error_of(bench.run(name, key).X, clean, height_only));
     }
@@ -99,34 +90,26 @@ Measurement noise_needs_implicit(ClaimBench& bench, const MeshNames&) {
 
 }   // namespace
 
-const std::vector<Claim>& fandisk_claims() {
-    using enum Rule::Relation;
-    using enum Property;
-    using enum Effort;
-    using enum About::Scope;
-    static const std::vector<Claim> claims{
-        {"claims_s3_plane_step", "q5", {{"plane_ns"}, its_kind, {clean_form_known}}, {"over_best_step", "", at_most, 1.1}, plane_at_one},
-        {"claims_s3_fandisk_step",
-         "q5",
-         {{"fandisk_ns"}, itself, {clean_form_known}},
-         {"over_best_step", "", at_most, 1.1},
-         fandisk_at_half,
-         full},
-        {"claims_s3_implicit_needed", "q7", {{"fandisk"}}, {"least_explicit", "", at_least, 1.1}, noise_needs_implicit, full},
-        {"claims_s3_uniform_larger",
-         "q7",
-         {{"fandisk_ns"}, its_kind, {clean_form_known}},
-         {"best_uniform", "", at_least, 1.5},
-         uniform_needs_larger,
-         full},
-        {"claims_s3_cotangent_denoises",
-         "q7",
-         {{"fandisk_ns"}, its_kind, {clean_form_known}},
-         {"least_cotangent", "", at_most, 0.9},
-         cotangent_denoises_better,
-         full},
-    };
-    return claims;
-}
+extern const std::vector<Claim> fandisk_claims{
+    {"claims_s3_plane_step", "q5", {{"plane_ns"}, {clean_form_known}, its_kind}, {"over_best_step", "", at_most, 1.1}, plane_at_one},
+    {"claims_s3_fandisk_step",
+     "q5",
+     {{"fandisk_ns"}, {clean_form_known}, itself},
+     {"over_best_step", "", at_most, 1.1},
+     fandisk_at_half,
+     full},
+    {"claims_s3_implicit_needed", "q7", {{"fandisk"}}, {"least_explicit", "", at_least, 1.1}, noise_needs_implicit, full},
+    {"claims_s3_uniform_larger",
+     "q7",
+     {{"fandisk_ns"}, {clean_form_known}, its_kind},
+     {"best_uniform", "", at_least, 1.5},
+     uniform_needs_larger,
+     full},
+    {"claims_s3_cotangent_denoises",
+     "q7",
+     {{"fandisk_ns"}, {clean_form_known}, its_kind},
+     {"least_cotangent", "", at_most, 0.9},
+     cotangent_denoises_better,
+     full}};
 
 }   // namespace meshfolio::claims

@@ -6,14 +6,12 @@ namespace meshfolio::claims {
 
 namespace {
 
-using enum SmoothingScheme;
-
 double energy_left(ClaimBench& bench, std::string_view name, const RunKey& key) {
     const SmoothingSubject& s = bench.subject(name);
     return dirichlet_energy(s.laplacian.C, bench.run(name, key).X) / s.initial_energy;
 }
 
-/// In the energy of the run's own operator, the only one that its steps cannot raise; to a millionth, below which needles leave rounding.
+/// Energy left in the run's own operator, which its steps cannot raise. Rounded to a millionth: needles leave rounding errors below.
 double own_energy_left(ClaimBench& bench, std::string_view name, const RunKey& key) {
     const TriangleMesh& mesh = bench.subject(name).mesh();
     const SparseMatrix C = laplace_operator(mesh, key.laplacian).C;
@@ -65,7 +63,7 @@ Measurement same_as_explicit(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
-/// 100 steps of λ beside fewer that are `factor` times as large: the same time.
+/// The gap between 100 steps of λ and fewer steps, `factor` times as large, over the same time.
 Case same_time(ClaimBench& bench, int factor) {
     const double step = bench.raw_step("bunny", 1e-7);
     return {words.line("case.same_time", "steps"_a = 100 / factor, "factor"_a = factor),
@@ -106,7 +104,7 @@ int explicit_steps_to(ClaimBench& bench, std::string_view name, double share) {
     options.lambda = 0.95 * s.critical;
     options.iterations = 3000;
     options.after_step = [&](int iteration, const Positions& X) {
-        // The energy costs as much as a step: looked at every tenth.
+        // The energy costs as much as a step, so it is computed every tenth.
         if (iteration % 10 == 0 && dirichlet_energy(s.laplacian.C, X) <= share * s.initial_energy) steps = iteration;
         return steps == 0;
     };
@@ -166,22 +164,16 @@ Measurement smooths_more(ClaimBench& bench, const MeshNames&) {
 
 }   // namespace
 
-const std::vector<Claim>& implicit_claims() {
-    using enum Rule::Relation;
-    using enum Effort;
-    static const std::vector<Claim> claims{
-        {"claims_s0_stable", "q6", {{"bunny"}}, {"energy", "", at_most, 1}, stable_on_bunny},
-        {"claims_s0_too_large", "q6", {{"bunny"}}, {"apart", "%", at_least, 5}, too_large_deviates, full},
-        {"claims_s0_nonlinear", "q6", {{"cube"}}, {"superposition", "", at_least, 1e-9}, non_linear_solver},
-        {"claims_s0_cheaper", "q6", {{"bunny"}}, {"operations", "", at_most, 0.5}, implicit_is_cheaper, full},
-        {"claims_s0_fewer_iterations", "q6", {{"bunny"}}, {"iterations", "", at_most, 0.5}, fewer_iterations, full},
-        {"claims_s1_any_step", "q6", {{"bunny"}}, {"energy", "", at_most, 1}, stable_at_any_step},
-        {"claims_s1_same_as_explicit", "q6", {{"bunny"}}, {"apart", "%", at_most, 5}, same_as_explicit, full},
-        {"claims_s2_smooths_more", "q6", {{"bunny"}}, {"energies", "", at_most, 0.99}, smooths_more, full},
-        {"claims_s3_five_stable", "q6", {{"fandisk_ns"}}, {"energy", "", at_most, 1}, stable_at_five, full},
-        {"claims_s3_iterations_for_step", "q6", {{"bunny"}}, {"apart", "%", at_most, 10}, iterations_for_step, full},
-    };
-    return claims;
-}
+extern const std::vector<Claim> implicit_claims{
+    {"claims_s0_stable", "q6", {{"bunny"}}, {"energy", "", at_most, 1}, stable_on_bunny},
+    {"claims_s0_too_large", "q6", {{"bunny"}}, {"apart", "%", at_least, 5}, too_large_deviates, full},
+    {"claims_s0_nonlinear", "q6", {{"cube"}}, {"superposition", "", at_least, 1e-9}, non_linear_solver},
+    {"claims_s0_cheaper", "q6", {{"bunny"}}, {"operations", "", at_most, 0.5}, implicit_is_cheaper, full},
+    {"claims_s0_fewer_iterations", "q6", {{"bunny"}}, {"iterations", "", at_most, 0.5}, fewer_iterations, full},
+    {"claims_s1_any_step", "q6", {{"bunny"}}, {"energy", "", at_most, 1}, stable_at_any_step},
+    {"claims_s1_same_as_explicit", "q6", {{"bunny"}}, {"apart", "%", at_most, 5}, same_as_explicit, full},
+    {"claims_s2_smooths_more", "q6", {{"bunny"}}, {"energies", "", at_most, 0.99}, smooths_more, full},
+    {"claims_s3_five_stable", "q6", {{"fandisk_ns"}}, {"energy", "", at_most, 1}, stable_at_five, full},
+    {"claims_s3_iterations_for_step", "q6", {{"bunny"}}, {"apart", "%", at_most, 10}, iterations_for_step, full}};
 
 }   // namespace meshfolio::claims

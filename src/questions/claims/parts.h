@@ -10,14 +10,20 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "questions/bench/sentences.h"
 #include "questions/claims/claim_bench.h"
-#include "questions/claims/claim_list.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio::claims {
 
 inline constexpr report::Words words("claims");
 inline constexpr std::string_view measurements = "claims_measurements";   // the table of all cases
+
+using enum Rule::Relation;
+using enum Property;
+using enum Effort;
+using enum About::Scope;
+using enum SmoothingScheme;
 
 /// A case for each of these meshes, steps, …
 template <class Range>
@@ -26,6 +32,14 @@ std::vector<Case> each(const Range& range, const auto& case_of) {
     for (const auto& one : range) cases.push_back(case_of(one));
     return cases;
 }
+/// The error left by each of several steps.
+struct Sweep {
+    std::vector<double> steps, errors;   // errors: rms [length]
+    double noisy = 0;                    // before smoothing [length]
+    double best_step() const { return steps[static_cast<std::size_t>(best_of(errors))]; }
+    double least() const { return std::ranges::min(errors); }
+    double at(double step) const { return errors[static_cast<std::size_t>(std::ranges::find(steps, step) - steps.begin())]; }
+};
 /// "random triangles on the torus".
 inline std::string sampled(MeshKind kind, std::string_view surface) {
     return words.line("case.sampling", "triangles"_a = name_of(kind), "surface"_a = surface);

@@ -1,10 +1,37 @@
-// Claims about meshes rebuilt from their smoothest modes.
+// Claims about the operator itself and about meshes rebuilt from its smoothest modes.
+#include "geometry/measures/mesh_laws.h"
 #include "questions/bench/spectral_uses.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
 
 namespace {
+
+SparseMatrix L_of(const LaplaceBeltrami& laplacian) {
+    Vector inverse = laplacian.M;
+    for (double& a : inverse) a = a > 0 ? 1 / a : 0;
+    return inverse.asDiagonal() * laplacian.C;
+}
+
+Measurement C_not_symmetric(ClaimBench& bench, const MeshNames&) {
+    const LaplaceBeltrami& laplacian = bench.subject("bunny").laplacian;
+    const double of_L = asymmetry(L_of(laplacian));
+    return {.cases = {{"C", asymmetry(laplacian.C)}},
+            .remark = of_L > 1e-9 ? words.say("claims_s1_symmetric.remark", "asymmetry"_a = readable(of_L, 2)) : report::Text()};
+}
+
+Measurement L_not_symmetric(ClaimBench& bench, const MeshNames&) {
+    return {.cases = {{"L = M⁻¹C", asymmetry(L_of(bench.subject("bunny").laplacian))}}};
+}
+
+Measurement clamping_is_stable(ClaimBench& bench, const MeshNames& meshes) {
+    const auto gained = [&](std::string_view name) {
+        const LibraryMesh& source = *bench.mesh(name).mesh;
+        const double clamped = largest_stable_step(largest_eigenvalue(laplace_operator(source.mesh(), OperatorKind::clamped)));
+        return Case{source.name, clamped / bench.subject(name).critical};
+    };
+    return {.cases = each(meshes, gained), .remark = words.say("claims_s3_clamp_stable.remark")};
+}
 
 std::string k_text(int k) { return "k = " + std::to_string(k); }
 
@@ -88,29 +115,25 @@ Measurement projection_needs_areas(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
+constexpr std::string_view of_diagonal = "% of the box diagonal";
+
 }   // namespace
 
-const std::vector<Claim>& spectral_claims() {
-    using enum Rule::Relation;
-    using enum Property;
-    using enum Effort;
-    using enum About::Scope;
-    constexpr std::string_view unit = "% of the box diagonal";
-    static const std::vector<Claim> claims{
-        {"claims_s1_k150", "q4", {{"bunny", "cow"}, any_mesh, {above_1500_vertices}}, {"rebuilt", unit, at_most, 1}, near_original, full},
-        {"claims_s1_more_modes", "q4", {{"cow"}, any_mesh, {above_1500_vertices}}, {"next_k", "", at_most, 0.95}, more_is_better, full},
-        {"claims_s2_k30", "q4", {{"bumpy_cube"}, itself}, {"rebuilt", unit, at_least, 0.5}, thirty_miss_the_bumps, full},
-        {"claims_s2_k130", "q4", {{"bumpy_cube"}, itself}, {"rebuilt", unit, at_most, 1}, many_are_enough, full},
-        {"claims_s3_hands_feet", "q4", {{"armadillo"}, its_kind}, {"remoteness", "", at_least, 1.2}, hands_and_feet, full},
-        {"claims_s3_edge_areas", "q4", {{"armadillo"}}, {"edge_normalised", "", at_most, 0.99}, normalised_by_edges, full},
-        {"claims_vallet_projection",
-         "q4",
-         {{"armadillo"}, any_mesh, {unequal_areas}},
-         {"either_step", "", at_least, 1},
-         projection_needs_areas,
-         full},
-    };
-    return claims;
-}
+extern const std::vector<Claim> spectral_claims{
+    {"claims_s1_symmetric", "q4", {{"bunny"}}, {"asymmetry_c", "", at_least, 1e-9}, C_not_symmetric},
+    {"claims_s2_symmetric", "q4", {{"bunny"}, {unequal_areas}}, {"asymmetry_l", "", at_least, 1e-3}, L_not_symmetric},
+    {"claims_s3_clamp_stable",
+     "q4",
+     {{"armadillo", "lilium", "plane_ns"}, {negative_weights}},
+     {"clamped_limit", "", at_least, 1.01},
+     clamping_is_stable,
+     full},
+    {"claims_s1_k150", "q4", {{"bunny", "cow"}, {above_1500_vertices}}, {"rebuilt", of_diagonal, at_most, 1}, near_original, full},
+    {"claims_s1_more_modes", "q4", {{"cow"}, {above_1500_vertices}}, {"next_k", "", at_most, 0.95}, more_is_better, full},
+    {"claims_s2_k30", "q4", {{"bumpy_cube"}, {}, itself}, {"rebuilt", of_diagonal, at_least, 0.5}, thirty_miss_the_bumps, full},
+    {"claims_s2_k130", "q4", {{"bumpy_cube"}, {}, itself}, {"rebuilt", of_diagonal, at_most, 1}, many_are_enough, full},
+    {"claims_s3_hands_feet", "q4", {{"armadillo"}, {}, its_kind}, {"remoteness", "", at_least, 1.2}, hands_and_feet, full},
+    {"claims_s3_edge_areas", "q4", {{"armadillo"}}, {"edge_normalised", "", at_most, 0.99}, normalised_by_edges, full},
+    {"claims_vallet_projection", "q4", {{"armadillo"}, {unequal_areas}}, {"either_step", "", at_least, 1}, projection_needs_areas, full}};
 
 }   // namespace meshfolio::claims

@@ -1,6 +1,6 @@
 // The section "maps": what smoothing does over the plane of steps and iterations.
 #include "base/number_text.h"
-#include "questions/bench/laboratory_meshes.h"
+#include "questions/bench/smoothing_study.h"
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {

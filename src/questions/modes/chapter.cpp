@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "questions/bench/laboratory_meshes.h"
+#include "questions/bench/smoothing_study.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {

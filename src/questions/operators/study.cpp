@@ -6,6 +6,7 @@
 #include "geometry/operators/intrinsic_delaunay.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/cotangent_study.h"
+#include "questions/bench/estimators.h"
 
 namespace meshfolio::operators {
 
@@ -109,10 +110,10 @@ std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
     const MeshTopology plane_topology = topology_of(plane);
     const double edge = mean_edge_length(plane);
     const int level = settings.quick ? 3 : 4;
-    std::vector<SampledSurface> surfaces;
-    for (const KnownSurface& surface : known_surfaces()) {
-        if (surfaces.size() < 2) surfaces.push_back(sampled(surface, level, Triangulation::jittered, settings.seed));
-    }
+    const auto jittered_on = [&](const char* surface) {
+        return bench_mesh(known_surface(surface), MeshKind::jittered, level, settings.seed);
+    };
+    const std::array surfaces{jittered_on("sphere"), jittered_on("ellipsoid")};
     Vector truth(known_eigenvalues);
     truth << Vector::Constant(3, 2), Vector::Constant(5, 6);
 
@@ -124,7 +125,7 @@ std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
                           ? flat.uniform
                           : edge * linear_precision(laboratory_operator.of(plane), plane, plane_topology);
         for (std::size_t s = 0; s < surfaces.size(); ++s) {
-            const SampledSurface& surface = surfaces[s];
+            const BenchMesh& surface = surfaces[s];
             const LaplaceBeltrami laplacian = laboratory_operator.of(surface.mesh);
             trial.H_error[s] = relative_error(operator_mean_curvature(surface.mesh, surface.topology, laboratory_operator.kind, laplacian),
                                               surface.H, surface.areas)

@@ -9,7 +9,7 @@
 
 #include "geometry/measures/operator_scores.h"
 #include "geometry/operators/laplace_operator.h"
-#include "questions/bench/curvature_study.h"
+#include "questions/bench/curvature_subject.h"
 #include "questions/core/settings.h"
 
 namespace meshfolio::operators {

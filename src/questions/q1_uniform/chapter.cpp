@@ -14,7 +14,7 @@ namespace {
 using report::check_at_most;
 using report::check_near;
 
-void add_checks(report::Section& section, const AngleSums& sums, const std::vector<FlatMesh>& flat, const Refinements& refinements) {
+void add_checks(report::Section& section, const AngleSums& sums, const std::vector<FlatMesh>& flat, const BenchRuns& runs) {
     for (const AngleSum& s : sums)
         if (s.applies)
             section.checks.push_back(check_near(words.line("check.gauss_bonnet", "mesh"_a = s.mesh), s.euler, s.measured, s.tolerance()));
@@ -25,26 +25,33 @@ void add_checks(report::Section& section, const AngleSums& sums, const std::vect
         section.checks.push_back(check_at_most(words.line("check.flat.normal_part", "mesh"_a = s.name()), 0, f.normal_part, 1e-6, note));
         section.checks.push_back(check_at_most(words.line("check.flat.deficit", "mesh"_a = s.name()), 0, f.deficit, 1e-5, note));
     }
-    const UniformRefinement& torus = refinement_on(refinements, "torus", Triangulation::regular);
-    section.checks.push_back(check_near(words.line("check.order"), 2, deficit_K(torus).order(), 0.2));
-    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
-        const UniformRefinement& sphere = refinement_on(refinements, "sphere", triangulation);
-        section.checks.push_back(check_at_most(words.line("check.sphere", "triangulation"_a = name_of(triangulation)), 0,
-                                               sphere.finest().normal_part.linf, 1e-9, words.line("check.sphere.note")));
+    const Order of_K = run_on(runs, "torus", MeshKind::regular).errors(deficit_K).order();
+    section.checks.push_back(check_near(words.line("check.order"), 2, of_K.exponent, 0.2));
+    for (const MeshKind kind : question_kinds) {
+        const double error = run_on(runs, "sphere", kind).finest().error("H.uniform_n").linf;
+        section.checks.push_back(
+            check_at_most(words.line("check.sphere", "triangulation"_a = name_of(kind)), 0, error, 1e-9, words.line("check.sphere.note")));
     }
 }
 
-void add_findings(report::Section& section, const Refinements& refinements, const AngleSums& sums) {
-    const UniformRefinement& regular = refinement_on(refinements, "torus", Triangulation::regular);
-    const UniformRefinement& jittered = refinement_on(refinements, "torus", Triangulation::jittered);
-    const auto error = [](const UniformRefinement& r, bool gaussian) { return readable_percent(errors_of(r, gaussian).last()); };
-    section.findings = {{words.say("finding.torus", "H_regular"_a = error(regular, false), "K_regular"_a = error(regular, true),
-                                   "H_jittered"_a = error(jittered, false), "K_jittered"_a = error(jittered, true)),
+void add_findings(report::Section& section, const BenchRuns& runs, const AngleSums& sums) {
+    const auto error = [&](MeshKind kind, std::string_view estimator) {
+        return readable_percent(run_on(runs, "torus", kind).finest().error(estimator).l2);
+    };
+    using enum MeshKind;
+    section.findings = {{words.say("finding.torus", "H_regular"_a = error(regular, uniform_H), "K_regular"_a = error(regular, deficit_K),
+                                   "H_jittered"_a = error(jittered, uniform_H), "K_jittered"_a = error(jittered, deficit_K)),
                          70},
                         {words.say("finding.gauss_bonnet", "gap"_a = readable(euler_gap(sums), 2)), 30}};
 }
 
 }   // namespace
+
+int without_K(const BenchRuns& runs, AreaForm form) {
+    int without = 0;
+    for (const BenchRun& run : runs) without += run.finest().error(K_with(form)).undefined;
+    return without;
+}
 
 double euler_gap(const AngleSums& sums) {
     double gap = 0;
@@ -70,22 +77,22 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
     add_figures(answer, meshes);
     add(section, statistics_table(meshes));
-    const auto refinements = refine_known_surfaces(settings, progress, "uniform curvature", uniform_errors);
-    add(section, error_table(refinements));
-    add(section, area_table(refinements, &FieldError::l2, "l2", "L2"));
-    add(section, area_table(refinements, &FieldError::linf, "linf", "L∞"));
-    add(section, convergence_plot(refinements, false));
-    add(section, convergence_plot(refinements, true));
-    const AngleSums sums = angle_sums(meshes, refinements);
+    const BenchRuns runs = question_runs(settings, progress);
+    add(section, error_table(runs));
+    add(section, area_table(runs, &EstimateError::l2, "l2", "L2"));
+    add(section, area_table(runs, &EstimateError::linf, "linf", "L∞"));
+    add(section, convergence_plot(runs, uniform_H));
+    add(section, convergence_plot(runs, deficit_K));
+    const AngleSums sums = angle_sums(meshes, runs);
     add(section, gauss_bonnet_table(sums));
     std::vector<FlatMesh> flat;
     for (const MeshCurvature& c : meshes)
         if (c.subject.plane_normal) flat.push_back(flat_mesh(c));
-    add_checks(section, sums, flat, refinements);
-    add_discussion(section, meshes, refinements, sums, flat, *shared_ground_truth(settings, progress));
-    add_findings(section, refinements, sums);
+    add_checks(section, sums, flat, runs);
+    add_discussion(section, meshes, runs, sums, flat, panel_runs(settings.seed, settings.quick, progress));
+    add_findings(section, runs, sums);
 
-    const std::size_t levels = refinements.front().levels.size();
+    const std::size_t levels = runs.front().levels.size();
     section.parameters = {{"area form", "barycentric"},
                           {"colour range", words.line("parameter.colour_range")},
                           {"levels of refinement", std::to_string(levels)},

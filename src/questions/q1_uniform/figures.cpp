@@ -38,7 +38,7 @@ void add_figures(Answer& answer, const Meshes& meshes) {
                                                       "undefined"_a = undefined_words(s)),
                                 .panels = {panels[i]},
                                 .range = range_for(range, {panels[i]}),
-                                .turnable = true});
+                                .turnable = quantity.key == "h"});
         }
     }
 }

@@ -34,31 +34,34 @@ report::Table statistics_table(const Meshes& meshes) {
         .column("undefined", [](auto& row) { return row.values.undefined; });
 }
 
-report::Table error_table(const Refinements& refinements) {
-    return table("q1_errors", words.line("errors"), refinements)
-        .column("surface", [](auto& r) { return r.surface.name; })
-        .column("triangulation", [](auto& r) { return name_of(r.triangulation); })
-        .column("vertices", [](auto& r) { return r.finest().vertices; })
-        .column("smallest angle", {.unit = "°"}, [](auto& r) { return r.finest().smallest_angle * 180 / pi; })
-        .column("H, L2", {.unit = "%"}, [](auto& r) { return 100 * r.finest().H.l2; })
-        .column("H, L∞", {.unit = "%"}, [](auto& r) { return 100 * r.finest().H.linf; })
-        .column("H, order of L2", {.digits = 2}, [](auto& r) { return uniform_H(r).order(); })
-        .column("H normal part, L2", {.unit = "%", .digits = 2}, [](auto& r) { return 100 * r.finest().normal_part.l2; })
-        .column("K, L2", {.unit = "%"}, [](auto& r) { return 100 * r.finest().K[barycentric].l2; })
-        .column("K, L∞", {.unit = "%"}, [](auto& r) { return 100 * r.finest().K[barycentric].linf; })
-        .column("K, order of L2", {.digits = 2}, [](auto& r) { return deficit_K(r).order(); });
+report::Table error_table(const BenchRuns& runs) {
+    const auto error = [](std::string_view estimator, Norm norm = &EstimateError::l2) {
+        return [=](const BenchRun& run) { return 100 * run.finest().error(estimator).*norm; };
+    };
+    const auto order = [](std::string_view estimator) {
+        return [=](const BenchRun& run) { return words_of(run.errors(estimator).order()); };
+    };
+    return table("q1_errors", words.line("errors"), runs)
+        .column("surface", &BenchRun::surface)
+        .column("triangulation", [](auto& run) { return name_of(run.kind); })
+        .column("vertices", [](auto& run) { return run.finest().vertices; })
+        .column("smallest angle", {.unit = "°"}, [](auto& run) { return run.finest().smallest_angle * 180 / pi; })
+        .column("H, L2", {.unit = "%"}, error(uniform_H))
+        .column("H, L∞", {.unit = "%"}, error(uniform_H, &EstimateError::linf))
+        .column("H, order of L2", order(uniform_H))
+        .column("H normal part, L2", {.unit = "%", .digits = 2}, error("H.uniform_n"))
+        .column("K, L2", {.unit = "%"}, error(deficit_K))
+        .column("K, L∞", {.unit = "%"}, error(deficit_K, &EstimateError::linf))
+        .column("K, order of L2", order(deficit_K));
 }
 
-report::Table area_table(const Refinements& refinements, double FieldError::*norm, const std::string& key, const std::string& name) {
-    auto errors = table("q1_area_forms_" + key, words.line("area_forms", "norm"_a = name), std::array{barycentric, voronoi, mixed});
-    errors.column("area form", [](std::size_t form) { return area_name(area_forms[form]); });
-    for (const UniformRefinement& r : refinements)
-        errors.column(r.title(), {.unit = "%", .best = smallest}, [&](std::size_t form) { return 100 * r.finest().K[form].*norm; });
-    return errors.column("without K", {.unit = "vertices", .best = smallest}, [&](std::size_t form) {
-        int without = 0;
-        for (const UniformRefinement& r : refinements) without += r.finest().undefined[form];
-        return without;
-    });
+report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
+    auto errors = table("q1_area_forms_" + key, words.line("area_forms", "norm"_a = name), area_forms);
+    errors.column("area form", area_name);
+    for (const BenchRun& run : runs)
+        errors.column(run.title(), {.unit = "%", .best = smallest},
+                      [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).*norm; });
+    return errors.column("without K", {.unit = "vertices", .best = smallest}, [&](AreaForm form) { return without_K(runs, form); });
 }
 
 report::Table gauss_bonnet_table(const AngleSums& sums) {
@@ -71,20 +74,16 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
         .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); });
 }
 
-report::Plot convergence_plot(const Refinements& refinements, bool gaussian) {
+report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator) {
+    const bool gaussian = estimator == deficit_K;
     const std::string quantity = gaussian ? "K (barycentric areas)" : "uniform H (scaled)";
-    report::Plot plot{.id = gaussian ? "q1_k_convergence" : "q1_h_convergence",
-                      .caption = words.line("convergence", "quantity"_a = quantity),
-                      .alt = words.line("convergence.alt", "quantity"_a = quantity),
-                      .x_label = "mean edge [length]",
-                      .y_label = "relative L2 error [%]",
-                      .log_x = true,
-                      .log_y = true};
-    for (const UniformRefinement& r : refinements) {
+    report::Plot plot = error_plot(gaussian ? "q1_k_convergence" : "q1_h_convergence", words.line("convergence", "quantity"_a = quantity),
+                                   words.line("convergence.alt", "quantity"_a = quantity));
+    for (const BenchRun& run : runs) {
         using enum report::Series::Style;
-        plot.series.push_back(
-            error_series(r.title(), errors_of(r, gaussian), r.triangulation == Triangulation::regular ? line_and_points : dashed));
-        plot.alt += " " + words.line("convergence.alt.series", "series"_a = r.title(), "trend"_a = trend(errors_of(r, gaussian)));
+        const ErrorHistory errors = run.errors(estimator);
+        plot.series.push_back(error_series(run.title(), errors, run.kind == MeshKind::regular ? line_and_points : dashed));
+        plot.alt += " " + words.line("convergence.alt.series", "series"_a = run.title(), "trend"_a = trend(errors));
     }
     return plot;
 }

@@ -36,9 +36,11 @@ void add_checks(report::Section& section, const std::vector<Tip>& tips, const Or
     for (const Tip& tip : tips) check_tip(section, tip);
     for (const OracleErrors& e : oracles) check_oracles(section, e);
     const double limit = pole_limit(tips.front().ellipsoid);
-    append_checks(section, {check_near(words.line("check.pole"), limit, pole.back().K, 1e-6 * limit),
-                            check_near(words.line("check.discrete.mean"), 2, order_of(discrete.grid, &DiscreteTip::H_error), 0.2),
-                            check_near(words.line("check.discrete.gaussian"), 2, order_of(discrete.grid, &DiscreteTip::K_error), 0.2)});
+    append_checks(
+        section,
+        {check_near(words.line("check.pole"), limit, pole.back().K, 1e-6 * limit),
+         check_near(words.line("check.discrete.mean"), 2, errors_of(discrete.grid, &DiscreteTip::H_error).order().exponent, 0.2),
+         check_near(words.line("check.discrete.gaussian"), 2, errors_of(discrete.grid, &DiscreteTip::K_error).order().exponent, 0.2)});
 }
 
 }   // namespace

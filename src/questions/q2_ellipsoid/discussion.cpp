@@ -69,19 +69,21 @@ report::Text about_mistakes(const Tip& tip) {
 
 /// Which of H and K the last refinement of the stretched icosphere did not bring closer.
 std::string about_stretched(const DiscreteTips& tips) {
-    const double H = order_of(tips.icosphere, &DiscreteTip::H_error), K = order_of(tips.icosphere, &DiscreteTip::K_error);
-    if (H > 0 && K > 0) return "";
-    if (H <= 0 && K <= 0) return words.line("on_meshes.neither", "H_order"_a = readable(H, 2), "K_order"_a = readable(K, 2));
-    return words.line("on_meshes.one", "quantity"_a = H <= 0 ? "H" : "K", "order"_a = readable(std::min(H, K), 2));
+    const std::vector<DiscreteTip> last{tips.icosphere.end() - 2, tips.icosphere.end()};
+    const Order H = errors_of(last, &DiscreteTip::H_error).order(), K = errors_of(last, &DiscreteTip::K_error).order();
+    if (H.exponent > 0 && K.exponent > 0) return "";
+    if (H.exponent <= 0 && K.exponent <= 0) return words.line("on_meshes.neither", "H_order"_a = words_of(H), "K_order"_a = words_of(K));
+    const bool of_H = H.exponent <= 0;
+    return words.line("on_meshes.one", "quantity"_a = of_H ? "H" : "K", "order"_a = words_of(of_H ? H : K));
 }
 
 report::Text about_meshes(const DiscreteTips& tips) {
     const DiscreteTip &grid = tips.grid.back(), &icosphere = tips.icosphere.back();
     return words.say("on_meshes", "grid_vertices"_a = grid.vertices, "H"_a = readable(grid.H, 5), "K"_a = readable(grid.K, 5),
                      "H_error"_a = readable_percent(grid.H_error, 2), "K_error"_a = readable_percent(grid.K_error, 2),
-                     "H_order"_a = readable(order_of(tips.grid, &DiscreteTip::H_error), 3),
-                     "K_order"_a = readable(order_of(tips.grid, &DiscreteTip::K_error), 3), "icosphere_vertices"_a = icosphere.vertices,
-                     "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
+                     "H_order"_a = words_of(errors_of(tips.grid, &DiscreteTip::H_error).order()),
+                     "K_order"_a = words_of(errors_of(tips.grid, &DiscreteTip::K_error).order()),
+                     "icosphere_vertices"_a = icosphere.vertices, "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
                      "icosphere_K_error"_a = readable_percent(icosphere.K_error, 2), "stretched"_a = about_stretched(tips));
 }
 

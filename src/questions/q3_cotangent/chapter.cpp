@@ -13,15 +13,12 @@ namespace {
 using report::check_at_most;
 using report::check_near;
 
-void add_checks(report::Section& section, const Refinements& refinements, const PlaneTest& plane, const Comparisons& meshes) {
-    const CotangentRefinement& torus = refinement_on(refinements, "torus", Triangulation::regular);
-    for (const std::size_t form : {barycentric, voronoi, mixed}) {
-        section.checks.push_back(
-            check_near(words.line("check.order", "areas"_a = area_name(area_forms[form])), 2, cotangent_H(torus, form).order(), 0.2));
+void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest& plane, const Comparisons& meshes) {
+    for (const AreaForm form : area_forms) {
+        const Order order = run_on(runs, "torus", MeshKind::regular).errors(H_with(form)).order();
+        section.checks.push_back(check_near(words.line("check.order", "areas"_a = area_name(form)), 2, order.exponent, 0.2));
     }
-    const CotangentErrors& sphere = refinement_on(refinements, "sphere", Triangulation::regular).finest();
-    section.checks.push_back(check_near(words.line("check.pentagon"), pentagon_excess(), sphere.H[barycentric].linf,
-                                        0.25 * sphere.mean_edge * sphere.mean_edge, words.line("check.pentagon.note")));
+    section.checks.push_back(pentagon_check(runs));
     section.checks.push_back(check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
     for (const CotangentComparison& c : meshes) {
         if (!c.subject.plane_normal || c.subject.interior == 0) continue;
@@ -30,13 +27,13 @@ void add_checks(report::Section& section, const Refinements& refinements, const 
     }
 }
 
-void add_findings(report::Section& section, const Comparisons& meshes, const Refinements& refinements, const PlaneTest& plane) {
-    const CotangentErrors& regular = refinement_on(refinements, "torus", Triangulation::regular).finest();
-    const CotangentRefinement& jittered = refinement_on(refinements, "torus", Triangulation::jittered);
-    section.findings = {{words.say("finding.torus", "cotangent"_a = readable_percent(regular.H[mixed].l2),
-                                   "uniform"_a = readable_percent(regular.uniform.l2)),
+void add_findings(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane) {
+    const BenchLevel& regular = run_on(runs, "torus", MeshKind::regular).finest();
+    const BenchRun& jittered = run_on(runs, "torus", MeshKind::jittered);
+    section.findings = {{words.say("finding.torus", "cotangent"_a = readable_percent(regular.error("H.mixed").l2),
+                                   "uniform"_a = readable_percent(regular.error("H.uniform").l2)),
                          80},
-                        {words.say("finding.jittered", "trend"_a = trend(cotangent_H(jittered, mixed))), 72},
+                        {words.say("finding.jittered", "trend"_a = trend(jittered.errors("H.mixed"))), 72},
                         {words.say("finding.square", "cotangent"_a = readable(plane.cotangent, 2), "uniform"_a = readable(plane.uniform, 2),
                                    "clamped"_a = readable(plane.clamped, 2)),
                          45}};
@@ -51,37 +48,35 @@ void add_findings(report::Section& section, const Comparisons& meshes, const Ref
 report::Text about_trials(const std::vector<IndicatorTrial>& trials) {
     double off = 0, found = 1;
     int large = 0;
-    for (const IndicatorTrial& t : trials) {
-        if (t.actual < 0.05) continue;
+    for (const auto& [mesh, on] : trials) {
+        if (on.actual < 0.05) continue;
         ++large;
-        off = std::max(off, std::abs(t.indicated / t.actual - 1));
-        found = std::min(found, t.found);
+        off = std::max(off, std::abs(on.indicated / on.actual - 1));
+        found = std::min(found, on.found);
     }
-    const IndicatorTrial& best = *std::ranges::min_element(trials, {}, &IndicatorTrial::actual);
+    const IndicatorTrial& best = *std::ranges::min_element(trials, {}, [](const IndicatorTrial& t) { return t.indicator.actual; });
     report::Text t = words.say("trust.second_estimate");
     if (large > 0)
-        report::extend(t, " ",
-                       words.say("trust.large", "meshes"_a = large, "off"_a = readable_percent(rounded_up(off, 2), 2),
-                                 "found"_a = readable_percent(rounded_down(found, 2), 2)));
-    report::extend(t, " ",
-                   words.say("trust.small", "mesh"_a = best.mesh, "indicated"_a = readable_percent(best.indicated, 2),
-                             "actual"_a = readable_percent(best.actual, 2)));
+        go_on(t, words.say("trust.large", "meshes"_a = large, "off"_a = readable_percent(rounded_up(off, 2), 2),
+                           "found"_a = readable_percent(rounded_down(found, 2), 2)));
+    go_on(t, words.say("trust.small", "mesh"_a = best.mesh, "indicated"_a = readable_percent(best.indicator.indicated, 2),
+                       "actual"_a = readable_percent(best.indicator.actual, 2)));
     return t;
 }
 
 report::Text about_disagreement(const CotangentComparison& c, const Disagreement& d) {
     report::Text t = words.say("trust.mesh", "mesh"_a = c.subject.name(), "rms"_a = readable_percent(d.rms),
                                "median"_a = readable_percent(d.median), "concentration"_a = readable_percent(d.concentration, 2));
-    if (d.without_jet > 0) report::extend(t, " ", words.say("trust.without_jet", "vertices"_a = d.without_jet));
+    if (d.without_jet > 0) go_on(t, words.say("trust.without_jet", "vertices"_a = d.without_jet));
     return t;
 }
 
 }   // namespace
 
-void add_error_indicator(Answer& answer, const Comparisons& meshes, const QuestionSettings& settings) {
+void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchRuns& runs, const QuestionSettings& settings) {
     report::Section& section = answer.section;
     add_words(section, words, "trust");
-    const std::vector<IndicatorTrial> trials = indicator_trials(settings);
+    const std::vector<IndicatorTrial> trials = indicator_trials(runs, settings);
     add_paragraph(section, about_trials(trials));
     add(section, indicator_table(trials));
     for (const CotangentComparison& c : meshes) {
@@ -91,7 +86,8 @@ void add_error_indicator(Answer& answer, const Comparisons& meshes, const Questi
         add_paragraph(section, about_disagreement(c, d));
     }
     const IndicatorTrial& random = trials.back();
-    section.checks.push_back(check_near(words.line("check.indicator", "mesh"_a = random.mesh), 1, random.indicated / random.actual, 0.05));
+    section.checks.push_back(
+        check_near(words.line("check.indicator", "mesh"_a = random.mesh), 1, random.indicator.indicated / random.indicator.actual, 0.05));
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
@@ -112,22 +108,21 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
     add(section, difference_table(meshes));
     add(section, variant_table(meshes));
-    const auto refinements = refine_known_surfaces(settings, progress, "cotangent curvature", cotangent_errors);
+    const BenchRuns runs = question_runs(settings, progress);
     const PlaneTest plane = irregular_plane(settings.seed);
     add_plane_figure(answer, plane, settings.colormap);
-    add(section, error_table(refinements, &FieldError::l2, "l2", "L2"));
-    add(section, error_table(refinements, &FieldError::linf, "linf", "L∞"));
-    add(section, order_table(refinements));
-    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered})
-        add(section, convergence_plot(refinements, triangulation));
-    add_error_indicator(answer, meshes, settings);
-    add_checks(section, refinements, plane, meshes);
-    add_discussion(section, meshes, refinements, plane, *shared_ground_truth(settings, progress));
-    add_findings(section, meshes, refinements, plane);
+    add(section, error_table(runs, &EstimateError::l2, "l2", "L2"));
+    add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"));
+    add(section, order_table(runs));
+    for (const MeshKind kind : question_kinds) add(section, convergence_plot(runs, kind));
+    add_error_indicator(answer, meshes, runs, settings);
+    add_checks(section, runs, plane, meshes);
+    add_discussion(section, meshes, runs, plane, panel_runs(settings.seed, settings.quick, progress));
+    add_findings(section, meshes, runs, plane);
 
-    const std::size_t levels = refinements.front().levels.size();
+    const std::size_t levels = runs.front().levels.size();
     int most_vertices = 0;
-    for (const CotangentRefinement& r : refinements) most_vertices = std::max(most_vertices, r.finest().vertices);
+    for (const BenchRun& run : runs) most_vertices = std::max(most_vertices, run.finest().vertices);
     section.parameters = {{"area form", words.line("parameter.areas")},
                           {"negative weights", words.line("parameter.negative_weights")},
                           {"levels of refinement", std::to_string(levels)},

@@ -9,10 +9,8 @@ namespace meshfolio::q3_cotangent {
 
 namespace {
 
-std::size_t best_form(const CotangentErrors& e) {
-    const auto best = std::ranges::min_element(e.H, {}, &FieldError::l2);
-    return static_cast<std::size_t>(best - e.H.begin());
-}
+double cotangent_error(const BenchRun& run, AreaForm form) { return run.finest().error(H_with(form)).l2; }
+double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform").l2; }
 
 std::string times_smaller(double factor) {
     if (factor > 1000) return words.line("times.over_1000");
@@ -21,38 +19,36 @@ std::string times_smaller(double factor) {
 }
 
 /// Of every surface the best error of the cotangent operator beside that of the uniform one.
-std::string gains(const Refinements& refinements, Triangulation triangulation) {
+std::string gains(const BenchRuns& runs, MeshKind kind) {
     std::string told;
-    for (const CotangentRefinement& r : refinements) {
-        if (r.triangulation != triangulation) continue;
-        const CotangentErrors& e = r.finest();
-        const std::size_t best = best_form(e);
-        told += (told.empty() ? "" : "; ") + words.line("gains.surface", "surface"_a = r.surface.name,
-                                                        "error"_a = readable_percent(e.H[best].l2), "areas"_a = area_name(area_forms[best]),
-                                                        "uniform"_a = readable_percent(e.uniform.l2),
-                                                        "times"_a = times_smaller(e.uniform.l2 / e.H[best].l2));
+    for (const BenchRun& run : of_kind(runs, kind)) {
+        const AreaForm best = std::ranges::min(area_forms, {}, [&](AreaForm form) { return cotangent_error(run, form); });
+        const double error = cotangent_error(run, best), uniform = uniform_error(run);
+        told += (told.empty() ? "" : "; ") + words.line("gains.surface", "surface"_a = run.surface, "error"_a = readable_percent(error),
+                                                        "areas"_a = area_name(best), "uniform"_a = readable_percent(uniform),
+                                                        "times"_a = times_smaller(uniform / error));
     }
     return told;
 }
 
 /// Which area forms converge on one surface.
-report::Text refined(const CotangentRefinement& r) {
+report::Text refined(const BenchRun& run) {
     std::vector<std::string> trends;
-    for (std::size_t form = 0; form < area_forms.size(); ++form)
-        trends.push_back(words.line("refined.areas", "areas"_a = area_name(area_forms[form]), "trend"_a = trend(cotangent_H(r, form))));
-    return words.say("refined", "triangulation"_a = name_of(r.triangulation), "surface"_a = r.surface.name, "trends"_a = listed(trends));
+    for (const AreaForm form : area_forms)
+        trends.push_back(words.line("refined.areas", "areas"_a = area_name(form), "trend"_a = trend(run.errors(H_with(form)))));
+    return words.say("refined", "triangulation"_a = name_of(run.kind), "surface"_a = run.surface, "trends"_a = listed(trends));
 }
 
-report::Text about_sphere(const CotangentRefinement& regular, const CotangentRefinement& jittered) {
-    const CotangentErrors& coarse = regular.levels.front();
-    const CotangentErrors& fine = regular.finest();
+report::Text about_sphere(const BenchRun& regular, const BenchRun& jittered) {
+    const BenchLevel& coarse = regular.levels.front();
+    const BenchLevel& fine = regular.finest();
     report::Text t =
-        words.say("sphere", "coarse"_a = readable_percent(coarse.H[barycentric].linf, 4), "coarse_vertices"_a = coarse.vertices,
-                  "fine"_a = readable_percent(fine.H[barycentric].linf, 4), "fine_vertices"_a = fine.vertices,
-                  "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.H[mixed].linf, 2));
-    const double identity = jittered.finest().H[voronoi].l2;
-    if (identity < 0.1 * jittered.finest().H[barycentric].l2)
-        report::extend(t, " ", words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
+        words.say("sphere", "coarse"_a = readable_percent(coarse.error("H.barycentric").linf, 4), "coarse_vertices"_a = coarse.vertices,
+                  "fine"_a = readable_percent(fine.error("H.barycentric").linf, 4), "fine_vertices"_a = fine.vertices,
+                  "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.error("H.mixed").linf, 2));
+    const double identity = cotangent_error(jittered, AreaForm::voronoi);
+    if (identity < 0.1 * cotangent_error(jittered, AreaForm::barycentric))
+        go_on(t, words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
     return t;
 }
 
@@ -66,7 +62,7 @@ report::Text about_square(const PlaneTest& plane) {
 report::Text about_flat(const CotangentComparison& c) {
     report::Text t = words.say("flat", "mesh"_a = c.subject.name());
     if (c.subject.interior == 0) {
-        report::extend(t, " ", words.say("flat.no_inside"));
+        go_on(t, words.say("flat.no_inside"));
         return t;
     }
     const auto at_most = [](double x) {
@@ -77,9 +73,9 @@ report::Text about_flat(const CotangentComparison& c) {
         verdict = words.line("flat.regular");
     else if (c.drift > 10 * c.precision)
         verdict = words.line("flat.improved", "times"_a = readable(c.drift / std::max(c.precision, 1e-300), 2));
-    report::extend(
-        t, " ", words.say("flat.inside", "precision"_a = at_most(c.precision), "drift"_a = at_most(c.drift), "verdict"_a = verdict), " ",
-        words.say("flat.boundary", "half_sum"_a = readable(c.variants[0].boundary), "opposite_mean"_a = readable(c.variants[1].boundary)));
+    go_on(t, words.say("flat.inside", "precision"_a = at_most(c.precision), "drift"_a = at_most(c.drift), "verdict"_a = verdict));
+    go_on(t, words.say("flat.boundary", "half_sum"_a = readable(c.variants[0].boundary),
+                       "opposite_mean"_a = readable(c.variants[1].boundary)));
     return t;
 }
 
@@ -100,15 +96,13 @@ report::Text about_curved(const CotangentComparison& c) {
                                "sign"_a = readable_percent(c.sign_change, 2));
     if (c.jump_uniform > 0 && c.jump_cotangent > 0) {
         const double ratio = c.jump_uniform / c.jump_cotangent;
-        report::extend(t, " ",
-                       words.say(ratio >= 1 ? "curved.smoother" : "curved.rougher", "cotangent"_a = readable(c.jump_cotangent),
-                                 "uniform"_a = readable(c.jump_uniform), "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
+        go_on(t, words.say(ratio >= 1 ? "curved.smoother" : "curved.rougher", "cotangent"_a = readable(c.jump_cotangent),
+                           "uniform"_a = readable(c.jump_uniform), "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
     }
-    report::extend(t, " ", about_negative_weights(c));
+    go_on(t, about_negative_weights(c));
     if (!s.source->prepared->preflight.closed())
-        report::extend(t, " ",
-                       words.say("curved.boundary", "boundary"_a = readable(c.variants[0].boundary),
-                                 "opposite_mean"_a = readable(c.variants[1].boundary), "inside"_a = readable(c.variants[0].inside)));
+        go_on(t, words.say("curved.boundary", "boundary"_a = readable(c.variants[0].boundary),
+                           "opposite_mean"_a = readable(c.variants[1].boundary), "inside"_a = readable(c.variants[0].inside)));
     return t;
 }
 
@@ -117,20 +111,20 @@ struct Tally {
     int surfaces = 0, wins = 0, converging = 0;
     double worst = 0;
 };
-Tally tally(const Refinements& refinements, Triangulation triangulation) {
+Tally tally(const BenchRuns& runs, MeshKind kind) {
     Tally tally;
-    for (const CotangentRefinement& r : refinements) {
-        if (r.triangulation != triangulation) continue;
+    for (const BenchRun& run : of_kind(runs, kind)) {
+        const double error = cotangent_error(run, AreaForm::mixed);
         ++tally.surfaces;
-        tally.wins += r.finest().H[mixed].l2 < r.finest().uniform.l2 ? 1 : 0;
-        tally.converging += converges(cotangent_H(r, mixed)) ? 1 : 0;
-        tally.worst = std::max(tally.worst, r.finest().H[mixed].l2);
+        tally.wins += error < uniform_error(run) ? 1 : 0;
+        tally.converging += run.errors("H.mixed").order().converges() ? 1 : 0;
+        tally.worst = std::max(tally.worst, error);
     }
     return tally;
 }
 
-report::Text verdict(const Refinements& refinements, const PlaneTest& plane) {
-    const Tally regular = tally(refinements, Triangulation::regular), jittered = tally(refinements, Triangulation::jittered);
+report::Text verdict(const BenchRuns& runs, const PlaneTest& plane) {
+    const Tally regular = tally(runs, MeshKind::regular), jittered = tally(runs, MeshKind::jittered);
     const bool converges = jittered.converging == regular.surfaces;
     return words.say(
         "verdict", "regular_wins"_a = regular.wins, "surfaces"_a = regular.surfaces, "regular_converging"_a = regular.converging,
@@ -141,34 +135,29 @@ report::Text verdict(const Refinements& refinements, const PlaneTest& plane) {
 }
 
 /// Cotangent against uniform over every sequence of meshes of the ground-truth panel, and who does better still.
-report::Text about_panel(const GroundTruth& truth) {
+report::Text about_panel(const BenchRuns& panel) {
     const auto nearer = [&](const char* one, const char* other) {
-        const std::size_t a = estimator_index(Quantity::H, one), b = estimator_index(Quantity::H, other);
-        return std::ranges::count_if(truth.runs,
-                                     [&](const PanelRun& run) { return run.finest(Quantity::H, a).l2 < run.finest(Quantity::H, b).l2; });
+        return std::ranges::count_if(panel, [&](const BenchRun& run) { return run.finest().error(one).l2 < run.finest().error(other).l2; });
     };
-    const auto error = [&](const char* key) { return error_and_order(truth, "ellipsoid", MeshKind::random, Quantity::H, key); };
-    return words.say("panel", "runs"_a = truth.runs.size(), "better_than_uniform"_a = nearer("mixed", "uniform"),
-                     "jet_better"_a = nearer("jet", "mixed"), "mixed"_a = error("mixed"), "jet"_a = error("jet"));
+    const auto error = [&](const char* key) { return error_and_order(run_on(panel, "ellipsoid", MeshKind::random).errors(key)); };
+    return words.say("panel", "runs"_a = panel.size(), "better_than_uniform"_a = nearer("H.mixed", "H.uniform"),
+                     "jet_better"_a = nearer("H.jet", "H.mixed"), "mixed"_a = error("H.mixed"), "jet"_a = error("H.jet"));
 }
 
 }   // namespace
 
-void add_discussion(report::Section& section, const Comparisons& meshes, const Refinements& refinements, const PlaneTest& plane,
-                    const GroundTruth& truth) {
+void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
+                    const BenchRuns& panel) {
     add_words(section, words, "discussion");
-    add_paragraph(section, words.say("gains", "regular"_a = gains(refinements, Triangulation::regular),
-                                     "jittered"_a = gains(refinements, Triangulation::jittered)));
-    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
-        for (const char* surface : {"ellipsoid", "torus"})
-            add_paragraph(section, refined(refinement_on(refinements, surface, triangulation)));
-    }
-    add_paragraph(section, about_sphere(refinement_on(refinements, "sphere", Triangulation::regular),
-                                        refinement_on(refinements, "sphere", Triangulation::jittered)));
+    add_paragraph(section,
+                  words.say("gains", "regular"_a = gains(runs, MeshKind::regular), "jittered"_a = gains(runs, MeshKind::jittered)));
+    for (const MeshKind kind : question_kinds)
+        for (const char* surface : {"ellipsoid", "torus"}) add_paragraph(section, refined(run_on(runs, surface, kind)));
+    add_paragraph(section, about_sphere(run_on(runs, "sphere", MeshKind::regular), run_on(runs, "sphere", MeshKind::jittered)));
     add_paragraph(section, about_square(plane));
     for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? about_flat(c) : about_curved(c));
-    add_paragraph(section, about_panel(truth));
-    add_paragraph(section, verdict(refinements, plane));
+    add_paragraph(section, about_panel(panel));
+    add_paragraph(section, verdict(runs, plane));
 }
 
 }   // namespace meshfolio::q3_cotangent

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/curvature/curvature.h"
 #include "geometry/curvature/jet_fit.h"
-#include "questions/bench/ground_truth_meshes.h"
 
 namespace meshfolio::q3_cotangent {
 
@@ -25,40 +23,6 @@ std::vector<double> descending_finite(const Vector& values) {
 double sum_of_squares(const std::vector<double>& values, std::size_t first) {
     return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first), 0.0,
                            [](double sum, double v) { return sum + v * v; });
-}
-
-/// Of the tenth of the vertices where `error` is largest, the share in the tenth where `indicator` is. Both without NaN.
-double share_found(const Vector& error, const Vector& indicator) {
-    const auto n = error.size();
-    const std::size_t tenth = std::max<std::size_t>(1, static_cast<std::size_t>(n) / 10);
-    const auto worst = [&](const Vector& values) {
-        std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
-        std::iota(order.begin(), order.end(), 0);
-        const auto larger = [&](Eigen::Index a, Eigen::Index b) { return values[a] != values[b] ? values[a] > values[b] : a < b; };
-        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(tenth), order.end(), larger);
-        order.resize(tenth);
-        std::sort(order.begin(), order.end());
-        return order;
-    };
-    const auto a = worst(error), b = worst(indicator);
-    std::vector<Eigen::Index> both;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-    return double(both.size()) / double(tenth);
-}
-
-IndicatorTrial trial_on(std::string name, const TriangleMesh& mesh, const MeshTopology& topology, const Vector& truth,
-                        const Vector& areas) {
-    const Vector cotangent = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
-    const Vector jet = jet_curvature(mesh, topology).H;
-    std::vector<Eigen::Index> both;
-    for (Eigen::Index i = 0; i < truth.size(); ++i) {
-        if (std::isfinite(cotangent[i]) && std::isfinite(jet[i])) both.push_back(i);
-    }
-    const Vector A = areas(both), H = truth(both);
-    const Vector error = (cotangent(both) - H).cwiseAbs(), indicator = (cotangent(both) - jet(both)).cwiseAbs();
-    const double scale = A.dot(H.cwiseAbs2());
-    return {std::move(name), static_cast<int>(both.size()), std::sqrt(A.dot(indicator.cwiseAbs2()) / scale),
-            std::sqrt(A.dot(error.cwiseAbs2()) / scale), share_found(error, indicator)};
 }
 
 }   // namespace
@@ -83,17 +47,10 @@ Disagreement disagreement_with_jet(const CotangentComparison& c) {
     return d;
 }
 
-std::vector<IndicatorTrial> indicator_trials(const QuestionSettings& settings) {
-    const int level = refinement_levels(settings.quick).back();
+std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings) {
     std::vector<IndicatorTrial> trials;
-    for (const Triangulation triangulation : {Triangulation::regular, Triangulation::jittered}) {
-        for (const KnownSurface& surface : known_surfaces()) {
-            const SampledSurface s = sampled(surface, level, triangulation, settings.seed);
-            trials.push_back(trial_on(name_of(triangulation) + " " + surface.name, s.mesh, s.topology, s.H, s.areas));
-        }
-    }
-    const TruthMesh random = random_ellipsoid({1.5, 1, 0.7}, settings.quick ? 2500 : 10000, settings.seed);
-    trials.push_back(trial_on(words.line("trust.random"), random.mesh, random.topology, random.H, random.areas));
+    for (const BenchRun& run : runs) trials.push_back({std::string(name_of(run.kind)) + " " + run.surface, run.finest().indicator});
+    trials.push_back({words.line("trust.random"), reference_level(settings.quick ? 2500 : 10000, settings.seed).indicator});
     return trials;
 }
 

@@ -2,11 +2,11 @@
 /// How far the cotangent estimate of H is from that of a degree-3 jet: an indicator of its error where no closed form is known.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "questions/bench/cotangent_study.h"
+#include "questions/bench/curvature_bench.h"
 
 namespace meshfolio::q3_cotangent {
 
@@ -20,15 +20,12 @@ struct Disagreement {
 };
 Disagreement disagreement_with_jet(const CotangentComparison& c);
 
-/// What the indicator is worth, where the truth is known.
+/// What the indicator is worth on a mesh where the truth is known.
 struct IndicatorTrial {
     std::string mesh;   // "jittered torus"
-    int vertices = 0;
-    double indicated = 0;   // √(Σ A (H_cotan − H_jet)² / Σ A H²)
-    double actual = 0;      // the same with the closed form in place of the jet
-    double found = 0;       // of the tenth of the vertices with the largest errors, the share that is in the tenth indicated
+    ErrorIndicator indicator;
 };
 /// On the finest regular and jittered known surfaces, and on random points of an ellipsoid.
-std::vector<IndicatorTrial> indicator_trials(const QuestionSettings& settings);
+std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings);
 
 }   // namespace meshfolio::q3_cotangent

@@ -1,4 +1,4 @@
-#include "base/number_text.h"
+#include "geometry/linear/special_values.h"
 #include "questions/core/table.h"
 #include "questions/q3_cotangent/parts.h"
 
@@ -6,21 +6,16 @@ namespace meshfolio::q3_cotangent {
 
 namespace {
 
-/// A row of the table of errors: how its estimate is called, its error on a mesh, and the vertices there that have none.
-struct Estimate {
-    std::string name;
-    std::function<FieldError(const CotangentErrors&)> error;
-    std::function<int(const CotangentErrors&)> undefined = [](const CotangentErrors&) { return 0; };
+/// A row of the table of errors: the key of an estimator, and what it is called here.
+struct Row {
+    std::string_view key;
+    const char* name;
 };
-
-std::vector<Estimate> estimates() {
-    std::vector<Estimate> all{{"uniform, × 4/h²", &CotangentErrors::uniform}};
-    for (std::size_t form = 0; form < area_forms.size(); ++form)
-        all.push_back({"cotangent, " + area_name(area_forms[form]), [form](const CotangentErrors& e) { return e.H[form]; },
-                       [form](const CotangentErrors& e) { return e.undefined[form]; }});
-    all.push_back({"cotangent, clamped", &CotangentErrors::clamped});
-    return all;
-}
+constexpr Row rows[]{{"H.uniform", "uniform, × 4/h²"},
+                     {"H.barycentric", "cotangent, barycentric"},
+                     {"H.voronoi", "cotangent, Voronoi"},
+                     {"H.mixed", "cotangent, mixed"},
+                     {"H.clamped", "cotangent, clamped"}};
 
 }   // namespace
 
@@ -55,67 +50,62 @@ report::Table variant_table(const Comparisons& meshes) {
         .column("largest on boundary", [](auto& row) { return row.part.boundary; });
 }
 
-report::Table error_table(const Refinements& refinements, double FieldError::*norm, const std::string& key, const std::string& name) {
-    auto errors = table("q3_errors_" + key, words.line("errors", "norm"_a = name), estimates());
-    errors.column("estimator", &Estimate::name);
-    for (const CotangentRefinement& r : refinements)
-        errors.column(r.title(), {.unit = "%", .best = smallest}, [&](auto& estimate) { return 100 * estimate.error(r.finest()).*norm; });
-    return errors.column("without H", {.unit = "vertices"}, [&](auto& estimate) {
+report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
+    auto errors = table("q3_errors_" + key, words.line("errors", "norm"_a = name), rows);
+    errors.column("estimator", &Row::name);
+    for (const BenchRun& run : runs)
+        errors.column(run.title(), {.unit = "%", .best = smallest}, [&](auto& row) { return 100 * run.finest().error(row.key).*norm; });
+    return errors.column("without H", {.unit = "vertices"}, [&](auto& row) {
         int undefined = 0;
-        for (const CotangentRefinement& r : refinements) undefined += estimate.undefined(r.finest());
+        for (const BenchRun& run : runs) undefined += run.finest().error(row.key).undefined;
         return undefined;
     });
 }
 
-report::Table order_table(const Refinements& refinements) {
-    const auto order = [](std::size_t form, double FieldError::*norm = &FieldError::l2) {
-        return [=](const CotangentRefinement& r) { return cell_of(cotangent_H(r, form, norm).order()); };
+report::Table order_table(const BenchRuns& runs) {
+    const auto order = [](std::string_view estimator, Norm norm = &EstimateError::l2) {
+        return [=](const BenchRun& run) { return words_of(run.errors(estimator, norm).order()); };
     };
-    return table("q3_orders", words.line("orders", "meshes"_a = refinements.front().levels.size()), refinements)
-        .column("surface", [](auto& r) { return r.surface.name; })
-        .column("triangulation", [](auto& r) { return name_of(r.triangulation); })
-        .column("from", {.unit = "vertices"}, [](auto& r) { return r.levels.front().vertices; })
-        .column("to", {.unit = "vertices"}, [](auto& r) { return r.finest().vertices; })
-        .column("smallest angle", {.unit = "°"}, [](auto& r) { return r.finest().smallest_angle * 180 / M_PI; })
-        .column("negative weights", {.unit = "% of edges"}, [](auto& r) { return 100 * r.finest().negative_weights; })
-        .column("uniform", [](auto& r) { return cell_of(scaled_uniform_H(r).order()); })
-        .column("barycentric", order(barycentric))
-        .column("barycentric, L∞", order(barycentric, &FieldError::linf))
-        .column("Voronoi", order(voronoi))
-        .column("mixed", order(mixed));
+    return table("q3_orders", words.line("orders", "meshes"_a = runs.front().levels.size()), runs)
+        .column("surface", &BenchRun::surface)
+        .column("triangulation", [](auto& run) { return name_of(run.kind); })
+        .column("from", {.unit = "vertices"}, [](auto& run) { return run.levels.front().vertices; })
+        .column("to", {.unit = "vertices"}, [](auto& run) { return run.finest().vertices; })
+        .column("smallest angle", {.unit = "°"}, [](auto& run) { return run.finest().smallest_angle * 180 / pi; })
+        .column("negative weights", {.unit = "% of edges"}, [](auto& run) { return 100 * run.finest().negative_weights; })
+        .column("uniform", order("H.uniform"))
+        .column("barycentric", order("H.barycentric"))
+        .column("barycentric, L∞", order("H.barycentric", &EstimateError::linf))
+        .column("Voronoi", order("H.voronoi"))
+        .column("mixed", order("H.mixed"));
 }
 
 report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
     return table("q3_indicator", words.line("indicator"), trials)
         .column("mesh", &IndicatorTrial::mesh)
-        .column("vertices", &IndicatorTrial::vertices)
-        .column("indicated", {.unit = "%"}, [](auto& t) { return 100 * t.indicated; })
-        .column("actual", {.unit = "%"}, [](auto& t) { return 100 * t.actual; })
-        .column("ratio", [](auto& t) { return cell_of(t.indicated / t.actual, t.actual > 0); })
-        .column("worst tenth found", {.unit = "%"}, [](auto& t) { return 100 * t.found; });
+        .column("vertices", [](auto& t) { return t.indicator.vertices; })
+        .column("indicated", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.indicated; })
+        .column("actual", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.actual; })
+        .column("ratio", [](auto& t) { return cell_of(t.indicator.indicated / t.indicator.actual, t.indicator.actual > 0); })
+        .column("worst tenth found", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.found; });
 }
 
-report::Plot convergence_plot(const Refinements& refinements, Triangulation triangulation) {
-    const std::string name = name_of(triangulation);
-    report::Plot plot{.id = "q3_convergence_" + name,
-                      .caption = words.line("convergence", "triangulation"_a = name),
-                      .alt = words.line("convergence.alt", "triangulation"_a = name),
-                      .x_label = "mean edge [length]",
-                      .y_label = "relative L2 error [%]",
-                      .log_x = true,
-                      .log_y = true};
+report::Plot convergence_plot(const BenchRuns& runs, MeshKind kind) {
+    const std::string name(name_of(kind));
+    report::Plot plot = error_plot("q3_convergence_" + name, words.line("convergence", "triangulation"_a = name),
+                                   words.line("convergence.alt", "triangulation"_a = name));
     int surface = 0;
-    for (const CotangentRefinement& r : refinements) {
-        if (r.triangulation != triangulation) continue;
-        const auto add = [&](const std::string& estimator, const ErrorHistory& history, report::Series::Style style, std::size_t pattern) {
-            plot.series.push_back(error_series(r.surface.name + ", " + estimator, history, style));
+    for (const BenchRun& run : of_kind(runs, kind)) {
+        const auto add = [&](const std::string& estimator, const ErrorHistory& errors, report::Series::Style style, std::size_t pattern) {
+            plot.series.push_back(error_series(run.surface + ", " + estimator, errors, style));
             plot.series.back().color = surface;
             plot.series.back().pattern = static_cast<int>(pattern);
-            plot.alt += " " + words.line("convergence.alt.series", "series"_a = plot.series.back().name, "trend"_a = trend(history));
+            plot.alt += " " + words.line("convergence.alt.series", "series"_a = plot.series.back().name, "trend"_a = trend(errors));
         };
-        for (std::size_t form = 0; form < area_forms.size(); ++form)
-            add(area_name(area_forms[form]), cotangent_H(r, form), report::Series::Style::line_and_points, form);
-        add("uniform", scaled_uniform_H(r), report::Series::Style::dashed, area_forms.size());
+        using enum report::Series::Style;
+        for (const AreaForm form : area_forms)
+            add(area_name(form), run.errors(H_with(form)), line_and_points, static_cast<std::size_t>(form));
+        add("uniform", run.errors("H.uniform"), dashed, area_forms.size());
         ++surface;
     }
     return plot;

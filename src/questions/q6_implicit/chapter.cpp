@@ -60,7 +60,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const int t : last.iterations) times.push_back(std::to_string(t));
     section.parameters = {{"iterations", listed(times)}, {"operator", smoothing_words.line("parameter.operator")}};
     section.extent =
-        words.line("extent", "steps"_a = last.lambdas.size(), "iterations"_a = listed(times), "meshes"_a = listed(names_of(studies)));
+        words.line("extent", "steps"_a = last.lambdas.size(), "counts"_a = listed(times), "meshes"_a = listed(names_of(studies)));
     section.findings.push_back(finding(last));
     return answer;
 }

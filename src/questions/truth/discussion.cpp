@@ -9,29 +9,27 @@ namespace {
 /// On which surfaces H from the cotangent formula converges on random points, one kind of area after the other.
 std::string convergence_on_random_points(const GroundTruth& truth) {
     std::vector<std::string> told;
-    for (const auto& [key, areas] : {std::pair{"barycentric", "barycentric"}, {"voronoi", "Voronoi"}, {"mixed", "mixed"}}) {
+    for (const AreaForm form : area_forms) {
         std::vector<std::string> surfaces;
-        for (const PanelRun* run : runs_of(truth, MeshKind::random))
-            if (converges(truth, *run, key)) surfaces.push_back(run->surface);
-        told.push_back(
-            words.line(surfaces.empty() ? "random.nowhere" : "random.somewhere", "areas"_a = areas, "surfaces"_a = listed(surfaces)));
+        for (const BenchRun& run : of_kind(truth.runs, MeshKind::random))
+            if (run.errors(H_with(form)).order().converges()) surfaces.push_back(run.surface);
+        told.push_back(words.line(surfaces.empty() ? "random.nowhere" : "random.somewhere", "areas"_a = area_name(form),
+                                  "surfaces"_a = listed(surfaces)));
     }
     return listed(told);
 }
 
 report::Text about_other_estimators(const GroundTruth& truth) {
     int converging = 0, runs = 0;
-    for (const PanelRun& run : truth.runs) {
+    for (const BenchRun& run : truth.runs) {
         if (run.kind == MeshKind::noisy) continue;
         ++runs;
-        converging += converges(truth, run, "jet") ? 1 : 0;
+        converging += run.errors("H.jet").order().converges() ? 1 : 0;
     }
-    const auto told = [&](const char* key, Quantity quantity = Quantity::H) {
-        return error_and_order(truth, "ellipsoid", MeshKind::random, quantity, key);
-    };
-    return words.say("other_estimators", "converging"_a = converging, "runs"_a = runs, "H"_a = told("jet"),
-                     "K"_a = told("jet", Quantity::K), "exact"_a = told("corrected_exact"), "max"_a = told("corrected_max"),
-                     "angle"_a = told("corrected_angle"), "area"_a = told("corrected_area"));
+    const auto told = [&](const char* key) { return error_and_order(truth.errors("ellipsoid", MeshKind::random, key)); };
+    return words.say("other_estimators", "converging"_a = converging, "runs"_a = runs, "H"_a = told("H.jet"), "K"_a = told("K.jet"),
+                     "exact"_a = told("H.corrected_exact"), "max"_a = told("H.corrected_max"), "angle"_a = told("H.corrected_angle"),
+                     "area"_a = told("H.corrected_area"));
 }
 
 }   // namespace
@@ -39,27 +37,24 @@ report::Text about_other_estimators(const GroundTruth& truth) {
 void add_discussion(report::Section& section, const GroundTruth& truth) {
     using enum MeshKind;
     add_words(section, words, "discussion");
-    const auto told = [&](const char* surface, MeshKind kind, const char* key, Quantity quantity = Quantity::H) {
-        return error_and_order(truth, surface, kind, quantity, key);
+    const auto told = [&](const char* surface, MeshKind kind, const char* key) {
+        return error_and_order(truth.errors(surface, kind, key));
     };
+    add_paragraph(section, words.say("regular", "mixed"_a = told("torus", regular, "H.mixed"), "K"_a = told("torus", regular, "K.mixed"),
+                                     "uniform"_a = told("torus", regular, "H.uniform")));
+    const ErrorHistory linf = truth.run("ellipsoid", regular).errors("H.mixed", &EstimateError::linf);
+    const double pentagons = truth.run("sphere", regular).finest().error("H.barycentric").linf;
     add_paragraph(section,
-                  words.say("regular", "mixed"_a = told("torus", regular, "mixed"), "K"_a = told("torus", regular, "mixed", Quantity::K),
-                            "uniform"_a = told("torus", regular, "uniform")));
-    const std::size_t mixed = estimator_index(Quantity::H, "mixed");
-    const PanelRun& icosphere = truth.run("ellipsoid", regular);
+                  words.say("literally_regular", "mixed"_a = told("ellipsoid", regular, "H.mixed"),
+                            "linf"_a = readable_percent(linf.last(), 2), "linf_order"_a = words_of(linf.order()),
+                            "band"_a = told("ellipsoid band", regular, "H.mixed"), "pentagons"_a = readable_percent(pentagons, 3)));
     add_paragraph(section,
-                  words.say("literally_regular", "mixed"_a = told("ellipsoid", regular, "mixed"),
-                            "linf"_a = readable_percent(icosphere.finest(Quantity::H, mixed).linf, 2),
-                            "linf_order"_a = words_of(truth.order(icosphere, Quantity::H, mixed, &EstimateError::linf)),
-                            "band"_a = told("ellipsoid band", regular, "mixed"),
-                            "pentagons"_a = readable_percent(truth.finest("sphere", regular, Quantity::H, "barycentric").linf, 3)));
-    add_paragraph(
-        section,
-        words.say("random", "converging"_a = convergence_on_random_points(truth),
-                  "barycentric"_a = told("ellipsoid", random, "barycentric"), "mixed"_a = told("ellipsoid", random, "mixed"),
-                  "along_normal"_a = told("ellipsoid", random, "mixed_n"), "K"_a = told("ellipsoid", random, "mixed", Quantity::K)));
+                  words.say("random", "converging"_a = convergence_on_random_points(truth),
+                            "barycentric"_a = told("ellipsoid", random, "H.barycentric"), "mixed"_a = told("ellipsoid", random, "H.mixed"),
+                            "along_normal"_a = told("ellipsoid", random, "H.mixed_n"), "K"_a = told("ellipsoid", random, "K.mixed")));
     add_paragraph(section, about_other_estimators(truth));
-    add_paragraph(section, words.say("noisy", "mixed"_a = told("ellipsoid", noisy, "mixed"), "jet"_a = told("ellipsoid", noisy, "jet")));
+    add_paragraph(section,
+                  words.say("noisy", "mixed"_a = told("ellipsoid", noisy, "H.mixed"), "jet"_a = told("ellipsoid", noisy, "H.jet")));
 }
 
 }   // namespace meshfolio::truth

@@ -2,40 +2,45 @@
 /// The parts of the chapter "truth", which `meshfolio verify` writes too.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "questions/bench/ground_truth.h"
+#include "questions/bench/curvature_bench.h"
 #include "report/document.h"
 
 namespace meshfolio::truth {
 
 inline constexpr report::Words words("truth");
-inline constexpr std::array quantities{Quantity::H, Quantity::K};
 
-/// How an error behaves: of second order or exact, of less, or not converging.
-enum class Behaviour { second, first, none };
-Behaviour behaviour_of(const FittedOrder& order);
+struct GroundTruth {
+    BenchRuns runs;         // of the panel
+    BenchLevel reference;   // on 10 000 random points of an ellipsoid
+    std::uint64_t seed = 1;
+    bool quick = false;
 
-/// One a surface.
-std::vector<const PanelRun*> runs_of(const GroundTruth& truth, MeshKind kind);
+    const BenchRun& run(std::string_view surface, MeshKind kind) const { return run_on(runs, surface, kind); }
+    ErrorHistory errors(std::string_view surface, MeshKind kind, std::string_view estimator) const {
+        return run(surface, kind).errors(estimator);
+    }
+};
+GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress);
+
+/// What must come out, as named checks.
+std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);
 
 /// The whole section, checks included.
 report::Section ground_truth_section(const GroundTruth& truth);
 /// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const GroundTruth& truth);
-/// Does this estimate of H converge?
-bool converges(const GroundTruth& truth, const PanelRun& run, const std::string& estimator);
 
 // Tables and plots: one row an estimator.
 report::Table overview(const GroundTruth& truth);
-struct Norm {
-    double EstimateError::*of;
+struct NamedNorm {
+    Norm of;
     std::string key, name;
 };
-report::Table error_table(const GroundTruth& truth, MeshKind kind, const Norm& norm);
-report::Table order_table(const GroundTruth& truth, MeshKind kind, const Norm& norm);
+report::Table error_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm);
+report::Table order_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm);
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity);
 
 /// One row an estimate on every mesh, with everything that was measured: for files.

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "base/number_text.h"
-#include "questions/bench/curvature_study.h"
+#include "questions/core/section_tools.h"
 #include "questions/core/table.h"
 #include "questions/truth/parts.h"
 
@@ -9,133 +9,113 @@ namespace meshfolio::truth {
 
 namespace {
 
-/// An estimator of H or of K, by its place in estimators_of.
-struct Row {
-    Quantity quantity;
-    std::size_t estimator;
-    std::string name() const { return estimators_of(quantity)[estimator].name(); }
-};
-
 /// Those of H, then those of K.
-std::vector<Row> all_estimators() {
-    std::vector<Row> rows;
-    for (const Quantity quantity : quantities)
-        for (std::size_t e = 0; e < estimators_of(quantity).size(); ++e) rows.push_back({quantity, e});
+std::vector<const Estimator*> rows() {
+    std::vector<const Estimator*> rows = panel_estimators(Quantity::H);
+    std::ranges::copy(panel_estimators(Quantity::K), std::back_inserter(rows));
     return rows;
 }
 
 /// Has the columns that name the estimators.
-TableBuilder<std::vector<Row>> table_of_estimators(std::string id, std::string caption) {
-    return table(std::move(id), std::move(caption), all_estimators())
-        .column("of", [](auto& row) { return symbol(row.quantity); })
-        .column("estimator", &Row::name);
+TableBuilder<std::vector<const Estimator*>> table_of_estimators(std::string id, std::string caption) {
+    return table(std::move(id), std::move(caption), rows())
+        .column("of", [](auto* e) { return symbol(e->quantity); })
+        .column("estimator", &Estimator::name);
 }
 
+/// ● second order or exact, ◐ less, ○ not converging.
+std::string sign_of(const Order& order) { return !order.converges() ? "○" : order.exponent < 1.5 ? "◐" : "●"; }
+
 /// A sign for every surface, and the largest of the errors.
-std::string behaviour_on(const GroundTruth& truth, MeshKind kind, const Row& row) {
+std::string behaviour_on(const GroundTruth& truth, MeshKind kind, const Estimator& estimator) {
     std::string signs;
     double worst = 0;
-    for (const PanelRun* run : runs_of(truth, kind)) {
-        const Behaviour behaviour = behaviour_of(truth.order(*run, row.quantity, row.estimator));
-        signs += behaviour == Behaviour::second ? "●" : behaviour == Behaviour::first ? "◐" : "○";
-        worst = std::max(worst, run->finest(row.quantity, row.estimator).l2);
+    for (const BenchRun& run : of_kind(truth.runs, kind)) {
+        const ErrorHistory errors = run.errors(estimator.key);
+        signs += sign_of(errors.order());
+        worst = std::max(worst, errors.last());
     }
     return signs + " (" + readable_percent(worst, 2) + ")";
 }
 
 /// Every level of every run, and an estimator there.
 struct Measured {
-    const PanelRun& run;
-    Row row;
-    std::size_t level;
-    FittedOrder l2, linf;
-    const EstimateError& error() const { return run.error(row.quantity, row.estimator, level); }
+    const BenchRun& run;
+    const Estimator& estimator;
+    const BenchLevel& level;
+    Order l2, linf;
+    const EstimateError& error() const { return level.error(estimator.key); }
 };
 
 }   // namespace
 
 report::Table overview(const GroundTruth& truth) {
     std::vector<std::string> surfaces;
-    for (const PanelRun* run : runs_of(truth, MeshKind::regular)) surfaces.push_back(run->surface);
+    for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) surfaces.push_back(run.surface);
     auto behaviours = table_of_estimators("truth_overview", words.line("overview", "surfaces"_a = listed(surfaces)));
-    for (const MeshKind kind : mesh_kinds)
-        behaviours.column(std::string(name_of(kind)), [&](auto& row) { return behaviour_on(truth, kind, row); });
+    for (const MeshKind kind : panel_kinds)
+        behaviours.column(std::string(name_of(kind)), [&](auto* e) { return behaviour_on(truth, kind, *e); });
     return behaviours;
 }
 
-report::Table error_table(const GroundTruth& truth, MeshKind kind, const Norm& norm) {
+report::Table error_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
     const std::string name(name_of(kind));
     auto errors = table_of_estimators("truth_errors_" + name + "_" + norm.key, words.line("errors", "norm"_a = norm.name, "kind"_a = name));
-    for (const PanelRun* run : runs_of(truth, kind))
-        errors.column(run->surface, {.unit = "%", .heat = report::Column::Heat{0.1, 30}},
-                      [&](auto& row) { return cell_of(100 * (run->finest(row.quantity, row.estimator).*norm.of)); });
+    for (const BenchRun& run : of_kind(truth.runs, kind))
+        errors.column(run.surface, {.unit = "%", .heat = report::Column::Heat{0.1, 30}},
+                      [&](auto* e) { return cell_of(100 * run.finest().error(e->key).*norm.of); });
     return errors;
 }
 
-report::Table order_table(const GroundTruth& truth, MeshKind kind, const Norm& norm) {
+report::Table order_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
     const std::string name(name_of(kind));
-    auto orders = table_of_estimators(
-        "truth_orders_" + name + "_" + norm.key,
-        words.line("orders", "norm"_a = norm.name, "kind"_a = name, "refinements"_a = truth.runs.front().levels.size()));
-    for (const PanelRun* run : runs_of(truth, kind))
-        orders.column(run->surface, [&](auto& row) { return words_of(truth.order(*run, row.quantity, row.estimator, norm.of)); });
+    auto orders = table_of_estimators("truth_orders_" + name + "_" + norm.key, words.line("orders", "norm"_a = norm.name, "kind"_a = name));
+    for (const BenchRun& run : of_kind(truth.runs, kind))
+        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key, norm.of).order()); });
     return orders;
 }
 
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity) {
     static const std::vector<std::string> shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
-    const PanelRun& run = truth.run("ellipsoid", kind);
+    const BenchRun& run = truth.run("ellipsoid", kind);
     const std::string caption =
         words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind), "dimensions"_a = run.dimensions);
-    report::Plot plot{.id = (quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)),
-                      .caption = caption,
-                      .alt = caption,
-                      .x_label = "mean edge [length]",
-                      .y_label = "relative L2 error [%]",
-                      .log_x = true,
-                      .log_y = true};
-    for (std::size_t e = 0; e < estimators_of(quantity).size(); ++e) {
-        const Estimator& estimator = estimators_of(quantity)[e];
-        const auto place = std::ranges::find(shown, estimator.key);
+    report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);
+    for (const Estimator* e : panel_estimators(quantity)) {
+        const auto place = std::ranges::find(shown, e->key.substr(2));   // behind "H."
         if (place == shown.end()) continue;
-        ErrorHistory history;
-        for (std::size_t level = 0; level < run.levels.size(); ++level) {
-            history.mean_edges.push_back(run.levels[level].mean_edge);
-            history.errors.push_back(run.error(quantity, e, level).l2);
-        }
         using enum report::Series::Style;
-        plot.series.push_back(error_series(estimator.name(), history, estimator.key == "corrected_exact" ? dashed : line_and_points));
+        const ErrorHistory errors = run.errors(e->key);
+        plot.series.push_back(error_series(e->name(), errors, *place == "corrected_exact" ? dashed : line_and_points));
         plot.series.back().color = plot.series.back().pattern = int(place - shown.begin());   // the same in the plots of H and of K
-        plot.alt +=
-            " " + words.line("convergence.alt.series", "estimator"_a = estimator.name(),
-                             "error"_a = readable_percent(history.errors.back(), 2), "order"_a = words_of(truth.order(run, quantity, e)));
+        plot.alt += " " + words.line("convergence.alt.series", "estimator"_a = e->name(), "error"_a = readable_percent(errors.last(), 2),
+                                     "order"_a = words_of(errors.order()));
     }
     return plot;
 }
 
 report::Table ground_truth_table(const GroundTruth& truth) {
     std::vector<Measured> all;
-    for (const PanelRun& run : truth.runs) {
-        for (const Row& row : all_estimators()) {
-            const FittedOrder l2 = truth.order(run, row.quantity, row.estimator);
-            const FittedOrder linf = truth.order(run, row.quantity, row.estimator, &EstimateError::linf);
-            for (std::size_t level = 0; level < run.levels.size(); ++level) all.push_back({run, row, level, l2, linf});
+    for (const BenchRun& run : truth.runs) {
+        for (const Estimator* e : rows()) {
+            const Order l2 = run.errors(e->key).order(), linf = run.errors(e->key, &EstimateError::linf).order();
+            for (const BenchLevel& level : run.levels) all.push_back({run, *e, level, l2, linf});
         }
     }
     return table("truth_all", "", all)
-        .column("of", [](auto& m) { return symbol(m.row.quantity); })
-        .column("estimator", [](auto& m) { return m.row.name(); })
+        .column("of", [](auto& m) { return symbol(m.estimator.quantity); })
+        .column("estimator", [](auto& m) { return m.estimator.name(); })
         .column("surface", [](auto& m) { return m.run.surface; })
         .column("mesh", [](auto& m) { return name_of(m.run.kind); })
-        .column("vertices", [](auto& m) { return m.run.levels[m.level].vertices; })
-        .column("mean edge", {.unit = "length"}, [](auto& m) { return m.run.levels[m.level].mean_edge; })
+        .column("vertices", [](auto& m) { return m.level.vertices; })
+        .column("mean edge", {.unit = "length"}, [](auto& m) { return m.level.mean_edge; })
         .column("L2 error", [](auto& m) { return m.error().l2; })
         .column("L∞ error", [](auto& m) { return m.error().linf; })
         .column("undefined", {.unit = "vertices"}, [](auto& m) { return m.error().undefined; })
-        .column("order, L2", [](auto& m) { return cell_of(m.l2.order); })
-        .column("standard error, L2", [](auto& m) { return cell_of(m.l2.standard_error); })
-        .column("order, L∞", [](auto& m) { return cell_of(m.linf.order); })
-        .column("standard error, L∞", [](auto& m) { return cell_of(m.linf.standard_error); });
+        .column("order, L2", [](auto& m) { return cell_of(m.l2.exponent); })
+        .column("margin, L2", [](auto& m) { return cell_of(m.l2.margin); })
+        .column("order, L∞", [](auto& m) { return cell_of(m.linf.exponent); })
+        .column("margin, L∞", [](auto& m) { return cell_of(m.linf.margin); });
 }
 
 }   // namespace meshfolio::truth

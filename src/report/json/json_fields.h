@@ -1,13 +1,15 @@
 /// @file
-/// Which keys the parts of a report have in results.json: each is described once, for the writer and the reader alike. `Fields` is a
-/// FieldWriter or a FieldReader (json_writer.h, json_reader.h):
+/// Which keys the parts of a report have in results.json: each is described once, for the writer, the reader and the schema. `Fields` is a
+/// FieldWriter, FieldReader or FieldSchema (json_writer.h, json_reader.h, json_schema.cpp); a note at the end is for the schema:
 ///   fields(key, value)                      always there
 ///   fields.optional(key, value, fallback)   left out where it is the fallback
+///   fields.only_if(condition, key, value)   there where the condition holds
 ///   fields.derived(key, f)                  follows from the other values: written for programs, checked when read
 #pragma once
 
 #include <array>
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -20,6 +22,14 @@ namespace meshfolio::report {
 
 template <class Part, class Struct>
 concept part_of = std::same_as<std::remove_const_t<Part>, Struct>;
+
+/// What a value means, where its key does not say so, and the limits of an integer.
+struct Note {
+    Note(const char* words = "", int smallest = std::numeric_limits<int>::min(), int largest = std::numeric_limits<int>::max())
+        : meaning(words), least(smallest), most(largest) {}
+    const char* meaning;
+    int least, most;
+};
 
 /// A figure with what is known of its pictures.
 struct FigureEntry {
@@ -72,12 +82,14 @@ inline constexpr std::array<const char*, 9> names_of(BlockEntry::Kind) {
 
 // ---- tables -------------------------------------------------------------------------------------------------------------
 
+inline constexpr int most_digits = 17;   // a double has no more
 inline std::string table_file(const std::string& id) { return "tables/" + id + ".csv"; }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Column::Heat> auto& heat) {
-    fields("low", heat.low);
-    fields("high", heat.high);
+template <class Fields, class Part>
+requires part_of<Part, Column::Heat> || part_of<Part, Map::Range>
+void describe(Fields& fields, Part& range) {
+    fields("low", range.low);
+    fields("high", range.high);
 }
 
 template <class Fields>
@@ -85,12 +97,12 @@ void describe(Fields& fields, part_of<Column> auto& column) {
     const Column fallback;
     fields("name", column.name);
     fields("unit", column.unit);
-    fields("digits", column.digits);
-    fields.optional("best", column.best, fallback.best);
-    fields.optional("rounding", column.rounding, fallback.rounding);
-    fields.optional("heat", column.heat);
-    fields.optional("filter", column.filter, fallback.filter);
-    fields.optional("reference", column.reference, fallback.reference);
+    fields("digits", column.digits, {"significant, for people", 1, most_digits});
+    fields.optional("best", column.best, fallback.best, "which value is marked");
+    fields.optional("rounding", column.rounding, fallback.rounding, "of people's digits");
+    fields.optional("heat", column.heat, "cells are shaded between these");
+    fields.optional("filter", column.filter, fallback.filter, "readers may choose one of its values");
+    fields.optional("reference", column.reference, fallback.reference, "its texts are ids");
 }
 
 template <class Fields>
@@ -98,7 +110,7 @@ void describe(Fields& fields, part_of<Table> auto& table) {
     fields("id", table.id);
     fields("caption", table.caption);
     fields.derived("file", [&] { return table_file(table.id); });
-    fields.optional("sortable", table.sortable, false);
+    fields.optional("sortable", table.sortable, false, "readers of the page may sort it");
     fields("columns", table.columns);
     fields("rows", table.rows);
 }
@@ -109,8 +121,8 @@ template <class Fields>
 void describe(Fields& fields, part_of<Series> auto& series) {
     fields("name", series.name);
     fields.optional("style", series.style, Series::Style::line);
-    fields.optional("color", series.color, -1);
-    fields.optional("pattern", series.pattern, -1);
+    fields.optional("color", series.color, -1, {"which of six; absent: that of its place", 0});
+    fields.optional("pattern", series.pattern, -1, {"which of seven dashes and shapes of points; absent: that of its place", 0});
     fields("x", series.x);
     fields("y", series.y);
     fields.optional("y_low", series.y_low, {});
@@ -130,14 +142,20 @@ void describe(Fields& fields, part_of<Plot::VerticalLine> auto& line) {
     fields("label", line.label);
 }
 
+/// What begins a plot as well as a map.
+template <class Fields>
+void describe_drawing(Fields& fields, auto& drawing) {
+    fields("id", drawing.id);
+    fields("caption", drawing.caption);
+    fields("alt", drawing.alt);
+    fields.derived("file", [&] { return table_file(drawing.id); });
+    fields("x_label", drawing.x_label);
+    fields("y_label", drawing.y_label);
+}
+
 template <class Fields>
 void describe(Fields& fields, part_of<Plot> auto& plot) {
-    fields("id", plot.id);
-    fields("caption", plot.caption);
-    fields("alt", plot.alt);
-    fields.derived("file", [&] { return table_file(plot.id); });
-    fields("x_label", plot.x_label);
-    fields("y_label", plot.y_label);
+    describe_drawing(fields, plot);
     fields("log_x", plot.log_x);
     fields("log_y", plot.log_y);
     fields("series", plot.series);
@@ -146,33 +164,22 @@ void describe(Fields& fields, part_of<Plot> auto& plot) {
 }
 
 template <class Fields>
-void describe(Fields& fields, part_of<Map::Range> auto& range) {
-    fields("low", range.low);
-    fields("high", range.high);
-}
-
-template <class Fields>
 void describe(Fields& fields, part_of<Map> auto& map) {
     const Map fallback;
-    fields("id", map.id);
-    fields("caption", map.caption);
-    fields("alt", map.alt);
-    fields.derived("file", [&] { return table_file(map.id); });
-    fields("x_label", map.x_label);
-    fields("y_label", map.y_label);
+    describe_drawing(fields, map);
     fields("value_label", map.value_label);
     fields("log_x", map.log_x);
     fields("log_y", map.log_y);
     fields("log_values", map.log_values);
     fields.optional("colours", map.colours, fallback.colours);
-    fields.optional("middle", map.middle, fallback.middle);
-    fields.optional("range", map.range);
-    fields("undefined", map.undefined);
+    fields.optional("middle", map.middle, fallback.middle, "where a diverging map is palest");
+    fields.optional("range", map.range, "of the colours; absent: all that is finite");
+    fields("undefined", map.undefined, "what cells without a value are");
     fields("x", map.x);
     fields("y", map.y);
     fields.each("panels", map.panels, [&](auto& panel_fields, auto& panel) {
         panel_fields("title", panel.title);
-        panel_fields.rows("values", panel.values, map.x.size(), map.y.size());
+        panel_fields.rows("values", panel.values, map.x.size(), map.y.size(), "one row a y, one number an x");
         panel_fields("lines", panel.lines);
         panel_fields("markers", panel.markers);
     });
@@ -190,7 +197,7 @@ template <class Fields>
 void describe(Fields& fields, part_of<DrawnModel> auto& model) {
     fields.optional("label", model.label, {});
     fields.file("file", model.file);
-    fields.optional("quantity", model.quantity, {});
+    fields.optional("quantity", model.quantity, {}, "of the values at the vertices, with its unit");
 }
 
 using LabelAndFile = std::pair<std::string, std::string>;
@@ -205,10 +212,10 @@ void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
     fields("id", entry.figure.id);
     fields("caption", entry.figure.caption);
     fields("alt", entry.figure.alt);
-    fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn);
+    fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn, "null: could not be drawn");
     fields("views", entry.drawn.views);
-    fields.optional("comparison", entry.drawn.comparison, {});
-    fields.optional("models", entry.drawn.models, {});
+    fields.optional("comparison", entry.drawn.comparison, {}, "pictures to be laid over each other: before, after, and their difference");
+    fields.optional("models", entry.drawn.models, {}, "meshes that readers of the page can turn");
 }
 
 // ---- what a section is made of ------------------------------------------------------------------------------------------
@@ -221,7 +228,7 @@ void describe(Fields& fields, part_of<NumberedEntry> auto& numbered) {
         return words;
     };
     fields("id", numbered.entry.id);
-    fields("kind", numbered.kind);
+    fields("kind", numbered.kind, "what it is called by: \"Claim\"");
     fields("title_runs", numbered.entry.title);
     fields("paragraph_runs", numbered.entry.paragraphs);
     fields.derived("title", [&] { return plain(numbered.entry.title); });
@@ -239,7 +246,7 @@ void describe(Fields& fields, part_of<BlockEntry> auto& block) {
         case BlockEntry::Kind::list:
             return fields("items", block.items);
         case BlockEntry::Kind::formula:
-            fields("name", block.name);
+            fields("name", block.name, "in formulas.json");
             return fields.optional("id", block.id, {});
         case BlockEntry::Kind::entries:
             fields("title", block.title);
@@ -257,10 +264,8 @@ void describe(Fields& fields, part_of<Check> auto& check) {
     fields("measured", check.measured);
     fields("tolerance", check.tolerance);
     fields("status", check.status);
-    fields.derived("passed", [&]() -> std::optional<bool> {   // null: undecided
-        if (check.status == Check::Status::undecided) return {};
-        return check.passed();
-    });
+    const auto passed = [&] { return check.status == Check::Status::undecided ? std::nullopt : std::optional(check.passed()); };
+    fields.derived("passed", passed, "null: undecided");
     fields.optional("note", check.note, {});
 }
 
@@ -274,12 +279,12 @@ void describe(Fields& fields, part_of<Finding> auto& finding) {
 template <class Fields>
 void describe(Fields& fields, part_of<Input> auto& input) {
     fields("role", input.role);
-    fields("asked", input.asked);
+    fields("asked", input.asked, "the assignment's path; empty: no one asked for this mesh");
     fields("file", input.file);
-    fields("stand_in", input.stand_in);
+    fields("stand_in", input.stand_in, "a bundled mesh in place of the one asked for");
     fields("sha256", input.sha256);
-    fields("vertices", input.vertices);
-    fields("triangles", input.triangles);
+    fields("vertices", input.vertices, {"", 0});
+    fields("triangles", input.triangles, {"", 0});
 }
 
 template <class Fields>
@@ -287,7 +292,7 @@ void describe(Fields& fields, part_of<CodeReference> auto& code) {
     fields("function", code.function);
     fields("file", code.file);
     fields("purpose", code.purpose);
-    fields.optional("line", code.line, 0);
+    fields.optional("line", code.line, 0, {"of its definition in src.txt; absent where src.txt has none", 1});
 }
 
 template <class Fields>
@@ -295,6 +300,8 @@ void describe(Fields& fields, part_of<Timing> auto& timing) {
     fields("what", timing.what);
     fields("seconds", timing.seconds);
 }
+
+inline constexpr const char* timings_note = "absent when the report was made without timings; the only part that differs from run to run";
 
 template <class Fields>
 void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
@@ -304,21 +311,82 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
     fields("asked", section.asked);
     fields("status", section.status);
     fields("extent", section.extent);
-    if (section.status == Status::failed) fields("failure", section.failure);
+    fields.only_if(section.status == Status::failed, "failure", section.failure, "why, for status failed");
     fields("inputs", section.inputs);
     fields("parameters", section.parameters);
     fields("code", section.code);
-    fields("blocks", entry.blocks);
+    fields("blocks", entry.blocks, "what is read, in order: each list below from its beginning");
     fields("tables", entry.tables);
     fields("plots", entry.plots);
-    fields("maps", entry.maps);
+    fields("maps", entry.maps, "values over a plane, in panels on common axes");
     fields("figures", entry.figures);
-    fields.optional("entries", entry.entries, {});
-    fields("checks", section.checks);
+    fields.optional("entries", entry.entries, {}, "numbered texts that tables refer to by their ids; absent where there are none");
+    fields(
+        "checks", section.checks,
+        "near: |measured - expected| <= tolerance; at_most: measured <= expected + tolerance; at_least: measured >= expected - tolerance; "
+        "undecided: the number says nothing about what is checked, for the reason in the note, and is no failure");
     fields("findings", section.findings);
     fields("warnings", section.warnings);
     fields.files("output_meshes", section.output_meshes);
-    fields.if_there("timings", section.timings, entry.with_timings);
+    fields.if_there("timings", section.timings, entry.with_timings, timings_note);
+}
+
+/// Raised whenever a reader of the earlier one would misread what is written; keys that are added do not raise it.
+inline constexpr int schema_version = 3;
+
+struct MeshDigest {
+    std::string file, sha256;
+    bool operator==(const MeshDigest&) const = default;
+};
+/// Every input mesh once, by name and content.
+std::vector<MeshDigest> input_meshes(const std::vector<Section>& sections);
+
+struct ProvenanceEntry {
+    Provenance provenance;
+    std::vector<MeshDigest> inputs;
+};
+
+struct ReportEntry {
+    int version = schema_version;
+    std::string title, author, course;
+    ProvenanceEntry provenance;
+    std::optional<FigureEntry> cover;
+    std::vector<SectionEntry> questions, supporting;
+    bool with_timings = true;
+    std::vector<Timing> timings;
+};
+
+template <class Fields>
+void describe(Fields& fields, part_of<MeshDigest> auto& mesh) {
+    fields("file", mesh.file);
+    fields("sha256", mesh.sha256);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<ProvenanceEntry> auto& entry) {
+    auto& provenance = entry.provenance;
+    fields.derived("program", [] { return "meshfolio"; });
+    fields("version", provenance.version);
+    fields("commit", provenance.commit);
+    fields("compiler", provenance.compiler);
+    fields("build_type", provenance.build_type);
+    fields("libraries", provenance.libraries);
+    fields("settings", provenance.settings);
+    fields("seed", provenance.seed, "64 bits without sign");
+    fields("inputs", entry.inputs);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<ReportEntry> auto& report) {
+    fields("schema_version", report.version, {"", schema_version, schema_version});
+    fields("title", report.title);
+    fields("author", report.author);
+    fields("course", report.course);
+    fields("provenance", report.provenance);
+    fields.optional("cover", report.cover, "the picture of the first page");
+    fields("questions", report.questions);
+    fields("supporting", report.supporting);
+    fields.if_there("timings", report.timings, report.with_timings, timings_note);
 }
 
 }   // namespace meshfolio::report

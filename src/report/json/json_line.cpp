@@ -34,64 +34,39 @@ private:
     const char** furthest_;
 };
 
-/// Follows the path of each value as the parser meets it and stops at the one that is looked for.
-class PathFinder : public Unordered::json_sax_t {
-public:
-    explicit PathFinder(std::string wanted) : wanted_(std::move(wanted)) {}
-    bool is_found() const { return found_; }
+}   // namespace
 
-    bool null() override { return value(); }
-    bool boolean(bool) override { return value(); }
-    bool number_integer(number_integer_t) override { return value(); }
-    bool number_unsigned(number_unsigned_t) override { return value(); }
-    bool number_float(number_float_t, const string_t&) override { return value(); }
-    bool string(string_t&) override { return value(); }
-    bool binary(binary_t&) override { return value(); }
-    bool start_object(std::size_t) override { return open(false); }
-    bool start_array(std::size_t) override { return open(true); }
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
-    bool key(string_t& name) override {
-        const std::string& before = levels_.back().path;
-        next_ = before + (before.empty() ? "" : ".") + name;
-        return true;
-    }
-    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
-
-private:
+long line_of_json(std::string_view text, const std::string& path) {
+    using Event = Unordered::parse_event_t;
     struct Level {
         std::string path;
         bool is_list;
         std::size_t index = 0;
     };
-    std::string wanted_, next_;
-    std::vector<Level> levels_;
-    bool found_ = false;
-
-    /// The path of the value that begins now.
-    std::string here() {
-        if (levels_.empty()) return "";
-        if (!levels_.back().is_list) return next_;
-        return levels_.back().path + "[" + std::to_string(levels_.back().index++) + "]";
-    }
-    bool value() { return !(found_ = here() == wanted_); }
-    bool open(bool is_list) {
-        levels_.push_back({here(), is_list});
-        return !(found_ = levels_.back().path == wanted_);
-    }
-    bool close() {
-        levels_.pop_back();
+    std::vector<Level> levels;
+    std::string of_member;   // path of the value that the last key names
+    const auto next_path = [&] {
+        if (levels.empty()) return std::string();
+        if (!levels.back().is_list) return of_member;
+        return levels.back().path + "[" + std::to_string(levels.back().index++) + "]";
+    };
+    const char *furthest = text.data(), *found = nullptr;
+    const auto see = [&](int, Event event, Unordered& value) {
+        if (event == Event::object_end || event == Event::array_end) {
+            levels.pop_back();
+        } else if (event == Event::key) {
+            const std::string& before = levels.back().path;
+            of_member = before + (before.empty() ? "" : ".") + value.get<std::string>();
+        } else {
+            const std::string here = next_path();
+            if (found == nullptr && here == path) found = furthest;
+            if (event != Event::value) levels.push_back({here, event == Event::array_start});
+        }
         return true;
-    }
-};
-
-}   // namespace
-
-long line_of_json(std::string_view text, const std::string& path) {
-    PathFinder finder(path);
-    const char* furthest = text.data();
-    Unordered::sax_parse(CountingIterator(text.data(), &furthest), CountingIterator(text.data() + text.size(), &furthest), &finder);
-    return finder.is_found() ? line_of_byte(text, static_cast<std::size_t>(furthest - text.data())) : 0;
+    };
+    const char* const end = text.data() + text.size();
+    const Unordered whole = Unordered::parse(CountingIterator(text.data(), &furthest), CountingIterator(end, &furthest), see, false);
+    return whole.is_discarded() || found == nullptr ? 0 : line_of_byte(text, static_cast<std::size_t>(found - text.data()));
 }
 
 std::optional<std::size_t> deeper_than(int levels, std::string_view text) {

@@ -1,5 +1,4 @@
 #include "report/json/json_reader.h"
-#include "base/in_quotes.h"
 
 #include <algorithm>
 
@@ -7,7 +6,6 @@ namespace meshfolio::report {
 
 namespace {
 
-constexpr int most_digits = 17;   // a double has no more
 constexpr std::size_t longest_id = 200;
 
 bool is_id_character(char c) {
@@ -44,6 +42,12 @@ void require_inner_path(const std::string& path, const JsonPlace& place) {
         begin = end + 1;
     }
     if (!inside) throw JsonProblem(place, "is no path of a file inside the report", "write it relative to the folder of results.json");
+}
+
+void require_between(int value, const Note& limits, const JsonPlace& place) {
+    if (value >= limits.least && value <= limits.most) return;
+    throw JsonProblem(place, "is " + std::to_string(value),
+                      "it may be " + std::to_string(limits.least) + " to " + std::to_string(limits.most));
 }
 
 void require_good_id(const std::string& id, const JsonPlace& place) {
@@ -174,7 +178,7 @@ void FieldReader::read(const Json& json, Run& value, const JsonPlace& place, Odd
     value.content = json.begin()->get<std::string>();
 }
 
-void FieldReader::rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height) {
+void FieldReader::rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height, const Note&) {
     const JsonPlace place{&place_, key};
     const Json& rows = list_in(required(key), place);
     Odd odd = odd_of(key);
@@ -190,8 +194,6 @@ void FieldReader::rows(const char* key, std::vector<double>& values, std::size_t
 // ---- what belongs together ----------------------------------------------------------------------------------------------
 
 void FieldReader::require_sound(const Column& column, const JsonPlace& place) {
-    if (column.digits < 1 || column.digits > most_digits)
-        throw JsonProblem({&place, "digits"}, "is " + std::to_string(column.digits), "it may be 1 to " + std::to_string(most_digits));
     if (column.heat && !(column.heat->low > 0 && column.heat->low < column.heat->high))
         throw JsonProblem({&place, "heat"}, "has no range above 0");
 }

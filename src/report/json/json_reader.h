@@ -41,6 +41,8 @@ struct JsonProblem : std::runtime_error {
 std::string type_in_words(const Json& value);
 /// @throws JsonProblem unless it is a path inside the report's folder
 void require_inner_path(const std::string& path, const JsonPlace& place);
+/// @throws JsonProblem unless it is within the limits of the note
+void require_between(int value, const Note& limits, const JsonPlace& place);
 /// @throws JsonProblem unless it may be a part of a file's name
 void require_good_id(const std::string& id, const JsonPlace& place);
 
@@ -52,34 +54,39 @@ public:
     void finish() const;
 
     template <class Value>
-    void operator()(const char* key, Value& value) {
+    void operator()(const char* key, Value& value, const Note& note = {}) {
         const Json& json = required(key);
         const JsonPlace place{&place_, key};
         Odd odd = odd_of(key);
         read(json, value, place, odd);
         odd.require_used(place);
+        if constexpr (std::is_same_v<Value, int>) require_between(value, note, place);
         if constexpr (std::is_same_v<Value, std::string>) {
             if (std::string_view(key) == "id") require_good_id(value, place);
         }
     }
     template <class Value>
-    void optional(const char* key, Value& value, const std::type_identity_t<Value>& fallback) {
+    void optional(const char* key, Value& value, const std::type_identity_t<Value>& fallback, const Note& note = {}) {
         if (object_.contains(key))
-            (*this)(key, value);
+            (*this)(key, value, note);
         else
             value = fallback;
     }
     template <class Value>
-    void optional(const char* key, std::optional<Value>& value) {
+    void optional(const char* key, std::optional<Value>& value, const Note& = {}) {
         if (object_.contains(key)) (*this)(key, value.emplace());
     }
     template <class Value>
-    void if_there(const char* key, Value& value, bool& there) {
+    void if_there(const char* key, Value& value, bool& there, const Note& = {}) {
         there = object_.contains(key);
         if (there) (*this)(key, value);
     }
+    template <class Value>
+    void only_if(bool condition, const char* key, Value& value, const Note& = {}) {
+        if (condition) (*this)(key, value);
+    }
     template <class Derive>
-    void derived(const char* key, Derive derive) {
+    void derived(const char* key, Derive derive, const Note& = {}) {
         if (required(key) != derived_json(derive()))
             throw JsonProblem({&place_, key}, "does not agree with what it is derived from", "leave it as it was");
     }
@@ -91,7 +98,7 @@ public:
         (*this)(key, paths);
         for (const std::string& path : paths) require_inner_path(path, {&place_, key});
     }
-    void file_or_null(const char* key, std::string& path, bool& there) {
+    void file_or_null(const char* key, std::string& path, bool& there, const Note& = {}) {
         there = !required(key).is_null();
         if (there) file(key, path);
     }
@@ -106,7 +113,7 @@ public:
             fields.finish();
         }
     }
-    void rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height);
+    void rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height, const Note& = {});
 
 private:
     const Json& object_;

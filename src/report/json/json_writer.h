@@ -32,30 +32,36 @@ public:
     explicit FieldWriter(Json& object) : object_(object) { object_ = Json::object(); }
 
     template <class Value>
-    void operator()(const char* key, const Value& value) {
+    void operator()(const char* key, const Value& value, const Note& = {}) {
         Odd odd;
         object_[key] = json_of(value, odd);
         odd.enter(object_, key);
     }
     template <class Value>
-    void optional(const char* key, const Value& value, const std::type_identity_t<Value>& fallback) {
+    void optional(const char* key, const Value& value, const std::type_identity_t<Value>& fallback, const Note& = {}) {
         if (!is_same(value, fallback)) (*this)(key, value);
     }
     template <class Value>
-    void optional(const char* key, const std::optional<Value>& value) {
+    void optional(const char* key, const std::optional<Value>& value, const Note& = {}) {
         if (value) (*this)(key, *value);
     }
     template <class Value>
-    void if_there(const char* key, const Value& value, bool there) {
+    void if_there(const char* key, const Value& value, bool there, const Note& = {}) {
         if (there) (*this)(key, value);
     }
+    template <class Value>
+    void only_if(bool condition, const char* key, const Value& value, const Note& = {}) {
+        if (condition) (*this)(key, value);
+    }
     template <class Derive>
-    void derived(const char* key, Derive derive) {
+    void derived(const char* key, Derive derive, const Note& = {}) {
         object_[key] = derived_json(derive());
     }
     void file(const char* key, const std::string& path) { object_[key] = path; }
     void files(const char* key, const std::vector<std::string>& paths) { object_[key] = paths; }
-    void file_or_null(const char* key, const std::string& path, bool there) { object_[key] = there ? Json(path) : Json(); }
+    void file_or_null(const char* key, const std::string& path, bool there, const Note& = {}) {
+        object_[key] = there ? Json(path) : Json();
+    }
 
     /// A list of objects, each described by `describe_one(fields, item)`.
     template <class Item, class Describe>
@@ -71,7 +77,7 @@ public:
     }
 
     /// Values of a grid, a row of `width` at a time.
-    void rows(const char* key, const std::vector<double>& values, std::size_t width, std::size_t height) {
+    void rows(const char* key, const std::vector<double>& values, std::size_t width, std::size_t height, const Note& = {}) {
         Odd odd;
         Json rows = Json::array();
         for (std::size_t i = 0; i < values.size() && i < width * height; ++i) {

@@ -4,10 +4,9 @@
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "report/json/json_fields.h"
 #include "report/json/json_line.h"
 #include "report/json/json_reader.h"
-#include "report/json/json_report.h"
-#include "report/json/json_sections.h"
 #include "report/numbering.h"
 
 namespace meshfolio::report {
@@ -56,6 +55,93 @@ void require_version(const Json& json) {
         {&root, "schema_version"},
         "is " + in_quotes(version->dump(-1, ' ', true, Json::error_handler_t::replace)) + ", not " + std::to_string(schema_version),
         "make the report anew, or take the meshfolio that made it");
+}
+
+/// Puts the blocks of a section in their order; each list is used up from its beginning.
+class Joiner {
+public:
+    Joiner(SectionEntry& entry, DrawnFigures& drawn, const JsonPlace& place) : entry_(entry), drawn_(drawn), place_(place) {}
+
+    std::vector<Block> blocks() {
+        std::vector<Block> blocks;
+        const JsonPlace list{&place_, "blocks"};
+        for (std::size_t i = 0; i < entry_.blocks.size(); ++i) blocks.push_back(block_of(entry_.blocks[i], {&list, {}, i}));
+        require_used("tables", tables_, entry_.tables.size());
+        require_used("plots", plots_, entry_.plots.size());
+        require_used("maps", maps_, entry_.maps.size());
+        require_used("figures", figures_, entry_.figures.size());
+        require_used("entries", entries_, entry_.entries.size());
+        return blocks;
+    }
+
+private:
+    SectionEntry& entry_;
+    DrawnFigures& drawn_;
+    const JsonPlace& place_;
+    std::size_t tables_ = 0, plots_ = 0, maps_ = 0, figures_ = 0, entries_ = 0;
+
+    Block block_of(BlockEntry& block, const JsonPlace& place) {
+        switch (block.kind) {
+            case BlockEntry::Kind::heading:
+                return Heading{std::move(block.title)};
+            case BlockEntry::Kind::paragraph:
+                return Paragraph{std::move(block.text)};
+            case BlockEntry::Kind::list:
+                return BulletList{std::move(block.items)};
+            case BlockEntry::Kind::formula:
+                return Formula{std::move(block.name), std::move(block.id)};
+            case BlockEntry::Kind::table:
+                return next(entry_.tables, tables_, block.id, place);
+            case BlockEntry::Kind::plot:
+                return next(entry_.plots, plots_, block.id, place);
+            case BlockEntry::Kind::map:
+                return next(entry_.maps, maps_, block.id, place);
+            case BlockEntry::Kind::figure:
+                return next_figure(block.id, place);
+            default:
+                return entries_of(block, place);
+        }
+    }
+
+    static void require_next(bool is_next, const std::string& id, const JsonPlace& place) {
+        if (!is_next) throw JsonProblem(place, "refers to '" + id + "', which is not the next of its list", "take a whole results.json");
+    }
+
+    template <class Item>
+    static Item next(std::vector<Item>& items, std::size_t& used, const std::string& id, const JsonPlace& place) {
+        require_next(used < items.size() && items[used].id == id, id, place);
+        return std::move(items[used++]);
+    }
+
+    Figure next_figure(const std::string& id, const JsonPlace& place) {
+        require_next(figures_ < entry_.figures.size() && entry_.figures[figures_].figure.id == id, id, place);
+        FigureEntry& entry = entry_.figures[figures_++];
+        if (entry.is_drawn) drawn_[id] = std::move(entry.drawn);
+        return std::move(entry.figure);
+    }
+
+    EntryList entries_of(BlockEntry& block, const JsonPlace& place) {
+        EntryList list{std::move(block.title), {}};
+        for (const std::string& id : block.ids) {
+            const bool is_next =
+                entries_ < entry_.entries.size() && entry_.entries[entries_].entry.id == id && entry_.entries[entries_].kind == list.kind;
+            require_next(is_next, id, place);
+            list.entries.push_back(std::move(entry_.entries[entries_++].entry));
+        }
+        return list;
+    }
+
+    void require_used(const char* list, std::size_t used, std::size_t size) const {
+        if (used != size) throw JsonProblem({&place_, list}, "holds what no block refers to", "take a whole results.json");
+    }
+};
+
+/// What is known of the pictures goes into `drawn`.
+/// @throws JsonProblem where the order names a block that is not there, or leaves one out
+Section section_of(SectionEntry entry, DrawnFigures& drawn, const JsonPlace& place) {
+    Section section = std::move(entry.section);
+    section.blocks = Joiner(entry, drawn, place).blocks();
+    return section;
 }
 
 void add_sections(std::vector<SectionEntry>& entries, bool questions, const char* key, Ids& ids, ReadReport& read) {

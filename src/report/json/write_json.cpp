@@ -1,14 +1,85 @@
-// results.json, for programs and for `report --from`. Its schema is templates/results.schema.json, its reader read_json.cpp.
+// results.json, for programs and for `report --from`. Its schema is json_schema.cpp, its reader read_json.cpp.
 #include <set>
 #include <utility>
 
-#include "report/json/json_report.h"
-#include "report/json/json_sections.h"
+#include "report/json/json_fields.h"
 #include "report/json/json_writer.h"
 #include "report/numbering.h"
 #include "report/writers.h"
 
 namespace meshfolio::report {
+
+namespace {
+
+FigureEntry entry_of(const Figure& figure, const DrawnFigures& drawn) {
+    const auto it = drawn.find(figure.id);
+    FigureEntry entry{figure, it != drawn.end(), {}};
+    if (!entry.is_drawn) return entry;
+    // Names alone: pictures and models are files of their own.
+    entry.drawn.sheet = it->second.sheet;
+    entry.drawn.views = it->second.views;
+    for (const DrawnPanel& panel : it->second.comparison) entry.drawn.comparison.push_back({panel.label, panel.file, {}, 0, 0});
+    for (const DrawnModel& model : it->second.models) entry.drawn.models.push_back({model.label, model.file, {}, model.quantity});
+    return entry;
+}
+
+/// Takes the blocks of a section apart.
+class Sorter {
+public:
+    Sorter(SectionEntry& entry, const DrawnFigures& drawn) : entry_(entry), drawn_(drawn) {}
+
+    void operator()(const Heading& heading) { add(BlockEntry::Kind::heading).title = heading.title; }
+    void operator()(const Paragraph& paragraph) { add(BlockEntry::Kind::paragraph).text = paragraph.text; }
+    void operator()(const BulletList& list) { add(BlockEntry::Kind::list).items = list.items; }
+    void operator()(const Formula& formula) { add(BlockEntry::Kind::formula, formula.id).name = formula.name; }
+    void operator()(const Table& table) {
+        add(BlockEntry::Kind::table, table.id);
+        entry_.tables.push_back(table);
+    }
+    void operator()(const Plot& plot) {
+        add(BlockEntry::Kind::plot, plot.id);
+        entry_.plots.push_back(plot);
+    }
+    void operator()(const Map& map) {
+        add(BlockEntry::Kind::map, map.id);
+        entry_.maps.push_back(map);
+    }
+    void operator()(const Figure& figure) {
+        add(BlockEntry::Kind::figure, figure.id);
+        entry_.figures.push_back(entry_of(figure, drawn_));
+    }
+    void operator()(const EntryList& list) {
+        BlockEntry& block = add(BlockEntry::Kind::entries);
+        block.title = list.kind;
+        for (const Entry& one : list.entries) {
+            block.ids.push_back(one.id);
+            entry_.entries.push_back({list.kind, one});
+        }
+    }
+
+private:
+    SectionEntry& entry_;
+    const DrawnFigures& drawn_;
+
+    BlockEntry& add(BlockEntry::Kind kind, const std::string& id = "") {
+        BlockEntry& block = entry_.blocks.emplace_back();
+        block.kind = kind;
+        block.id = id;
+        return block;
+    }
+};
+
+SectionEntry entry_of(const Section& section, const DrawnFigures& drawn, bool with_timings) {
+    SectionEntry entry;
+    Sorter sorter(entry, drawn);
+    for (const Block& block : section.blocks) std::visit(sorter, block);
+    entry.section = section;
+    entry.section.blocks.clear();
+    entry.with_timings = with_timings;
+    return entry;
+}
+
+}   // namespace
 
 std::vector<MeshDigest> input_meshes(const std::vector<Section>& sections) {
     std::set<std::pair<std::string, std::string>> meshes;

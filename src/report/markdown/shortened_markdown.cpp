@@ -65,8 +65,8 @@ std::size_t size_of(const Paragraphs& paragraphs) {
                            [](std::size_t sum, const std::string& paragraph) { return sum + paragraph.size(); });
 }
 
-/// The rows that are easiest to miss, for their caption tells and links the CSV file: those of the smallest table whose loss is enough, or
-/// of the largest. The end: no table is worth it.
+/// The rows to drop first, as their caption links the CSV file: those of the smallest table whose loss is enough, else of the largest.
+/// The end: no table is worth dropping.
 Paragraphs::iterator dispensable_rows(Paragraphs& paragraphs, std::size_t enough) {
     constexpr std::size_t worth_dropping = 500;
     auto chosen = paragraphs.end();

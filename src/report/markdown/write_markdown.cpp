@@ -36,7 +36,7 @@ std::string write_markdown(const Document& document, const DrawnFigures& figures
     };
     constexpr std::array<Detail, 5> details{
         {{true, 40, true}, {false, 40, true}, {false, 12, true}, {false, 12, false}, {false, 4, false}}};
-    const auto told_with = [&](std::size_t i) {
+    const auto written_with = [&](std::size_t i) {
         ViewOptions view;
         view.timings = options.timings;
         view.pictures = false;
@@ -48,12 +48,12 @@ std::string write_markdown(const Document& document, const DrawnFigures& figures
     };
     // As much as fits, from the middle on: every attempt takes as long as the page itself.
     std::size_t i = details.size() / 2;
-    std::string text = told_with(i);
-    while (text.size() > size_limit && i + 1 < details.size()) text = told_with(++i);
+    std::string text = written_with(i);
+    while (text.size() > size_limit && i + 1 < details.size()) text = written_with(++i);
     if (text.size() > size_limit) return shortened_markdown(text, size_limit);
     const bool from_above = i > details.size() / 2;
     while (!from_above && i > 0) {
-        std::string more = told_with(--i);
+        std::string more = written_with(--i);
         if (more.size() > size_limit) break;
         text = std::move(more);
     }

@@ -1,13 +1,16 @@
 #include "report/page/page_design.h"
 
+#include <libdeflate.h>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <new>
 #include <vector>
 
 #include "base/errors.h"
 #include "base/sha256.h"
+#include "embedded_viewer.h"
 #include "report/escape.h"
-#include "report/page/page_viewer.h"
+#include "report/page/view_value.h"
 
 namespace meshfolio::report {
 
@@ -50,7 +53,7 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
 
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
     const bool has_script = design == "report", with_viewer = has_script && parts.models && !parts.viewer.empty();
-    // What each script does is told at its head. They know nothing of one another.
+    // Each script says at its head what it does. They do not depend on one another.
     std::vector<std::string> styles = {design + ".css"},
                              scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js", "page_comparison.js"};
     if (has_script && parts.models) styles.emplace_back("models.css");
@@ -62,13 +65,26 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     const std::string script = has_script ? joined_scripts(templates, scripts) : "";
     std::vector<std::string> run;   // the texts that are
     if (has_script) run = {scheme, script};
-    model["style"] = style;
-    model["scheme_script"] = scheme;
-    model["script"] = script;
-    model["has_viewer"] = with_viewer;
-    model["viewer"] = with_viewer ? packed(parts.viewer) : "";
     if (with_viewer) run.emplace_back(parts.viewer);
-    model["policy"] = policy_for(style, run);
+    enter(model, {{"style", "report.css (report.html only)", style},
+                  {"scheme_script", "page_scheme.js, which is run before anything is drawn (report.html only)", scheme},
+                  {"script", "report.js (report.html only)", script},
+                  {"has_viewer", "some figure can be turned, and the page carries the program for it (report.html only)", with_viewer},
+                  {"viewer", "the program that turns models, zlib and base64 (report.html only)", with_viewer ? packed(parts.viewer) : ""},
+                  {"policy", "content security policy that allows just these two (report.html only)", policy_for(style, run)},
+                  {"is_screen", "the page is for a screen, not for paper", has_script}});
+}
+
+std::string_view viewer_program() { return meshfolio_embedded::embedded_viewer().front().bytes; }
+
+std::string packed(std::string_view bytes) {
+    constexpr int level = 9;   // of 12: beyond it takes several times as long for a percent
+    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(libdeflate_alloc_compressor(level),
+                                                                                                   &libdeflate_free_compressor);
+    if (!compressor) throw std::bad_alloc();
+    std::string zlib(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+    zlib.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), zlib.data(), zlib.size()));
+    return base64(zlib);
 }
 
 }   // namespace meshfolio::report

@@ -42,7 +42,7 @@ std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
         const bool is_triple = text.compare(at, 3, "{{{") == 0;
         const std::string_view close = is_triple ? "}}}" : "}}";
         end = text.find(close, at + close.size());
-        if (end == std::string::npos) break;   // the parser tells of it
+        if (end == std::string::npos) break;   // the parser reports it
         const std::size_t first = text.find_first_not_of(" \t\r\n", at + 2);
         end += close.size();
         if (is_triple) continue;

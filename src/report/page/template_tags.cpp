@@ -1,325 +1,81 @@
-// One line a tag; the test compares them with the view model in both directions.
 #include "report/page/template_tags.h"
 
 #include <algorithm>
 
+#include "report/numbering.h"
+#include "report/page/page_design.h"
+#include "report/page/view_model.h"
+#include "report/page/view_value.h"
 #include "report/words.h"
 
 namespace meshfolio::report {
 
-const std::map<std::string, std::string>& tag_list() {
-    static const std::map<std::string, std::string> tags{
-        {"answers", "how many questions of the assignment were answered"},
-        {"answers.all_answered", "all that were asked"},
-        {"answers.answered_count", "questions that were answered"},
-        {"answers.asked_count", "questions that were asked for"},
-        {"answers.has_questions", "any question was asked for"},
-        {"attempted", "opening table: one a section, with what `sections` has of heads"},
-        {"attempted.all_passed", "all of them passed, none is undecided"},
-        {"attempted.begins_supporting", "the first that is no question of the assignment"},
-        {"attempted.checks", "what was checked"},
-        {"attempted.checks.failed", "it failed"},
-        {"attempted.checks.expected", "the value it should have, with its relation"},
-        {"attempted.checks.has_note", "there is a note"},
-        {"attempted.checks.measured", "the value it has"},
-        {"attempted.checks.name", "what is checked"},
-        {"attempted.checks.note", "what is compared, why it is known to fail, or why nothing is decided"},
-        {"attempted.checks.passed", "it passed"},
-        {"attempted.checks.tolerance", "how far off it may be"},
-        {"attempted.checks.undecided", "it decides nothing here, for the reason in the note"},
-        {"attempted.extent", "how far it was achieved"},
-        {"attempted.failure", "why it failed, one line"},
-        {"attempted.figure_count", "figures, plots included"},
-        {"attempted.has_checks", "there are any"},
-        {"attempted.failed_count", "checks that failed"},
-        {"attempted.has_failed", "some check failed"},
-        {"attempted.has_extent", "that is said"},
-        {"attempted.has_listed_checks", "its list of checks is not empty"},
-        {"attempted.has_undecided", "some check is undecided"},
-        {"attempted.id", "anchor of the section: \"q4\""},
-        {"attempted.is_failed", "it failed"},
-        {"attempted.is_ok", "it was answered"},
-        {"attempted.is_skipped", "it was not asked for, or stopped"},
-        {"attempted.number", "\"4\"; letters for what the answers rest on"},
-        {"attempted.passed_count", "checks that passed"},
-        {"attempted.table_count", "tables"},
-        {"attempted.title", "its title"},
-        {"attempted.total_count", "checks"},
-        {"attempted.undecided_count", "checks that decide nothing here, which is no failure"},
-        {"author", "who made it"},
-        {"course", "which course it is for"},
-        {"cover", "picture of the first page; false: none"},
-        {"cover.alt", "the picture in words"},
-        {"cover.has_size", "width and height are known"},
-        {"cover.height", "of the preview [pixels]"},
-        {"cover.is_drawn", "there is a picture"},
-        {"cover.is_tall", "about as high as wide, or higher"},
-        {"cover.is_wide", "more than twice as wide as high"},
-        {"cover.sheet", "its file, relative to the report"},
-        {"cover.source", "what an <img> shows: a preview inside the page, else the file"},
-        {"cover.width", "of the preview [pixels]"},
-        {"findings", "what is worth the first page, best first"},
-        {"findings.href", "link to its section"},
-        {"findings.label", "of that section: \"Question 4\""},
-        {"findings.section_number", "of that section: \"4\", \"A\""},
-        {"has_author", "there is an author"},
-        {"has_course", "there is a course"},
-        {"has_findings", "there are any"},
-        {"has_page_numbers", "the page is printed with their numbers in the contents (print.html only)"},
-        {"has_timings", "there are any"},
-        {"has_viewer", "some figure can be turned, and the page carries the program for it (report.html only)"},
-        {"has_works", "there are any"},
-        {"is_brief_report", "what is no question is told in brief (print.html only)"},
-        {"policy", "content security policy that allows just these two (report.html only)"},
-        {"provenance", "what made this report"},
-        {"provenance.build_type", "how"},
-        {"provenance.commit", "it was built from"},
-        {"provenance.compiler", "that built it"},
-        {"provenance.has_commit", "that is known"},
-        {"provenance.has_libraries", "there are any"},
-        {"provenance.has_meshes", "there are any"},
-        {"provenance.has_settings", "there are any"},
-        {"provenance.libraries", "in use"},
-        {"provenance.libraries.name", "of the library"},
-        {"provenance.libraries.separator", "a semicolon and a blank, but after the last"},
-        {"provenance.libraries.value", "its version"},
-        {"provenance.meshes", "every input"},
-        {"provenance.meshes.file", "name of the file"},
-        {"provenance.meshes.is_stand_in", "a bundled mesh in place of the one asked for"},
-        {"provenance.meshes.sha256", "of the file"},
-        {"provenance.seed", "of all random numbers"},
-        {"provenance.settings", "as given"},
-        {"provenance.settings.name", "of the setting"},
-        {"provenance.settings.separator", "a semicolon and a blank, but after the last"},
-        {"provenance.settings.value", "what it is"},
-        {"provenance.version", "of meshfolio"},
-        {"runs", "a text, piece by piece"},
-        {"runs.href", "where a link leads, within the page"},
-        {"runs.is_code", "a name from the program"},
-        {"runs.is_elsewhere", "what it names is left out here; index.html has it (print.html only)"},
-        {"runs.is_emphasis", "italic"},
-        {"runs.is_link", "a link to `href`"},
-        {"runs.is_math", "mathematics: print the parts"},
-        {"runs.is_plain", "words as they are"},
-        {"runs.is_strong", "bold"},
-        {"runs.parts", "pieces of mathematics; empty in other pieces"},
-        {"runs.parts.is_subscript", "lowered"},
-        {"runs.parts.is_superscript", "raised"},
-        {"runs.parts.is_upright", "operators, digits, names"},
-        {"runs.parts.is_variable", "italic in print"},
-        {"runs.parts.text", "its letters"},
-        {"runs.text", "words of the piece"},
-        {"scheme_script", "page_scheme.js, which is run before anything is drawn (report.html only)"},
-        {"score", "checks of the whole report"},
-        {"score.all_passed", "all of them passed, none is undecided"},
-        {"score.has_checks", "there are any"},
-        {"score.failed_count", "checks that failed"},
-        {"score.has_failed", "some check failed"},
-        {"score.has_undecided", "some check is undecided"},
-        {"score.is_complete", "the lists of checks hold those that passed, too"},
-        {"score.lists_checks", "some check is listed"},
-        {"score.passed_count", "checks that passed"},
-        {"score.total_count", "checks"},
-        {"score.undecided_count", "checks that decide nothing here, which is no failure"},
-        {"script", "report.js (report.html only)"},
-        {"sections", "questions, then what they rest on, in order"},
-        {"sections.all_passed", "all of them passed, none is undecided"},
-        {"sections.asked", "the question in one sentence"},
-        {"sections.blocks", "what is read, in order; one of the is_… is true for each"},
-        {"sections.blocks.alt", "the picture in words"},
-        {"sections.blocks.anchor", "of a heading"},
-        {"sections.blocks.caption", "what to see"},
-        {"sections.blocks.columns", "heads of a table"},
-        {"sections.blocks.columns.has_unit", "there is one"},
-        {"sections.blocks.columns.is_filter", "readers may choose one of its values"},
-        {"sections.blocks.columns.is_numeric", "it holds numbers"},
-        {"sections.blocks.columns.name", "of the column"},
-        {"sections.blocks.columns.unit", "of its numbers"},
-        {"sections.blocks.csv", "link to the data"},
-        {"sections.blocks.entries", "of a list of numbered texts"},
-        {"sections.blocks.entries.id", "anchor"},
-        {"sections.blocks.entries.label", "\"Claim A.3\""},
-        {"sections.blocks.entries.paragraphs", "in full"},
-        {"sections.blocks.entries.title", "in short"},
-        {"sections.blocks.file", "the drawing as a file"},
-        {"sections.blocks.groups", "single pictures, a group a panel"},
-        {"sections.blocks.groups.has_panel", "it has one"},
-        {"sections.blocks.groups.panel", "name of the panel"},
-        {"sections.blocks.groups.views", "of the panel"},
-        {"sections.blocks.groups.views.href", "link to the picture"},
-        {"sections.blocks.groups.views.name", "\"+x\""},
-        {"sections.blocks.has_best", "a value of it is marked as best"},
-        {"sections.blocks.has_file", "there is that file"},
-        {"sections.blocks.has_many_columns", "the table has so many columns that its print is small"},
-        {"sections.blocks.has_markers", "there are any"},
-        {"sections.blocks.has_mathml", "the reader of the page knows MathML"},
-        {"sections.blocks.has_models", "there are any"},
-        {"sections.blocks.has_size", "width and height are known"},
-        {"sections.blocks.has_views", "the single pictures are linked"},
-        {"sections.blocks.height", "of the preview [pixels]"},
-        {"sections.blocks.has_references_elsewhere", "cells name what is left out here; index.html has it (print.html only)"},
-        {"sections.blocks.id", "anchor"},
-        {"sections.blocks.is_comparison", "before beside after: panels"},
-        {"sections.blocks.is_cut", "rows are left out"},
-        {"sections.blocks.is_drawn", "there is a picture"},
-        {"sections.blocks.is_entry_list", "numbered texts: entries"},
-        {"sections.blocks.is_figure", "pictures of meshes: source, groups"},
-        {"sections.blocks.is_formula", "displayed equation: mathml, tex, plain"},
-        {"sections.blocks.is_heading", "heading: title, number, anchor"},
-        {"sections.blocks.is_list", "bullets: items"},
-        {"sections.blocks.is_numbered", "the equation has a number"},
-        {"sections.blocks.is_paragraph", "paragraph: runs"},
-        {"sections.blocks.is_plot", "plot or map: svg"},
-        {"sections.blocks.is_sortable", "readers may sort it"},
-        {"sections.blocks.is_table", "table: columns, rows"},
-        {"sections.blocks.is_tall", "about as high as wide, or higher"},
-        {"sections.blocks.is_turnable", "the page itself can turn its models"},
-        {"sections.blocks.is_wide", "more than twice as wide as high"},
-        {"sections.blocks.items", "of bullets"},
-        {"sections.blocks.label", "\"Table 4.1\", \"Figure 4.2\""},
-        {"sections.blocks.markers", "what is marked in a plot"},
-        {"sections.blocks.markers.separator", "a semicolon and a blank, but after the last"},
-        {"sections.blocks.markers.text", "its label"},
-        {"sections.blocks.mathml", "the equation for browsers"},
-        {"sections.blocks.models", "meshes of the figure as files"},
-        {"sections.blocks.models.data", "the file, zlib and base64, where the page can turn it"},
-        {"sections.blocks.models.has_quantity", "it has values"},
-        {"sections.blocks.models.href", "link to the file"},
-        {"sections.blocks.models.label", "of its panel; empty where it is the only one"},
-        {"sections.blocks.models.name", "in words, with its size"},
-        {"sections.blocks.models.quantity", "of the values, with the unit"},
-        {"sections.blocks.number", "of a heading \"4.2\", of an equation \"(4.1)\""},
-        {"sections.blocks.panels", "pictures of a comparison: before, after, and the difference if there is one"},
-        {"sections.blocks.panels.alt", "the picture in words"},
-        {"sections.blocks.panels.has_size", "width and height are known"},
-        {"sections.blocks.panels.height", "of the preview [pixels]"},
-        {"sections.blocks.panels.href", "link to the full size"},
-        {"sections.blocks.panels.label", "what it shows"},
-        {"sections.blocks.panels.source", "what an <img> shows: a preview inside the page, else the file"},
-        {"sections.blocks.panels.width", "of the preview [pixels]"},
-        {"sections.blocks.plain", "in words"},
-        {"sections.blocks.rows", "of a table"},
-        {"sections.blocks.rows.cells", "of a row"},
-        {"sections.blocks.rows.cells.has_heat", "it is shaded"},
-        {"sections.blocks.rows.cells.has_value", "it is defined"},
-        {"sections.blocks.rows.cells.heat", "how strongly, 1 to 6"},
-        {"sections.blocks.rows.cells.is_best", "the best of its column"},
-        {"sections.blocks.rows.cells.is_numeric", "it holds a number or nothing"},
-        {"sections.blocks.rows.cells.is_row_header", "it names the row"},
-        {"sections.blocks.rows.cells.is_words", "it holds words: runs"},
-        {"sections.blocks.rows.cells.number", "as people read it"},
-        {"sections.blocks.rows.cells.padding", "figure spaces that align decimal points"},
-        {"sections.blocks.rows.cells.value", "with all digits, for sorting"},
-        {"sections.blocks.rows.columns", "how many columns the table has"},
-        {"sections.blocks.rows.fill", "bars of the cells that a row of Markdown lacks when it only tells what is left out"},
-        {"sections.blocks.rows.is_gap", "rows are left out here"},
-        {"sections.blocks.rows.left_out", "how many: \"1 row\", \"410 rows\""},
-        {"sections.blocks.sheet", "its file, relative to the report"},
-        {"sections.blocks.source", "what an <img> shows: a preview inside the page, else the file"},
-        {"sections.blocks.svg", "the drawing, inside the page"},
-        {"sections.blocks.tex", "for Markdown"},
-        {"sections.blocks.title", "of a heading"},
-        {"sections.blocks.view_count", "how many"},
-        {"sections.blocks.width", "of the preview [pixels]"},
-        {"sections.blocks.x_label", "of the axis"},
-        {"sections.blocks.y_label", "of the axis"},
-        {"sections.checks", "what was checked"},
-        {"sections.checks.failed", "it failed"},
-        {"sections.checks.expected", "the value it should have, with its relation"},
-        {"sections.checks.has_note", "there is a note"},
-        {"sections.checks.measured", "the value it has"},
-        {"sections.checks.name", "what is checked"},
-        {"sections.checks.note", "what is compared, why it is known to fail, or why nothing is decided"},
-        {"sections.checks.passed", "it passed"},
-        {"sections.checks.tolerance", "how far off it may be"},
-        {"sections.checks.undecided", "it decides nothing here, for the reason in the note"},
-        {"sections.code", "functions that answer it"},
-        {"sections.code.file", "source file"},
-        {"sections.code.function", "name"},
-        {"sections.code.has_line", "src.txt has the function"},
-        {"sections.code.line", "of its definition in src.txt"},
-        {"sections.code.purpose", "what it computes"},
-        {"sections.extent", "how far it was achieved"},
-        {"sections.failure", "why it failed, one line"},
-        {"sections.figure_count", "figures, plots included"},
-        {"sections.has_asked", "there is one"},
-        {"sections.has_checks", "there are any"},
-        {"sections.failed_count", "checks that failed"},
-        {"sections.has_failed", "some check failed"},
-        {"sections.has_code", "there are any"},
-        {"sections.has_extent", "that is said"},
-        {"sections.has_headings", "there are any"},
-        {"sections.has_inputs", "there are any"},
-        {"sections.has_listed_checks", "its list of checks is not empty"},
-        {"sections.has_outputs", "there are any"},
-        {"sections.has_own_findings", "there are any"},
-        {"sections.has_parameters", "there are any"},
-        {"sections.has_undecided", "some check is undecided"},
-        {"sections.has_warnings", "there are any"},
-        {"sections.headings", "numbered headings within the section"},
-        {"sections.headings.anchor", "of the heading"},
-        {"sections.headings.number", "\"4.2\""},
-        {"sections.headings.title", "its words"},
-        {"sections.id", "anchor of the section: \"q4\""},
-        {"sections.inputs", "meshes it read"},
-        {"sections.inputs.asked", "path in the assignment"},
-        {"sections.inputs.file", "name of the file"},
-        {"sections.inputs.has_asked", "the assignment names it"},
-        {"sections.inputs.is_stand_in", "a bundled mesh in place of the one asked for"},
-        {"sections.inputs.role", "what the mesh is to the question"},
-        {"sections.inputs.sha256", "of the file"},
-        {"sections.inputs.triangles", "how many"},
-        {"sections.inputs.vertices", "how many"},
-        {"sections.is_brief", "it is told in brief (print.html only)"},
-        {"sections.is_failed", "it failed"},
-        {"sections.is_ok", "it was answered"},
-        {"sections.is_skipped", "it was not asked for, or stopped"},
-        {"sections.number", "\"4\"; letters for what the answers rest on"},
-        {"sections.outputs", "meshes it wrote"},
-        {"sections.outputs.href", "link to the file"},
-        {"sections.outputs.name", "its path in the report"},
-        {"sections.own_findings", "what it found, each a text"},
-        {"sections.parameters", "its settings"},
-        {"sections.parameters.name", "of the setting"},
-        {"sections.parameters.separator", "a semicolon and a blank, but after the last"},
-        {"sections.parameters.value", "what it is"},
-        {"sections.passed_count", "checks that passed"},
-        {"sections.table_count", "tables"},
-        {"sections.title", "its title"},
-        {"sections.total_count", "checks"},
-        {"sections.undecided_count", "checks that decide nothing here, which is no failure"},
-        {"sections.warnings", "what was unusual"},
-        {"sections.warnings.text", "one line"},
-        {"style", "report.css (report.html only)"},
-        {"timings", "seconds of each step; empty without timings"},
-        {"timings.seconds", "how long"},
-        {"timings.value", "seconds with all digits, for sorting"},
-        {"timings.what", "which step"},
-        {"timings.where", "section, or the run"},
-        {"title", "title of the report"},
-        {"used", "the meshes, for the first page"},
-        {"used.has_meshes", "there are any"},
-        {"used.has_stand_ins", "some are bundled meshes in place of those asked for"},
-        {"used.mesh_count", "how many"},
-        {"used.meshes", "each once, in the order in which questions ask for them"},
-        {"used.meshes.asked", "path of the assignment"},
-        {"used.meshes.file", "name of the file used"},
-        {"used.meshes.has_asked", "the assignment names one"},
-        {"used.meshes.is_stand_in", "a bundled mesh in place of the one asked for"},
-        {"used.meshes.role", "what it is called"},
-        {"used.meshes.sha256", "of the file"},
-        {"used.meshes.triangles", "triangles"},
-        {"used.meshes.vertices", "vertices"},
-        {"used.stand_in_count", "how many of them stand in"},
-        {"viewer", "the program that turns models, zlib and base64 (report.html only)"},
-        {"works", "cited works"},
-        {"works.anchor", "of its entry"},
-        {"works.authors", "who"},
-        {"works.number", "\"[3]\""},
-        {"works.title", "what"},
-        {"works.where", "journal or book"},
-        {"works.year", "when"},
-    };
+namespace {
+
+constexpr std::size_t rows_shown = 2;
+
+/// A document with one of everything that a template can print.
+Document specimen(const Templates& templates) {
+    Section section;
+    section.id = "q1";
+    section.inputs.emplace_back();
+    section.parameters = {{"", ""}};
+    section.code.emplace_back();
+    section.checks.emplace_back();
+    section.findings.push_back({{math("x")}});
+    section.warnings = section.output_meshes = {""};
+    const Table table{.id = "table", .columns = {{}}, .rows = std::vector<std::vector<Cell>>(rows_shown + 1, {Cell()})};
+    section.blocks = {Heading(),
+                      Paragraph(),
+                      BulletList{{{}}},
+                      Formula{formulas_of(templates).begin()->first, ""},
+                      table,
+                      Plot{.id = "plot", .markers = {{.label = "marker"}}},
+                      Figure{"figure", "", ""},
+                      EntryList{"Entry", {{"entry", {}, {{}}}}}};
+    Document document;
+    document.provenance.libraries = document.provenance.settings = {{"", ""}};
+    document.cover = Figure{"cover", "", ""};
+    document.sections = {section};
+    document.timings.emplace_back();
+    return document;
+}
+
+nlohmann::json documented_model() {
+    const KeptMeanings kept;
+    const Templates templates;
+    DrawnFigure drawn;
+    drawn.views = {{"+x", "x.png"}};
+    drawn.comparison.emplace_back();
+    drawn.models.emplace_back();
+    nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}}, templates, {.table_rows = rows_shown});
+    add_design(model, templates, "report");
+    return model;
+}
+
+/// Texts are alike wherever they stand: what they hold is named from the last "runs" on.
+std::string short_path(const std::string& path) {
+    const std::size_t runs = (path + ".").rfind(".runs.");
+    return runs == std::string::npos ? path : path.substr(runs + 1);
+}
+
+void collect(const nlohmann::json& value, const std::string& path, std::map<std::string, std::string>& tags) {
+    if (value.is_array()) {
+        for (const auto& item : value) collect(item, path, tags);
+    } else if (value.is_object()) {
+        for (const auto& [tag, meaning] : value.at(KeptMeanings::key).items()) {
+            const std::string inner = path.empty() ? tag : path + "." + tag;
+            tags[short_path(inner)] = meaning;
+            collect(value.at(tag), inner, tags);
+        }
+    }
+}
+
+}   // namespace
+
+std::map<std::string, std::string> tag_list() {
+    std::map<std::string, std::string> tags;
+    collect(documented_model(), "", tags);
     return tags;
 }
 
@@ -331,9 +87,10 @@ std::string tag_documentation() {
         "names and the like hold `runs`: {{#caption}}{{>text.html}}{{/caption}} prints them. {{tag}} is escaped; {{{tag}}} is for mathml, "
         "svg,\n"
         "style and script alone.\n\n";
+    const auto tags = tag_list();
     std::size_t width = 0;
-    for (const auto& [tag, meaning] : tag_list()) width = std::max(width, tag.size());
-    for (const auto& [tag, meaning] : tag_list()) text += tag + std::string(width + 2 - tag.size(), ' ') + meaning + "\n";
+    for (const auto& [tag, meaning] : tags) width = std::max(width, tag.size());
+    for (const auto& [tag, meaning] : tags) text += tag + std::string(width + 2 - tag.size(), ' ') + meaning + "\n";
     return text + "\n" + words_documentation();
 }
 

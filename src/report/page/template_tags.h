@@ -1,5 +1,5 @@
 /// @file
-/// What every tag of the templates stands for.
+/// What every tag of the templates stands for, as the view model says itself.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 namespace meshfolio::report {
 
 /// By its path in the view model, "sections.blocks.caption": what stands there. Lists and conditions are named like the values in them.
-const std::map<std::string, std::string>& tag_list();
+std::map<std::string, std::string> tag_list();
 
 /// The same as text for people, one line a tag.
 std::string tag_documentation();

@@ -39,6 +39,7 @@ void require_syntax(const std::string& name, const std::string& text, const std:
 
 Templates::Templates(const fs::path& folder) {
     for (const auto& file : meshfolio_embedded::embedded_templates()) text_[std::string(file.name)] = std::string(file.bytes);
+    text_["results.schema.json"] = results_schema();
     if (folder.empty()) return;
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))

@@ -1,11 +1,11 @@
 #include "report/page/view_blocks.h"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "report/escape.h"
 #include "report/page/math_markup.h"
-#include "report/page/page_viewer.h"
+#include "report/page/page_design.h"
+#include "report/page/view_value.h"
 
 namespace meshfolio::report {
 
@@ -13,75 +13,70 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* number_meaning = "of a heading \"4.2\", of an equation \"(4.1)\"";
+
 json math_view(const std::string& math) {
-    json parts = json::array();
-    for (const MathPart& part : math_parts(safe_text(math))) {
-        parts.push_back({{"text", part.text},
-                         {"is_upright", part.kind == MathPart::Kind::upright},
-                         {"is_variable", part.kind == MathPart::Kind::variable},
-                         {"is_subscript", part.kind == MathPart::Kind::subscript},
-                         {"is_superscript", part.kind == MathPart::Kind::superscript}});
-    }
-    return parts;
+    return list_of(math_parts(safe_text(math)), [](const MathPart& part) {
+        return view_of({{"text", "its letters", part.text},
+                        {"is_upright", "operators, digits, names", part.kind == MathPart::Kind::upright},
+                        {"is_variable", "italic in print", part.kind == MathPart::Kind::variable},
+                        {"is_subscript", "lowered", part.kind == MathPart::Kind::subscript},
+                        {"is_superscript", "raised", part.kind == MathPart::Kind::superscript}});
+    });
 }
 
 json run_view(const Run& run, const Reference& target) {
     const bool is_reference = run.kind == Run::Kind::reference;
-    return {{"text", safe_text(is_reference ? target.label : run.content)},
-            {"href", "#" + url_path(target.anchor)},
-            {"parts", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
-            {"is_plain", run.kind == Run::Kind::plain || (is_reference && target.anchor.empty())},
-            {"is_strong", run.kind == Run::Kind::strong},
-            {"is_emphasis", run.kind == Run::Kind::emphasis},
-            {"is_code", run.kind == Run::Kind::code},
-            {"is_math", run.kind == Run::Kind::math},
-            {"is_link", is_reference && !target.anchor.empty()},
-            {"is_elsewhere", is_reference && target.left_out}};
+    return view_of(
+        {{"text", "words of the piece", safe_text(is_reference ? target.label : run.content)},
+         {"href", "where a link leads, within the page", "#" + url_path(target.anchor)},
+         {"parts", "pieces of mathematics; empty in other pieces", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
+         {"is_plain", "words as they are", run.kind == Run::Kind::plain || (is_reference && target.anchor.empty())},
+         {"is_strong", "bold", run.kind == Run::Kind::strong},
+         {"is_emphasis", "italic", run.kind == Run::Kind::emphasis},
+         {"is_code", "a name from the program", run.kind == Run::Kind::code},
+         {"is_math", "mathematics: print the parts", run.kind == Run::Kind::math},
+         {"is_link", "a link to `href`", is_reference && !target.anchor.empty()},
+         {"is_elsewhere", "what it names is left out here; index.html has it (print.html only)", is_reference && target.left_out}});
 }
 
 json formula_view(const Formula& formula, const ViewContext& context) {
     const auto forms = context.formulas.find(formula.name);
     if (forms == context.formulas.end()) throw std::logic_error("report: formulas.json has no formula " + formula.name);
     const bool numbered = !formula.id.empty();
-    const std::string number = numbered ? context.numbering.resolve(formula.id).number : "";
-    return {{"id", safe_text(formula.id)},
-            {"is_numbered", numbered},
-            {"number", number},
-            {"mathml", forms->second.mathml},
-            {"tex", forms->second.tex},
-            {"plain", forms->second.plain},
-            {"has_mathml", !context.options.plain_formulas}};
+    return view_of({{"id", "anchor", safe_text(formula.id)},
+                    {"is_numbered", "the equation has a number", numbered},
+                    {"number", number_meaning, numbered ? context.numbering.resolve(formula.id).number : ""},
+                    {"mathml", "the equation for browsers", forms->second.mathml},
+                    {"tex", "for Markdown", forms->second.tex},
+                    {"plain", "in words", forms->second.plain},
+                    {"has_mathml", "the reader of the page knows MathML", !context.options.plain_formulas}});
 }
 
-/// What plots and maps have in common.
-template <class Drawing>
-json drawing_view(const Drawing& drawing, const ViewContext& context) {
-    return {{"id", safe_text(drawing.id)},
-            {"label", context.numbering.resolve(drawing.id).label},
-            {"caption", prose_view(drawing.caption)},
-            {"alt", safe_text(drawing.alt)},
-            {"x_label", safe_text(drawing.x_label)},
-            {"y_label", safe_text(drawing.y_label)},
-            {"csv", url_path("tables/" + drawing.id + ".csv")},
-            {"svg", context.options.pictures ? svg_of(drawing) : ""},
-            {"has_file", context.options.plot_files},
-            {"file", url_path("images/" + drawing.id + ".svg")},
-            {"has_markers", false},
-            {"markers", json::array()}};
-}
-
-json plot_view(const Plot& plot, const ViewContext& context) {
+/// The labels of a plot.
+json markers_view(const Plot& plot) {
     json markers = json::array();
-    for (const Marker& marker : plot.markers) {
-        if (!marker.label.empty()) markers.push_back({{"text", safe_text(marker.label)}});
-    }
-    for (const auto& line : plot.vertical_lines) {
-        if (!line.label.empty()) markers.push_back({{"text", safe_text(line.label)}});
-    }
-    json view = drawing_view(plot, context);
-    for (std::size_t i = 0; i < markers.size(); ++i) markers[i]["separator"] = i + 1 < markers.size() ? "; " : "";
-    view["has_markers"] = !markers.empty();
-    view["markers"] = std::move(markers);
+    const auto add = [&](const std::string& label) {
+        if (!label.empty()) markers.push_back(view_of({{"text", "its label", safe_text(label)}}));
+    };
+    for (const Marker& marker : plot.markers) add(marker.label);
+    for (const auto& line : plot.vertical_lines) add(line.label);
+    enter_separators(markers);
+    return markers;
+}
+
+/// A plot or a map.
+template <class Drawing>
+json drawing_view(const Drawing& drawing, json markers, const ViewContext& context) {
+    json view = captioned_view(drawing.id, drawing.caption, context);
+    enter(view, {{"alt", "the picture in words", safe_text(drawing.alt)},
+                 {"x_label", "of the axis", safe_text(drawing.x_label)},
+                 {"y_label", "of the axis", safe_text(drawing.y_label)},
+                 {"csv", "link to the data", url_path("tables/" + drawing.id + ".csv")},
+                 {"svg", "the drawing, inside the page", context.options.pictures ? svg_of(drawing) : ""},
+                 {"has_file", "there is that file", context.options.plot_files},
+                 {"file", "the drawing as a file", url_path("images/" + drawing.id + ".svg")}});
+    enter_list(view, "markers", "what is marked in a plot", std::move(markers));
     return view;
 }
 
@@ -93,9 +88,11 @@ json view_groups(const DrawnFigure& drawn) {
         const std::string panel = safe_text(comma == std::string::npos ? "" : label.substr(0, comma));
         const std::string name = safe_text(comma == std::string::npos ? label : label.substr(comma + 2));
         if (groups.empty() || groups.back()["panel"] != panel) {
-            groups.push_back({{"panel", panel}, {"has_panel", !panel.empty()}, {"views", json::array()}});
+            groups.push_back(view_of({{"panel", "name of the panel", panel},
+                                      {"has_panel", "it has one", !panel.empty()},
+                                      {"views", "of the panel", json::array()}}));
         }
-        groups.back()["views"].push_back({{"name", name}, {"href", url_path(file)}});
+        groups.back()["views"].push_back(view_of({{"name", "\"+x\"", name}, {"href", "link to the picture", url_path(file)}}));
     }
     return groups;
 }
@@ -106,18 +103,22 @@ std::string name_of(const DrawnModel& model) {
     return safe_text("3D model" + label + " (GLB, " + std::to_string((model.glb.size() + 999) / 1000) + " KB)");
 }
 
-/// For templates/models.html: what each is called and where its file lies, and its bytes, packed, where the page can turn it.
-json models_view(const DrawnFigure& drawn, const ViewContext& context) {
-    json models = json::array();
-    for (const DrawnModel& model : drawn.models) {
-        models.push_back({{"label", safe_text(model.label)},
-                          {"name", name_of(model)},
-                          {"href", url_path(model.file)},
-                          {"quantity", safe_text(model.quantity)},
-                          {"has_quantity", !model.quantity.empty()},
-                          {"data", context.options.models ? packed(model.glb) : ""}});
-    }
-    return models;
+json model_view(const DrawnModel& model, const ViewContext& context) {
+    return view_of({{"label", "of its panel; empty where it is the only one", safe_text(model.label)},
+                    {"name", "in words, with its size", name_of(model)},
+                    {"href", "link to the file", url_path(model.file)},
+                    {"quantity", "of the values, with the unit", safe_text(model.quantity)},
+                    {"has_quantity", "it has values", !model.quantity.empty()},
+                    {"data", "the file, zlib and base64, where the page can turn it", context.options.models ? packed(model.glb) : ""}});
+}
+
+/// What an <img> element has of an image; `drawn` knows the size of its preview.
+template <class Drawn>
+void enter_image(json& view, const std::string& source, const Drawn& drawn) {
+    enter(view, {{"source", "what an <img> shows: a preview inside the page, else the file", source},
+                 {"has_size", "width and height are known", drawn.width > 0 && drawn.height > 0},
+                 {"width", "of the preview [pixels]", std::to_string(drawn.width)},
+                 {"height", "of the preview [pixels]", std::to_string(drawn.height)}});
 }
 
 std::string image_source(const std::string& file, const std::string& jpeg, const ViewContext& context) {
@@ -125,56 +126,52 @@ std::string image_source(const std::string& file, const std::string& jpeg, const
     return inside ? "data:image/jpeg;base64," + base64(jpeg) : url_path(file);
 }
 
-/// Before, after and their difference.
-json comparison_view(const Figure& figure, const DrawnFigure& drawn, const ViewContext& context) {
-    json panels = json::array();
-    const std::string name = context.numbering.resolve(figure.id).label;
-    for (const DrawnPanel& panel : drawn.comparison) {
-        panels.push_back({{"label", prose_view(panel.label)},
-                          {"alt", name + ": " + safe_text(panel.label)},
-                          {"href", url_path(panel.file)},
-                          {"source", image_source(panel.file, panel.preview_jpeg, context)},
-                          {"has_size", panel.width > 0 && panel.height > 0},
-                          {"width", std::to_string(panel.width)},
-                          {"height", std::to_string(panel.height)}});
-    }
-    return panels;
-}
-
-json figure_view(const Figure& figure, const ViewContext& context) {
-    const auto it = context.figures.find(figure.id);
-    const DrawnFigure drawn = it != context.figures.end() ? it->second : DrawnFigure{};
-    json view = picture_view(figure, context);
-    view["id"] = safe_text(figure.id);
-    view["label"] = context.numbering.resolve(figure.id).label;
-    view["caption"] = prose_view(figure.caption);
-    view["has_views"] = context.options.single_views && !drawn.views.empty();
-    view["view_count"] = std::to_string(drawn.views.size());
-    view["groups"] = view_groups(drawn);
-    view["has_models"] = !drawn.models.empty();
-    view["is_turnable"] = context.options.models && !drawn.models.empty();
-    view["models"] = models_view(drawn, context);
-    view["panels"] = comparison_view(figure, drawn, context);
-    view["is_comparison"] = !drawn.comparison.empty();
+json panel_view(const DrawnPanel& panel, const std::string& figure, const ViewContext& context) {
+    json view = view_of({{"label", "what it shows", prose_view(panel.label)},
+                         {"alt", "the picture in words", figure + ": " + safe_text(panel.label)},
+                         {"href", "link to the full size", url_path(panel.file)}});
+    enter_image(view, image_source(panel.file, panel.preview_jpeg, context), panel);
     return view;
 }
 
-json entries_view(const EntryList& list, const ViewContext& context) {
-    json entries = json::array();
-    for (const Entry& entry : list.entries) {
-        json paragraphs = json::array();
-        for (const Text& paragraph : entry.paragraphs) paragraphs.push_back({{"runs", text_view(paragraph, context.numbering)}});
-        entries.push_back({{"id", safe_text(entry.id)},
-                           {"label", context.numbering.resolve(entry.id).label},
-                           {"title", {{"runs", text_view(entry.title, context.numbering)}}},
-                           {"paragraphs", std::move(paragraphs)}});
-    }
-    return {{"entries", std::move(entries)}};
+DrawnFigure drawn_of(const Figure& figure, const ViewContext& context) {
+    const auto it = context.figures.find(figure.id);
+    return it != context.figures.end() ? it->second : DrawnFigure{};
+}
+
+json figure_view(const Figure& figure, const ViewContext& context) {
+    const DrawnFigure drawn = drawn_of(figure, context);
+    json view = picture_view(figure, context);
+    view.update(captioned_view(figure.id, figure.caption, context), true);
+    const std::string label = view["label"];
+    enter(view, {{"has_views", "the single pictures are linked", context.options.single_views && !drawn.views.empty()},
+                 {"view_count", "how many", std::to_string(drawn.views.size())},
+                 {"groups", "single pictures, a group a panel", view_groups(drawn)},
+                 {"is_turnable", "the page itself can turn its models", context.options.models && !drawn.models.empty()},
+                 {"is_comparison", "before beside after: panels", !drawn.comparison.empty()},
+                 {"panels", "pictures of a comparison: before, after, and the difference if there is one",
+                  list_of(drawn.comparison, [&](const DrawnPanel& panel) { return panel_view(panel, label, context); })}});
+    enter_list(view, "models", "meshes of the figure as files",
+               list_of(drawn.models, [&](const DrawnModel& model) { return model_view(model, context); }));
+    return view;
+}
+
+json entry_view(const Entry& entry, const ViewContext& context) {
+    const auto paragraph = [&](const Text& text) { return text_view(text, context.numbering); };
+    return view_of({{"id", "anchor", safe_text(entry.id)},
+                    {"label", "\"Claim A.3\"", context.numbering.resolve(entry.id).label},
+                    {"title", "in short", paragraph(entry.title)},
+                    {"paragraphs", "in full", list_of(entry.paragraphs, paragraph)}});
 }
 
 }   // namespace
 
-json text_view(const Text& text, const Numbering& numbering) {
+void enter_separators(json& list) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+        enter(list[i], {{"separator", "a semicolon and a blank, but after the last", i + 1 < list.size() ? "; " : ""}});
+}
+
+json runs_view(const Text& text, const Numbering& numbering) {
     json runs = json::array();
     for (const Run& run : text) {
         if (run.kind == Run::Kind::plain) {
@@ -186,60 +183,65 @@ json text_view(const Text& text, const Numbering& numbering) {
     return runs;
 }
 
+json text_view(const Text& text, const Numbering& numbering) { return view_of({{"runs", runs_meaning, runs_view(text, numbering)}}); }
+
 json prose_view(const std::string& words) {
-    json runs = json::array();
-    for (const Run& run : prose(words)) runs.push_back(run_view(run, {}));
-    return {{"runs", std::move(runs)}};
+    return view_of({{"runs", runs_meaning, list_of(prose(words), [](const Run& run) { return run_view(run, {}); })}});
+}
+
+json captioned_view(const std::string& id, const std::string& caption, const ViewContext& context) {
+    return view_of({{"id", "anchor", safe_text(id)},
+                    {"label", "\"Table 4.1\", \"Figure 4.2\"", context.numbering.resolve(id).label},
+                    {"caption", "what to see", prose_view(caption)}});
 }
 
 json picture_view(const Figure& figure, const ViewContext& context) {
-    const auto it = context.figures.find(figure.id);
-    const bool is_drawn = it != context.figures.end();
-    const DrawnFigure drawn = is_drawn ? it->second : DrawnFigure{};
-    const std::string sheet = url_path(drawn.sheet);
-    return {
-        {"alt", safe_text(figure.alt)},
-        {"is_drawn", is_drawn},
-        {"is_tall", 20 * drawn.height > 19 * drawn.width},
-        {"is_wide", 2 * drawn.height < drawn.width},
-        {"sheet", sheet},
-        {"source", context.options.print_files ? url_path(print_file(figure.id)) : image_source(drawn.sheet, drawn.preview_jpeg, context)},
-        {"has_size", drawn.width > 0 && drawn.height > 0},
-        {"width", std::to_string(drawn.width)},
-        {"height", std::to_string(drawn.height)}};
+    const DrawnFigure drawn = drawn_of(figure, context);
+    json view = view_of({{"alt", "the picture in words", safe_text(figure.alt)},
+                         {"is_drawn", "there is a picture", context.figures.contains(figure.id)},
+                         {"is_tall", "about as high as wide, or higher", 20 * drawn.height > 19 * drawn.width},
+                         {"is_wide", "more than twice as wide as high", 2 * drawn.height < drawn.width},
+                         {"sheet", "its file, relative to the report", url_path(drawn.sheet)}});
+    const std::string print = url_path(print_file(figure.id));
+    enter_image(view, context.options.print_files ? print : image_source(drawn.sheet, drawn.preview_jpeg, context), drawn);
+    return view;
 }
 
 json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context) {
     json view = json::object();
+    const auto text = [&](const Text& words) { return text_view(words, context.numbering); };
     if (const auto* heading = std::get_if<Heading>(&block)) {
         const std::string number = section_number + "." + std::to_string(++headings);
-        view = {{"title", prose_view(heading->title)}, {"number", number}, {"anchor", "section-" + number}};
+        view = view_of({{"title", "of a heading", prose_view(heading->title)},
+                        {"number", number_meaning, number},
+                        {"anchor", "of a heading", "section-" + number}});
     } else if (const auto* paragraph = std::get_if<Paragraph>(&block)) {
-        view["runs"] = text_view(paragraph->text, context.numbering);
+        view = text(paragraph->text);
     } else if (const auto* list = std::get_if<BulletList>(&block)) {
-        view["items"] = json::array();
-        for (const Text& item : list->items) view["items"].push_back({{"runs", text_view(item, context.numbering)}});
+        view = view_of({{"items", "of bullets", list_of(list->items, text)}});
     } else if (const auto* formula = std::get_if<Formula>(&block)) {
         view = formula_view(*formula, context);
     } else if (const auto* table = std::get_if<Table>(&block)) {
         view = table_view(*table, context);
     } else if (const auto* plot = std::get_if<Plot>(&block)) {
-        view = plot_view(*plot, context);
+        view = drawing_view(*plot, markers_view(*plot), context);
     } else if (const auto* map = std::get_if<Map>(&block)) {
-        view = drawing_view(*map, context);
+        view = drawing_view(*map, json::array(), context);
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
     } else if (const auto* entries = std::get_if<EntryList>(&block)) {
-        view = entries_view(*entries, context);
+        const auto one = [&](const Entry& entry) { return entry_view(entry, context); };
+        view = view_of({{"entries", "of a list of numbered texts", list_of(entries->entries, one)}});
     }
-    view["is_heading"] = std::holds_alternative<Heading>(block);
-    view["is_paragraph"] = std::holds_alternative<Paragraph>(block);
-    view["is_list"] = std::holds_alternative<BulletList>(block);
-    view["is_formula"] = std::holds_alternative<Formula>(block);
-    view["is_table"] = std::holds_alternative<Table>(block);
-    view["is_plot"] = std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
-    view["is_figure"] = std::holds_alternative<Figure>(block);
-    view["is_entry_list"] = std::holds_alternative<EntryList>(block);
+    const bool is_plot = std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
+    enter(view, {{"is_heading", "heading: title, number, anchor", std::holds_alternative<Heading>(block)},
+                 {"is_paragraph", "paragraph: runs", std::holds_alternative<Paragraph>(block)},
+                 {"is_list", "bullets: items", std::holds_alternative<BulletList>(block)},
+                 {"is_formula", "displayed equation: mathml, tex, plain", std::holds_alternative<Formula>(block)},
+                 {"is_table", "table: columns, rows", std::holds_alternative<Table>(block)},
+                 {"is_plot", "plot or map: svg", is_plot},
+                 {"is_figure", "pictures of meshes: source, groups", std::holds_alternative<Figure>(block)},
+                 {"is_entry_list", "numbered texts: entries", std::holds_alternative<EntryList>(block)}});
     return view;
 }
 

@@ -10,19 +10,20 @@ namespace {
 
 constexpr std::size_t widest_brief_table = 9;   // columns; wider ones need the page of their own that a brief section has not
 
-template <class... Kinds>
-const Block* first_of(const Section& section) {
-    const auto is_one = [](const Block& block) { return (std::holds_alternative<Kinds>(block) || ...); };
+/// The first block for which `is_one` holds; null: none.
+template <class Condition>
+const Block* first_block(const Section& section, Condition is_one) {
     const auto it = std::find_if(section.blocks.begin(), section.blocks.end(), is_one);
     return it != section.blocks.end() ? &*it : nullptr;
 }
 
-const Block* first_narrow_table(const Section& section) {
-    const auto it = std::find_if(section.blocks.begin(), section.blocks.end(), [](const Block& block) {
-        const auto* table = std::get_if<Table>(&block);
-        return table != nullptr && table->columns.size() <= widest_brief_table;
-    });
-    return it != section.blocks.end() ? &*it : nullptr;
+bool is_picture(const Block& block) {
+    return std::holds_alternative<Figure>(block) || std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
+}
+
+bool is_narrow_table(const Block& block) {
+    const auto* table = std::get_if<Table>(&block);
+    return table != nullptr && table->columns.size() <= widest_brief_table;
 }
 
 /// Whether the text stops in the middle of a sentence.
@@ -75,33 +76,33 @@ std::vector<std::string> ids_in(const Block& block) {
 
 bool is_brief(const Section& section, Extent extent) { return extent == Extent::brief && !is_question(section.id); }
 
-std::set<const Block*> blocks_told(const Section& section, Extent extent) {
-    std::set<const Block*> told;
+std::set<const Block*> blocks_shown(const Section& section, Extent extent) {
+    std::set<const Block*> shown;
     if (!is_brief(section, extent)) {
-        for (const Block& block : section.blocks) told.insert(&block);
-        return told;
+        for (const Block& block : section.blocks) shown.insert(&block);
+        return shown;
     }
-    told = first_passage(section);
-    told.insert({first_of<Figure, Plot, Map>(section), first_narrow_table(section)});
-    told.erase(nullptr);
-    return told;
+    shown = first_passage(section);
+    shown.insert({first_block(section, is_picture), first_block(section, is_narrow_table)});
+    shown.erase(nullptr);
+    return shown;
 }
 
-void leave_out_untold(const Document& document, Extent extent, Numbering& numbering) {
+void leave_out_hidden(const Document& document, Extent extent, Numbering& numbering) {
     for (const Section& section : document.sections) {
-        const std::set<const Block*> told = blocks_told(section, extent);
+        const std::set<const Block*> shown = blocks_shown(section, extent);
         for (const Block& block : section.blocks) {
-            if (told.contains(&block)) continue;
+            if (shown.contains(&block)) continue;
             for (const std::string& id : ids_in(block)) numbering.leave_out(id);
         }
     }
 }
 
-std::set<std::string> figures_told(const Document& document, Extent extent) {
+std::set<std::string> figures_shown(const Document& document, Extent extent) {
     std::set<std::string> ids;
     if (document.cover) ids.insert(document.cover->id);
     for (const Section& section : document.sections) {
-        for (const Block* block : blocks_told(section, extent)) {
+        for (const Block* block : blocks_shown(section, extent)) {
             if (const auto* figure = std::get_if<Figure>(block)) ids.insert(figure->id);
         }
     }

@@ -1,5 +1,5 @@
 /// @file
-/// What of a document is told where not all of it is (view_model.h).
+/// Which parts of a document a brief page shows (view_model.h).
 #pragma once
 
 #include <set>
@@ -9,13 +9,13 @@
 
 namespace meshfolio::report {
 
-/// Whether less than everything is told of the section.
+/// Whether the page shows less than all of the section.
 bool is_brief(const Section& section, Extent extent);
 
-/// The blocks of the section that are told.
-std::set<const Block*> blocks_told(const Section& section, Extent extent);
+/// The blocks of the section that the page shows.
+std::set<const Block*> blocks_shown(const Section& section, Extent extent);
 
-/// Takes the anchors of all that is not told.
-void leave_out_untold(const Document& document, Extent extent, Numbering& numbering);
+/// Removes the anchors of everything that the page leaves out.
+void leave_out_hidden(const Document& document, Extent extent, Numbering& numbering);
 
 }   // namespace meshfolio::report

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/number_text.h"
@@ -10,6 +9,7 @@
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
 #include "report/page/view_extent.h"
+#include "report/page/view_value.h"
 
 namespace meshfolio::report {
 
@@ -19,12 +19,11 @@ using nlohmann::json;
 
 constexpr std::size_t findings_shown = 5;
 
-json names_and_values(const std::map<std::string, std::string>& pairs) {
-    json list = json::array();
-    for (const auto& [name, value] : pairs) {
-        list.push_back(
-            {{"name", prose_view(name)}, {"value", prose_view(value)}, {"separator", list.size() + 1 < pairs.size() ? "; " : ""}});
-    }
+json names_and_values(const std::map<std::string, std::string>& pairs, const char* name_meaning, const char* value_meaning) {
+    json list = list_of(pairs, [&](const auto& pair) {
+        return view_of({{"name", name_meaning, prose_view(pair.first)}, {"value", value_meaning, prose_view(pair.second)}});
+    });
+    enter_separators(list);
     return list;
 }
 
@@ -39,27 +38,27 @@ std::string measured_text(const Check& check) {
 json check_view(const Check& check) {
     const bool near = check.kind == Check::Kind::near;
     const std::string relation = near || std::isnan(check.expected) ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
-    return {{"name", prose_view(check.name.empty() ? "–" : check.name)},
-            {"expected", relation + brief(check.expected, 4)},
-            {"measured", measured_text(check)},
-            {"tolerance", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
-            {"passed", check.passed()},
-            {"failed", check.failed()},
-            {"undecided", check.status == Check::Status::undecided},
-            {"note", prose_view(check.note)},
-            {"has_note", !check.note.empty()}};
+    return view_of({{"name", "what is checked", prose_view(check.name.empty() ? "–" : check.name)},
+                    {"expected", "the value it should have, with its relation", relation + brief(check.expected, 4)},
+                    {"measured", "the value it has", measured_text(check)},
+                    {"tolerance", "how far off it may be", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
+                    {"passed", "it passed", check.passed()},
+                    {"failed", "it failed", check.failed()},
+                    {"undecided", "it decides nothing here, for the reason in the note", check.status == Check::Status::undecided},
+                    {"note", "what is compared, why it is known to fail, or why nothing is decided", prose_view(check.note)},
+                    {"has_note", "there is a note", !check.note.empty()}});
 }
 
 /// Counts of checks, as the opening table and the headings print them.
 json score_view(const Score& score) {
-    return {{"passed_count", std::to_string(score.passed)},
-            {"failed_count", std::to_string(score.failed)},
-            {"undecided_count", std::to_string(score.undecided)},
-            {"total_count", std::to_string(score.total())},
-            {"has_checks", score.total() > 0},
-            {"has_failed", score.failed > 0},
-            {"has_undecided", score.undecided > 0},
-            {"all_passed", score.passed == score.total()}};
+    return view_of({{"passed_count", "checks that passed", std::to_string(score.passed)},
+                    {"failed_count", "checks that failed", std::to_string(score.failed)},
+                    {"undecided_count", "checks that decide nothing here, which is no failure", std::to_string(score.undecided)},
+                    {"total_count", "checks", std::to_string(score.total())},
+                    {"has_checks", "there are any", score.total() > 0},
+                    {"has_failed", "some check failed", score.failed > 0},
+                    {"has_undecided", "some check is undecided", score.undecided > 0},
+                    {"all_passed", "all of them passed, none is undecided", score.passed == score.total()}});
 }
 
 // ---- sections -----------------------------------------------------------------------------------------------------------
@@ -70,95 +69,90 @@ std::size_t count_of(const Section& section) {
     return static_cast<std::size_t>(std::count_if(section.blocks.begin(), section.blocks.end(), is_kind));
 }
 
+/// An input whose file has this name, this content and may be a stand-in.
+json mesh_view(const std::string& file, const std::string& sha256, bool is_stand_in) {
+    return view_of({{"file", "name of the file", safe_text(file)},
+                    {"sha256", "of the file", safe_text(sha256)},
+                    {"is_stand_in", "a bundled mesh in place of the one asked for", is_stand_in}});
+}
+
 json input_view(const Input& input) {
-    return {{"role", safe_text(input.role)},
-            {"asked", safe_text(input.asked)},
-            {"has_asked", !input.asked.empty()},
-            {"file", safe_text(input.file)},
-            {"is_stand_in", input.stand_in},
-            {"sha256", safe_text(input.sha256)},
-            {"vertices", readable_integer(input.vertices)},
-            {"triangles", readable_integer(input.triangles)}};
+    json view = mesh_view(input.file, input.sha256, input.stand_in);
+    enter(view, {{"role", "what the mesh is to the question", safe_text(input.role)},
+                 {"asked", "path in the assignment", safe_text(input.asked)},
+                 {"has_asked", "the assignment names it", !input.asked.empty()},
+                 {"vertices", "how many", readable_integer(input.vertices)},
+                 {"triangles", "how many", readable_integer(input.triangles)}});
+    return view;
 }
 
 json code_view(const CodeReference& code) {
-    return {{"function", safe_text(code.function)},
-            {"file", safe_text(code.file)},
-            {"purpose", prose_view(code.purpose)},
-            {"line", std::to_string(code.line)},
-            {"has_line", code.line > 0}};
-}
-
-json links_view(const std::vector<std::string>& files) {
-    json list = json::array();
-    for (const std::string& file : files) list.push_back({{"name", safe_text(file)}, {"href", url_path(file)}});
-    return list;
-}
-
-template <class Item, class View>
-json list_of(const std::vector<Item>& items, View view) {
-    json list = json::array();
-    for (const Item& item : items) list.push_back(view(item));
-    return list;
+    return view_of({{"function", "name", safe_text(code.function)},
+                    {"file", "source file", safe_text(code.file)},
+                    {"purpose", "what it computes", prose_view(code.purpose)},
+                    {"line", "of its definition in src.txt", std::to_string(code.line)},
+                    {"has_line", "src.txt has the function", code.line > 0}});
 }
 
 /// What the opening table, the contents list and the section itself have in common.
 json section_head(const Section& section, const std::string& number, const ViewOptions& options) {
-    json head = score_view(score_of(section.checks));
-    head["id"] = safe_text(section.id);
-    head["number"] = number;
-    head["title"] = safe_text(section.title);
-    head["is_ok"] = section.status == Status::ok;
-    head["is_failed"] = section.status == Status::failed;
-    head["is_skipped"] = section.status == Status::skipped;
-    head["extent"] = prose_view(section.extent);
-    head["has_extent"] = !section.extent.empty();
-    head["failure"] = safe_text(section.failure);
-    head["figure_count"] = std::to_string(count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section));
-    head["table_count"] = std::to_string(count_of<Table>(section));
-    head["checks"] = json::array();
+    json checks = json::array();
     for (const Check& check : section.checks)
-        if (options.passed_checks || !check.passed()) head["checks"].push_back(check_view(check));
-    head["has_listed_checks"] = !head["checks"].empty();
+        if (options.passed_checks || !check.passed()) checks.push_back(check_view(check));
+    const std::size_t figures = count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section);
+    json head = score_view(score_of(section.checks));
+    enter(head, {{"id", "anchor of the section: \"q4\"", safe_text(section.id)},
+                 {"number", "\"4\"; letters for what the answers rest on", number},
+                 {"title", "its title", safe_text(section.title)},
+                 {"is_ok", "it was answered", section.status == Status::ok},
+                 {"is_failed", "it failed", section.status == Status::failed},
+                 {"is_skipped", "it was not asked for, or stopped", section.status == Status::skipped},
+                 {"extent", "how far it was achieved", prose_view(section.extent)},
+                 {"has_extent", "that is said", !section.extent.empty()},
+                 {"failure", "why it failed, one line", safe_text(section.failure)},
+                 {"figure_count", "figures, plots included", std::to_string(figures)},
+                 {"table_count", "tables", std::to_string(count_of<Table>(section))},
+                 {"has_listed_checks", "its list of checks is not empty", !checks.empty()},
+                 {"checks", "what was checked", std::move(checks)}});
     return head;
 }
 
 /// The numbered headings within a section, for the contents list.
 json headings_view(const json& blocks) {
     json list = json::array();
-    for (const json& block : blocks)
-        if (block["is_heading"].get<bool>())
-            list.push_back({{"number", block["number"]}, {"title", block["title"]}, {"anchor", block["anchor"]}});
+    for (const json& block : blocks) {
+        if (!block["is_heading"].get<bool>()) continue;
+        list.push_back(view_of({{"number", "\"4.2\"", block["number"]},
+                                {"title", "its words", block["title"]},
+                                {"anchor", "of the heading", block["anchor"]}}));
+    }
     return list;
 }
 
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
-    json view = section_head(section, number, context.options);
-    view["asked"] = prose_view(section.asked);
-    view["has_asked"] = !section.asked.empty();
-    view["inputs"] = list_of(section.inputs, input_view);
-    view["has_inputs"] = !section.inputs.empty();
-    view["parameters"] = names_and_values(section.parameters);
-    view["has_parameters"] = !section.parameters.empty();
-    view["code"] = list_of(section.code, code_view);
-    view["has_code"] = !section.code.empty();
-    view["warnings"] = list_of(section.warnings, [](const std::string& w) { return json{{"text", safe_text(w)}}; });
-    view["has_warnings"] = !section.warnings.empty();
-    view["outputs"] = links_view(section.output_meshes);
-    view["has_outputs"] = !section.output_meshes.empty();
-    view["own_findings"] = list_of(section.findings, [&](const Finding& f) {
-        return json{{"runs", text_view(f.text, context.numbering)}};
-    });
-    view["has_own_findings"] = !section.findings.empty();
-    view["is_brief"] = is_brief(section, context.options.extent);
+    const auto finding = [&](const Finding& f) { return text_view(f.text, context.numbering); };
+    const auto warning = [](const std::string& words) { return view_of({{"text", "one line", safe_text(words)}}); };
+    const auto output = [](const std::string& file) {
+        return view_of({{"name", "its path in the report", safe_text(file)}, {"href", "link to the file", url_path(file)}});
+    };
     int headings = 0;
-    view["blocks"] = json::array();
-    const std::set<const Block*> told = blocks_told(section, context.options.extent);
+    json blocks = json::array();
+    const std::set<const Block*> shown = blocks_shown(section, context.options.extent);
     for (const Block& block : section.blocks) {
-        if (told.contains(&block)) view["blocks"].push_back(block_view(block, number, headings, context));
+        if (shown.contains(&block)) blocks.push_back(block_view(block, number, headings, context));
     }
-    view["headings"] = headings_view(view["blocks"]);
-    view["has_headings"] = !view["headings"].empty();
+    json view = section_head(section, number, context.options);
+    enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
+                 {"has_asked", "there is one", !section.asked.empty()},
+                 {"is_brief", "it is told in brief (print.html only)", is_brief(section, context.options.extent)}});
+    enter_list(view, "inputs", "meshes it read", list_of(section.inputs, input_view));
+    enter_list(view, "parameters", "its settings", names_and_values(section.parameters, "of the setting", "what it is"));
+    enter_list(view, "code", "functions that answer it", list_of(section.code, code_view));
+    enter_list(view, "warnings", "what was unusual", list_of(section.warnings, warning));
+    enter_list(view, "outputs", "meshes it wrote", list_of(section.output_meshes, output));
+    enter_list(view, "own_findings", "what it found, each a text", list_of(section.findings, finding));
+    enter_list(view, "headings", "numbered headings within the section", headings_view(blocks));
+    enter(view, {{"blocks", "what is read, in order; one of the is_… is true for each", std::move(blocks)}});
     return view;
 }
 
@@ -175,14 +169,14 @@ json findings_view(const Document& document, const std::vector<std::string>& num
     }
     std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.finding->weight > b.finding->weight; });
     if (ranked.size() > findings_shown) ranked.resize(findings_shown);
-    json list = json::array();
-    for (const Ranked& r : ranked) {
-        list.push_back({{"runs", text_view(r.finding->text, numbering)},
-                        {"href", "#" + url_path(document.sections[r.section].id)},
-                        {"label", numbering.resolve(document.sections[r.section].id).label},
-                        {"section_number", numbers[r.section]}});
-    }
-    return list;
+    return list_of(ranked, [&](const Ranked& r) {
+        const std::string& section = document.sections[r.section].id;
+        json view = text_view(r.finding->text, numbering);
+        enter(view, {{"href", "link to its section", "#" + url_path(section)},
+                     {"label", "of that section: \"Question 4\"", numbering.resolve(section).label},
+                     {"section_number", "of that section: \"4\", \"A\"", numbers[r.section]}});
+        return view;
+    });
 }
 
 json provenance_view(const Document& document) {
@@ -191,42 +185,36 @@ json provenance_view(const Document& document) {
     for (const Section& section : document.sections) {
         for (const Input& input : section.inputs) meshes.emplace(input.file, input.sha256, input.stand_in);
     }
-    json inputs = json::array();
-    for (const auto& [file, sha256, stand_in] : meshes) {
-        inputs.push_back({{"file", safe_text(file)}, {"sha256", safe_text(sha256)}, {"is_stand_in", stand_in}});
-    }
-    return {{"version", safe_text(p.version)},
-            {"commit", safe_text(p.commit)},
-            {"has_commit", !p.commit.empty()},
-            {"compiler", safe_text(p.compiler)},
-            {"build_type", safe_text(p.build_type)},
-            {"seed", std::to_string(p.seed)},
-            {"libraries", names_and_values(p.libraries)},
-            {"has_libraries", !p.libraries.empty()},
-            {"settings", names_and_values(p.settings)},
-            {"has_settings", !p.settings.empty()},
-            {"has_meshes", !inputs.empty()},
-            {"meshes", std::move(inputs)}};
+    json view = view_of({{"version", "of meshfolio", safe_text(p.version)},
+                         {"commit", "it was built from", safe_text(p.commit)},
+                         {"has_commit", "that is known", !p.commit.empty()},
+                         {"compiler", "that built it", safe_text(p.compiler)},
+                         {"build_type", "how", safe_text(p.build_type)},
+                         {"seed", "of all random numbers", std::to_string(p.seed)}});
+    enter_list(view, "libraries", "in use", names_and_values(p.libraries, "of the library", "its version"));
+    enter_list(view, "settings", "as given", names_and_values(p.settings, "of the setting", "what it is"));
+    enter_list(view, "meshes", "every input", list_of(meshes, [](const auto& mesh) { return std::apply(mesh_view, mesh); }));
+    return view;
 }
 
 /// The meshes the questions were answered on, each role once.
 json meshes_used(const Document& document) {
-    std::set<std::string> told;
+    std::set<std::string> shown;
     std::size_t stand_ins = 0;
     json list = json::array();
     for (const Section& section : document.sections) {
         if (!is_question(section.id)) continue;
         for (const Input& input : section.inputs) {
-            if (!told.insert(input.role).second) continue;
+            if (!shown.insert(input.role).second) continue;
             list.push_back(input_view(input));
             stand_ins += input.stand_in ? 1 : 0;
         }
     }
-    return {{"meshes", list},
-            {"mesh_count", std::to_string(list.size())},
-            {"has_meshes", !list.empty()},
-            {"stand_in_count", std::to_string(stand_ins)},
-            {"has_stand_ins", stand_ins > 0}};
+    json view = view_of({{"mesh_count", "how many", std::to_string(list.size())},
+                         {"stand_in_count", "how many of them stand in", std::to_string(stand_ins)},
+                         {"has_stand_ins", "some are bundled meshes in place of those asked for", stand_ins > 0}});
+    enter_list(view, "meshes", "each once, in the order in which questions ask for them", std::move(list));
+    return view;
 }
 
 /// How many of the questions asked for are answered: "7 of 7".
@@ -237,33 +225,29 @@ json answered_view(const Document& document) {
         ++asked;
         answered += section.status == Status::ok ? 1 : 0;
     }
-    return {{"asked_count", std::to_string(asked)},
-            {"answered_count", std::to_string(answered)},
-            {"has_questions", asked > 0},
-            {"all_answered", asked == answered}};
+    return view_of({{"asked_count", "questions that were asked for", std::to_string(asked)},
+                    {"answered_count", "questions that were answered", std::to_string(answered)},
+                    {"has_questions", "any question was asked for", asked > 0},
+                    {"all_answered", "all that were asked", asked == answered}});
 }
 
-json works_view(const std::vector<CitedWork>& works, const Numbering& numbering) {
-    json list = json::array();
-    for (const CitedWork& work : works) {
-        const Reference reference = numbering.resolve(work.id);
-        list.push_back({{"number", reference.number},
-                        {"anchor", reference.anchor},
-                        {"authors", safe_text(work.authors)},
-                        {"year", safe_text(work.year)},
-                        {"title", safe_text(work.title)},
-                        {"where", safe_text(work.where)}});
-    }
-    return list;
+json work_view(const CitedWork& work, const Numbering& numbering) {
+    const Reference reference = numbering.resolve(work.id);
+    return view_of({{"number", "\"[3]\"", reference.number},
+                    {"anchor", "of its entry", reference.anchor},
+                    {"authors", "who", safe_text(work.authors)},
+                    {"year", "when", safe_text(work.year)},
+                    {"title", "what", safe_text(work.title)},
+                    {"where", "journal or book", safe_text(work.where)}});
 }
 
 json timings_view(const Document& document, const Numbering& numbering) {
     json list = json::array();
     const auto add = [&](const std::string& where, const Timing& timing) {
-        list.push_back({{"where", where},
-                        {"what", safe_text(timing.what)},
-                        {"seconds", readable(timing.seconds, 3)},
-                        {"value", exact_text(timing.seconds)}});
+        list.push_back(view_of({{"where", "section, or the run", where},
+                                {"what", "which step", safe_text(timing.what)},
+                                {"seconds", "how long", readable(timing.seconds, 3)},
+                                {"value", "seconds with all digits, for sorting", exact_text(timing.seconds)}}));
     };
     for (const Section& section : document.sections) {
         for (const Timing& timing : section.timings) add(numbering.resolve(section.id).label, timing);
@@ -278,40 +262,42 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     const std::vector<CitedWork> works = bibliography_of(templates);
     const auto formulas = formulas_of(templates);
     Numbering numbering(document, works);
-    leave_out_untold(document, options.extent, numbering);
+    leave_out_hidden(document, options.extent, numbering);
     const auto numbers = section_numbers(document);
     const ViewContext context{figures, numbering, formulas, options};
 
-    Score score;
+    Score total;
     json attempted = json::array(), sections = json::array();
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
-        score += score_of(document.sections[s].checks);
-        attempted.push_back(section_head(document.sections[s], numbers[s], options));
-        attempted.back()["begins_supporting"] = s > 0 && is_question(document.sections[s - 1].id) && !is_question(document.sections[s].id);
-        sections.push_back(section_view(document.sections[s], numbers[s], context));
+        const Section& section = document.sections[s];
+        total += score_of(section.checks);
+        const bool begins_supporting = s > 0 && is_question(document.sections[s - 1].id) && !is_question(section.id);
+        attempted.push_back(section_head(section, numbers[s], options));
+        enter(attempted.back(), {{"begins_supporting", "the first that is no question of the assignment", begins_supporting}});
+        sections.push_back(section_view(section, numbers[s], context));
     }
-    json model = {{"title", safe_text(document.title)},
-                  {"author", safe_text(document.author)},
-                  {"has_author", !document.author.empty()},
-                  {"course", safe_text(document.course)},
-                  {"has_course", !document.course.empty()},
-                  {"provenance", provenance_view(document)},
-                  {"score", score_view(score)},
-                  {"attempted", std::move(attempted)},
-                  {"sections", std::move(sections)},
-                  {"findings", findings_view(document, numbers, numbering)},
-                  {"works", works_view(works, numbering)},
-                  {"timings", options.timings ? timings_view(document, numbering) : json::array()}};
-    model["cover"] = document.cover ? picture_view(*document.cover, context) : json(false);
-    model["score"]["is_complete"] = options.passed_checks;
-    model["score"]["lists_checks"] = options.passed_checks || score.passed < score.total();
-    model["used"] = meshes_used(document);
-    model["answers"] = answered_view(document);
-    model["has_findings"] = !model["findings"].empty();
-    model["has_works"] = !model["works"].empty();
-    model["has_timings"] = !model["timings"].empty();
-    model["has_page_numbers"] = options.page_numbers;
-    model["is_brief_report"] = options.extent == Extent::brief;
+    json score = score_view(total);
+    enter(score, {{"is_complete", "the lists of checks hold those that passed, too", options.passed_checks},
+                  {"lists_checks", "some check is listed", options.passed_checks || total.passed < total.total()}});
+    json model =
+        view_of({{"title", "title of the report", safe_text(document.title)},
+                 {"author", "who made it", safe_text(document.author)},
+                 {"has_author", "there is an author", !document.author.empty()},
+                 {"course", "which course it is for", safe_text(document.course)},
+                 {"has_course", "there is a course", !document.course.empty()},
+                 {"cover", "picture of the first page; false: none", document.cover ? picture_view(*document.cover, context) : json(false)},
+                 {"provenance", "what made this report", provenance_view(document)},
+                 {"score", "checks of the whole report", std::move(score)},
+                 {"used", "the meshes, for the first page", meshes_used(document)},
+                 {"answers", "how many questions of the assignment were answered", answered_view(document)},
+                 {"attempted", "opening table: one a section, with what `sections` has of heads", std::move(attempted)},
+                 {"sections", "questions, then what they rest on, in order", std::move(sections)},
+                 {"has_page_numbers", "the page is printed with their numbers in the contents (print.html only)", options.page_numbers},
+                 {"is_brief_report", "what is no question is told in brief (print.html only)", options.extent == Extent::brief}});
+    enter_list(model, "findings", "what is worth the first page, best first", findings_view(document, numbers, numbering));
+    enter_list(model, "works", "cited works", list_of(works, [&](const CitedWork& work) { return work_view(work, numbering); }));
+    enter_list(model, "timings", "seconds of each step; empty without timings",
+               options.timings ? timings_view(document, numbering) : json::array());
     return model;
 }
 

@@ -13,7 +13,7 @@
 
 namespace meshfolio::report {
 
-/// How much of the document is told.
+/// How much of the document the page shows.
 enum class Extent {
     whole,
     brief,   // of what is no question the findings, the first paragraph with what it introduces, the first picture and the first table; of
@@ -38,8 +38,8 @@ struct ViewOptions {
 /// Of the picture of a figure for paper.
 std::string print_file(const std::string& figure);
 
-/// Ids of the figures that are told to this extent, the cover among them.
-std::set<std::string> figures_told(const Document& document, Extent extent);
+/// Ids of the figures shown to this extent, the cover included.
+std::set<std::string> figures_shown(const Document& document, Extent extent);
 
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula
 nlohmann::json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options);

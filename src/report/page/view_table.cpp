@@ -1,13 +1,13 @@
 // Tables as the templates see them: digits, alignment, best values, rows left out.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/number_text.h"
 #include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
+#include "report/page/view_value.h"
 
 namespace meshfolio::report {
 
@@ -125,9 +125,9 @@ ColumnView column_view(const Table& table, std::size_t column) {
 
 /// A reference in a cell is its name alone: where to find what is left out, the caption says.
 json reference_view(const std::string& id, const Numbering& numbering) {
-    json runs = text_view({ref(id)}, numbering);
-    runs[0]["is_elsewhere"] = false;
-    return {{"runs", std::move(runs)}};
+    json view = text_view({ref(id)}, numbering);
+    view["runs"][0]["is_elsewhere"] = false;
+    return view;
 }
 
 bool refers_elsewhere(const Table& table, const Numbering& numbering) {
@@ -147,31 +147,31 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
         const auto* words = c < table.rows[r].size() ? std::get_if<std::string>(&table.rows[r][c]) : nullptr;
         const bool refers = words != nullptr && columns[c].reference;
         json cell = refers ? reference_view(*words, numbering) : prose_view(words ? *words : "");
-        cell["is_words"] = words != nullptr;
-        cell["number"] = columns[c].texts[r];
-        cell["padding"] = columns[c].paddings[r];
-        cell["is_numeric"] = columns[c].numeric;
-        cell["has_value"] = x && std::isfinite(*x);
-        cell["value"] = x ? exact_text(*x) : "";
-        cell["is_best"] = x && columns[c].best && *x == *columns[c].best;
         const auto& heat = table.columns[c].heat;
-        cell["has_heat"] = x && heat;
-        cell["heat"] = x && heat ? std::to_string(heat_of(*x, *heat)) : "";
-        cell["is_row_header"] = c == 0;
+        enter(cell, {{"is_words", "it holds words: runs", words != nullptr},
+                     {"number", "as people read it", columns[c].texts[r]},
+                     {"padding", "figure spaces that align decimal points", columns[c].paddings[r]},
+                     {"is_numeric", "it holds a number or nothing", columns[c].numeric},
+                     {"has_value", "it is defined", x && std::isfinite(*x)},
+                     {"value", "with all digits, for sorting", x ? exact_text(*x) : ""},
+                     {"is_best", "the best of its column", x && columns[c].best && *x == *columns[c].best},
+                     {"has_heat", "it is shaded", x && heat},
+                     {"heat", "how strongly, 1 to 6", x && heat ? std::to_string(heat_of(*x, *heat)) : ""},
+                     {"is_row_header", "it names the row", c == 0}});
         cells.push_back(std::move(cell));
     }
-    return {{"cells", std::move(cells)}, {"is_gap", false}};
+    return view_of({{"cells", "of a row", std::move(cells)}, {"is_gap", "rows are left out here", false}});
 }
 
 /// A row that says how many are not shown.
 json gap_view(std::size_t left_out, std::size_t columns) {
     std::string fill;
     for (std::size_t c = 1; c < columns; ++c) fill += " |";
-    return {{"cells", json::array()},
-            {"is_gap", true},
-            {"left_out", std::to_string(left_out) + (left_out == 1 ? " row" : " rows")},
-            {"columns", std::to_string(columns)},
-            {"fill", std::move(fill)}};
+    return view_of({{"cells", "of a row", json::array()},
+                    {"is_gap", "rows are left out here", true},
+                    {"left_out", "how many: \"1 row\", \"410 rows\"", std::to_string(left_out) + (left_out == 1 ? " row" : " rows")},
+                    {"columns", "how many columns the table has", std::to_string(columns)},
+                    {"fill", "bars of the cells that a row of Markdown lacks when it only tells what is left out", std::move(fill)}});
 }
 
 }   // namespace
@@ -184,11 +184,11 @@ json table_view(const Table& table, const ViewContext& context) {
         const Column& column = table.columns[c];
         columns.push_back(column_view(table, c));
         has_best = has_best || columns.back().best;
-        heads.push_back({{"name", prose_view(column.name)},
-                         {"unit", safe_text(column.unit)},
-                         {"has_unit", !column.unit.empty()},
-                         {"is_filter", column.filter},
-                         {"is_numeric", columns.back().numeric}});
+        heads.push_back(view_of({{"name", "of the column", prose_view(column.name)},
+                                 {"unit", "of its numbers", safe_text(column.unit)},
+                                 {"has_unit", "there is one", !column.unit.empty()},
+                                 {"is_filter", "readers may choose one of its values", column.filter},
+                                 {"is_numeric", "it holds numbers", columns.back().numeric}}));
     }
     const std::size_t shown = std::max<std::size_t>(context.options.table_rows, 2), total = table.rows.size();
     const bool whole = total < shown + std::max<std::size_t>(context.options.fewest_left_out, 1);
@@ -197,19 +197,18 @@ json table_view(const Table& table, const ViewContext& context) {
     for (std::size_t r = 0; r < first; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
     if (!whole) rows.push_back(gap_view(total - first - last, columns.size()));
     for (std::size_t r = total - last; r < total; ++r) rows.push_back(row_view(table, r, columns, context.numbering));
-    const Reference self = context.numbering.resolve(table.id);
     const bool worth_sorting = table.sortable || total >= 3;
-    return {{"id", safe_text(table.id)},
-            {"label", self.label},
-            {"caption", prose_view(table.caption)},
-            {"csv", url_path("tables/" + table.id + ".csv")},
-            {"columns", std::move(heads)},
-            {"rows", std::move(rows)},
-            {"is_cut", !whole},
-            {"is_sortable", whole && worth_sorting},
-            {"has_many_columns", table.columns.size() > most_columns},
-            {"has_best", has_best},
-            {"has_references_elsewhere", refers_elsewhere(table, context.numbering)}};
+    json view = captioned_view(table.id, table.caption, context);
+    enter(view, {{"csv", "link to the data", url_path("tables/" + table.id + ".csv")},
+                 {"columns", "heads of a table", std::move(heads)},
+                 {"rows", "of a table", std::move(rows)},
+                 {"is_cut", "rows are left out", !whole},
+                 {"is_sortable", "readers may sort it", whole && worth_sorting},
+                 {"has_many_columns", "the table has so many columns that its print is small", table.columns.size() > most_columns},
+                 {"has_best", "a value of it is marked as best", has_best},
+                 {"has_references_elsewhere", "cells name what is left out here; index.html has it (print.html only)",
+                  refers_elsewhere(table, context.numbering)}});
+    return view;
 }
 
 }   // namespace meshfolio::report

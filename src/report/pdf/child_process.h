@@ -30,7 +30,7 @@ ChildEnd run_child(const ChildTask& task);
 /// "ended with exit code 3", "was killed by signal 9", …, and the last line that it wrote.
 std::string words_of(const ChildEnd& end);
 
-/// For whoever ends the process early, on a signal say: kills all that run, and lets no more begin.
+/// For an early end of the process, such as a signal: kills all running children and starts no more.
 void end_children() noexcept;
 
 }   // namespace meshfolio::report

@@ -40,7 +40,7 @@ std::string text_of(const std::string& html) {
 
 std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Extent extent) {
     std::map<std::string, std::string> files;
-    for (const std::string& id : figures_told(document, extent)) {
+    for (const std::string& id : figures_shown(document, extent)) {
         if (const auto drawn = figures.find(id); drawn != figures.end()) files[print_file(id)] = drawn->second.print_jpeg;
     }
     return files;

@@ -8,7 +8,6 @@
 #include "base/file_bytes.h"
 #include "report/escape.h"
 #include "report/pdf/child_process.h"
-#include "report/pdf/draft_picture.h"
 #include "report/pdf/pdf_finish.h"
 #include "report/pdf/print_page.h"
 
@@ -153,6 +152,18 @@ std::string print_pdf(const PrintJob& job, const PdfEngine& engine, const fs::pa
     PdfDetails details{job.title, job.author, job.creator, job.date, {}, job.attachment_name, job.attachment};
     for (const PageHeading& heading : headings) details.outline.push_back(heading.title);
     return finish_pdf(pdf, details);
+}
+
+std::string draft_of_jpeg(const std::string& jpeg) {
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(jpeg[at]); };
+    if (!jpeg.starts_with("\xff\xd8")) return jpeg;
+    for (std::size_t at = 2; at + 4 <= jpeg.size() && byte(at) == 0xff;) {
+        const bool scan = byte(at + 1) == 0xda;
+        at += 2 + (byte(at + 2) << 8 | byte(at + 3));
+        if (scan && at <= jpeg.size()) return jpeg.substr(0, at) + "\xff\xd9";
+        if (scan) break;
+    }
+    return jpeg;
 }
 
 }   // namespace meshfolio::report

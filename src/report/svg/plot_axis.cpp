@@ -20,7 +20,7 @@ double round_step(double x) {
     return 10 * power;
 }
 
-/// As many digits as tell neighbouring ticks apart.
+/// As many digits as distinguish neighbouring ticks.
 std::string tick_label(double value, double step) {
     if (value == 0) return "0";
     const int digits = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9) - std::floor(std::log10(step) + 1e-9)) + 1;

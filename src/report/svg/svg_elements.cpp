@@ -38,6 +38,17 @@ std::string text_element(Point at, const std::string& anchor, const std::string&
            "</text>\n";
 }
 
+std::string title_element(Point& at, const std::string& anchor, const std::string& words) {
+    std::string svg;
+    for (const std::string& line : wrapped(safe_text(words), drawing_width - 8)) {
+        svg += text_element(at, anchor, line, " font-weight=\"600\"");
+        at.y += line_height;
+    }
+    return svg;
+}
+
+double title_lines(const std::string& words) { return static_cast<double>(wrapped(safe_text(words), drawing_width - 8).size()); }
+
 std::string line_element(Point a, Point b, const std::string& attributes) {
     return "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) + "\" " + attributes + "/>\n";
 }
@@ -45,12 +56,13 @@ std::string line_element(Point a, Point b, const std::string& attributes) {
 Look look_of(const Series& series, std::size_t place) {
     constexpr std::array<const char*, 6> colors{"#0b5fa5", "#c2410c", "#047857", "#86198f", "#92600a", "#475569"};
     constexpr std::array<const char*, 7> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5", "7 3 2 3 2 3"};
-    // Several dashed series of one plot are to be told apart without colour, too.
+    // Several dashed series of one plot must differ without colour, too.
     constexpr std::array<const char*, 7> of_dashed{"6 5", "3 6", "13 5", "8 4 2 4", "8 3 2 3 2 3", "2 2 6 2", "4 7"};
     const std::size_t color = (series.color >= 0 ? static_cast<std::size_t>(series.color) : place) % colors.size();
     const std::size_t pattern = (series.pattern >= 0 ? static_cast<std::size_t>(series.pattern) : place) % dashes.size();
     return {"var(--plot-" + std::to_string(color + 1) + ", " + colors[color] + ")",
-            (series.style == Series::Style::dashed ? of_dashed : dashes)[pattern], static_cast<int>(pattern)};
+            (series.style == Series::Style::dashed ? of_dashed : dashes)[pattern], static_cast<int>(pattern),
+            series.style != Series::Style::points, series.style == Series::Style::points || series.style == Series::Style::line_and_points};
 }
 
 std::string point_shape(Point p, int pattern, const std::string& color) {

@@ -19,6 +19,11 @@ std::string px(double x);
 /// Text of any kind, made safe; symbols such as λ_crit get their index lowered. `anchor`: start, middle or end.
 std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more = "");
 
+/// A title from `at` on, in lines no wider than the picture; `at` moves below them.
+std::string title_element(Point& at, const std::string& anchor, const std::string& words);
+/// How many lines that is.
+double title_lines(const std::string& words);
+
 std::string line_element(Point a, Point b, const std::string& attributes);
 
 /// How a series is drawn. No two of a plot's first 42 look the same, in whatever styles: they repeat the colours after six and the
@@ -27,6 +32,7 @@ struct Look {
     std::string color;    // a variable of the page, with a default that reads on white
     std::string dashes;   // empty: a continuous line
     int pattern;          // shape of its points
+    bool has_line, has_points;
 };
 
 /// The look of the series at `place` in its plot.

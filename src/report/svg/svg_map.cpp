@@ -36,16 +36,10 @@ public:
           y_(axis_of(y_edges_, map.log_y)),
           values_(Axis::exactly(scale_.low(), scale_.high(), map.log_values)) {
         place_legend();
-        double y = legend_bottom_ + line_height - 3;
-        for (const std::string& line : wrapped(safe_text("colour: " + map.value_label), drawing_width - 8)) {
-            titles_ += text_element({4, y}, "start", line, " font-weight=\"600\"");
-            y += line_height;
-        }
-        for (const std::string& line : wrapped(safe_text(map.y_label), drawing_width - 8)) {
-            titles_ += text_element({4, y}, "start", line, " font-weight=\"600\"");
-            y += line_height;
-        }
-        top_ = y + 4;
+        Point above{4, legend_bottom_ + line_height - 3};
+        titles_ = title_element(above, "start", "colour: " + map.value_label);
+        titles_ += title_element(above, "start", map.y_label);
+        top_ = above.y + 4;
         bottom_ = top_ + panel_height;
         const double bar = bar_width + std::ceil(widest_label(values_)) + tick_length + 10;
         first_left_ = std::ceil(widest_label(y_)) + tick_length + 10;
@@ -151,11 +145,6 @@ private:
         return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"5.4\" fill=\"#ffffff\"/>\n" +
                point_shape(p, look.pattern, "#1b1b1f");
     }
-    static bool with_line(const Series& series) { return series.style != Series::Style::points; }
-    static bool with_points(const Series& series) {
-        return series.style == Series::Style::points || series.style == Series::Style::line_and_points;
-    }
-
     std::string line(const Series& series, std::size_t index, const Box& frame) const {
         const Look look = look_of(series, index);
         std::string path, points;
@@ -167,10 +156,10 @@ private:
             }
             const Point p = at(frame, series.x[i], series.y[i]);
             path += (drawing ? "L" : "M") + px(p.x) + " " + px(p.y);
-            if (with_points(series)) points += cased_point(p, look);
+            if (look.has_points) points += cased_point(p, look);
             drawing = true;
         }
-        return (path.empty() || !with_line(series) ? "" : cased(path, look.dashes)) + points;
+        return (path.empty() || !look.has_line ? "" : cased(path, look.dashes)) + points;
     }
 
     std::string letters(const Map::Panel& panel, const Box& frame) const {
@@ -223,8 +212,8 @@ private:
                 const Look look = look_of(series, i);
                 add(series.name, [&](Point left) {
                     const std::string path = "M" + px(left.x) + " " + px(left.y) + "H" + px(left.x + 28);
-                    return (with_line(series) ? cased(path, look.dashes) : "") +
-                           (with_points(series) ? cased_point({left.x + 14, left.y}, look) : "");
+                    return (look.has_line ? cased(path, look.dashes) : "") +
+                           (look.has_points ? cased_point({left.x + 14, left.y}, look) : "");
                 });
             }
         }
@@ -233,16 +222,11 @@ private:
     }
 
     std::string x_titles() const {
-        double y = bottom_ + 24 + line_height - 4;
-        std::string svg;
-        for (const std::string& line : wrapped(safe_text(map_.x_label), drawing_width - 8)) {
-            svg += text_element({0.5 * (first_left_ + last_right_), y}, "middle", line, " font-weight=\"600\"");
-            y += line_height;
-        }
-        return svg;
+        Point below{0.5 * (first_left_ + last_right_), bottom_ + 24 + line_height - 4};
+        return title_element(below, "middle", map_.x_label);
     }
 
-    double height() const { return bottom_ + 24 + line_height * double(wrapped(safe_text(map_.x_label), drawing_width - 8).size()) + 4; }
+    double height() const { return bottom_ + 24 + line_height * title_lines(map_.x_label) + 4; }
 
     /// Pointed where values lie beyond its end.
     std::string color_bar() const {

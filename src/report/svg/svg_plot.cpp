@@ -1,4 +1,4 @@
-// Plots as inline SVG. Dashes and shapes of points tell the series apart without colour.
+// Plots as inline SVG. Dashes and shapes of points distinguish the series without colour.
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +23,7 @@ public:
         frame_.left = std::ceil(widest_label(y_)) + tick_length + 10;
         frame_.right = drawing_width - right_margin;
         place_legend();
-        const auto lines = wrapped(safe_text(plot.y_label), drawing_width - 8);
-        frame_.top = legend_bottom_ + line_height * static_cast<double>(lines.size()) + 10;
+        frame_.top = legend_bottom_ + line_height * title_lines(plot.y_label) + 10;
         frame_.bottom = frame_.top + plot_height;
     }
 
@@ -85,10 +84,7 @@ private:
 
     std::string head() const { return svg_head(plot_.id, plot_.y_label + " against " + plot_.x_label, plot_.alt, drawing_width, height()); }
 
-    double height() const {
-        const auto lines = wrapped(safe_text(plot_.x_label), drawing_width - 8);
-        return frame_.bottom + 24 + line_height * static_cast<double>(lines.size()) + 4;
-    }
+    double height() const { return frame_.bottom + 24 + line_height * title_lines(plot_.x_label) + 4; }
 
     /// Names of the series with a sample of each, in rows above the plot.
     void place_legend() {
@@ -114,14 +110,9 @@ private:
     }
 
     std::string sample(std::size_t i, Point left) const {
-        const Series& series = plot_.series[i];
-        const Look look = look_of(series, i);
-        const bool with_line = series.style != Series::Style::points;
-        const bool with_points = series.style == Series::Style::points || series.style == Series::Style::line_and_points;
-        std::string svg;
-        if (with_line) svg += line_element(left, {left.x + 28, left.y}, stroke(look));
-        if (with_points) svg += point_shape({left.x + 14, left.y}, look.pattern, look.color);
-        return svg;
+        const Look look = look_of(plot_.series[i], i);
+        return (look.has_line ? line_element(left, {left.x + 28, left.y}, stroke(look)) : "") +
+               (look.has_points ? point_shape({left.x + 14, left.y}, look.pattern, look.color) : "");
     }
 
     static std::string stroke(const Look& look) {
@@ -130,18 +121,9 @@ private:
     }
 
     std::string axis_titles() const {
-        std::string svg;
-        double y = legend_bottom_ + line_height - 3;
-        for (const std::string& line : wrapped(safe_text(plot_.y_label), drawing_width - 8)) {
-            svg += text_element({4, y}, "start", line, " font-weight=\"600\"");
-            y += line_height;
-        }
-        y = frame_.bottom + 24 + line_height - 4;
-        for (const std::string& line : wrapped(safe_text(plot_.x_label), drawing_width - 8)) {
-            svg += text_element({0.5 * (frame_.left + frame_.right), y}, "middle", line, " font-weight=\"600\"");
-            y += line_height;
-        }
-        return svg;
+        Point above{4, legend_bottom_ + line_height - 3};
+        Point below{0.5 * (frame_.left + frame_.right), frame_.bottom + 24 + line_height - 4};
+        return title_element(above, "start", plot_.y_label) + title_element(below, "middle", plot_.x_label);
     }
 
     std::string grid() const {
@@ -188,7 +170,6 @@ private:
     std::string curve(std::size_t i) const {
         const Series& series = plot_.series[i];
         const Look look = look_of(series, i);
-        const bool with_line = series.style != Series::Style::points;
         std::string path, points;
         std::size_t count = 0;
         const auto runs = runs_of(series, series.y);
@@ -196,11 +177,11 @@ private:
         const std::size_t stride = series.style == Series::Style::line_and_points ? 1 + count / 40 : 1;
         std::size_t index = 0;
         for (const Stretch& run : runs) {
-            for (std::size_t k = 0; with_line && run.size() > 1 && k < run.size(); ++k) {
+            for (std::size_t k = 0; look.has_line && run.size() > 1 && k < run.size(); ++k) {
                 path += (k == 0 ? "M" : "L") + px(run[k].x) + " " + px(run[k].y);
             }
             // A value between two gaps would leave no trace in a line.
-            const bool all = !with_line || series.style == Series::Style::line_and_points || run.size() == 1;
+            const bool all = look.has_points || run.size() == 1;
             for (const Point& p : run) {
                 if (all && index++ % stride == 0) points += point_shape(p, look.pattern, look.color);
             }

@@ -7,9 +7,8 @@
 
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
-#include "color/colormap.h"
 #include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "run/settings/setting_list.h"
 
 namespace meshfolio::run {
 

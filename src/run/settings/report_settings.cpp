@@ -1,20 +1,19 @@
 #include "run/settings/report_settings.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <set>
-#include <string_view>
+#include <type_traits>
 
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
-#include "questions/core/chapter.h"
 #include "questions/core/stand_ins.h"
 #include "report/writers.h"
 #include "run/arguments.h"
+#include "run/settings/setting_list.h"
 #include "run/settings/settings_reader.h"
 
 namespace meshfolio::run {
@@ -23,49 +22,77 @@ namespace {
 
 constexpr int quick_size = 400;   // pixels of one view when --quick and no size is given
 
-template <class Value, class Given>
-void take(Value& value, const std::optional<Given>& given) {
-    if (given) value = *given;
+void take(ViewSize& size, const Setting& setting, const std::string& name, const std::string& text) {
+    size.width = size.height = static_cast<int>(integer_between(name, text, setting.least, setting.most));
 }
 
-void take_file(ReportSettings& settings, const SettingsFile& file) {
-    take(settings.title, file.title);
-    take(settings.author, file.author);
-    take(settings.course, file.course);
-    take(settings.colormap, file.colormap);
-    take(settings.width, file.width);
-    take(settings.height, file.height);
-    take(settings.threads, file.threads);
-    take(settings.seed, file.seed);
-    take(settings.laboratory, file.laboratory);
-    take(settings.page_template, file.page_template);
-    take(settings.design, file.design);
-    take(settings.printed, file.printed);
-    settings.questions = file.questions;
-    settings.experiments = file.experiments;
-    settings.experiments_digest = file.digest;
-    settings.only = file.sections;
-    settings.base = file.folder;
+void take(int& value, const Setting& setting, const std::string& name, const std::string& text) {
+    value = static_cast<int>(integer_between(name, text, setting.least, setting.most));
 }
 
-void take_size(ReportSettings& settings, const std::string& name, const std::string& text) {
-    if (!text.empty())
-        settings.width = settings.height = static_cast<int>(integer_between(name, text, limits::smallest_size, limits::largest_size));
-}
-
-void take_threads(ReportSettings& settings, const std::string& name, const std::string& text) {
-    if (!text.empty()) settings.threads = static_cast<int>(integer_between(name, text, 0, limits::largest_threads));
-}
-
-void take_pdf(ReportSettings& settings, const std::string& name, const std::string& text) {
-    if (text.empty()) return;
-    if (text != "auto" && text != "require" && text != "off")
+void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {
+    if (setting.choices != nullptr && !contains(setting.choices(), text))
         throw UsageError(name + " " + in_quotes(text) + " is none of auto, require and off");
-    settings.pdf = text;
+    value = text;
 }
 
-void take_data(ReportSettings& settings, const std::vector<std::string>& folders) {
-    if (!folders.empty()) settings.data.assign(folders.begin(), folders.end());
+void take(std::filesystem::path& value, const Setting&, const std::string&, const std::string& text) { value = text; }
+
+void take(std::vector<std::filesystem::path>& folders, const Setting&, const std::string&, const std::string& text) {
+    std::vector<std::string> given = split(text, ':');
+    std::erase(given, "");   // as in other lists of folders
+    if (!given.empty()) folders.assign(given.begin(), given.end());
+}
+
+void take(std::vector<std::string>& chosen, const Setting& setting, const std::string& name, const std::string& text) {
+    const std::vector<std::string> known = setting.choices();
+    std::vector<std::string> ids;
+    Problems problems("");
+    for (const std::string& id : split(text, ',')) {
+        if (id.empty()) {
+            problems.add(0, name + " " + in_quotes(text) + " has a comma with nothing before or behind it", "write q1,q4");
+        } else if (!contains(known, id)) {
+            problems.add(0, name + ": no question " + in_quotes(id), "did you mean '" + nearest_word(id, known) + "'?");
+        } else if (contains(ids, id)) {
+            problems.add(0, name + ": '" + id + "' is given twice", "name each once; their order is fixed");
+        } else {
+            ids.push_back(id);
+        }
+    }
+    problems.raise();
+    chosen = ids;
+}
+
+/// Takes every setting that `text_of` has a text for, under the name that `name_of` gives it.
+template <class TextOf>
+void take_texts(ReportSettings& settings, const char* Setting::*name_of, TextOf text_of, Problems& problems) {
+    for_each_setting(settings, [&](const Setting& setting, auto& value) {
+        const std::string name = setting.*name_of, text = name.empty() ? "" : text_of(name);
+        if constexpr (requires { take(value, setting, name, text); }) {
+            if (!text.empty()) problems.collect([&] { take(value, setting, name, text); });
+        }
+    });
+}
+
+void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& problems) {
+    const std::map<std::string, std::string> texts{{"--size", flags.size},
+                                                   {"--threads", flags.threads},
+                                                   {"--pdf", flags.pdf},
+                                                   {"--out", flags.out},
+                                                   {"--only", flags.only},
+                                                   {"--pdf-browser", flags.pdf_browser},
+                                                   {"--templates", flags.templates}};
+    take_texts(
+        settings, &Setting::flag,
+        [&](const std::string& name) {
+            const auto text = texts.find(name);
+            return text != texts.end() ? text->second : "";
+        },
+        problems);
+    if (!flags.data.empty()) settings.data.assign(flags.data.begin(), flags.data.end());
+    settings.quick = flags.quick;
+    settings.fail_fast = flags.fail_fast;
+    settings.timings = !flags.no_timings;
 }
 
 void take_meshes(ReportSettings& settings, const std::vector<std::string>& meshes, Problems& problems) {
@@ -76,21 +103,6 @@ void take_meshes(ReportSettings& settings, const std::vector<std::string>& meshe
             settings.meshes.emplace_back(mesh);
         }
     }
-}
-
-std::string environment(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr ? value : "";
-}
-
-void take_environment(ReportSettings& settings, Problems& problems) {
-    problems.collect([&] { take_size(settings, "MESHFOLIO_SIZE", environment("MESHFOLIO_SIZE")); });
-    problems.collect([&] { take_threads(settings, "MESHFOLIO_THREADS", environment("MESHFOLIO_THREADS")); });
-    problems.collect([&] { take_pdf(settings, "MESHFOLIO_PDF", environment("MESHFOLIO_PDF")); });
-    std::vector<std::string> folders = split(environment("MESHFOLIO_DATA"), ':');
-    std::erase(folders, "");   // as in other lists of folders
-    take_data(settings, folders);
-    if (const std::string out = environment("MESHFOLIO_OUT"); !out.empty()) settings.out = out;
 }
 
 /// Those of data/reports, each file read once.
@@ -119,7 +131,7 @@ std::vector<std::filesystem::path> named_meshes(const ReportSettings& settings) 
 
 /// Every file and folder that may be read.
 std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const std::string& config) {
-    std::set<std::filesystem::path> inputs = {config, settings.templates, settings.page_template.value_or("")};
+    std::set<std::filesystem::path> inputs = {config, settings.templates, settings.page.file.value_or("")};
     inputs.insert(settings.meshes.begin(), settings.meshes.end());
     inputs.insert(settings.data.begin(), settings.data.end());
     std::vector<std::filesystem::path> in_data = named_meshes(settings);
@@ -149,31 +161,35 @@ void require_inputs_outside(const ReportSettings& settings, const std::string& c
     }
 }
 
-std::vector<std::string> chosen_questions(const std::string& text) {
-    const std::vector<std::string> known = section_ids();
-    std::vector<std::string> chosen;
-    Problems problems("");
-    for (const std::string& id : split(text, ',')) {
-        if (id.empty()) {
-            problems.add(0, "--only " + in_quotes(text) + " has a comma with nothing before or behind it", "write q1,q4");
-        } else if (std::find(known.begin(), known.end(), id) == known.end()) {
-            problems.add(0, "--only: no question " + in_quotes(id), "did you mean '" + nearest_word(id, known) + "'?");
-        } else if (std::find(chosen.begin(), chosen.end(), id) != chosen.end()) {
-            problems.add(0, "--only: '" + id + "' is given twice", "name each once; their order is fixed");
-        } else {
-            chosen.push_back(id);
-        }
-    }
-    problems.raise();
-    return chosen;
+// ---- a value as words -------------------------------------------------------------------------------------------------------
+
+using Words = std::vector<std::string>;
+
+Words words_of(bool value) { return {value ? "yes" : "no"}; }
+Words words_of(const std::string& value) { return {value}; }
+Words words_of(const std::filesystem::path& value) { return {value.string()}; }
+Words words_of(const ViewSize& size) { return {std::to_string(size.width) + " × " + std::to_string(size.height)}; }
+Words words_of(const PageTemplate& page) { return {page.design, page.file.value_or("").string()}; }
+Words words_of(report::Extent extent) { return {extent == report::Extent::whole ? "full" : "brief"}; }
+template <class Number>
+requires std::is_arithmetic_v<Number> Words words_of(Number value) {
+    if constexpr (std::is_integral_v<Number>)
+        return {std::to_string(value)};
+    else
+        return {exact_text(value)};
+}
+template <class Value>
+Words words_of(const std::optional<Value>& value) {
+    return value ? words_of(*value) : Words();
+}
+template <class Value>
+Words words_of(const std::vector<Value>& values) {
+    Words words;
+    for (const Value& value : values) words.push_back(words_of(value).front());
+    return words;
 }
 
-template <class Number>
-std::string listed(const std::vector<Number>& values) {
-    std::string text;
-    for (const Number value : values) text += (text.empty() ? "" : ", ") + exact_text(static_cast<double>(value));
-    return text;
-}
+bool has_experiments(const std::string& question) { return question == "reproductions" || question == "claims"; }
 
 void take_experiments(QuestionSettings& question, const ReportSettings& settings) {
     question.bundled_experiments = bundled_experiments();
@@ -188,39 +204,19 @@ void take_experiments(QuestionSettings& question, const ReportSettings& settings
 
 }   // namespace
 
-SettingsFile named_settings(const std::string& config) {
-    std::error_code error;
-    const std::string_view bundled = bundled_report_text(config);
-    if (!bundled.empty() && !std::filesystem::exists(config, error)) return parse_settings(bundled, config + ".toml");
-    return read_settings(config);
-}
-
 ReportSettings report_settings(const ReportFlags& flags) {
-    ReportSettings settings;
     Problems problems("");
-    take_file(settings, parse_settings(default_settings_text(), "report.toml"));
-    if (flags.quick) settings.width = settings.height = quick_size;
-    take_environment(settings, problems);
+    ReportSettings settings = parse_settings(default_settings_text(), "report.toml");
+    if (flags.quick) settings.size = {quick_size, quick_size};
+    take_texts(settings, &Setting::variable, environment, problems);
     problems.collect([&] {
-        if (!flags.config.empty()) take_file(settings, named_settings(flags.config));
+        if (!flags.config.empty()) settings = read_settings(flags.config, settings);
     });
-    problems.collect([&] { take_size(settings, "--size", flags.size); });
-    problems.collect([&] { take_threads(settings, "--threads", flags.threads); });
-    problems.collect([&] { take_pdf(settings, "--pdf", flags.pdf); });
-    settings.pdf_browser = flags.pdf_browser;
-    take_data(settings, flags.data);
-    if (!flags.out.empty()) settings.out = flags.out;
-    settings.templates = flags.templates;
+    take_flags(settings, flags, problems);
     take_meshes(settings, flags.meshes, problems);
-    problems.collect([&] {
-        if (!flags.only.empty()) settings.only = chosen_questions(flags.only);
-    });
-    problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, told with the other problems
+    problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, reported with the other problems
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();
-    settings.quick = flags.quick;
-    settings.fail_fast = flags.fail_fast;
-    settings.timings = !flags.no_timings;
     return settings;
 }
 
@@ -231,22 +227,23 @@ std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& setti
 
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id) {
     QuestionSettings question;
-    question.base = settings.base;
-    question.seed = settings.seed;
-    question.quick = settings.quick;
-    question.laboratory = settings.laboratory;
-    question.colormap = settings.colormap;
-    if (id == "reproductions" || id == "claims") take_experiments(question, settings);
+    auto& [meshes, base, k, lambda, iterations, noise, seed, quick, laboratory, colormap, experiments, bundled, own] = question;   // all
+    base = settings.base;
+    seed = settings.seed;
+    quick = settings.quick;
+    laboratory = settings.laboratory;
+    colormap = settings.colormap;
+    if (has_experiments(id)) take_experiments(question, settings);
     const auto it = settings.questions.find(id);
     if (it == settings.questions.end()) return question;
     const QuestionTable& table = it->second;
     // Meshes on the command line take every role, also those of the file.
-    if (settings.meshes.empty()) question.meshes = table.meshes;
-    question.k = table.k;
-    question.lambda = table.lambda;
-    question.iterations = table.iterations;
-    question.noise = table.noise;
-    take(question.seed, table.seed);
+    if (settings.meshes.empty()) meshes = table.meshes;
+    k = table.k;
+    lambda = table.lambda;
+    iterations = table.iterations;
+    noise = table.noise;
+    seed = table.seed.value_or(seed);
     return question;
 }
 
@@ -257,22 +254,33 @@ std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings)
 }
 
 std::map<std::string, std::string> described(const ReportSettings& settings) {
-    const auto yes_or_no = [](bool flag) { return flag ? "yes" : "no"; };
-    std::map<std::string, std::string> values{
-        {"quick", yes_or_no(settings.quick)}, {"laboratory", yes_or_no(settings.laboratory)}, {"colormap", settings.colormap}};
-    values["size"] = std::to_string(settings.width) + " × " + std::to_string(settings.height);
-    for (const std::string& id : settings.only) values["only"] += (values["only"].empty() ? "" : ", ") + id;
-    for (const auto& [id, table] : settings.questions) {
-        const auto enter = [&values, &question = id](const std::string& key, const std::string& value) {
-            if (!value.empty()) values[question + " " + key] = value;
+    std::map<std::string, std::string> values;
+    const auto enter_as = [&values](const std::string& prefix) {
+        return [&values, prefix](const Setting& setting, const auto& value) {
+            std::string text;
+            for (const std::string& word : words_of(value)) text += (text.empty() ? "" : ", ") + word;
+            if (*setting.name != '\0' && !text.empty()) values[prefix + setting.name] = text;
         };
-        enter("k", listed(table.k));
-        enter("lambda", listed(table.lambda));
-        enter("iterations", listed(table.iterations));
-        enter("noise", listed(table.noise));
-        if (table.seed) enter("seed", std::to_string(*table.seed));
-    }
+    };
+    for_each_setting(settings, enter_as(""));
+    for (const auto& [id, table] : settings.questions) for_each_setting(table, enter_as(id + " "));
     return values;
+}
+
+std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question) {
+    Words identity;
+    const auto add = [&](const Setting& setting, const auto& value) {
+        if (!setting.shapes_answers) return;
+        const Words words = words_of(value);
+        identity.push_back(std::to_string(words.size()));
+        identity.insert(identity.end(), words.begin(), words.end());
+    };
+    for_each_setting(settings, add);
+    const auto table = settings.questions.find(question);
+    for_each_setting(table != settings.questions.end() ? table->second : QuestionTable(), add);
+    // Those of the bundled files are part of the program.
+    if (has_experiments(question) && !settings.experiments.empty()) identity.push_back(settings.experiments_digest);
+    return identity;
 }
 
 }   // namespace meshfolio::run

@@ -1,20 +1,36 @@
 /// @file
-/// What `meshfolio report` was asked for: flags over settings file over environment over defaults.
+/// What `meshfolio report` was asked for: flags over settings file over environment over defaults. Settings files are TOML. Strict: every
+/// key is known, of its type and within its limits, or the file is refused with everything that is wrong in it at once.
 #pragma once
 
 #include <tbb/global_control.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/errors.h"
 #include "questions/core/settings.h"
-#include "run/settings/settings_file.h"
+#include "report/page/view_model.h"
 
 namespace meshfolio::run {
+
+/// Everything wrong in settings, whether from a file, the command line or the environment; what() is the first.
+class SettingsErrors : public UsageError {
+public:
+    /// @param problems  at least one
+    explicit SettingsErrors(std::vector<UsageError> problems) : UsageError(problems.front()), problems_(std::move(problems)) {}
+    const std::vector<UsageError>& problems() const { return problems_; }
+
+private:
+    std::vector<UsageError> problems_;
+};
 
 /// As given on the command line; what is empty was not.
 struct ReportFlags {
@@ -23,34 +39,57 @@ struct ReportFlags {
     bool quick = false, fail_fast = false, no_timings = false, no_cache = false;
 };
 
+struct ViewSize {
+    int width = 0, height = 0;   // of one view [pixels]
+};
+
+struct PageTemplate {
+    std::string design = "report";               // a bundled one
+    std::optional<std::filesystem::path> file;   // in place of it, absolute or relative to where the program runs
+};
+
+/// [[question]]: what was given is set, the rest stays with the question.
+struct QuestionTable {
+    std::vector<std::string> meshes;
+    std::vector<int> k, iterations;
+    std::vector<double> lambda, noise;
+    std::optional<std::uint64_t> seed;
+    std::optional<int> threads;
+    std::optional<std::string> output;   // folder of the output meshes
+};
+
+/// setting_list.h says of each where it is given and what depends on it.
 struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
     std::filesystem::path out = "out", templates;
-    std::optional<std::filesystem::path> page_template;
-    std::string design = "report";           // of the page, bundled
+    PageTemplate page;
     std::string pdf = "auto", pdf_browser;   // auto, require or off; the browser by name or path, empty: the first that is found
     report::Extent printed = report::Extent::brief;
     std::string title, author, course, colormap;
-    int width = 0, height = 0;   // of one view [pixels]
-    int threads = 0;             // 0: all
+    ViewSize size;
+    int threads = 0;   // 0: all
     std::uint64_t seed = 0;
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
     std::vector<Experiment> experiments;              // of earlier reports; empty: the brief ones of the bundled files
-    std::string experiments_digest;                   // of the file they come from
-    std::filesystem::path base;                       // what the meshes of `questions` are relative to
+    std::string experiments_digest;                   // SHA-256 of the file they come from
+    std::filesystem::path base;                       // folder of that file: what the meshes of `questions` are relative to
 };
+
+/// Those of a file over `before`. A file's questions, experiments and sections take the place of others, also where it has none.
+/// @param file  what messages call it; paths are relative to its folder
+/// @throws SettingsErrors
+ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings before = {});
+
+/// The same from the file of that name, else from the bundled one of data/reports. @throws SettingsErrors, also for one that cannot be read
+ReportSettings read_settings(const std::string& config, ReportSettings before = {});
 
 /// @throws SettingsErrors, UsageError
 ReportSettings report_settings(const ReportFlags& flags);
 
 /// For as long as it lives, no more threads work than are asked for; null where all may.
 std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings);
-
-/// The settings file of that name, else the bundled one of data/reports.
-/// @throws SettingsErrors
-SettingsFile named_settings(const std::string& config);
 
 /// Those of one question.
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);
@@ -60,5 +99,8 @@ std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings)
 
 /// For the provenance: everything that shapes the results, without threads and paths.
 std::map<std::string, std::string> described(const ReportSettings& settings);
+
+/// For the cache: everything that the answer to a question depends on.
+std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question);
 
 }   // namespace meshfolio::run

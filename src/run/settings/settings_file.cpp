@@ -1,19 +1,17 @@
-#include "run/settings/settings_file.h"
-
+// Settings files: TOML to ReportSettings.
 #include <algorithm>
+#include <concepts>
 #include <iterator>
-#include <limits>
 
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "base/sha256.h"
-#include "color/colormap.h"
-#include "output/publish/safe_name.h"
-#include "questions/core/chapter.h"
+#include "output/publish/folder_system.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
 #include "run/settings/experiment_reader.h"
+#include "run/settings/setting_list.h"
 #include "run/settings/settings_reader.h"
 
 namespace meshfolio::run {
@@ -22,182 +20,180 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr long long largest_seed = std::numeric_limits<std::int64_t>::max();   // TOML's integers
-
 /// Names in the report's folder that a question's output may not take.
 const std::vector<std::string> taken_names{"images",  "tables",       "index.html", "report.md",     "report.pdf",
                                            "src.txt", "results.json", "SHA256SUMS", "submission.zip"};
 
+template <class Settings>
+std::vector<std::string> keys_of(std::string_view table) {
+    std::vector<std::string> keys;
+    Settings settings;
+    for_each_setting(settings, [&](const Setting& setting, const auto&) {
+        if (*setting.key != '\0' && setting.table == table) keys.emplace_back(setting.key);
+    });
+    return keys;
+}
+
 /// Reads one settings file.
 class Reader {
 public:
-    Reader(const toml::table& root, const std::string& file, Problems& problems) : root_(root), file_(file), problems_(problems) {}
+    Reader(const toml::table& root, ReportSettings& settings, Problems& problems) : root_(root), settings_(settings), problems_(problems) {}
 
-    SettingsFile read() {
-        settings_.folder = fs::path(file_).parent_path();
-        const TableReader top(root_, "", {"seed", "threads", "laboratory"}, problems_,
-                              {"report", "render", "question", "original", "experiment"});
-        settings_.seed = seed_of(top);
-        settings_.threads = threads_of(top);
-        settings_.laboratory = top.truth("laboratory");
-        if (const toml::table* table = table_named("report")) read_report(*table);
-        if (const toml::table* table = table_named("render")) read_render(*table);
-        read_questions();
+    void read() {
+        read_table("", root_, {"report", "render", "question", "original", "experiment"});
+        for (const std::string name : {"report", "render"}) {
+            const toml::node* node = root_.get(name);
+            if (node != nullptr && !node->is_table()) problems_.add(*node, name + " is not a table", "write [" + name + "]");
+            if (node != nullptr && node->is_table()) read_table("[" + name + "]", *node->as_table());
+        }
+        if (const toml::node* node = root_.get("question"))
+            for_each_table(*node, "question", problems_, [&](const toml::table& table) { read_question(table); });
         settings_.experiments = read_experiments(root_, problems_);
-        return std::move(settings_);
     }
 
 private:
     const toml::table& root_;
-    const std::string& file_;
+    ReportSettings& settings_;
     Problems& problems_;
-    SettingsFile settings_;
     std::map<std::string, long> output_lines_;   // where each output name was given
 
-    const toml::table* table_named(std::string_view name) {
-        const toml::node* node = root_.get(name);
-        if (node != nullptr && !node->is_table())
-            problems_.add(*node, std::string(name) + " is not a table", "write [" + std::string(name) + "]");
-        return node != nullptr ? node->as_table() : nullptr;
+    void read_table(const std::string& name, const toml::table& table, const std::vector<std::string>& tables = {}) {
+        const TableReader reader(table, name, keys_of<ReportSettings>(name), problems_, tables);
+        for_each_setting(settings_, [&](const Setting& setting, auto& value) {
+            if (*setting.key != '\0' && setting.table == name && reader.node(setting.key) != nullptr) take(reader, setting, value);
+        });
     }
 
-    static std::optional<std::uint64_t> seed_of(const TableReader& table) {
-        const auto seed = table.integer("seed", 0, largest_seed);
-        return seed ? std::optional(static_cast<std::uint64_t>(*seed)) : std::nullopt;
+    void read_question(const toml::table& table) {
+        std::vector<std::string> known = keys_of<QuestionTable>("");
+        known.emplace_back("id");
+        const TableReader reader(table, "[[question]]", known, problems_);
+        QuestionTable question;
+        for_each_setting(question, [&](const Setting& setting, auto& value) {
+            if (reader.node(setting.key) != nullptr) take(reader, setting, value);
+        });
+        enter(table, reader, std::move(question));
     }
 
-    static std::optional<int> threads_of(const TableReader& table) {
-        const auto threads = table.integer("threads", 0, limits::largest_threads);
-        return threads ? std::optional(static_cast<int>(*threads)) : std::nullopt;
+    // ---- a value that is given, by the type of the setting --------------------------------------------------------------
+
+    template <class Value>
+    requires std::same_as<Value, bool>
+    void take(const TableReader& reader, const Setting& setting, Value& value) { value = reader.truth(setting.key).value_or(value); }
+
+    template <std::integral Value>
+    requires(!std::same_as<Value, bool>) void take(const TableReader& reader, const Setting& setting, Value& value) {
+        if (const auto number = reader.integer(setting.key, setting.least, setting.most)) value = static_cast<Value>(*number);
     }
 
-    std::optional<std::string> short_text(const TableReader& table, std::string_view key) {
-        auto text = table.text(key);
-        if (text && text->size() > static_cast<std::size_t>(limits::longest_text)) {
-            problems_.add(*table.node(key), table.called(key) + " has " + std::to_string(text->size()) + " bytes",
-                          "at most " + std::to_string(limits::longest_text) + " are allowed");
+    template <std::integral Value>
+    void take(const TableReader& reader, const Setting& setting, std::optional<Value>& value) {
+        if (const auto number = reader.integer(setting.key, setting.least, setting.most)) value = static_cast<Value>(*number);
+    }
+
+    void take(const TableReader& reader, const Setting& setting, std::vector<int>& values) {
+        values = reader.integers(setting.key, setting.least, setting.most);
+    }
+
+    void take(const TableReader& reader, const Setting& setting, std::vector<double>& values) {
+        values = reader.numbers(setting.key, 0, setting.largest, setting.is_above_zero);
+    }
+
+    void take(const TableReader& reader, const Setting& setting, ViewSize& size) {
+        const toml::node& node = *reader.node(setting.key);
+        const std::string called = reader.called(setting.key);
+        const std::vector<int> sides = reader.integers(setting.key, setting.least, setting.most);
+        if (const std::size_t given = reader.size(setting.key); given > 2 && given <= static_cast<std::size_t>(limits::largest_list))
+            problems_.add(node, called + " has " + std::to_string(given) + " values", "write N or [W, H]");
+        if (reader.size(setting.key) == 1 && node.is_array()) problems_.add(node, called + " has one value in a list", "write N or [W, H]");
+        if (!sides.empty()) size = {sides.front(), sides.back()};
+    }
+
+    /// A word or two on one line; the name of a colour map, where there is a choice.
+    void take(const TableReader& reader, const Setting& setting, std::string& value) {
+        const auto text = reader.text(setting.key);
+        if (!text) return;
+        value = *text;
+        const toml::node& node = *reader.node(setting.key);
+        if (setting.choices != nullptr) {
+            if (!contains(setting.choices(), value))
+                problems_.add(node, "unknown colour map " + in_quotes(value),
+                              "did you mean '" + nearest_word(value, setting.choices()) + "'?");
+            return;
         }
+        if (value.size() > static_cast<std::size_t>(limits::longest_text))
+            problems_.add(node, reader.called(setting.key) + " has " + std::to_string(value.size()) + " bytes",
+                          "at most " + std::to_string(limits::longest_text) + " are allowed");
         const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-        if (text && std::any_of(text->begin(), text->end(), is_control))
-            problems_.add(*table.node(key), table.called(key) + " has a control character", "write it on one line, with spaces for tabs");
-        return text;
-    }
-
-    void read_report(const toml::table& table) {
-        const TableReader report(table, "[report]", {"title", "author", "course", "template", "pdf", "sections"}, problems_);
-        settings_.title = short_text(report, "title");
-        settings_.author = short_text(report, "author");
-        settings_.course = short_text(report, "course");
-        settings_.sections = sections_of(report);
-        read_template(report);
-        read_printed(report);
+        if (std::any_of(value.begin(), value.end(), is_control))
+            problems_.add(node, reader.called(setting.key) + " has a control character", "write it on one line, with spaces for tabs");
     }
 
     /// One of the bundled designs by its name, else a file.
-    void read_template(const TableReader& report) {
-        const auto name = report.text("template");
+    void take(const TableReader& reader, const Setting& setting, PageTemplate& page) {
+        const auto name = reader.text(setting.key);
         if (!name) return;
-        if (std::find(std::begin(report::page_designs), std::end(report::page_designs), *name) != std::end(report::page_designs)) {
-            settings_.design = *name;
+        if (std::ranges::find(report::page_designs, *name) != std::end(report::page_designs)) {
+            page.design = *name;
             return;
         }
-        settings_.page_template = settings_.folder / *name;
+        page.file = settings_.base / *name;
         try {
             if (name->find('\0') != std::string::npos) throw UsageError("it contains a NUL");
-            read_file(*settings_.page_template, report::template_limits::largest_file);
+            read_file(*page.file, report::template_limits::largest_file);
         } catch (const Error& error) {
-            problems_.add(*report.node("template"), "[report] template cannot be read: " + std::string(error.what()));
+            problems_.add(*reader.node(setting.key), reader.called(setting.key) + " cannot be read: " + std::string(error.what()));
         }
     }
 
-    void read_printed(const TableReader& report) {
-        const auto extent = report.text("pdf");
-        if (!extent) return;
-        if (*extent != "brief" && *extent != "full") {
-            problems_.add(*report.node("pdf"), "[report] pdf is " + in_quotes(*extent), "write \"brief\" or \"full\"");
-        } else {
-            settings_.printed = *extent == "full" ? report::Extent::whole : report::Extent::brief;
-        }
+    void take(const TableReader& reader, const Setting& setting, report::Extent& extent) {
+        const auto name = reader.text(setting.key);
+        if (name && *name != "brief" && *name != "full")
+            problems_.add(*reader.node(setting.key), reader.called(setting.key) + " is " + in_quotes(*name), "write \"brief\" or \"full\"");
+        if (name) extent = *name == "full" ? report::Extent::whole : report::Extent::brief;
     }
 
-    std::vector<std::string> sections_of(const TableReader& report) {
-        const std::vector<std::string> known = section_ids();
+    /// Sections, of which there is a choice, or paths of meshes.
+    void take(const TableReader& reader, const Setting& setting, std::vector<std::string>& values) {
+        const std::vector<std::string> known = setting.choices != nullptr ? setting.choices() : std::vector<std::string>();
+        const std::string called = reader.called(setting.key);
         std::map<std::string, int> times;
-        return report.texts("sections", [&](const std::string& id, const toml::node& where) {
-            if (!contains(known, id)) {
-                problems_.add(where, "[report] sections: no question " + in_quotes(id), "did you mean '" + nearest_word(id, known) + "'?");
-            } else if (++times[id] == 2) {
-                problems_.add(where, "[report] sections: '" + id + "' is given twice", "name each once; their order is fixed");
+        values = reader.texts(setting.key, [&](const std::string& word, const toml::node& where) {
+            const bool is_twice = ++times[word] == 2;
+            if (setting.choices == nullptr) {
+                if (word.empty()) problems_.add(where, called + " is an empty path", "name a file");
+                if (word.find('\0') != std::string::npos) problems_.add(where, called + " contains a NUL", "name a file");
+                if (is_twice) problems_.add(where, called + " " + in_quotes(word) + " is given twice", "its outputs would collide");
+            } else if (!contains(known, word)) {
+                problems_.add(where, called + ": no question " + in_quotes(word), "did you mean '" + nearest_word(word, known) + "'?");
+            } else if (is_twice) {
+                problems_.add(where, called + ": '" + word + "' is given twice", "name each once; their order is fixed");
             }
         });
     }
 
-    void read_render(const toml::table& table) {
-        const TableReader render(table, "[render]", {"size", "colormap"}, problems_);
-        const std::vector<int> size = render.integers("size", limits::smallest_size, limits::largest_size);
-        if (const std::size_t given = render.size("size"); given > 2 && given <= static_cast<std::size_t>(limits::largest_list))
-            problems_.add(*render.node("size"), "[render] size has " + std::to_string(given) + " values", "write N or [W, H]");
-        if (render.size("size") == 1 && render.node("size")->is_array())
-            problems_.add(*render.node("size"), "[render] size has one value in a list", "write N or [W, H]");
-        if (!size.empty()) {
-            settings_.width = size.front();
-            settings_.height = size.back();
-        }
-        settings_.colormap = render.text("colormap");
-        if (settings_.colormap && !contains(colormap_names(), *settings_.colormap)) {
-            problems_.add(*render.node("colormap"), "unknown colour map " + in_quotes(*settings_.colormap),
-                          "did you mean '" + nearest_word(*settings_.colormap, colormap_names()) + "'?");
-        }
-    }
-
-    void read_questions() {
-        const toml::node* node = root_.get("question");
-        if (node == nullptr) return;
-        for_each_table(*node, "question", problems_, [&](const toml::table& table) { read_question(table); });
-    }
-
-    void read_question(const toml::table& table) {
-        const TableReader question(table, "[[question]]", {"id", "mesh", "k", "lambda", "iterations", "noise", "output", "seed", "threads"},
-                                   problems_);
-        QuestionTable read;
-        read.meshes = meshes_of(question);
-        read.k = question.integers("k", 1, limits::largest_k);
-        read.lambda = question.numbers("lambda", 0, limits::largest_lambda, true);
-        read.iterations = question.integers("iterations", 1, limits::largest_iterations);
-        read.noise = question.numbers("noise", 0, limits::largest_noise, false);
-        read.seed = seed_of(question);
-        read.threads = threads_of(question);
-        read.output = output_of(question);
-        enter(table, question, std::move(read));
-    }
-
-    std::vector<std::string> meshes_of(const TableReader& question) {
-        std::map<std::string, int> times;
-        return question.texts("mesh", [&](const std::string& mesh, const toml::node& where) {
-            if (mesh.empty()) problems_.add(where, "[[question]] mesh is an empty path", "name a file");
-            if (mesh.find('\0') != std::string::npos) problems_.add(where, "[[question]] mesh contains a NUL", "name a file");
-            if (++times[mesh] == 2)
-                problems_.add(where, "[[question]] mesh " + in_quotes(mesh) + " is given twice", "its outputs would collide");
-        });
-    }
-
-    /// A plain name that neither leaves the report's folder nor is taken there.
-    std::optional<std::string> output_of(const TableReader& question) {
-        auto name = question.text("output");
-        if (!name) return {};
-        const toml::node& node = *question.node("output");
+    /// The output of a question: a plain name that neither leaves the report's folder nor is taken there.
+    void take(const TableReader& reader, const Setting& setting, std::optional<std::string>& value) {
+        value = reader.text(setting.key);
+        if (!value) return;
+        const toml::node& node = *reader.node(setting.key);
         const auto line = static_cast<long>(node.source().begin.line);
-        if (!output::is_safe_name(*name)) {
-            problems_.add(node, "[[question]] output " + in_quotes(*name) + " is not a plain name inside the output folder",
+        const std::string called = reader.called(setting.key);
+        if (!output::is_safe_name(*value)) {
+            problems_.add(node, called + " " + in_quotes(*value) + " is not a plain name inside the output folder",
                           "use letters, digits, '_', '-' and '.', at most 120 of them");
-        } else if (contains(taken_names, *name)) {
-            problems_.add(node, "[[question]] output '" + *name + "' collides with a part of the report", "choose another name");
-        } else if (const auto [first, fresh] = output_lines_.emplace(*name, line); !fresh) {
-            problems_.add(node, "[[question]] output '" + *name + "' collides with that of line " + std::to_string(first->second),
+        } else if (contains(taken_names, *value)) {
+            problems_.add(node, called + " '" + *value + "' collides with a part of the report", "choose another name");
+        } else if (const auto [first, fresh] = output_lines_.emplace(*value, line); !fresh) {
+            problems_.add(node, called + " '" + *value + "' collides with that of line " + std::to_string(first->second),
                           "choose another name");
         }
-        return name;
     }
+
+    /// Paths stand on the command line alone.
+    template <class Paths>
+    requires std::same_as<Paths, fs::path> || std::same_as<Paths, std::vector<fs::path>>
+    void take(const TableReader&, const Setting&, Paths&) {}
 
     void enter(const toml::table& table, const TableReader& question, QuestionTable read) {
         if (question.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\" … \"q7\"");
@@ -214,34 +210,37 @@ private:
 
 }   // namespace
 
-SettingsFile parse_settings(std::string_view text, const std::string& file) {
+ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings settings) {
     Problems problems(file);
     if (const long line = line_of_long_key(text); line > 0) {
         problems.add(line, "a key has more than " + std::to_string(limits::longest_key) + " parts between dots",
                      "none that is known has more than two");
         problems.raise();
     }
+    settings.questions.clear();
+    settings.only.clear();
+    settings.base = fs::path(file).parent_path();
+    settings.experiments_digest = sha256(text);
     try {
-        const toml::table root = toml::parse(text, file);
-        SettingsFile settings = Reader(root, file, problems).read();
-        settings.digest = sha256(text);
-        problems.raise();
-        return settings;
+        Reader(toml::parse(text, file), settings, problems).read();
     } catch (const toml::parse_error& error) {
         problems.add(static_cast<long>(error.source().begin.line), std::string(error.description()), "correct the TOML");
-        problems.raise();
-        throw;   // not reached: there is a problem
     }
+    problems.raise();
+    return settings;
 }
 
-SettingsFile read_settings(const fs::path& path) {
+ReportSettings read_settings(const std::string& config, ReportSettings before) {
+    std::error_code error;
+    const std::string_view bundled = bundled_report_text(config);
+    if (!bundled.empty() && !fs::exists(config, error)) return parse_settings(bundled, config + ".toml", std::move(before));
     std::string text;
     try {
-        text = read_file(path, limits::largest_settings);
-    } catch (const InputError& error) {
-        throw SettingsErrors({UsageError(error.what())});
+        text = read_file(config, limits::largest_settings);
+    } catch (const InputError& unreadable) {
+        throw SettingsErrors({UsageError(unreadable.what())});
     }
-    return parse_settings(text, path.string());
+    return parse_settings(text, config, std::move(before));
 }
 
 }   // namespace meshfolio::run

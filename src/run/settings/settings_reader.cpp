@@ -1,15 +1,11 @@
 #include "run/settings/settings_reader.h"
 
-#include "color/colormap.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
-#include "questions/core/settings.h"
-#include "run/settings/settings_file.h"
 
 namespace meshfolio::run {
 
@@ -244,14 +240,6 @@ std::vector<int> TableReader::integers(std::string_view key, long long low, long
 std::vector<double> TableReader::numbers(std::string_view key, double low, double high, bool above) const {
     return one_or_several<double>(key,
                                   [&](const toml::node& node, const std::string& name) { return number_of(node, name, low, high, above); });
-}
-
-bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
-
-std::vector<std::string> colormap_names() {
-    std::vector<std::string> names;
-    for (const render::Colormap& map : render::colormap_list()) names.emplace_back(map.name);
-    return names;
 }
 
 }   // namespace meshfolio::run

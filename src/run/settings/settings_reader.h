@@ -31,8 +31,8 @@ TOML_IMPL_NAMESPACE_END;
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
-#include "questions/core/settings.h"
-#include "run/settings/settings_errors.h"
+#include "run/arguments.h"
+#include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
 
@@ -115,9 +115,5 @@ private:
     std::optional<long long> integer_of(const toml::node& node, const std::string& name, long long low, long long high) const;
     std::optional<double> number_of(const toml::node& node, const std::string& name, double low, double high, bool above) const;
 };
-
-bool contains(const std::vector<std::string>& words, const std::string& word);
-/// Those of the renderer, in its order.
-std::vector<std::string> colormap_names();
 
 }   // namespace meshfolio::run

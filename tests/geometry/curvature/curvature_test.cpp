@@ -1,12 +1,14 @@
 #include "geometry/curvature/curvature.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
 
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "geometry/curvature/analytic_surfaces.h"
 #include "geometry/operator_test_meshes.h"
 #include "geometry/operators/uniform_laplacian.h"
@@ -258,6 +260,51 @@ TriangleMesh two_cones_and_a_stray_vertex() {
     mesh.F.resize(12, 3);
     mesh.F << up.F, down.F.unaryExpr([](int v) { return v == 0 ? 0 : v + 6; });
     return mesh;
+}
+
+// The shapes where angles could go wrong: many triangles at a vertex, an edge of three triangles, a triangle without area, sides without
+// length.
+TEST(Curvature, AngleDeficitIsThatOfTheCornerAngles) {
+    const TriangleMesh disk = fan(200, 0.2);
+    TriangleMesh crowded{Positions(204, 3), Faces(203, 3)};
+    crowded.X << disk.X, 2, 0, 0, 2, 1, 1, 1e50, 0, 0;
+    crowded.F << disk.F, 0, 1, 201, 1, 0, 202, 0, 201, 200;
+    crowded.X.row(200) = 0.5 * (crowded.X.row(0) + crowded.X.row(201));
+    for (const TriangleMesh& mesh : {irregular_sphere(3), irregular_plane(12), crowded, scaled(irregular_sphere(2), 1e-30),
+                                     triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1}), triangle({0, 0, 0}, {0, 0, 0}, {1, 1, 1})}) {
+        const MeshTopology topology = topology_of(mesh);
+        Vector deficit = angle_deficit(mesh, topology);
+        CornerValues angles = corner_angles(mesh);
+        for (int t = 0; t < mesh.face_count(); ++t) {   // with a side of no length: right angles at its ends, or three alike
+            if (angles.row(t).sum() > 0) continue;
+            for (int k = 0; k < 3; ++k) {
+                const bool alone = mesh.X.row(mesh.F(t, (k + 1) % 3)) == mesh.X.row(mesh.F(t, (k + 2) % 3));
+                const bool one_point = alone && mesh.X.row(mesh.F(t, k)) == mesh.X.row(mesh.F(t, (k + 1) % 3));
+                angles(t, k) = one_point ? pi / 3 : alone ? 0 : pi / 2;
+            }
+        }
+        for (int t = 0; t < mesh.face_count(); ++t) {
+            for (int k = 0; k < 3; ++k) deficit[mesh.F(t, k)] += angles(t, k);
+        }
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            const double flat = topology.vertex_faces.size(v) == 0 ? 0 : topology.on_boundary[static_cast<std::size_t>(v)] ? pi : 2 * pi;
+            EXPECT_NEAR(deficit[v], flat, 1e-13) << v;
+        }
+    }
+}
+
+// Sums over triangles are made in their order, whoever computes the terms.
+TEST(Curvature, SameForAnyNumberOfThreads) {
+    const TriangleMesh mesh = with_shuffled_vertices(irregular_sphere(6)).mesh;
+    const MeshTopology topology = topology_of(mesh);
+    ASSERT_GT(block_count(mesh.face_count()), 2);
+    const auto with_threads = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+        return std::array{Vector(laplacian.C.coeffs()), laplacian.M, cotangent_mean_curvature(mesh, topology, laplacian),
+                          gaussian_curvature(mesh, topology, laplacian.M)};
+    };
+    EXPECT_EQ(with_threads(1), with_threads(3));
 }
 
 TEST(Curvature, IsUndefinedAtBoundaryNonManifoldAndStrayVertices) {

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/operators/mesh_operators.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/solver_test_meshes.h"
 #include "geometry/spectrum/spectrum_certificate.h"
@@ -93,12 +94,17 @@ TEST(MeshFacts, AChangeShows) { EXPECT_GT(change_when_moved(prepared(lopsided_el
 
 TEST(PlaceAndScale, OperatorsAndCurvature) {
     for (const auto& [far, near, scale] : pairs()) {
-        const MeshOperators a = mesh_operators(far, topology_of(far)), b = mesh_operators(near, topology_of(near));
-        EXPECT_LT(difference_of_defined(a.C.coeffs(), b.C.coeffs()), 1e-14);
-        EXPECT_LT(difference_of_defined(a.barycentric / (scale * scale), b.barycentric), 1e-14);
-        EXPECT_LT(difference_of_defined(a.voronoi / (scale * scale), b.voronoi), 1e-14);
-        EXPECT_LT(difference_of_defined(a.H * scale, b.H), 1e-14);
-        EXPECT_LT(difference_of_defined(a.K * scale * scale, b.K), 1e-14);
+        const MeshTopology topology = topology_of(far);
+        const LaplaceBeltrami a = laplace_beltrami(far), b = laplace_beltrami(near);
+        const auto change = [](const Vector& x, double unit, const Vector& y) { return difference_of_defined(x * unit, y); };
+        const auto H = [&](const TriangleMesh& mesh, const LaplaceBeltrami& L) { return cotangent_mean_curvature(mesh, topology, L); };
+        const auto K = [&](const TriangleMesh& mesh, const LaplaceBeltrami& L) { return gaussian_curvature(mesh, topology, L.M); };
+        EXPECT_LT(change(a.C.coeffs(), 1, b.C.coeffs()), 1e-14);
+        EXPECT_LT(change(a.M, 1 / (scale * scale), b.M), 1e-14);
+        const Vector voronoi_far = vertex_areas(far, AreaForm::voronoi), voronoi_near = vertex_areas(near, AreaForm::voronoi);
+        EXPECT_LT(change(voronoi_far, 1 / (scale * scale), voronoi_near), 1e-14);
+        EXPECT_LT(change(H(far, a), scale, H(near, b)), 1e-14);
+        EXPECT_LT(change(K(far, a), scale * scale, K(near, b)), 1e-14);
     }
 }
 

@@ -8,7 +8,6 @@
 #include "base/errors.h"
 #include "geometry/operator_test_meshes.h"
 #include "geometry/operators/laplace_operator.h"
-#include "geometry/operators/mesh_operators.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -288,11 +287,7 @@ TEST(CotangentLaplacian, TrianglesWithoutAreaChangeNoOperator) {
         EXPECT_TRUE(DenseMatrix(laplace_operator(with, kind).C).allFinite());
     }
     for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
-        const LaplaceBeltrami plain = laplace_beltrami(with, form);
-        const MeshOperators fast = mesh_operators(with, topology_of(with), form);
-        EXPECT_EQ((DenseMatrix(plain.C) - DenseMatrix(fast.C)).cwiseAbs().maxCoeff(), 0);
-        EXPECT_EQ((plain.M - fast.areas(form)).cwiseAbs().maxCoeff(), 0);
-        EXPECT_EQ((plain.M - vertex_areas(without, form)).cwiseAbs().maxCoeff(), 0);
+        EXPECT_EQ((laplace_beltrami(with, form).M - vertex_areas(without, form)).cwiseAbs().maxCoeff(), 0);
     }
     const LaplaceBeltrami idt = laplace_operator(with, OperatorKind::idt);
     EXPECT_LE(DenseMatrix(idt.C).cwiseAbs().maxCoeff(), 10) << "no weight of a triangle without area";

@@ -8,7 +8,7 @@
 
 #include "base/file_bytes.h"
 #include "mesh/samples/sample_shapes.h"
-#include "output/draw/preview.h"
+#include "output/draw/finished_picture.h"
 #include "output/draw/surface_of.h"
 #include "scene/camera.h"
 #include "temporary_folder.h"
@@ -140,7 +140,7 @@ TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
     for (const auto& [id, figure] : first) EXPECT_EQ(figure.preview_jpeg, second.at(id).preview_jpeg) << id;
 }
 
-TEST(DrawFigures, TellsHowFarItIs) {
+TEST(DrawFigures, ReportsProgress) {
     const TemporaryFolder folder;
     std::vector<double> told;
     draw_figures(requests(), folder.path(), small_pictures(), [&](double fraction) { told.push_back(fraction); });
@@ -281,7 +281,7 @@ TEST(DrawFigures, OnlyTheDifferenceOfAComparisonHasColoursAndTheirBar) {
     EXPECT_NE(drawn.comparison[2].preview_jpeg, named.comparison[2].preview_jpeg) << "its bar names the quantity";
 }
 
-TEST(DrawFigures, RefusesAComparisonThatIsNone) {
+TEST(DrawFigures, RefusesAComparisonOfOnePanelOrInTwoFrames) {
     const TemporaryFolder folder;
     FigureRequest alone = shrunk_ball();
     alone.panels.resize(1);

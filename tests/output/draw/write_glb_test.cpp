@@ -164,7 +164,7 @@ TEST(WriteGlb, ColoursAreThoseOfTheMapInLinearLight) {
     }
 }
 
-TEST(WriteGlb, ExtrasTellQuantityUnitRangeAndFrame) {
+TEST(WriteGlb, ExtrasHoldQuantityUnitRangeAndFrame) {
     const TriangleMesh mesh = icosphere(1);
     const Glb glb(glb_of(mesh, mesh.X.col(2)));
     const auto& value = glb.extras()["value"];

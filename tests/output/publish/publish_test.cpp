@@ -14,7 +14,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/sha256.h"
-#include "output/publish/leftovers.h"
+#include "output/publish/temporaries.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;

@@ -10,7 +10,6 @@
 #include "mesh/io/mesh_files.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/claims/claim_bench.h"
-#include "questions/claims/claim_list.h"
 #include "questions/claims/parts.h"
 #include "questions/core/study_laws.h"
 #include "shared_meshes.h"
@@ -271,7 +270,7 @@ TEST(ClaimAbout, BundledMeshesDecideGeneralClaimsAndTheirKindsButNoOtherMeshItse
 }
 
 TEST(ClaimAbout, AMeshIsNotComparedWithItself) {
-    const About two{{"bunny", "cube", "cow"}, About::Scope::any_mesh, {}, 2};
+    const About two{{"bunny", "cube", "cow"}, {}, About::Scope::any_mesh, 2};
     EXPECT_EQ(decision_on(MeshLibrary({}, {}), two).verdict, Verdict::holds);
     const Decision own = decision_on(library_of(blob(), "about_alone"), two);
     EXPECT_EQ(own.verdict, Verdict::undecidable);
@@ -280,7 +279,7 @@ TEST(ClaimAbout, AMeshIsNotComparedWithItself) {
     const testing_tools::TemporaryFolder folder;
     write_mesh(folder.path() / "bunny.off", blob());
     write_mesh(folder.path() / "cow.off", blob());
-    EXPECT_EQ(decision_on(MeshLibrary({folder.path()}, {}), {{"bunny", "cow"}, About::Scope::any_mesh, {}, 2}).verdict,
+    EXPECT_EQ(decision_on(MeshLibrary({folder.path()}, {}), {{"bunny", "cow"}, {}, About::Scope::any_mesh, 2}).verdict,
               Verdict::undecidable);
     EXPECT_EQ(decision_on(MeshLibrary({folder.path()}, {}), two).verdict, Verdict::holds) << "the cube is another";
 }
@@ -288,14 +287,14 @@ TEST(ClaimAbout, AMeshIsNotComparedWithItself) {
 TEST(ClaimAbout, AMeshIsKnownByItsMeasuresAndNotByItsName) {
     const testing_tools::TemporaryFolder folder;
     write_mesh(folder.path() / "bunny.off", blob());
-    const Decision impostor = decision_on(MeshLibrary({folder.path()}, {}), {{"bunny"}, About::Scope::itself});
+    const Decision impostor = decision_on(MeshLibrary({folder.path()}, {}), {{"bunny"}, {}, About::Scope::itself});
     EXPECT_EQ(impostor.verdict, Verdict::undecidable);
     EXPECT_EQ(impostor.why, "it is about bunny.off itself, and what bunny does in its place says nothing of that");
     TriangleMesh cube{Positions(8, 3), Faces(12, 3)};   // which way the sides are halved counts, too: the bundled one is another
     cube.X << -0.5, -0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, 0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5, 0.5, -0.5,
         -0.5;
     cube.F << 0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5, 4, 5, 6, 6, 5, 7, 6, 7, 0, 0, 7, 1, 1, 7, 3, 3, 7, 5, 6, 0, 4, 4, 0, 2;
-    const About the_cube{{"cube"}, About::Scope::itself};
+    const About the_cube{{"cube"}, {}, About::Scope::itself};
     EXPECT_EQ(decision_on(MeshLibrary({}, {}), the_cube).verdict, Verdict::undecidable);
     EXPECT_EQ(decision_on(library_of(cube, "about_unit_cube"), the_cube).verdict, Verdict::holds) << "one's own copy of it";
     cube.X *= 1.01;
@@ -304,7 +303,7 @@ TEST(ClaimAbout, AMeshIsKnownByItsMeasuresAndNotByItsName) {
 
 TEST(ClaimAbout, AMeshWithoutThePropertyIsLeftOut) {
     const auto why = [](const TriangleMesh& mesh, const std::string& name, Property property) {
-        return decision_on(library_of(mesh, name), {{"bunny"}, About::Scope::any_mesh, {property}}).why;
+        return decision_on(library_of(mesh, name), {{"bunny"}, {property}}).why;
     };
     const TriangleMesh patch = grid_mesh(6, 5, 2, 1), sphere = icosphere(2);
     EXPECT_EQ(why(patch, "about_a", Property::flat), "");

@@ -4,7 +4,7 @@
 
 #include "mesh/mesh_topology.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/bench/known_surfaces.h"
+#include "questions/bench/bench_mesh.h"
 #include "questions/core/answer_laws.h"
 
 namespace meshfolio::q1_uniform {
@@ -46,6 +46,7 @@ TEST(Q1, BundledMeshesPassTheirOwnChecks) {
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
     EXPECT_EQ(answer.figures.size(), 8u);   // two quantities on four meshes
+    for (const output::FigureRequest& figure : answer.figures) EXPECT_EQ(figure.turnable, figure.id.ends_with("_h")) << figure.id;
 }
 
 TEST(Q1, OneColourRangeAQuantity) {
@@ -83,7 +84,7 @@ TEST(Q1, OpenMeshesOfSeveralComponentsAreAnswered) {
     expect_checks_pass(answer.section);
 }
 
-TEST(Q1, AMeshThatIsAllBoundaryHasNoCurvatureToTellOf) {
+TEST(Q1, AMeshThatIsAllBoundaryHasNoCurvature) {
     const Answer flat = answer_for(one_triangle(), "triangle");
     expect_well_formed(flat);
     expect_checks_pass(flat.section);

@@ -4,7 +4,7 @@
 
 #include "mesh/mesh_topology.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/bench/known_surfaces.h"
+#include "questions/bench/curvature_bench.h"
 #include "questions/core/answer_laws.h"
 
 namespace meshfolio::q3_cotangent {
@@ -47,8 +47,8 @@ TEST(Q3, EachMeshIsShownByBothOperatorsAndTheirDifferenceInOneRange) {
 
 TEST(Q3, ItsExtentIsThatOfTheLargestMesh) {
     int most = 0;
-    for (const KnownSurface& surface : known_surfaces())
-        most = std::max(most, sampled(surface, refinement_levels(true).back(), Triangulation::regular, 1).mesh.vertex_count());
+    for (const KnownSurface& surface : question_surfaces())
+        most = std::max(most, bench_mesh(surface, MeshKind::regular, refinement_levels(true).back(), 1).mesh.vertex_count());
     const Answer answer = answer_for(icosphere(1), "small3");
     EXPECT_NE(answer.section.extent.find("up to " + std::to_string(most) + " vertices"), std::string::npos) << answer.section.extent;
 }

@@ -185,7 +185,7 @@ TEST(ReadJson, RefusesOtherVersions) {
     EXPECT_TRUE(says(refusal([](Json& d) { d = Json::array(); }), "is no results.json"));
 }
 
-TEST(ReadJson, RefusesIdsUsedTwiceAndReferencesInVain) {
+TEST(ReadJson, RefusesIdsUsedTwiceAndDanglingReferences) {
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][1]["id"] = "q1"; }), "uses the id 'q1' a second time"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].push_back({{"kind", "table"}, {"id", "q1_none"}}); }), "'q1_none'"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].erase(6); }), "not the next"));

@@ -149,7 +149,7 @@ TEST(WriteMarkdown, PlotsAreLinkedOnlyWhenTheirFilesAreThere) {
     EXPECT_NE(sample_text({.timings = true, .plot_files = true}).find("](images/q1_error_versus_k.svg)"), std::string::npos);
 }
 
-TEST(WriteMarkdown, MapsAreToldInWordsOrShown) {
+TEST(WriteMarkdown, MapsAreDescribedOrShown) {
     EXPECT_NE(sample_text().find("**Figure 1.4.** Error over step and iteration. ([data](tables/q1_error_map.csv)) The error grows"),
               std::string::npos);
     EXPECT_NE(sample_text({.timings = true, .plot_files = true}).find("](images/q1_error_map.svg)"), std::string::npos);
@@ -201,7 +201,7 @@ TEST(WriteMarkdown, AnswersToQuestionsStayWholeWhileTheOthersAreCut) {
     EXPECT_NE(text.find("## A "), std::string::npos);
 }
 
-TEST(WriteMarkdown, UndecidedChecksAreCountedAndToldInAWord) {
+TEST(WriteMarkdown, UndecidedChecksAreCountedAndNamed) {
     const std::string text = sample_text();
     EXPECT_NE(text.find("3 of 6 checks passed, 2 failed, 1 undecided.**"), std::string::npos);
     EXPECT_NE(text.find("| 2/5, 2 failed, 1 undecided |"), std::string::npos);

@@ -6,6 +6,7 @@
 #include "base/sha256.h"
 #include "report/bibliography.h"
 #include "report/escape.h"
+#include "report/page/page_design.h"
 #include "report/sample_document.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
@@ -33,7 +34,7 @@ TEST(WriteHtml, IsWellFormedXml) {
     EXPECT_TRUE(is_well_formed(write_html({}, {}, Templates())));
 }
 
-TEST(WriteHtml, TellsInTheOrderTheCourseworkAsksFor) {
+TEST(WriteHtml, FollowsTheOrderOfTheCoursework) {
     const auto positions = positions_of(body_of(sample_page()).substr(body_of(sample_page()).find("<main")),
                                         {"<h1>", "class=\"provenance\"", "class=\"meshes\"", "class=\"cover\"", "class=\"score\"",
                                          "Key findings", "Questions attempted and how far", "id=\"q1\"", "id=\"q2\"", "id=\"q3\"",

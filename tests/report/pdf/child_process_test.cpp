@@ -14,7 +14,7 @@ ChildEnd shell(const std::string& script, std::chrono::milliseconds limit = std:
     return run_child({"/bin/sh", {"-c", script}, {{"GREETING", "hello"}}, "/", limit});
 }
 
-TEST(ChildProcess, TellsTheExitCodeAndKeepsBothStreams) {
+TEST(ChildProcess, ReportsTheExitCodeAndKeepsBothStreams) {
     const ChildEnd end = shell("echo out; echo \"$GREETING\" >&2; pwd; exit 3");
     EXPECT_EQ(end.kind, ChildEnd::Kind::exited);
     EXPECT_EQ(end.code, 3);
@@ -22,14 +22,14 @@ TEST(ChildProcess, TellsTheExitCodeAndKeepsBothStreams) {
     EXPECT_EQ(words_of(end), "ended with exit code 3: /");
 }
 
-TEST(ChildProcess, TellsACrash) {
+TEST(ChildProcess, ReportsACrash) {
     const ChildEnd end = shell("echo gone wrong >&2; kill -SEGV $$");
     EXPECT_EQ(end.kind, ChildEnd::Kind::killed);
     EXPECT_EQ(end.code, SIGSEGV);
     EXPECT_EQ(words_of(end), "was killed by signal 11: gone wrong");
 }
 
-TEST(ChildProcess, TellsWhatIsNoProgram) {
+TEST(ChildProcess, ReportsAMissingProgram) {
     const ChildEnd end = run_child({"/nonexistent/program", {}, {}});
     EXPECT_EQ(end.kind, ChildEnd::Kind::not_started);
     EXPECT_NE(words_of(end).find("could not be started"), std::string::npos);

@@ -63,7 +63,7 @@ TEST_F(PdfEngines, OneThatIsAskedForIsNotReplacedByAnother) {
     EXPECT_NE(finding.refused[0].find("--pdf-browser"), std::string::npos);
 }
 
-TEST_F(PdfEngines, WhatCannotServeIsPassedOverAndTold) {
+TEST_F(PdfEngines, UnusableEnginesAreSkippedAndReported) {
     program("bin/chromium-headless-shell", "Chromium 130.0.1");   // no page numbers
     program("bin/chrome-headless-shell", "Chromium 150.0", 3);    // does not start
     program("bin/chromium", "exec /snap/bin/chromium");           // in a snap

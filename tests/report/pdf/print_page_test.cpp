@@ -137,7 +137,7 @@ std::size_t told_of(std::vector<Block> blocks) {
     Section section;
     section.id = "truth";
     section.blocks = std::move(blocks);
-    const auto told = blocks_told(section, Extent::brief);
+    const auto told = blocks_shown(section, Extent::brief);
     for (std::size_t i = 0; i < told.size(); ++i) EXPECT_TRUE(told.contains(&section.blocks[i])) << i;
     return told.size();
 }
@@ -159,7 +159,7 @@ TEST(PrintPage, NoSentenceIsLeftInTheMiddle) {
     EXPECT_EQ(told_of({}), 0u);
 }
 
-TEST(PrintPage, WhatIsNotToldIsSaidToBeInThePage) {
+TEST(PrintPage, NamesThePageForWhatIsLeftOut) {
     Document document = supporting_document();
     Table first{"truth_first", "First.", {{"see"}}, {{std::string("truth_second")}}}, second{"truth_second", "Second.", {{"a"}}, {{1.0}}};
     first.columns[0].reference = true;
@@ -174,23 +174,23 @@ TEST(PrintPage, WhatIsNotToldIsSaidToBeInThePage) {
     EXPECT_EQ(all.find("leaves out"), std::string::npos);
 }
 
-TEST(PrintPage, WhatIsNotToldIsNamedButNotLinked) {
+TEST(PrintPage, WhatIsLeftOutIsNamedButNotLinked) {
     const Document document = supporting_document();
     const Section& section = document.sections[0];
-    const auto told = blocks_told(section, Extent::brief);
+    const auto told = blocks_shown(section, Extent::brief);
     EXPECT_LT(told.size(), section.blocks.size());
-    EXPECT_EQ(blocks_told(section, Extent::whole).size(), section.blocks.size());
+    EXPECT_EQ(blocks_shown(section, Extent::whole).size(), section.blocks.size());
     const auto pictures = [](const std::set<const Block*>& blocks) {
         return std::count_if(blocks.begin(), blocks.end(),
                              [](const Block* b) { return std::holds_alternative<Figure>(*b) || std::holds_alternative<Plot>(*b); });
     };
     EXPECT_EQ(pictures(told), 1);
     // A question is told whole.
-    EXPECT_EQ(blocks_told(sample_document().sections[0], Extent::brief).size(), section.blocks.size());
+    EXPECT_EQ(blocks_shown(sample_document().sections[0], Extent::brief).size(), section.blocks.size());
 }
 
-TEST(PrintPage, OnlyFiguresThatAreToldNeedAPicture) {
-    const auto brief = figures_told(supporting_document(), Extent::brief), all = figures_told(supporting_document(), Extent::whole);
+TEST(PrintPage, OnlyFiguresShownNeedAPicture) {
+    const auto brief = figures_shown(supporting_document(), Extent::brief), all = figures_shown(supporting_document(), Extent::whole);
     EXPECT_LE(brief.size(), all.size());
     EXPECT_EQ(printed(supporting_document()).files.size(), brief.size());
     EXPECT_TRUE(std::includes(all.begin(), all.end(), brief.begin(), brief.end()));
@@ -216,7 +216,7 @@ TEST(PrintPage, EveryPageNumberThatIsAskedForHasItsHeading) {
     for (const std::string& id : asked) EXPECT_TRUE(ids.contains(id)) << id;
 }
 
-TEST(PrintPdf, APageThatNeedsWhatIsNotThereIsRefused) {
+TEST(PrintPdf, APageWithAMissingPictureIsRefused) {
     // Engines pass over a missing picture without a word, and turn other links into paths of the machine.
     const TemporaryFolder folder;
     const PdfEngine engine{PdfEngine::Kind::chromium, "/bin/true", "Chromium 150"};
@@ -233,7 +233,7 @@ TEST(PrintPdf, APageThatNeedsWhatIsNotThereIsRefused) {
     }
 }
 
-TEST(PrintPdf, SuccessIsNotBelieved) {
+TEST(PrintPdf, AnExitCodeOfZeroWithoutAPdfFails) {
     const TemporaryFolder folder;
     PrintJob job;
     job.html = "<h1>Title</h1>";

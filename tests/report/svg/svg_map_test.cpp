@@ -96,7 +96,7 @@ TEST(MapScale, DivergesEvenlyFromItsMiddle) {
         EXPECT_NEAR(grey_of(linear.color(band)), grey_of(linear.color(MapScale::bands - 1 - band)), 12) << band;
 }
 
-TEST(MapScale, WhatLiesBeyondTheAskedRangeIsClippedAndTold) {
+TEST(MapScale, ValuesBeyondTheRangeAreClippedAndReported) {
     Map map = map_of({1, 2}, {1, 2}, {-5, 0.5, 1, undefined});
     map.range = {0, 1};
     const MapScale scale(map);

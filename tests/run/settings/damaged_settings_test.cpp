@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "damaged_bytes.h"
-#include "run/settings/settings_file.h"
+#include "run/settings/report_settings.h"
 
 using namespace meshfolio;
 using namespace meshfolio::run;

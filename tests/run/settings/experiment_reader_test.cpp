@@ -8,7 +8,6 @@
 #include "base/file_bytes.h"
 #include "questions/reproductions/parts.h"
 #include "run/settings/report_settings.h"
-#include "run/settings/settings_file.h"
 #include "run/settings/settings_problems.h"
 #include "source_dir.h"
 #include "temporary_folder.h"
@@ -57,7 +56,7 @@ said = "s"
 lost = "l"
 brief = true
 )";
-    const SettingsFile settings = parse_settings(text, "my.toml");
+    const ReportSettings settings = parse_settings(text, "my.toml");
     ASSERT_EQ(settings.experiments.size(), 1u);
     const Experiment& e = settings.experiments.front();
     EXPECT_EQ(e.rows, (std::vector{29, 30}));
@@ -142,7 +141,7 @@ TEST(Experiments, EachKindHasItsKeys) {
 TEST(BundledReports, ParseAndCoverEveryRow) {
     std::vector<Experiment> all;
     for (const std::string name : {"s0", "s1", "s2", "s3"}) {
-        const SettingsFile file = read_settings(bundled_path(name));
+        const ReportSettings file = read_settings(bundled_path(name));
         EXPECT_FALSE(file.experiments.empty()) << name;
         EXPECT_EQ(bundled_report_text(name), read_file(bundled_path(name))) << "as compiled in";
         for (const Experiment& e : file.experiments) {

@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "base/file_bytes.h"
-#include "run/settings/settings_errors.h"
 #include "source_dir.h"
 #include "temporary_folder.h"
 
@@ -36,10 +35,10 @@ std::string settings_in(const TemporaryFolder& folder, const std::string& text) 
 }   // namespace
 
 TEST(ReportSettings, DefaultsAreThoseOfTheBundledFile) {
-    const SettingsFile file = read_settings(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data" / "report.toml");
+    const ReportSettings file = read_settings(MESHFOLIO_SOURCE_DIR "/data/report.toml");
     const ReportSettings settings = report_settings({});
     EXPECT_EQ(settings.title, file.title);
-    EXPECT_EQ(settings.width, file.width);
+    EXPECT_EQ(settings.size.width, file.size.width);
     EXPECT_EQ(settings.seed, file.seed);
     EXPECT_EQ(settings.out, "out");
     EXPECT_TRUE(settings.timings);
@@ -49,23 +48,23 @@ TEST(ReportSettings, DefaultsAreThoseOfTheBundledFile) {
 TEST(ReportSettings, FlagsOverFileOverEnvironmentOverDefaults) {
     const TemporaryFolder folder;
     ReportFlags flags;
-    EXPECT_EQ(report_settings(flags).width, 800);
+    EXPECT_EQ(report_settings(flags).size.width, 800);
     flags.quick = true;
-    EXPECT_EQ(report_settings(flags).width, 400);
+    EXPECT_EQ(report_settings(flags).size.width, 400);
     const Environment size("MESHFOLIO_SIZE", "100"), threads("MESHFOLIO_THREADS", "3"), out("MESHFOLIO_OUT", "elsewhere");
-    EXPECT_EQ(report_settings(flags).width, 100);
+    EXPECT_EQ(report_settings(flags).size.width, 100);
     EXPECT_EQ(report_settings(flags).threads, 3);
     EXPECT_EQ(report_settings(flags).out, "elsewhere");
     flags.config = settings_in(folder, "threads = 4\nlaboratory = true\n[render]\nsize = 200\n");
     EXPECT_TRUE(question_settings(report_settings(flags), "q7").laboratory);
-    EXPECT_EQ(report_settings(flags).width, 200);
+    EXPECT_EQ(report_settings(flags).size.width, 200);
     EXPECT_EQ(report_settings(flags).threads, 4);
     flags.size = "300";
     flags.threads = "5";
     flags.out = "here";
     const ReportSettings settings = report_settings(flags);
-    EXPECT_EQ(settings.width, 300);
-    EXPECT_EQ(settings.height, 300);
+    EXPECT_EQ(settings.size.width, 300);
+    EXPECT_EQ(settings.size.height, 300);
     EXPECT_EQ(settings.threads, 5);
     EXPECT_EQ(settings.out, "here");
 }
@@ -94,7 +93,7 @@ TEST(ReportSettings, WrongFlagsAndEnvironmentAreUsageErrors) {
     EXPECT_THROW(report_settings({}), UsageError);
 }
 
-TEST(ReportSettings, EverythingWrongIsToldAtOnce) {
+TEST(ReportSettings, AllProblemsAreReportedAtOnce) {
     const TemporaryFolder folder;
     const Environment pdf("MESHFOLIO_PDF", "bogus"), threads("MESHFOLIO_THREADS", "x");
     ReportFlags flags;
@@ -153,7 +152,7 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     EXPECT_THROW(report_settings(flags), UsageError);
 }
 
-TEST(ReportSettings, SoAreThoseThatTheSettingsName) {
+TEST(ReportSettings, InputsNamedInSettingsOutsideOfTheFolderThatIsReplaced) {
     const TemporaryFolder folder;
     const auto out = folder.path() / "out";
     std::filesystem::create_directories(out);

@@ -1,4 +1,4 @@
-#include "run/settings/settings_file.h"
+#include "run/settings/report_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -22,9 +22,17 @@ std::string question(const std::string& keys) { return "[[question]]\nid = \"q4\
 }   // namespace
 
 TEST(SettingsFile, EmptyIsGoodAndSetsNothing) {
-    const SettingsFile settings = parse_settings("# nothing\n", "my.toml");
-    EXPECT_FALSE(settings.title || settings.width || settings.seed || settings.threads);
-    EXPECT_TRUE(settings.questions.empty());
+    const ReportSettings settings = parse_settings("# nothing\n", "my.toml");
+    EXPECT_EQ(described(settings), described({}));
+    EXPECT_TRUE(settings.title.empty() && settings.seed == 0 && settings.threads == 0 && settings.questions.empty());
+}
+
+TEST(SettingsFile, WhatItDoesNotGiveStaysButQuestionsSectionsAndExperiments) {
+    const ReportSettings before = parse_settings("seed = 7\n[report]\nsections = \"q4\"\n" + question("k = 5"), "my.toml");
+    const ReportSettings after = parse_settings("threads = 2", "other.toml", before);
+    EXPECT_EQ(after.seed, 7u);
+    EXPECT_EQ(after.threads, 2);
+    EXPECT_TRUE(after.only.empty() && after.questions.empty());
 }
 
 TEST(SettingsFile, WordsOfTheReportAreOnOneLine) {
@@ -35,7 +43,7 @@ TEST(SettingsFile, WordsOfTheReportAreOnOneLine) {
 }
 
 TEST(SettingsFile, EveryKeyIsRead) {
-    const SettingsFile settings = parse_settings(R"(
+    const ReportSettings settings = parse_settings(R"(
 seed = 9
 threads = 2
 laboratory = true
@@ -62,17 +70,17 @@ iterations = 10
 id = "q7"
 noise = [0, 0.5]
 )",
-                                                 "folder/my.toml");
+                                                   "folder/my.toml");
     EXPECT_EQ(settings.seed, 9u);
     EXPECT_EQ(settings.threads, 2);
     EXPECT_EQ(settings.laboratory, true);
     EXPECT_EQ(settings.title, "T");
     EXPECT_EQ(settings.author, "A");
     EXPECT_EQ(settings.course, "C");
-    EXPECT_EQ(settings.width, 300);
-    EXPECT_EQ(settings.height, 200);
+    EXPECT_EQ(settings.size.width, 300);
+    EXPECT_EQ(settings.size.height, 200);
     EXPECT_EQ(settings.colormap, "viridis");
-    EXPECT_EQ(settings.folder, "folder");
+    EXPECT_EQ(settings.base, "folder");
     const QuestionTable& q4 = settings.questions.at("q4");
     EXPECT_EQ(q4.meshes, (std::vector<std::string>{"a.obj", "b/c.ply"}));
     EXPECT_EQ(q4.k, (std::vector{5, 15}));
@@ -85,9 +93,9 @@ noise = [0, 0.5]
 }
 
 TEST(SettingsFile, OneNumberIsBothSides) {
-    const SettingsFile settings = parse_settings("[render]\nsize = 640\n", "my.toml");
-    EXPECT_EQ(settings.width, 640);
-    EXPECT_EQ(settings.height, 640);
+    const ReportSettings settings = parse_settings("[render]\nsize = 640\n", "my.toml");
+    EXPECT_EQ(settings.size.width, 640);
+    EXPECT_EQ(settings.size.height, 640);
 }
 
 TEST(SettingsFile, UnknownKeysAndTablesNameTheNearest) {
@@ -171,8 +179,8 @@ TEST(SettingsFile, OutputsStayInTheFolderAndDoNotCollide) {
 }
 
 TEST(SettingsFile, SectionsAreKnownAndGivenOnce) {
-    EXPECT_EQ(parse_settings("[report]\nsections = [\"q1\", \"truth\"]\n", "my.toml").sections, (std::vector<std::string>{"q1", "truth"}));
-    EXPECT_EQ(parse_settings("[report]\nsections = \"q4\"\n", "my.toml").sections, std::vector<std::string>{"q4"});
+    EXPECT_EQ(parse_settings("[report]\nsections = [\"q1\", \"truth\"]\n", "my.toml").only, (std::vector<std::string>{"q1", "truth"}));
+    EXPECT_EQ(parse_settings("[report]\nsections = \"q4\"\n", "my.toml").only, std::vector<std::string>{"q4"});
     expect_problem("[report]\nsections = [\"q1\", \"thruth\"]\n", 2, {"thruth", "truth"});
     expect_problem("[report]\n\nsections = [\"q1\", \"q1\"]\n", 3, {"q1", "twice"});
     expect_problem("[report]\nsections = [1]\n", 2, {"not a text"});
@@ -180,8 +188,8 @@ TEST(SettingsFile, SectionsAreKnownAndGivenOnce) {
 }
 
 TEST(SettingsFile, TheDigestIsThatOfTheText) {
-    EXPECT_EQ(parse_settings("seed = 1", "a.toml").digest, parse_settings("seed = 1", "b.toml").digest);
-    EXPECT_NE(parse_settings("seed = 1", "a.toml").digest, parse_settings("seed = 2", "a.toml").digest);
+    EXPECT_EQ(parse_settings("seed = 1", "a.toml").experiments_digest, parse_settings("seed = 1", "b.toml").experiments_digest);
+    EXPECT_NE(parse_settings("seed = 1", "a.toml").experiments_digest, parse_settings("seed = 2", "a.toml").experiments_digest);
 }
 
 TEST(SettingsFile, TemplateMustBeReadable) {
@@ -191,13 +199,13 @@ TEST(SettingsFile, TemplateMustBeReadable) {
     ASSERT_EQ(missing.size(), 1u);
     EXPECT_NE(missing[0].find("my.toml:2: "), std::string::npos) << missing[0];
     write_file(folder.path() / "page.html", "<p>{{title}}</p>");
-    EXPECT_EQ(parse_settings("[report]\ntemplate = \"page.html\"", file).page_template, folder.path() / "page.html");
+    EXPECT_EQ(parse_settings("[report]\ntemplate = \"page.html\"", file).page.file, folder.path() / "page.html");
 }
 
 TEST(SettingsFile, TheDesignAndTheExtentOfThePdfAreChosenByTheirNames) {
-    const SettingsFile file = parse_settings("[report]\ntemplate = \"print\"\npdf = \"full\"", "my.toml");
-    EXPECT_EQ(file.design, "print");
-    EXPECT_FALSE(file.page_template);
+    const ReportSettings file = parse_settings("[report]\ntemplate = \"print\"\npdf = \"full\"", "my.toml");
+    EXPECT_EQ(file.page.design, "print");
+    EXPECT_FALSE(file.page.file);
     EXPECT_EQ(file.printed, report::Extent::whole);
     EXPECT_EQ(parse_settings("[report]\npdf = \"brief\"", "my.toml").printed, report::Extent::brief);
     expect_problem("[report]\npdf = \"short\"", 2, {"short", "full"});
@@ -253,7 +261,7 @@ TEST(SettingsFile, AFileThatCannotBeReadIsAUsageError) {
     const TemporaryFolder folder;
     for (const auto& path : {folder.path() / "none.toml", folder.path()}) {
         try {
-            read_settings(path);
+            read_settings(path.string());
             FAIL() << path;
         } catch (const UsageError& error) {
             EXPECT_EQ(error.exit_code(), ExitCode::usage);
@@ -263,16 +271,17 @@ TEST(SettingsFile, AFileThatCannotBeReadIsAUsageError) {
 }
 
 // What data/report.toml documents must be what the program takes, commented-out examples included.
-TEST(DefaultSettings, AndTheirExamplesAreGood) {
+TEST(DefaultSettings, AndTheirExamplesAreValid) {
     const std::string text = read_file(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data" / "report.toml");
-    const SettingsFile plain = parse_settings(text, "report.toml");
-    EXPECT_TRUE(plain.title && plain.author && plain.course && plain.colormap && plain.width && plain.seed && plain.threads);
+    const ReportSettings plain = parse_settings(text, "report.toml");
+    EXPECT_FALSE(plain.title.empty() || plain.course.empty() || plain.colormap.empty() || plain.size.width == 0 || plain.seed == 0);
 
     const std::regex commented("^# (\\[+[a-z]+\\]+.*|[a-z_]+ = .*)$", std::regex::multiline);
     std::string uncommented = std::regex_replace(text, commented, "$1");
     const TemporaryFolder folder;
-    const SettingsFile full = parse_settings(uncommented, (folder.path() / "report.toml").string());
-    EXPECT_TRUE(full.design && full.printed);
+    const ReportSettings full = parse_settings(uncommented, (folder.path() / "report.toml").string());
+    EXPECT_EQ(full.page.design, "print");
+    EXPECT_EQ(full.printed, report::Extent::whole);
     for (const char* id : {"q4", "q6", "q7"}) EXPECT_TRUE(full.questions.contains(id)) << id;
     const QuestionTable& q4 = full.questions.at("q4");
     EXPECT_TRUE(q4.output && q4.seed && q4.threads && !q4.k.empty() && !q4.meshes.empty());

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "run/settings/settings_file.h"
+#include "run/settings/report_settings.h"
 
 namespace meshfolio::testing_tools {
 

@@ -4,7 +4,6 @@
 
 #include "questions/core/chapter.h"
 #include "run/settings/report_settings.h"
-#include "run/settings/settings_file.h"
 #include "run/settings/settings_reader.h"
 #include "temporary_folder.h"
 
@@ -178,7 +177,7 @@ TEST(SettingsRules, DotsInTextsAndCommentsAreNotPartsOfKeys) {
     }
 }
 
-TEST(SettingsRules, TheCommandLineAndTheFileTellOfAllTheirProblemsTogether) {
+TEST(SettingsRules, ProblemsOfTheCommandLineAndTheFileAreReportedTogether) {
     const testing_tools::TemporaryFolder folder;
     ReportFlags flags;
     flags.config = (folder.path() / "none.toml").string();

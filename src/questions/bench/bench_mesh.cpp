@@ -1,0 +1,150 @@
+#include "questions/bench/bench_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "geometry/operators/cotangent_laplacian.h"
+#include "mesh/edge_flips.h"
+#include "mesh/samples/random_sphere.h"
+#include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
+
+namespace meshfolio {
+
+namespace {
+
+constexpr double jitter_amount = 0.2;   // of the shortest edge: no ring stays regular, and no triangle turns over
+constexpr int jitter_rounds = 4;        // with flips between them; more make the triangles little worse
+constexpr double noise_amount = 0.01;   // of the mean edge
+
+/// Weights this close to 0 are right angles, rounded.
+constexpr double negative_below = -1e-9;
+
+/// n lengths of the shortest edge at each vertex; 0 at unreferenced ones.
+Vector shortest_edges(const TriangleMesh& mesh, const MeshTopology& topology) {
+    Vector shortest = Vector::Constant(mesh.vertex_count(), std::numeric_limits<double>::infinity());
+    for (const Edge& edge : topology.edges) {
+        const double length = (mesh.X.row(edge.a) - mesh.X.row(edge.b)).norm();
+        for (const int v : {edge.a, edge.b}) shortest[v] = std::min(shortest[v], length);
+    }
+    return shortest.array().isFinite().select(shortest, 0);
+}
+
+/// Independent points where their hull is the mesh.
+TriangleMesh random_hull(const Vector3& half_axes, int points, std::uint64_t seed) {
+    TriangleMesh mesh = random_sphere(points, seed);
+    mesh.X.array().rowwise() *= half_axes.transpose().array();
+    return mesh;
+}
+
+void jitter(TriangleMesh& mesh, const KnownSurface& surface, std::uint64_t seed) {
+    mesh.X = jittered(mesh, topology_of(mesh), jitter_amount, seed, surface.projected);
+}
+
+TriangleMesh random_mesh(const KnownSurface& surface, int level, std::uint64_t seed) {
+    const int icosphere_vertices = 10 * (1 << 2 * level) + 2;
+    if (!surface.half_axes.isZero()) return random_hull(surface.half_axes, icosphere_vertices, seed);
+    TriangleMesh mesh = surface.mesh_at(level);
+    for (int round = 0; round < jitter_rounds; ++round) {
+        jitter(mesh, surface, seed + static_cast<std::uint64_t>(round));
+        mesh.F = delaunay_flipped(mesh);
+    }
+    return mesh;
+}
+
+TriangleMesh mesh_of(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed) {
+    if (kind == MeshKind::anisotropic) return surface.stretched_at(level);
+    if (kind == MeshKind::random) return random_mesh(surface, level, seed);
+    TriangleMesh mesh = surface.mesh_at(level);
+    if (kind == MeshKind::jittered) jitter(mesh, surface, seed);
+    return mesh;
+}
+
+/// Whether no vertex of the boundary lies within so many edges.
+std::vector<char> away_from_boundary(const MeshTopology& topology, int edges) {
+    std::vector<char> near = topology.on_boundary;
+    for (int ring = 0; ring < edges; ++ring) {
+        const std::vector<char> before = near;
+        for (const Edge& edge : topology.edges) {
+            const auto a = static_cast<std::size_t>(edge.a), b = static_cast<std::size_t>(edge.b);
+            if (before[a] || before[b]) near[a] = near[b] = 1;
+        }
+    }
+    for (char& flag : near) flag = flag ? 0 : 1;
+    return near;
+}
+
+BenchMesh with_truth(TriangleMesh mesh, const KnownSurface& surface, int edges_from_boundary = 0) {
+    BenchMesh b;
+    b.mesh = std::move(mesh);
+    b.topology = topology_of(b.mesh);
+    b.mean_edge = mean_edge_length(b.mesh, b.topology.edges);
+    const int n = b.mesh.vertex_count();
+    b.normals.resize(n, 3);
+    b.H.resize(n);
+    b.K.resize(n);
+    for (int i = 0; i < n; ++i) {
+        const Vector3 p = b.mesh.X.row(i).transpose();
+        const CurvaturePair truth = surface.curvature_at(p);
+        b.normals.row(i) = surface.normal_at(p).transpose();
+        b.H[i] = truth.H;
+        b.K[i] = truth.K;
+    }
+    b.areas = vertex_areas(b.mesh, AreaForm::barycentric);
+    b.measured = away_from_boundary(b.topology, edges_from_boundary);
+    return b;
+}
+
+}   // namespace
+
+std::string_view name_of(MeshKind kind) {
+    constexpr std::array<std::string_view, 5> names{"regular", "jittered", "random", "noisy", "anisotropic"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+const SparseMatrix& BenchMesh::C() const {
+    return shared("C", [&] { return cotangent_stiffness(mesh.F, mesh.vertex_count(), corner_cotangents(mesh)); });
+}
+
+BenchMesh bench_mesh(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed) {
+    // Three edges of level 2 at every level, so that errors of different levels are of the same part of the surface.
+    const int edges_from_boundary = (3 << std::max(level - 2, 0)) - 1;
+    BenchMesh b = with_truth(mesh_of(surface, kind, level, seed), surface, edges_from_boundary);
+    if (kind == MeshKind::noisy) {
+        NormalNumbers random(seed);
+        for (int i = 0; i < b.mesh.vertex_count(); ++i) b.mesh.X.row(i) += noise_amount * b.mean_edge * random.next() * b.normals.row(i);
+        b.areas = vertex_areas(b.mesh, AreaForm::barycentric);
+    }
+    return b;
+}
+
+BenchMesh random_ellipsoid(const Vector3& half_axes, int points, std::uint64_t seed) {
+    return with_truth(random_hull(half_axes, points, seed), ellipsoid_surface(half_axes));
+}
+
+Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, double amount, std::uint64_t seed,
+                   const std::function<Vector3(const Vector3&)>& projected) {
+    const Vector edge = shortest_edges(mesh, topology);
+    NormalNumbers random(seed);
+    Positions X = mesh.X;
+    for (int i = 0; i < mesh.vertex_count(); ++i) {
+        Vector3 step;
+        for (double& s : step) s = amount * edge[i] * (2 * random.uniform() - 1);
+        if (!topology.on_boundary[static_cast<std::size_t>(i)]) X.row(i) = projected(X.row(i).transpose() + step);
+    }
+    return X;
+}
+
+NegativeWeights negative_weights(const SparseMatrix& C, const MeshTopology& topology) {
+    NegativeWeights found;
+    for (const Edge& edge : topology.edges) {
+        const double weight = C.coeff(edge.a, edge.b);
+        found.smallest = std::min(found.smallest, weight);
+        if (weight < negative_below) ++(edge.faces == 1 ? found.boundary : found.inside);
+    }
+    return found;
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,248 @@
+#include "questions/bench/curvature_bench.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+
+#include "base/number_text.h"
+#include "base/parallel_tasks.h"
+#include "geometry/curvature/curvature.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/measures/mesh_error.h"
+#include "mesh/triangle_measures.h"
+
+namespace meshfolio {
+
+namespace {
+
+constexpr double rounding = 1e-9;        // errors below have no order
+constexpr std::size_t fitted = 3;        // meshes that an order is of
+constexpr double student_95 = 12.7062;   // quantile of Student's t for their one degree of freedom
+
+/// @param substitute  scale of the error where the truth is 0 everywhere
+EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector& substitute, const BenchMesh& b) {
+    const Vector& scale = truth.isZero() ? substitute : truth;
+    EstimateError error;
+    double squared = 0, scale_squared = 0, largest_scale = 0;
+    for (Eigen::Index i = 0; i < estimate.size(); ++i) {
+        if (!b.measured[static_cast<std::size_t>(i)]) continue;
+        scale_squared += b.areas[i] * scale[i] * scale[i];
+        largest_scale = std::max(largest_scale, std::abs(scale[i]));
+        if (!std::isfinite(estimate[i])) {
+            ++error.undefined;
+            continue;
+        }
+        const double difference = estimate[i] - truth[i];
+        squared += b.areas[i] * difference * difference;
+        error.linf = std::max(error.linf, std::abs(difference));
+    }
+    error.l2 = std::sqrt(squared / scale_squared);
+    error.linf /= largest_scale;
+    return error;
+}
+
+/// Of the tenth of the vertices where `error` is largest, the share in the tenth where `indicator` is. Both without NaN.
+double share_found(const Vector& error, const Vector& indicator) {
+    const auto n = error.size();
+    const std::size_t tenth = std::max<std::size_t>(1, static_cast<std::size_t>(n) / 10);
+    const auto worst = [&](const Vector& values) {
+        std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+        std::iota(order.begin(), order.end(), 0);
+        const auto larger = [&](Eigen::Index a, Eigen::Index b) { return values[a] != values[b] ? values[a] > values[b] : a < b; };
+        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(tenth), order.end(), larger);
+        order.resize(tenth);
+        std::sort(order.begin(), order.end());
+        return order;
+    };
+    const auto a = worst(error), b = worst(indicator);
+    std::vector<Eigen::Index> both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return double(both.size()) / double(tenth);
+}
+
+ErrorIndicator indicator_on(const BenchMesh& b) {
+    const Vector cotangent = estimator("H.barycentric").estimate(b), jet = estimator("H.jet").estimate(b);
+    std::vector<Eigen::Index> both;
+    for (Eigen::Index i = 0; i < b.H.size(); ++i)
+        if (std::isfinite(cotangent[i]) && std::isfinite(jet[i])) both.push_back(i);
+    const Vector A = b.areas(both), H = b.H(both);
+    const Vector error = (cotangent(both) - H).cwiseAbs(), indicated = (cotangent(both) - jet(both)).cwiseAbs();
+    const double scale = A.dot(H.cwiseAbs2());
+    return {static_cast<int>(both.size()), std::sqrt(A.dot(indicated.cwiseAbs2()) / scale), std::sqrt(A.dot(error.cwiseAbs2()) / scale),
+            share_found(error, indicated)};
+}
+
+std::string with_decimals(double x, int decimals) {
+    char text[400];   // the largest double has 309 digits
+    return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
+}
+
+/// What was measured before, by surface, kind, level and seed. The lock is held while measuring, so that another section waits instead of
+/// measuring the same.
+struct Known {
+    std::mutex mutex;
+    std::map<std::tuple<std::string, MeshKind, int, std::uint64_t>, BenchLevel> levels;
+};
+Known& known() {
+    static Known known;
+    return known;
+}
+
+}   // namespace
+
+std::string words_of(const Order& order) {
+    if (std::isnan(order.exponent)) return "exact";
+    const std::string exponent = (order.exponent < -0.005 ? "−" : "") + with_decimals(std::abs(order.exponent), 2);
+    if (std::isnan(order.margin)) return exponent;
+    if (order.margin < 0.0005) return exponent + "\u202f±\u202f<\u202f0.001";
+    return exponent + "\u202f±\u202f" + with_decimals(order.margin, order.margin < 0.01 ? 3 : 2);
+}
+
+Order ErrorHistory::order() const {
+    std::vector<double> x, y;
+    for (std::size_t i = errors.size() > fitted ? errors.size() - fitted : 0; i < errors.size(); ++i) {
+        if (!(errors[i] > 0) || !std::isfinite(errors[i])) continue;
+        x.push_back(std::log(mean_edges[i]));
+        y.push_back(std::log(errors[i]));
+    }
+    Order order{undefined, undefined};
+    const auto n = static_cast<Eigen::Index>(x.size());
+    if (n < 2 || errors.back() < rounding) return order;
+    const Eigen::Map<const Vector> X(x.data(), n), Y(y.data(), n);
+    const Vector dx = X.array() - X.mean(), dy = Y.array() - Y.mean();
+    order.exponent = dx.dot(dy) / dx.squaredNorm();
+    if (n == fitted) order.margin = student_95 * (dy - order.exponent * dx).norm() / dx.norm();
+    return order;
+}
+
+std::string trend(const ErrorHistory& history) {
+    const Order order = history.order();
+    return curvature_words.line(std::isnan(order.exponent) ? "trend.exact"
+                                : order.converges()        ? "trend.falls"
+                                : order.exponent <= -0.5   ? "trend.grows"
+                                                           : "trend.stays",
+                                "from"_a = readable_percent(history.first()), "to"_a = readable_percent(history.last()),
+                                "order"_a = words_of(order));
+}
+
+std::string error_and_order(const ErrorHistory& history) {
+    return curvature_words.line("error_and_order", "error"_a = readable_percent(history.last(), 2), "order"_a = words_of(history.order()));
+}
+
+std::string grade(double relative_error) {
+    return curvature_words.line(relative_error < 0.01   ? "grade.good"
+                                : relative_error < 0.05 ? "grade.fair"
+                                : relative_error < 0.2  ? "grade.rough"
+                                                        : "grade.useless");
+}
+
+report::Plot error_plot(std::string id, std::string caption, std::string alt) {
+    return {.id = std::move(id),
+            .caption = std::move(caption),
+            .alt = std::move(alt),
+            .x_label = "mean edge [length]",
+            .y_label = "relative L2 error [%]",
+            .log_x = true,
+            .log_y = true};
+}
+
+report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style) {
+    report::Series series{std::move(name), history.mean_edges, {}, {}, {}, style};
+    for (const double error : history.errors) series.y.push_back(100 * error);
+    return series;
+}
+
+BenchLevel measured(const BenchMesh& b) {
+    const double edges = static_cast<double>(b.topology.edges.size());
+    BenchLevel level{.vertices = b.mesh.vertex_count(),
+                     .faces = b.mesh.face_count(),
+                     .euler = b.mesh.vertex_count() - static_cast<int>(edges) + b.mesh.face_count(),
+                     .mean_edge = b.mean_edge,
+                     .smallest_angle = smallest_angle(b.mesh),
+                     .mean_length = uniform_mean_curvature(b.mesh, b.topology).mean(),
+                     .negative_weights = negative_weights(b.C(), b.topology).inside / edges,
+                     .euler_from_angles = angle_deficit(b.mesh, b.topology).sum() / (2 * pi)};
+    const Vector bending = 2 * b.H.array().square() - b.K.array();   // ½(κ₁² + κ₂²)
+    level.indicator = indicator_on(b);
+    for (const Estimator* e : estimators()) {
+        const bool of_H = e->quantity == Quantity::H;
+        level.errors[e->key] = error_of(e->estimate(b), of_H ? b.H : b.K, of_H ? bending.cwiseSqrt() : bending, b);
+    }
+    return level;
+}
+
+ErrorHistory BenchRun::errors(std::string_view key, Norm norm) const {
+    ErrorHistory history;
+    for (const BenchLevel& level : levels) {
+        history.mean_edges.push_back(level.mean_edge);
+        history.errors.push_back(level.error(key).*norm);
+    }
+    return history;
+}
+
+BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
+                     std::uint64_t seed, const Progress& progress) {
+    auto& [mutex, known_levels] = known();
+    const std::lock_guard lock(mutex);
+    for (const int level : std::views::reverse(levels)) {   // the finest first: they take longest
+        std::vector<std::pair<const KnownSurface*, MeshKind>> missing;
+        for (const MeshKind kind : kinds)
+            for (const KnownSurface& surface : surfaces)
+                if (!known_levels.contains({surface.name, kind, level, seed})) missing.emplace_back(&surface, kind);
+        if (missing.empty()) continue;
+        progress("curvature estimates on " + std::to_string(missing.size()) + " meshes of level " + std::to_string(level));
+        std::vector<BenchLevel> found(missing.size());
+        for_each_task(missing.size(),
+                      [&](std::size_t i) { found[i] = measured(bench_mesh(*missing[i].first, missing[i].second, level, seed)); });
+        for (std::size_t i = 0; i < missing.size(); ++i)
+            known_levels[{missing[i].first->name, missing[i].second, level, seed}] = std::move(found[i]);
+    }
+    BenchRuns runs;
+    for (const MeshKind kind : kinds) {
+        for (const KnownSurface& surface : surfaces) {
+            runs.push_back({surface.name, surface.dimensions, kind, {}});
+            for (const int level : levels) runs.back().levels.push_back(known_levels[{surface.name, kind, level, seed}]);
+        }
+    }
+    return runs;
+}
+
+BenchLevel reference_level(int points, std::uint64_t seed) {
+    auto& [mutex, known_levels] = known();
+    const std::lock_guard lock(mutex);
+    const auto [found, is_new] = known_levels.try_emplace({"reference", MeshKind::random, points, seed});
+    if (is_new) found->second = measured(random_ellipsoid({1.5, 1, 0.7}, points, seed));
+    return found->second;
+}
+
+const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind) {
+    const auto found = std::ranges::find_if(runs, [&](const BenchRun& run) { return run.surface == surface && run.kind == kind; });
+    if (found == runs.end()) throw std::logic_error("no run on the " + std::string(surface));
+    return *found;
+}
+
+double pentagon_excess() { return 3 / std::tan(54 * pi / 180) / (2 * std::sin(72 * pi / 180)) - 1; }
+
+report::Check pentagon_check(const BenchRuns& runs) {
+    const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::regular).finest();
+    return report::check_near(curvature_words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
+                              0.25 * sphere.mean_edge * sphere.mean_edge, curvature_words.line("check.pentagon.note"));
+}
+
+std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
+
+std::vector<int> refinement_levels(bool quick) { return quick ? std::vector{3, 4, 5} : std::vector{2, 3, 4, 5, 6}; }
+
+BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress) {
+    return bench_runs(question_surfaces(), question_kinds, refinement_levels(settings.quick), settings.seed, progress);
+}
+
+BenchRuns panel_runs(std::uint64_t seed, bool quick, const Progress& progress) {
+    return bench_runs(known_surfaces(), panel_kinds, quick ? std::vector{2, 3, 4} : std::vector{2, 3, 4, 5}, seed, progress);
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,123 @@
+/// @file
+/// The bench of curvature: every estimator on known surfaces, in every kind of mesh, finer and finer. Questions 1 and 3, the ground truth
+/// and the claims are views of it.
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <ranges>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "questions/bench/estimators.h"
+#include "questions/core/chapter.h"
+
+namespace meshfolio {
+
+/// Errors relative to the root mean square (L2) and the largest magnitude (L∞) of the truth. Where the truth is 0 everywhere, √(2H² − K)
+/// stands for H and 2H² − K for K, of which the principal curvatures say the same.
+struct EstimateError {
+    double l2 = 0, linf = 0;
+    int undefined = 0;   // measured vertices without an estimate
+};
+using Norm = double EstimateError::*;
+
+/// p of error ≈ c·hᵖ: the least-squares slope of log error over log mean edge, over the (up to) three finest meshes. Coarser ones are left
+/// out: errors do not follow a power of h there yet. On the panel the intervals of three meshes cover the order that theory predicts in
+/// 90 % of the cases, those of four in 74 %.
+struct Order {
+    double exponent = 0;   // NaN with fewer than two positive errors, or where the finest is rounding
+    double margin = 0;     // half the 95 % confidence interval of the slope; NaN with fewer than three
+
+    /// Also where it is exact. Below order ½ it takes four halvings of the edges to halve the error twice.
+    bool converges() const { return !(exponent < 0.5); }
+};
+/// "1.98 ± 0.01", or "exact" where there is none for the error being rounding.
+std::string words_of(const Order& order);
+
+/// The error of one estimator over a refinement.
+struct ErrorHistory {
+    std::vector<double> mean_edges, errors;   // coarse to fine
+
+    /// Of the meshes that the order is of.
+    double first() const { return errors[errors.size() > 3 ? errors.size() - 3 : 0]; }
+    double last() const { return errors.back(); }
+    Order order() const;
+};
+/// "falls from 3.1 % to 0.05 % (order 1.98 ± 0.01)", "goes from 14.6 % to …", "grows from … to …".
+std::string trend(const ErrorHistory& history);
+/// "27.6 % (order 0.03 ± 0.01)": of the finest mesh.
+std::string error_and_order(const ErrorHistory& history);
+/// "good" below 1 %, "fair" below 5 %, "rough" below 20 %, "useless" beyond.
+std::string grade(double relative_error);
+/// An empty log–log plot of relative L2 errors over the mean edge, and a series for it.
+report::Plot error_plot(std::string id, std::string caption, std::string alt);
+report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style);
+
+/// How far cotangent H is from that of the jet, beside how far it is from the truth, over the vertices where both exist.
+struct ErrorIndicator {
+    int vertices = 0;
+    double indicated = 0;   // √(Σ A (H_cotan − H_jet)² / Σ A H²)
+    double actual = 0;      // the same with the closed form in place of the jet
+    double found = 0;       // of the tenth of the vertices with the largest errors, the share that is in the tenth indicated
+};
+
+/// What was measured on one mesh.
+struct BenchLevel {
+    int vertices = 0, faces = 0, euler = 0;
+    double mean_edge = 0;           // [length]
+    double smallest_angle = 0;      // [rad]
+    double mean_length = 0;         // mean of ½‖Δ_uniform x‖; NaN with a boundary [length]
+    double negative_weights = 0;    // share of the edges
+    double euler_from_angles = 0;   // Σ deficit / 2π
+    ErrorIndicator indicator = {};
+    std::map<std::string_view, EstimateError> errors = {};   // by the keys of estimators()
+
+    const EstimateError& error(std::string_view key) const { return errors.at(key); }
+};
+BenchLevel measured(const BenchMesh& mesh);
+/// On random points of the ellipsoid with half axes 1.5, 1 and 0.7, where others measured too.
+BenchLevel reference_level(int points, std::uint64_t seed);
+
+/// One surface in one kind of mesh, coarse to fine.
+struct BenchRun {
+    std::string surface, dimensions;
+    MeshKind kind = MeshKind::regular;
+    std::vector<BenchLevel> levels;
+
+    std::string title() const { return surface + ", " + std::string(name_of(kind)); }
+    const BenchLevel& finest() const { return levels.back(); }
+    ErrorHistory errors(std::string_view key, Norm norm = &EstimateError::l2) const;
+};
+using BenchRuns = std::vector<BenchRun>;
+
+/// Every surface in every kind, one kind after the other. What was measured before, by any section, is not measured again.
+BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
+                     std::uint64_t seed, const Progress& progress);
+
+/// Those on one kind of mesh.
+inline auto of_kind(const BenchRuns& runs, MeshKind kind) {
+    return std::views::filter(runs, [kind](const BenchRun& run) { return run.kind == kind; });
+}
+/// @throws std::logic_error if there is none
+const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind);
+
+/// Barycentric H of a flat regular pentagon cap over its true value, less 1: where L∞ on the icosphere stalls, at its twelve vertices of
+/// valence 5.
+double pentagon_excess();
+/// That the finest icosphere stalls there.
+report::Check pentagon_check(const BenchRuns& runs);
+
+/// Of questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 41 000 vertices.
+inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered};
+std::vector<KnownSurface> question_surfaces();
+std::vector<int> refinement_levels(bool quick);   // coarse to fine: five, or three for a quick look
+BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress);
+
+/// Of the ground-truth panel: all surfaces, four refinements of up to 17 000 vertices, or three for a quick look.
+inline constexpr std::array panel_kinds{MeshKind::regular, MeshKind::random, MeshKind::noisy, MeshKind::anisotropic};
+BenchRuns panel_runs(std::uint64_t seed, bool quick, const Progress& progress);
+
+}   // namespace meshfolio

@@ -1,0 +1,104 @@
+#include "questions/bench/curvature_subject.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "geometry/operators/uniform_laplacian.h"
+#include "mesh/triangle_measures.h"
+#include "questions/bench/known_surfaces.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// Vertices farther than this from the common plane, in box diagonals, make a mesh curved.
+constexpr double flat_within = 1e-6;
+
+}   // namespace
+
+bool CurvatureSubject::inside(int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return topology().neighbours.size(vertex) > 0 && !topology().on_boundary[v] && !topology().nonmanifold[v];
+}
+
+CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source) {
+    CurvatureSubject subject;
+    subject.source = std::move(source);
+    subject.diagonal = bounding_box(subject.mesh()).diagonal();
+    subject.mean_edge = mean_edge_length(subject.mesh());
+    for (int i = 0; i < subject.mesh().vertex_count(); ++i) subject.interior += subject.inside(i) ? 1 : 0;
+    subject.plane_normal = common_plane_normal(subject.mesh());
+    // About the centre, so that far-away coordinates cost no digits.
+    const Eigen::RowVector3d centre = bounding_box(subject.mesh()).centre().transpose();
+    subject.centred = subject.mesh().X.rowwise() - centre;
+    subject.uniform = uniform_laplacian(subject.topology()) * subject.centred;
+    return subject;
+}
+
+std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh) {
+    const Box box = bounding_box(mesh);
+    Positions P = without_unreferenced_vertices(mesh).mesh.X;
+    P = (P.rowwise() - box.centre().transpose()) / box.diagonal();
+    const Eigen::RowVector3d mean = P.colwise().mean();
+    P.rowwise() -= mean;
+    const Eigen::Matrix3d covariance = P.transpose() * P;
+    const Vector3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
+    if (!((P * normal).cwiseAbs().maxCoeff() <= flat_within)) return std::nullopt;
+    // A thin strip lies near many planes; only one that its triangles lie in makes it flat.
+    const Positions normals = face_normals(mesh);
+    for (Eigen::Index t = 0; t < normals.rows(); ++t) {
+        const bool has_area = normals.row(t).squaredNorm() > 0;
+        if (has_area && std::abs(normals.row(t).dot(normal)) < 0.99) return std::nullopt;
+    }
+    return normal;
+}
+
+double largest_magnitude(const Vector& values) {
+    return largest_magnitude(values, [](int) { return true; });
+}
+
+std::vector<output::Panel> equally_weighted(const std::vector<output::Panel>& panels) {
+    constexpr Eigen::Index quantiles = 1000;
+    std::vector<output::Panel> weighted = panels;
+    for (output::Panel& panel : weighted) {
+        std::vector<double> finite;
+        std::copy_if(panel.values.begin(), panel.values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
+        std::sort(finite.begin(), finite.end());
+        panel.values.resize(finite.empty() ? 0 : quantiles);
+        for (Eigen::Index q = 0; q < panel.values.size(); ++q) {
+            panel.values[q] = finite[static_cast<std::size_t>(q) * (finite.size() - 1) / (quantiles - 1)];
+        }
+    }
+    return weighted;
+}
+
+output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels) {
+    output::ColorRange range = shared;
+    double below = 0, above = 0, finite = 0;
+    for (const output::Panel& panel : panels) {
+        for (const double v : panel.values) {
+            finite += std::isfinite(v) ? 1 : 0;
+            below += v < range.low ? 1 : 0;
+            above += v > range.high ? 1 : 0;
+        }
+    }
+    range.clipped_below = finite > 0 ? below / finite : 0;
+    range.clipped_above = finite > 0 ? above / finite : 0;
+    return range;
+}
+
+std::string undefined_words(const CurvatureSubject& subject) {
+    const int masked = subject.source->prepared->preflight.vertices_in_use - subject.interior;
+    return masked == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = masked);
+}
+
+output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor) {
+    output::ColorRange range = output::robust_range(panels, std::move(colormap), std::move(quantity), "", floor);
+    range.low = 0;
+    return range_for(range, panels);
+}
+
+}   // namespace meshfolio

@@ -1,0 +1,61 @@
+/// @file
+/// What the questions on curvature share: the meshes they look at, and their colours.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/draw/figure_request.h"
+#include "questions/core/mesh_library.h"
+#include "questions/core/section_tools.h"
+
+namespace meshfolio {
+
+/// A mesh whose curvature is estimated.
+struct CurvatureSubject {
+    std::shared_ptr<const LibraryMesh> source;
+    double diagonal = 0;                   // of the bounding box [length]
+    double mean_edge = 0;                  // [length]
+    int interior = 0;                      // vertices in use, manifold and not on the boundary
+    std::optional<Vector3> plane_normal;   // unit; set when all vertices in use lie in one plane
+    Positions centred;                     // n × 3, about the box centre [length]
+    Positions uniform;                     // n × 3, Δ_uniform x, boundary included [length]
+
+    const TriangleMesh& mesh() const { return source->mesh(); }
+    const MeshTopology& topology() const { return source->prepared->topology; }
+    const std::string& name() const { return source->name; }
+    bool inside(int vertex) const;   // in use, manifold and not on the boundary
+};
+CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source);
+
+/// The unit normal of the plane all vertices in use lie in, to 1e-6 box diagonals; nothing when they do not.
+std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh);
+
+/// Largest |value| over the finite values whose vertex satisfies `chosen`; 0 when there is none.
+template <class Predicate>
+double largest_magnitude(const Vector& values, Predicate chosen) {
+    double largest = 0;
+    for (int i = 0; i < values.size(); ++i) {
+        if (chosen(i) && std::isfinite(values[i])) largest = std::max(largest, std::abs(values[i]));
+    }
+    return largest;
+}
+double largest_magnitude(const Vector& values);
+
+/// A thousand quantiles of each panel's finite values: in a range over them every mesh weighs the same, however many vertices it has.
+std::vector<output::Panel> equally_weighted(const std::vector<output::Panel>& panels);
+
+/// `shared` with the clipped shares of these panels alone: several figures have one range, each says what it clips.
+output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
+
+/// Robust range of unsigned values, from 0 on, with the clipped shares of the panels.
+output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor);
+
+/// " 12 vertices on the boundary … are drawn in the colour for undefined values.", or nothing: for captions.
+std::string undefined_words(const CurvatureSubject& subject);
+
+}   // namespace meshfolio

@@ -1,0 +1,98 @@
+/// @file
+/// Every setting once: where it is given, its limits, what depends on it. What reads, names or hashes settings goes through these lists. A
+/// member that stands in none of them does not compile: the bindings name all.
+#pragma once
+
+#include <concepts>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "color/colormap.h"
+#include "questions/core/chapter.h"
+#include "run/settings/report_settings.h"
+
+namespace meshfolio::run {
+
+inline constexpr long long largest_seed = std::numeric_limits<std::int64_t>::max();   // TOML's integers
+
+struct Setting {
+    const char* table = "";   // of a settings file; empty: none, the top
+    const char* key = "";     // in that table; empty: no file has it
+    const char* flag = "";    // of `meshfolio report`
+    const char* variable = "";
+    const char* name = "";           // in the provenance; empty: left out there
+    bool shapes_answers = false;     // an answer is stored under its value
+    long long least = 0, most = 0;   // of integers
+    double largest = 0;              // of other numbers, from 0
+    bool is_above_zero = false;      // 0 itself is too small
+    std::vector<std::string> (*choices)() = nullptr;
+};
+
+inline std::vector<std::string> pdf_choices() { return {"auto", "require", "off"}; }
+
+/// Those of the renderer, in its order.
+inline std::vector<std::string> colormap_names() {
+    std::vector<std::string> names;
+    for (const render::Colormap& map : render::colormap_list()) names.emplace_back(map.name);
+    return names;
+}
+
+/// Calls visit(setting, value) for each.
+template <class Settings, class Visit>
+requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
+void for_each_setting(Settings& settings, Visit visit) {
+    auto& [meshes, data, out, templates, page, pdf, pdf_browser, printed, title, author, course, colormap, size, threads, seed, quick,
+           laboratory, fail_fast, timings, only, questions, experiments, experiments_digest, base] = settings;
+    visit(Setting{.table = "[render]",
+                  .key = "size",
+                  .flag = "--size",
+                  .variable = "MESHFOLIO_SIZE",
+                  .name = "size",
+                  .shapes_answers = true,
+                  .least = limits::smallest_size,
+                  .most = limits::largest_size},
+          size);
+    visit(Setting{.key = "threads", .flag = "--threads", .variable = "MESHFOLIO_THREADS", .most = limits::largest_threads}, threads);
+    visit(Setting{.flag = "--pdf", .variable = "MESHFOLIO_PDF", .choices = pdf_choices}, pdf);
+    visit(Setting{.flag = "--pdf-browser"}, pdf_browser);
+    visit(Setting{.flag = "--data", .variable = "MESHFOLIO_DATA"}, data);
+    visit(Setting{.flag = "--out", .variable = "MESHFOLIO_OUT"}, out);
+    visit(Setting{.flag = "--templates"}, templates);
+    visit(Setting{.flag = "MESH", .shapes_answers = true}, meshes);   // their contents are part of the lookups of an answer
+    visit(Setting{.flag = "--quick", .name = "quick", .shapes_answers = true}, quick);
+    visit(Setting{.flag = "--fail-fast"}, fail_fast);
+    visit(Setting{.flag = "--no-timings"}, timings);
+    visit(Setting{.key = "seed", .shapes_answers = true, .most = largest_seed}, seed);
+    visit(Setting{.key = "laboratory", .name = "laboratory", .shapes_answers = true}, laboratory);
+    visit(Setting{.table = "[report]", .key = "title"}, title);
+    visit(Setting{.table = "[report]", .key = "author"}, author);
+    visit(Setting{.table = "[report]", .key = "course"}, course);
+    visit(Setting{.table = "[report]", .key = "template"}, page);
+    visit(Setting{.table = "[report]", .key = "pdf"}, printed);
+    visit(Setting{.table = "[report]", .key = "sections", .flag = "--only", .name = "only", .choices = section_ids}, only);
+    visit(Setting{.table = "[render]", .key = "colormap", .name = "colormap", .shapes_answers = true, .choices = colormap_names}, colormap);
+    // Tables of their own, and the file they come from.
+    static_cast<void>(std::tie(questions, experiments, experiments_digest, base));
+}
+
+/// The same for [[question]].
+template <class Table, class Visit>
+requires std::same_as<std::remove_const_t<Table>, QuestionTable>
+void for_each_setting(Table& table, Visit visit) {
+    auto& [meshes, k, iterations, lambda, noise, seed, threads, output] = table;
+    visit(Setting{.key = "mesh", .shapes_answers = true}, meshes);
+    visit(Setting{.key = "k", .name = "k", .shapes_answers = true, .least = 1, .most = limits::largest_k}, k);
+    visit(Setting{.key = "lambda", .name = "lambda", .shapes_answers = true, .largest = limits::largest_lambda, .is_above_zero = true},
+          lambda);
+    visit(Setting{.key = "iterations", .name = "iterations", .shapes_answers = true, .least = 1, .most = limits::largest_iterations},
+          iterations);
+    visit(Setting{.key = "noise", .name = "noise", .shapes_answers = true, .largest = limits::largest_noise}, noise);
+    visit(Setting{.key = "seed", .name = "seed", .shapes_answers = true, .most = largest_seed}, seed);
+    visit(Setting{.key = "threads", .most = limits::largest_threads}, threads);
+    visit(Setting{.key = "output", .shapes_answers = true}, output);
+}
+
+}   // namespace meshfolio::run

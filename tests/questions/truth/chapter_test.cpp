@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "questions/truth/parts.h"
+#include "report/bibliography.h"
+#include "report/writers.h"
+
+namespace meshfolio::truth {
+
+namespace {
+
+const GroundTruth& quick_truth() {
+    static const GroundTruth truth = ground_truth(1, true, [](std::string_view) {});
+    return truth;
+}
+
+}   // namespace
+
+TEST(GroundTruth, AllItsChecksHold) {
+    const std::vector<report::Check> checks = ground_truth_checks(quick_truth());
+    EXPECT_GE(checks.size(), 50u);
+    std::set<std::string> names;
+    for (const report::Check& check : checks) {
+        EXPECT_TRUE(check.passed()) << check.name << ": " << check.measured;
+        EXPECT_TRUE(names.insert(check.name).second) << "twice: " << check.name;
+    }
+}
+
+TEST(GroundTruth, ChecksNoticeWhenAnEstimatorIsWrong) {
+    const auto failures = [](const GroundTruth& truth) {
+        int failed = 0;
+        for (const report::Check& check : ground_truth_checks(truth)) failed += check.passed() ? 0 : 1;
+        return failed;
+    };
+    GroundTruth doubled = quick_truth();   // as from areas twice too large: H is off by a half, everywhere
+    for (BenchRun& run : doubled.runs)
+        for (BenchLevel& level : run.levels)
+            for (auto& [key, error] : level.errors) error.l2 += key.starts_with("H.") ? 0.5 : 0;
+    EXPECT_GT(failures(doubled), 5);
+    GroundTruth jet = quick_truth();
+    jet.reference.errors["H.jet"].l2 *= 1.2;
+    EXPECT_EQ(failures(jet), 1);
+}
+
+TEST(GroundTruth, SectionIsWellFormedAndCanBeWritten) {
+    report::Document document;
+    document.sections.push_back(ground_truth_section(quick_truth()));
+    for (const report::Block& block : document.sections[0].blocks) {
+        if (const auto* table = std::get_if<report::Table>(&block)) {
+            for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->columns.size()) << table->id;
+        }
+        if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) {
+            EXPECT_EQ(report::plain(paragraph->text).find("nan"), std::string::npos) << report::plain(paragraph->text);
+        }
+    }
+    EXPECT_FALSE(report::write_html(document, {}, report::Templates()).empty());   // throws where a reference leads nowhere
+    EXPECT_FALSE(report::write_json(document, {}).empty());
+    const report::Table all = ground_truth_table(quick_truth());
+    EXPECT_EQ(all.rows.size(),
+              quick_truth().runs.size() * 3 * (panel_estimators(Quantity::H).size() + panel_estimators(Quantity::K).size()));
+    EXPECT_EQ(all.rows[0].size(), all.columns.size());
+}
+
+}   // namespace meshfolio::truth
