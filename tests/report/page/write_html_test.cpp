@@ -133,7 +133,7 @@ TEST(WriteHtml, FailedQuestionIsARedBoxWithItsMessage) {
 }
 
 TEST(WriteHtml, SaysWhichMeshStandsInForAnother) {
-    EXPECT_NE(sample_page().find("<code>plane.obj</code> <span class=\"badge warn\">bundled stand-in</span>"), std::string::npos);
+    EXPECT_NE(sample_page().find("<code>plane.obj</code> <span class=\"badge warn\">stand-in</span>"), std::string::npos);
     EXPECT_EQ(sample_page().find("<code>sphere.ply</code> <span"), std::string::npos);
 }
 
