@@ -21,6 +21,7 @@ HWY_INLINE void AddProductsOfBlock(const double* V, const double* W, Eigen::Inde
     const Lanes d;
     for (int c = 0; c < width; c += static_cast<int>(hn::Lanes(d))) {
         Numbers g[width];
+        HWY_UNROLL(8)
         for (int i = 0; i < width; ++i) g[i] = hn::Load(d, G + width * i + c);
         const double *v = V, *w = W + c;
         for (Eigen::Index r = 0; r < rows; ++r, v += width, w += width) {
@@ -28,6 +29,7 @@ HWY_INLINE void AddProductsOfBlock(const double* V, const double* W, Eigen::Inde
             HWY_UNROLL(8)
             for (int i = 0; i < width; ++i) g[i] = hn::MulAdd(hn::Set(d, v[i]), x, g[i]);
         }
+        HWY_UNROLL(8)
         for (int i = 0; i < width; ++i) hn::Store(g[i], d, G + width * i + c);
     }
 }
@@ -36,6 +38,7 @@ HWY_INLINE void SubtractBlock(const double* V, const double* G, Eigen::Index row
     const Lanes d;
     for (int c = 0; c < width; c += static_cast<int>(hn::Lanes(d))) {
         Numbers g[width];
+        HWY_UNROLL(8)
         for (int i = 0; i < width; ++i) g[i] = hn::Load(d, G + width * i + c);
         const double* v = V;
         double* w = W + c;
