@@ -115,6 +115,10 @@ report::Text about_curved(const MeshCurvature& c) {
     const auto negative = double((c.K.array() < 0).count());
     report::Text t = words.say("curved", "mesh"_a = s.name(), "H"_a = readable(H.median), "K"_a = readable(K.median),
                                "negative"_a = readable_percent(negative / std::max(1, K.count), 2), "vertices"_a = K.count);
+    if (const TangentialPart part = tangential_part(c); std::isfinite(part.normal_gap))
+        go_on(t, words.say(part.normal_gap < part.gap ? "curved.tangential" : "curved.tangential.no_nearer",
+                           "share"_a = readable_percent(part.share, 2), "gap"_a = readable_percent(part.gap, 2),
+                           "normal_gap"_a = readable_percent(part.normal_gap, 2)));
     if (low > 0) {
         const double spread = high / low;
         go_on(t, words.say(spread < 1.5 ? "curved.even_edges" : "curved.uneven_edges", "spread"_a = readable(spread, 2)));
@@ -142,9 +146,11 @@ std::string times_as_large(const JitterFactors& factors) {
 report::Text verdict(const BenchRuns& runs) {
     const double H_regular = worst(runs, MeshKind::regular, uniform_H), H_jittered = worst(runs, MeshKind::jittered, uniform_H);
     const double K_regular = worst(runs, MeshKind::regular, deficit_K), K_jittered = worst(runs, MeshKind::jittered, deficit_K);
+    const double normal = worst(runs, MeshKind::regular, "H.uniform_n");
     const JitterFactors H = jitter_factors(runs, uniform_H), K = jitter_factors(runs, deficit_K);
     const char* key = H.matter() && K.matter() ? "verdict.both" : H.matter() ? "verdict.h" : K.matter() ? "verdict.k" : "verdict.neither";
     return words.say("verdict", "H_regular"_a = readable_percent(H_regular), "H_regular_grade"_a = grade(H_regular),
+                     "normal"_a = readable_percent(normal, 2), "normal_grade"_a = grade(normal),
                      "K_regular"_a = readable_percent(K_regular), "K_regular_grade"_a = grade(K_regular),
                      "H_jittered"_a = readable_percent(H_jittered), "H_jittered_grade"_a = grade(H_jittered),
                      "K_jittered"_a = readable_percent(K_jittered), "K_jittered_grade"_a = grade(K_jittered),
@@ -156,6 +162,7 @@ report::Text verdict(const BenchRuns& runs) {
 void add_discussion(report::Section& section, const Meshes& meshes, const BenchRuns& runs, const AngleSums& sums,
                     const std::vector<FlatMesh>& flat, const BenchRuns& panel) {
     add_words(section, words, "discussion");
+    add_paragraph(section, verdict(runs));
     add_paragraph(section, about_length(runs.front()));
     for (const auto& [quantity, estimator] : {std::pair{"Uniform H", uniform_H}, {"K", deficit_K}})
         add_paragraph(section, words.say("trends", "quantity"_a = quantity, "regular"_a = trends(runs, MeshKind::regular, estimator),
@@ -167,7 +174,6 @@ void add_discussion(report::Section& section, const Meshes& meshes, const BenchR
     for (const MeshCurvature& c : meshes)
         if (!c.subject.plane_normal) add_paragraph(section, about_curved(c));
     add_paragraph(section, about_panel(panel));
-    add_paragraph(section, verdict(runs));
 }
 
 }   // namespace meshfolio::q1_uniform

@@ -4,7 +4,10 @@
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/linear/special_values.h"
+#include "geometry/operators/cotangent_laplacian.h"
+#include "geometry/operators/uniform_laplacian.h"
 #include "geometry/operators/vertex_areas.h"
+#include "mesh/triangle_measures.h"
 
 namespace meshfolio::q1_uniform {
 
@@ -21,6 +24,23 @@ MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
     c.K = gaussian_curvature(mesh, topology, c.areas);
     c.deficit = angle_deficit(mesh, topology);
     return c;
+}
+
+TangentialPart tangential_part(const MeshCurvature& c) {
+    const CurvatureSubject& s = c.subject;
+    const Vector along = s.uniform.cwiseProduct(vertex_normals(s.mesh())).rowwise().sum();   // Δx · n
+    const Vector scale = mean_squared_ring_edge(s.mesh(), s.topology());
+    const Vector cotangent = cotangent_mean_curvature(s.mesh(), s.topology(), laplace_beltrami(s.mesh()));
+    double whole = 0, normal = 0, truth = 0, gap = 0, normal_gap = 0;
+    for (int i = 0; i < s.mesh().vertex_count(); ++i) {
+        if (!std::isfinite(c.H[i]) || !std::isfinite(cotangent[i])) continue;
+        whole += s.uniform.row(i).squaredNorm();
+        normal += along[i] * along[i];
+        truth += cotangent[i] * cotangent[i];
+        gap += std::pow(c.H[i] - cotangent[i], 2);
+        normal_gap += std::pow(-2 * along[i] / scale[i] - cotangent[i], 2);
+    }
+    return {1 - normal / whole, std::sqrt(gap / truth), std::sqrt(normal_gap / truth)};
 }
 
 JitterFactors jitter_factors(const BenchRuns& runs, std::string_view estimator) {

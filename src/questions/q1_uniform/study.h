@@ -29,6 +29,14 @@ struct MeshCurvature {
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source);
 
+/// What of Δx inside a curved mesh is no curvature: differences are rms, over the rms of cotangent H.
+struct TangentialPart {
+    double share = 0;        // of ‖Δx‖², along the surface
+    double gap = 0;          // of ½‖Δx‖ · 4/h² to cotangent H
+    double normal_gap = 0;   // of −½Δx·n · 4/h² to it
+};
+TangentialPart tangential_part(const MeshCurvature& c);
+
 /// Over the surfaces: how many times as large the L2 error at the finest level is with jittered vertices as with regular ones.
 struct JitterFactors {
     double least = INFINITY, most = 0;

@@ -149,6 +149,7 @@ report::Text about_panel(const BenchRuns& panel) {
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel) {
     add_words(section, words, "discussion");
+    add_paragraph(section, verdict(runs, plane));
     add_paragraph(section,
                   words.say("gains", "regular"_a = gains(runs, MeshKind::regular), "jittered"_a = gains(runs, MeshKind::jittered)));
     for (const MeshKind kind : question_kinds)
@@ -157,7 +158,6 @@ void add_discussion(report::Section& section, const Comparisons& meshes, const B
     add_paragraph(section, about_square(plane));
     for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? about_flat(c) : about_curved(c));
     add_paragraph(section, about_panel(panel));
-    add_paragraph(section, verdict(runs, plane));
 }
 
 }   // namespace meshfolio::q3_cotangent
