@@ -63,7 +63,7 @@ TEST(Q1, OneColourRangeAQuantity) {
 TEST(Q1, TheTextFollowsTheData) {
     const Answer ball = answer_for(icosphere(3), "body1"), sheet = answer_for(grid_mesh(8, 8, 1, 1), "body1");
     EXPECT_TRUE(says(sheet, "is flat"));
-    EXPECT_TRUE(says(sheet, "every inner ring is symmetric"));
+    EXPECT_TRUE(says(sheet, "Every inner ring is symmetric"));
     EXPECT_TRUE(says(sheet, "1.000 full turns"));
     EXPECT_FALSE(says(ball, "is flat"));
     EXPECT_TRUE(says(ball, "K is negative at 0"));
