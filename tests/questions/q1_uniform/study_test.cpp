@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/samples/sample_shapes.h"
+#include "questions/bench/bench_mesh.h"
+#include "questions/core/study_laws.h"
+
 namespace meshfolio::q1_uniform {
+using namespace testing_tools;
 
 // The worst of each kind may lie on different surfaces: their ratio is that of no surface.
 TEST(Q1, JitterIsJudgedSurfaceBySurface) {
@@ -23,6 +28,19 @@ TEST(Q1, JitterIsJudgedSurfaceBySurface) {
     EXPECT_DOUBLE_EQ(jitter_factors(runs, deficit_K).least, 0.5);
     EXPECT_DOUBLE_EQ(jitter_factors(runs, deficit_K).most, 1);
     EXPECT_FALSE(jitter_factors(runs, deficit_K).matter());
+}
+
+TEST(UniformStudy, TheNormalPartOfAJitteredSphereIsItsCurvature) {
+    TriangleMesh ball = icosphere(3);
+    ball.X = jittered(ball, topology_of(ball), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
+    const TangentialPart part = tangential_part(curvature_of(library_mesh(ball, "jittered_ball")));
+    EXPECT_GT(part.share, 0.3);
+    EXPECT_LT(part.share, 1);
+    EXPECT_LT(part.normal_gap, 0.3 * part.gap);
+    ball.X *= 7;   // shares do not know the unit of length
+    const TangentialPart large = tangential_part(curvature_of(library_mesh(ball, "large_ball")));
+    EXPECT_NEAR(large.share, part.share, 1e-12);
+    EXPECT_NEAR(large.gap, part.gap, 1e-9);
 }
 
 }   // namespace meshfolio::q1_uniform
