@@ -117,7 +117,7 @@ ExitCode run_report(const ReportFlags& flags) {
 
 Command report_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
-    CommandOptions app(parent, "report", "All seven questions: the full report");
+    CommandOptions app(parent, "report", "All questions: the full report");
     app.texts("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
     app.text("--only", flags->only, "some of the questions: q1,q4");
     app.texts("--data", flags->data, "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");

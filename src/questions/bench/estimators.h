@@ -1,5 +1,6 @@
 /// @file
-/// The estimators of curvature. A new one is a file in estimators/, a line in estimators.cpp and a name in templates/words/curvature.md.
+/// The estimators of curvature. A new one is a file in estimators/, a line in estimators.cpp and a name in templates/words/curvature.md: it
+/// is then in the tables of the ground truth, and in the errors of question 3 where it has a name there.
 #pragma once
 
 #include <array>
@@ -18,10 +19,11 @@ inline std::string symbol(Quantity quantity) { return quantity == Quantity::H ? 
 
 struct Estimator {
     std::string_view key;     // "H.mixed": the quantity, then what it comes from
-    std::string_view words;   // "cotangent.mixed", its message
+    std::string_view words;   // the key of its name in curvature.md: "cotangent.mixed"
     Quantity quantity;
     Vector (*estimate)(const BenchMesh& mesh);   // n values, NaN where there is none
     bool in_panel = true;                        // false: measured, but without a row in the ground-truth panel
+    std::string_view in_q3 = {};                 // its row in the errors of question 3; empty: none
 
     std::string name() const { return curvature_words.line(words); }   // "cotangent ½‖Δx‖, mixed"
 };

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "geometry/linear/special_values.h"
 #include "questions/core/table.h"
 #include "questions/q3_cotangent/parts.h"
@@ -6,16 +9,11 @@ namespace meshfolio::q3_cotangent {
 
 namespace {
 
-/// A row of the table of errors: the key of an estimator, and what it is called here.
-struct Row {
-    std::string_view key;
-    const char* name;
-};
-constexpr Row rows[]{{"H.uniform", "uniform, × 4/h²"},
-                     {"H.barycentric", "cotangent, barycentric"},
-                     {"H.voronoi", "cotangent, Voronoi"},
-                     {"H.mixed", "cotangent, mixed"},
-                     {"H.clamped", "cotangent, clamped"}};
+std::vector<const Estimator*> compared_estimators() {
+    std::vector<const Estimator*> chosen;
+    std::ranges::copy_if(estimators(), std::back_inserter(chosen), [](const Estimator* e) { return !e->in_q3.empty(); });
+    return chosen;
+}
 
 }   // namespace
 
@@ -51,13 +49,13 @@ report::Table variant_table(const Comparisons& meshes) {
 }
 
 report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
-    auto errors = table("q3_errors_" + key, words.line("errors", "norm"_a = name), rows);
-    errors.column("estimator", &Row::name);
+    auto errors = table("q3_errors_" + key, words.line("errors", "norm"_a = name), compared_estimators());
+    errors.column("estimator", &Estimator::in_q3);
     for (const BenchRun& run : runs)
-        errors.column(run.title(), {.unit = "%", .best = smallest}, [&](auto& row) { return 100 * run.finest().error(row.key).*norm; });
-    return errors.column("without H", {.unit = "vertices"}, [&](auto& row) {
+        errors.column(run.title(), {.unit = "%", .best = smallest}, [&](auto* row) { return 100 * run.finest().error(row->key).*norm; });
+    return errors.column("without H", {.unit = "vertices"}, [&](auto* row) {
         int undefined = 0;
-        for (const BenchRun& run : runs) undefined += run.finest().error(row.key).undefined;
+        for (const BenchRun& run : runs) undefined += run.finest().error(row->key).undefined;
         return undefined;
     });
 }

@@ -196,7 +196,7 @@ private:
     void take(const TableReader&, const Setting&, Paths&) {}
 
     void enter(const toml::table& table, const TableReader& question, QuestionTable read) {
-        if (question.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\" … \"q7\"");
+        if (question.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\", say");
         const auto id = question.text("id");
         if (!id) return;
         const std::vector<std::string> known = section_ids();

@@ -6,8 +6,9 @@
 
 namespace meshfolio::estimates {
 
-extern const Estimator H_uniform{"H.uniform", "uniform", Quantity::H,
-                                 [](const BenchMesh& b) { return uniform_mean_curvature_scaled(b.mesh, b.topology); }};
+extern const Estimator H_uniform{"H.uniform", "uniform",
+                                 Quantity::H, [](const BenchMesh& b) { return uniform_mean_curvature_scaled(b.mesh, b.topology); },
+                                 true,        "uniform, × 4/h²"};
 
 extern const Estimator H_uniform_along_normal{"H.uniform_n", "uniform.along_normal", Quantity::H, [](const BenchMesh& b) -> Vector {
                                                   const Positions laplacian_of_x = uniform_laplacian(b.topology) * b.mesh.X;
