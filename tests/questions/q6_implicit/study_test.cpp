@@ -7,7 +7,6 @@
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/core/study_laws.h"
 
