@@ -5,6 +5,8 @@
 
 #include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
+#include "geometry/denoising/component_size.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
@@ -20,6 +22,40 @@ double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
     const Vector weights = subject.laplacian.M.cwiseProduct(subject.top.mode);   // sums to 0, so the origin may be chosen near
     return ((X.rowwise() - subject.mesh().X.row(0)).transpose() * weights).norm();
 }
+
+/// How much of the size of each component is left: of its volume, or with a boundary of the diagonal of its box.
+class SizeWatch {
+public:
+    SizeWatch(const TriangleMesh& mesh, const MeshTopology& topology)
+        : mesh_(mesh), topology_(topology), volume_(component_sizes(mesh, topology).volume), diagonal_(diagonals(mesh.X)) {}
+
+    /// Of the component that has lost most; NaN once positions are no numbers.
+    double kept(const Positions& X) const {
+        const Vector volume = component_sizes(moved_to(mesh_, X), topology_).volume, diagonal = diagonals(X);
+        double least = infinity;
+        for (int c = 0; c < topology_.component_count; ++c)
+            if (const bool closed = volume_[c] > 0; closed || diagonal_[c] > 0)
+                least = std::min(least, closed ? volume[c] / volume_[c] : diagonal[c] / diagonal_[c]);
+        return X.allFinite() ? least : std::nan("");
+    }
+
+private:
+    const TriangleMesh& mesh_;
+    const MeshTopology& topology_;
+    Vector volume_, diagonal_;
+
+    Vector diagonals(const Positions& X) const {
+        Positions low = Positions::Constant(topology_.component_count, 3, infinity), high = -low;
+        for (int t = 0; t < mesh_.face_count(); ++t) {
+            const int c = topology_.component[static_cast<std::size_t>(t)];
+            for (const int v : mesh_.F.row(t)) {
+                low.row(c) = low.row(c).cwiseMin(X.row(v));
+                high.row(c) = high.row(c).cwiseMax(X.row(v));
+            }
+        }
+        return (high - low).rowwise().norm();
+    }
+};
 
 }   // namespace
 
@@ -65,6 +101,8 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     const bool closed = subject.source->prepared->preflight.closed();
     const double first_volume = signed_volume(subject.mesh());
     if (closed) run.volume = {1};
+    const SizeWatch sizes(subject.mesh(), subject.source->prepared->topology);
+    run.size = {1};
 
     SmoothingOptions options{
         .scheme = scheme, .laplacian = subject.kind, .lambda = lambda, .iterations = iterations, .rebuild = rebuild, .area = subject.area};
@@ -72,6 +110,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     options.after_step = [&](int iteration, const Positions& X) {
         watch.look(X);
         if (closed) run.volume.push_back(signed_volume(moved_to(subject.mesh(), X)) / first_volume);
+        run.size.push_back(sizes.kept(X));
         if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(subject.mesh(), X)) {
             run.in_view = X;
             run.in_view_iteration = iteration;
@@ -90,9 +129,9 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     return run;
 }
 
-int iterations_keeping_volume(const SmoothingRun& run, double share) {
-    const auto lost = std::ranges::find_if(run.volume, [&](double v) { return v < share; });
-    return lost != run.volume.end() ? static_cast<int>(lost - run.volume.begin()) - 1 : -1;
+int iterations_keeping_size(const SmoothingRun& run, double share) {
+    const auto lost = std::ranges::find_if(run.size, [&](double size) { return !(size >= share); });
+    return lost != run.size.end() ? static_cast<int>(lost - run.size.begin()) - 1 : -1;
 }
 
 report::Check energy_check(std::string name, const SmoothingRun& run) {
@@ -134,6 +173,7 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
 }
 
 std::string energy_fall(double left) {
+    if (left < 1e-9) return smoothing_words.line("fall.to_nothing");
     return left < 0.99 ? smoothing_words.line("fall.to", "left"_a = readable_percent(left))
                        : smoothing_words.line("fall.by", "lost"_a = readable_percent(1 - left, 2));
 }

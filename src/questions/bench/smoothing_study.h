@@ -61,6 +61,8 @@ struct SmoothingRun {
     std::vector<double> energy;            // Dirichlet energy after t = 0, 1, … iterations, over that of the input
     std::vector<double> energy_rounding;   // by how much rounding may have raised it in step t, likewise; 0 for t = 0
     std::vector<double> volume;            // after t = 0, 1, … iterations, over that of the input; empty when open
+    std::vector<double> size;              // after t = 0, 1, … iterations, of the component that has lost most: its volume, or with a
+                                           // boundary the diagonal of its box, over that of the input
     Positions in_view;                     // the last positions before any leaves the pictures framed on the input
     int in_view_iteration = 0;
     std::vector<Positions> snapshots;   // at the iterations asked for
@@ -73,10 +75,10 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild = false);
 
-/// Smoothing is recommended for as long as it leaves this share of the volume; of an open mesh, which has none, of the box diagonal.
+/// Smoothing is recommended for as long as it leaves this share of the size.
 inline constexpr double size_to_keep = 0.95;
-/// Iterations of the run before less than `share` of the volume is left; −1 when it never comes to that.
-int iterations_keeping_volume(const SmoothingRun& run, double share = size_to_keep);
+/// Iterations of the run before less than `share` of the size is left; −1 when it never comes to that.
+int iterations_keeping_size(const SmoothingRun& run, double share = size_to_keep);
 
 /// That the energy never rises by more than rounding can have raised it, for a run in which no mode may grow. Undecided where rounding
 /// could hide a rise of 1e-9 of the energy of the input.

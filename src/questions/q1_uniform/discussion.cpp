@@ -115,8 +115,8 @@ report::Text about_curved(const MeshCurvature& c) {
     const auto negative = double((c.K.array() < 0).count());
     report::Text t = words.say("curved", "mesh"_a = s.name(), "H"_a = readable(H.median), "K"_a = readable(K.median),
                                "negative"_a = readable_percent(negative / std::max(1, K.count), 2), "vertices"_a = K.count);
-    if (const TangentialPart part = tangential_part(c); std::isfinite(part.normal_gap))
-        go_on(t, words.say(part.normal_gap < part.gap ? "curved.tangential" : "curved.tangential.no_nearer",
+    if (const TangentialPart part = tangential_part(c); std::isfinite(part.normal_gap) && part.share > 1e-3)
+        go_on(t, words.say(part.normal_gap < 0.9 * part.gap ? "curved.tangential" : "curved.tangential.no_nearer",
                            "share"_a = readable_percent(part.share, 2), "gap"_a = readable_percent(part.gap, 2),
                            "normal_gap"_a = readable_percent(part.normal_gap, 2)));
     if (low > 0) {

@@ -153,13 +153,14 @@ report::Text cost_of_mistakes(const SpectralStudy& study, const MistakeStudy& mi
     if (std::isfinite(at->edge_normalised)) {
         double low = infinity, high = 0;   // times as far as the right way
         for (const MistakeErrors& row : mistakes.errors) {
-            if (!std::isfinite(row.edge_normalised) || !(row.right > 0)) continue;
+            if (!std::isfinite(row.edge_normalised) || !(row.right > 1e-9 * study.diagonal)) continue;
             low = std::min(low, row.edge_normalised / row.right);
             high = std::max(high, row.edge_normalised / row.right);
         }
-        report::extend(t, " ",
-                       words.say("mistaken.edge", "error"_a = percent_of_box(study, at->edge_normalised, 2), "low"_a = readable(low),
-                                 "high"_a = readable(high)));
+        if (high > 0)
+            report::extend(t, " ",
+                           words.say("mistaken.edge", "error"_a = percent_of_box(study, at->edge_normalised, 2), "low"_a = readable(low),
+                                     "high"_a = readable(high)));
     }
     return t;
 }

@@ -22,8 +22,8 @@ int vertices_of(const ExplicitStudy& study) { return study.subject.source->prepa
 Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
     const int vertices = vertices_of(study);
-    if (support < 10 && support < 0.5 * vertices) return Extent::spot;
-    return support < 0.05 * vertices ? Extent::region : Extent::whole;
+    if (support < 10 && support < 0.1 * vertices) return Extent::spot;
+    return support < 0.25 * vertices ? Extent::region : Extent::whole;
 }
 
 /// The meshes on which it has this extent, with the vertex where there is one to name.
@@ -50,7 +50,7 @@ report::Text how_large(const Studies& studies) {
     static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
     return paragraph_of({words.say("limit", "limits"_a = listed(limits)),
                          words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", "grid"_a = readable(grid, 2),
-                                   "mesh"_a = worst->name(), "times"_a = readable(grid / lowest, 2)),
+                                   "mesh"_a = worst->name(), "meshes"_a = studies.size(), "times"_a = readable(grid / lowest, 2)),
                          said_of(places(studies, Extent::whole), words, "limit.whole"),
                          said_of(places(studies, Extent::region), words, "limit.region"),
                          said_of(places(studies, Extent::spot), words, "limit.spot")});
@@ -62,14 +62,13 @@ report::Text how_large(const Studies& studies) {
 report::Text effect_of(const ExplicitStudy& study) {
     const SmoothingRun &run = study.recommended->stopped, &all = study.runs[study.recommended->run];
     const int turned = run.moved.inverted_faces;
-    const std::string volume =
-        std::isfinite(run.volume_ratio) ? words.line("good.mesh.volume", "volume"_a = readable_percent(run.volume_ratio)) : "";
     return paragraph_of(
         {words.say("good.mesh", "mesh"_a = study.name(), "step"_a = step_label(study.subject, run.lambda), "iterations"_a = run.iterations,
-                   "fall"_a = energy_fall(run.energy.back()), "volume"_a = volume),
+                   "fall"_a = energy_fall(run.energy.back()),
+                   "volume"_a = words.line("good.mesh.volume", "volume"_a = readable_percent(run.size.back()))),
          run.iterations < all.iterations
-             ? words.say("good.mesh.stopped", "iterations"_a = all.iterations, "volume"_a = readable_percent(all.volume_ratio, 2))
-             : report::Text(),
+             ? words.say("good.mesh.stopped", "iterations"_a = all.iterations, "volume"_a = readable_percent(all.size.back(), 2))
+             : words.say("good.mesh.all"),
          turned > 0 ? words.say("good.mesh.turned", "turned"_a = turned, "faces"_a = study.subject.mesh().face_count()) : report::Text()});
 }
 
@@ -160,7 +159,7 @@ report::Text what_energy_hides(const StudyPointers& beyond) {
         hidden.push_back({words.line("beyond.hidden.mesh", "fall"_a = energy_fall(run.energy.back()), "mesh"_a = study->name()),
                           step_and_iterations(*study, run)});
         const int now = run.moved.inverted_faces, before = first > 0 ? study->runs[first - 1].moved.inverted_faces : 0;
-        if (now <= before) continue;
+        if (now < 2 * before + 5) continue;   // faces turn over below the limit too
         if (table.empty()) table = id_of("q5", study->name(), "sweep_table");
         turned.push_back(words.line("beyond.hidden.faces", "mesh"_a = study->name(), "turned"_a = now, "before"_a = before));
     }

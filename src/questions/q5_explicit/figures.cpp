@@ -33,14 +33,12 @@ void add_sweep_figure(Answer& answer, const ExplicitStudy& study) {
 void add_before_after(Answer& answer, const ExplicitStudy& study, const std::string& colormap) {
     if (!study.recommended) return;
     const SmoothingRun& run = study.recommended->stopped;
-    const bool closed = !std::isnan(run.volume_ratio);
-    const report::Facts facts{
-        "mesh"_a = study.name(),
-        "iterations"_a = run.result.iterations,
-        "step"_a = step_label(study.subject, run.lambda),
-        "fall"_a = energy_fall(run.energy.back()),
-        "turn"_a = readable(run.moved.mean_normal_angle * 180 / pi),
-        "volume"_a = closed ? words.line("before_after.volume", "volume"_a = readable_percent(run.volume_ratio)) : ""};
+    const report::Facts facts{"mesh"_a = study.name(),
+                              "iterations"_a = run.result.iterations,
+                              "step"_a = step_label(study.subject, run.lambda),
+                              "fall"_a = energy_fall(run.energy.back()),
+                              "turn"_a = readable(run.moved.mean_normal_angle * 180 / pi),
+                              "volume"_a = words.line("before_after.volume", "volume"_a = readable_percent(run.size.back()))};
     const std::string id = id_of("q5", study.name(), "before_after");
     add_comparison(
         answer, {.id = id,

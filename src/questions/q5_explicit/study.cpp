@@ -16,13 +16,15 @@ UniformLimit uniform_limit(const LibraryMesh& mesh) {
 }
 
 std::optional<Recommendation> recommended(const ExplicitStudy& study) {
-    const auto kept_by = [&](auto allowed) { return std::ranges::find_if(study.runs.rbegin(), study.runs.rend(), allowed); };
-    auto run = kept_by([&](const SmoothingRun& r) { return keeps_signs(study.subject, r.lambda); });
-    if (run == study.runs.rend()) run = kept_by([&](const SmoothingRun& r) { return r.lambda <= study.subject.critical; });
-    if (run == study.runs.rend()) return {};
-    const int kept = iterations_keeping_volume(*run);
-    const auto index = static_cast<std::size_t>(study.runs.rend() - run) - 1;
-    return Recommendation{index, kept < 0 ? *run : run_smoothing(study.subject, run->scheme, run->lambda, std::max(kept, 1))};
+    for (const double limit : {0.5, 1.0}) {
+        for (std::size_t i = study.runs.size(); i-- > 0;) {
+            const SmoothingRun& run = study.runs[i];
+            const int kept = iterations_keeping_size(run);
+            if (run.lambda > limit * study.subject.critical * (1 + 1e-12) || kept == 0) continue;
+            return Recommendation{i, kept < 0 ? run : run_smoothing(study.subject, run.scheme, run.lambda, kept)};
+        }
+    }
+    return {};
 }
 
 }   // namespace

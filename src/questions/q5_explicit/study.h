@@ -17,8 +17,8 @@ struct UniformLimit {
     double critical = 0;   // 2/μ_max
 };
 
-/// The step to take, and when to stop: the largest in which no mode changes its sign, else the largest stable one, for as many iterations
-/// as leave a closed mesh 95 % of its volume (one at least).
+/// The step to take, and when to stop: the largest in which no mode changes its sign, else the largest stable one, of those that leave 95 %
+/// of the size for one iteration at least; and as many iterations as do.
 struct Recommendation {
     std::size_t run = 0;   // of the study, with all iterations
     SmoothingRun stopped;

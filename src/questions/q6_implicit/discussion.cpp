@@ -29,10 +29,11 @@ report::Text good_time(const Studies& studies) {
         const Recommendation& good = *study.recommended;
         const double h = study.subject.mean_edge;
         told = paragraph_of({told.empty() ? words.say("good") : told,
-                             words.say(study.is_closed() ? "good.closed" : "good.open", "mesh"_a = study.name(),
-                                       "time"_a = readable(good.time() / (h * h), 2), "step"_a = step_label(study.subject, good.lambda),
-                                       "iterations"_a = good.iterations, "fall"_a = energy_fall(good.energy),
-                                       "kept"_a = readable_percent(good.kept, 2), "figure"_a = id_of("q6", study.name(), "before_after"))});
+                             words.say("good.mesh", "mesh"_a = study.name(), "time"_a = readable(good.time() / (h * h), 2),
+                                       "step"_a = step_label(study.subject, good.lambda), "iterations"_a = good.iterations,
+                                       "fall"_a = energy_fall(good.energy), "kept"_a = readable_percent(good.kept, 2),
+                                       "turned"_a = good.turned > 0 ? words.line("good.turned", "turned"_a = good.turned) : "",
+                                       "figure"_a = id_of("q6", study.name(), "before_after"))});
     }
     return paragraph_of({told, said_of(none, words, "good.none")});
 }
@@ -41,7 +42,7 @@ report::Text good_time(const Studies& studies) {
 double gap_within_the_limit(const ImplicitStudy& study) {
     const SmoothingCell& cell = study.middle_cell(0);
     const double moved = vertex_rms(study.subject.mesh().X, cell.implicit_X);
-    if (!cell.has_explicit() || moved <= 0 || cell.lambda > study.subject.critical) return NAN;
+    if (!cell.has_explicit() || moved <= 0 || cell.lambda > study.subject.critical || cell.implicit_energy < 1e-3) return NAN;
     return vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
 }
 
@@ -125,7 +126,7 @@ report::Text iterations_against_steps(const Studies& studies) {
                         "small"_a = in_limits(study.subject, pair.many->lambda), "large"_a = in_limits(study.subject, pair.few->lambda))});
     }
     if (compared.empty()) return {};
-    return paragraph_of({words.say(worst < 0.1   ? "equal_time.near"
+    return paragraph_of({words.say(worst < 0.05  ? "equal_time.near"
                                    : worst < 0.4 ? "equal_time.rough"
                                                  : "equal_time.far"),
                          said_of(compared, words, "equal_time")});

@@ -74,7 +74,7 @@ void add_before_after(Answer& answer, const ImplicitStudy& study, const std::str
         "iterations"_a = good.iterations,
         "step"_a = step_label(study.subject, good.lambda),
         "fall"_a = energy_fall(good.energy),
-        "kept"_a = words.line(study.is_closed() ? "before_after.volume" : "before_after.box", "share"_a = readable_percent(good.kept)),
+        "kept"_a = readable_percent(good.kept),
         "explicit"_a = words.line(blow_up > 0 ? "before_after.blew_up" : "before_after.lasted", "iteration"_a = blow_up)};
     const std::string id = id_of("q6", study.name(), "before_after");
     add_comparison(answer,

@@ -8,7 +8,6 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
-#include "mesh/triangle_measures.h"
 #include "questions/core/value_lists.h"
 
 namespace meshfolio::q6_implicit {
@@ -111,29 +110,17 @@ SmoothingCost cost_of(const ImplicitStudy& study) {
     return cost;
 }
 
-/// The last iteration of each run that keeps the volume; for an open mesh the cells that keep its box.
-std::vector<Recommendation> candidates(const ImplicitStudy& study) {
-    std::vector<Recommendation> all;
-    if (study.is_closed()) {
-        for (const SmoothingRun& run : study.implicit_runs) {
-            const int kept = iterations_keeping_volume(run), t = kept < 0 ? run.result.iterations : kept;
-            const auto at = static_cast<std::size_t>(t);
-            if (t > 0) all.push_back({run.lambda, t, run.energy[at], run.volume[at], {}});
-        }
-        return all;
-    }
-    for (const SmoothingCell& cell : study.grid) {
-        const double box = bounding_box(moved_to(study.subject.mesh(), cell.implicit_X)).diagonal() / study.subject.diagonal;
-        if (box >= size_to_keep) all.push_back({cell.lambda, cell.iterations, cell.implicit_energy, box, {}});
-    }
-    return all;
-}
-
 std::optional<Recommendation> recommended(const ImplicitStudy& study, ImplicitSolver& solver) {
-    const std::vector<Recommendation> all = candidates(study);
-    if (all.empty()) return {};
-    Recommendation best = *std::ranges::min_element(all, {}, &Recommendation::energy);
-    best.X = run_smoothing(study.subject, SmoothingScheme::implicit_euler, best.lambda, best.iterations, {}, solver).result.X;
+    std::optional<Recommendation> best;
+    for (const SmoothingRun& run : study.implicit_runs) {
+        const int kept = iterations_keeping_size(run), t = kept < 0 ? run.result.iterations : kept;
+        const auto at = static_cast<std::size_t>(t);
+        if (t > 0 && (!best || run.energy[at] < best->energy)) best = Recommendation{run.lambda, t, run.energy[at], run.size[at]};
+    }
+    if (!best) return best;
+    const SmoothingRun run = run_smoothing(study.subject, SmoothingScheme::implicit_euler, best->lambda, best->iterations, {}, solver);
+    best->X = run.result.X;
+    best->turned = run.moved.inverted_faces;
     return best;
 }
 

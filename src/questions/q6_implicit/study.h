@@ -38,14 +38,14 @@ struct SmoothingCost {
     bool reached() const { return explicit_steps > 0; }
 };
 
-/// The most smoothing that leaves the size: of the steps tried and their iterations (of an open mesh, those of the grid) the ones with the
-/// least energy.
+/// The most smoothing that leaves 95 % of the size: of the steps tried and their iterations the ones with the least energy.
 struct Recommendation {
     double lambda = 0;
     int iterations = 0;
     double energy = 0;   // Dirichlet energy, of input
-    double kept = 0;     // share of the volume, or of the box diagonal
-    Positions X;
+    double kept = 0;     // share of the size
+    int turned = 0;      // faces turned over
+    Positions X = {};
     double time() const { return lambda * iterations; }   // λt [length²]
 };
 

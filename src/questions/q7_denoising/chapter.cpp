@@ -33,7 +33,9 @@ report::Text best_and_worst(const Grids& grids, const std::vector<std::string>& 
     const auto best = std::ranges::max_element(cases, {}, gain), worst = std::ranges::min_element(cases, {}, gain);
     if (gain(*best) <= 1) return words.say("finding.none", "low"_a = levels.front(), "high"_a = levels.back());
     report::Facts facts = facts_of(best->whole, best->part);
-    facts.push_back("worst"_a = best == worst ? "" : words.line("finding.less", facts_of(worst->whole, worst->part)));
+    facts.push_back(
+        "worst"_a =
+            best == worst ? "" : words.line(gain(*worst) > 1 ? "finding.less" : "finding.no_gain", facts_of(worst->whole, worst->part)));
     return words.say("finding", facts);
 }
 

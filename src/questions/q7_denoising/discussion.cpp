@@ -50,7 +50,7 @@ report::Text noise_and_amount(const Grids& grids) {
     for (const DenoisingGrid& grid : grids) {
         const auto time = [](const NoisyTrial& trial) { return trial.found.by_shape.value * trial.found.by_shape.step; };
         const double low = time(grid.trials.front()), high = time(grid.trials.back());
-        if (low == high) continue;
+        if (low == 0 || high == 0 || low == high) continue;
         (high > low ? more : less)
             .push_back(words.line("amount.mesh", "mesh"_a = grid.name(), "low"_a = readable(low, 2), "high"_a = readable(high, 2)));
     }
@@ -63,7 +63,7 @@ report::Text measures_disagree(const Grids& grids) {
     const auto spread = [&](const Case& c) {
         double least = infinity, most = 0;
         for (const Measure& measure : measures) {
-            if (!(time(c, measure) > 0)) return 0.0;
+            if (!(c.part.gain(measure) >= helps)) return 0.0;   // a best of little worth says nothing
             least = std::min(least, time(c, measure));
             most = std::max(most, time(c, measure));
         }
@@ -124,6 +124,7 @@ report::Text going_on(const Grids& grids) {
     const auto loss = [&](const Case& c) { return after(c) / c.part.found.by_shape.shape; };
     const Case& worst = *std::ranges::max_element(helped, {}, loss);
     report::Facts facts = facts_of(worst.whole, worst.part);
+    if (loss(worst) < 1.05) return {};
     facts.push_back("loss"_a = readable(loss(worst), 2));
     return words.say("going_on", facts);
 }

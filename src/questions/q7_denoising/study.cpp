@@ -106,7 +106,7 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
 
 std::string verdict_on(double gain) {
     if (std::isnan(gain)) return "–";
-    return gain >= works ? "works" : gain >= helps ? "helps" : gain > 1 ? "fails" : "harms";
+    return gain >= works ? "works" : gain >= helps ? "helps" : gain > 1 ? "fails" : "no gain";
 }
 
 NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids, const Measure& measure) {

@@ -59,7 +59,7 @@ struct DenoisingGrid {
 /// At the noise levels of the settings, else from barely visible to hopeless; steps λ from a thousandth of a squared mean edge to one.
 DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const QuestionSettings& settings);
 
-/// "works" (gain ≥ 2), "helps" (≥ 1.2), "fails" (below), "harms" (nothing is better than the noisy mesh), "–" (nothing to measure).
+/// "works" (gain ≥ 2), "helps" (≥ 1.2), "fails" (below), "no gain" (nothing tried is better than the noisy mesh), "–" (nothing to measure).
 std::string verdict_on(double gain);
 
 /// The lowest noise that smoothing helps against by this measure, ∞ for none, and the highest that it does not, 0 for none. [mean edges]

@@ -30,7 +30,12 @@ std::vector<Judged> judged_in(const Grids& grids) {
     return rows;
 }
 
-bool is_unended(const Judged& row) { return row.better() && row.best().step == row.grid.iterations; }
+/// Lies the best at the edge of the grid?
+bool is_unended(const Judged& row) {
+    const SearchState& best = row.best();
+    return row.better() &&
+           (best.step == row.grid.iterations || best.value == row.grid.lambdas.front() || best.value == row.grid.lambdas.back());
+}
 
 /// From the noisy mesh, t = 0, on, over 1 + t, so that it has a place on the logarithmic axis. [% of the box diagonal]
 report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) {
@@ -49,7 +54,7 @@ report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) 
 report::Table result_table(const Grids& grids) {
     const std::vector<Judged> rows = judged_in(grids);
     std::string caption = words.line("results.table");
-    if (std::ranges::any_of(rows, is_unended)) caption += " " + words.line("results.unended", "last"_a = grids.front().iterations);
+    if (std::ranges::any_of(rows, is_unended)) caption += " " + words.line("results.unended");
     return table("q7_results", caption, rows)
         .column("mesh", [](auto& r) { return r.grid.name(); })
         .column("σ", {.unit = "% of box"}, [](auto& r) { return 100 * r.trial.relative; })

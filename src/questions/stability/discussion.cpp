@@ -36,7 +36,7 @@ report::Text what_is_proved(const Studies& studies) {
 
 /// What makes that vertex fast: its rate is weights over area, and each takes its part of it on a logarithmic scale.
 std::string why(const LimitingVertex& v) {
-    if (v.on_boundary) return words.line("vertex.boundary", "rate"_a = readable(v.rate(), 2));
+    if (v.on_boundary && v.area_share < 0.8) return words.line("vertex.boundary", "rate"_a = readable(v.rate(), 2));
     if (v.rate() < 1.5) return words.line("vertex.usual");
     const double by_area = -std::log(v.area_share) / std::log(v.rate());
     const char* key = by_area > 0.75 ? "vertex.small_area" : by_area < 0.25 ? "vertex.large_weights" : "vertex.both";
@@ -47,7 +47,7 @@ report::Text where_and_why(const StabilityStudy& study) {
     const LimitingVertex& v = study.limiting;
     const int vertices = study.mesh().vertex_count();
     const double sharing = std::max(1.0, study.cotangent.certificate.top.support);
-    return words.say(sharing > std::max(8.0, 0.05 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
+    return words.say(sharing > std::max(8.0, 0.25 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
                      "alike"_a = study.peaks.size() > 1 ? words.line("vertex.alike", "others"_a = study.peaks.size() - 1) : "",
                      "sharing"_a = readable(sharing, 2), "vertices"_a = vertices, "area"_a = readable(v.area_share, 2),
                      "weights"_a = readable(v.stiffness_share, 2), "why"_a = why(v));
@@ -115,8 +115,10 @@ report::Text about_adaptive(const RebuiltFlow& flow) {
         t, " ",
         words.say(adaptive.steps.back().lambda < 0.5 * flow.lambda ? "adaptive.short_time" : "adaptive.time",
                   "time"_a = readable_percent(adaptive.time / (flow.lambda * flow.iterations)), "last"_a = readable_percent(last, 2)),
-        diagnosis(flow.adaptive), " ", words.say("adaptive.turned", "fixed"_a = share(flow.fixed), "adaptive"_a = share(flow.adaptive)));
-    if (flow.fixed.run.crossing_iteration > 0) report::extend(t, " ", words.say("adaptive.chaotic"));
+        diagnosis(flow.adaptive));
+    if (flow.fixed.inverted + flow.adaptive.inverted > 0)
+        report::extend(t, " ", words.say("adaptive.turned", "fixed"_a = share(flow.fixed), "adaptive"_a = share(flow.adaptive)), " ",
+                       words.say("adaptive.chaotic"));
     return t;
 }
 

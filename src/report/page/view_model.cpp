@@ -211,6 +211,7 @@ json meshes_used(const Document& document) {
         }
     }
     json view = view_of({{"mesh_count", "how many", std::to_string(list.size())},
+                         {"noun", "\"mesh\" or \"meshes\"", list.size() == 1 ? "mesh" : "meshes"},
                          {"stand_in_count", "how many of them stand in", std::to_string(stand_ins)},
                          {"has_stand_ins", "some are bundled meshes in place of those asked for", stand_ins > 0}});
     enter_list(view, "meshes", "each once, in the order in which questions ask for them", std::move(list));

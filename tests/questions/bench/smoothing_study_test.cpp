@@ -121,12 +121,32 @@ TEST(SmoothingStudy, ColoursAreCurvatureInMeanEdges) {
               "= 0.5\u202fλ_crit");
 }
 
-TEST(SmoothingStudy, VolumeIsKeptUntilItFallsBelow) {
+TEST(SmoothingStudy, SizeIsKeptUntilItFallsBelow) {
     SmoothingRun run;
-    run.volume = {1, 0.98, 0.95, 0.94, 0.9};
-    EXPECT_EQ(iterations_keeping_volume(run, 0.95), 2);
-    EXPECT_EQ(iterations_keeping_volume(run, 0.99), 0);
-    EXPECT_EQ(iterations_keeping_volume(run, 0.5), -1);
-    run.volume.clear();   // open
-    EXPECT_EQ(iterations_keeping_volume(run, 0.95), -1);
+    run.size = {1, 0.98, 0.95, 0.94, 0.9};
+    EXPECT_EQ(iterations_keeping_size(run, 0.95), 2);
+    EXPECT_EQ(iterations_keeping_size(run, 0.99), 0);
+    EXPECT_EQ(iterations_keeping_size(run, 0.5), -1);
+    run.size = {1, std::nan("")};   // no numbers any more
+    EXPECT_EQ(iterations_keeping_size(run, 0.5), 0);
+}
+
+TEST(SmoothingStudy, TheSizeIsThatOfTheComponentThatLosesMost) {
+    const TriangleMesh large = icosphere(3), small = icosphere(1, 0.1);   // the small one shrinks first
+    TriangleMesh both;
+    both.X.resize(large.X.rows() + small.X.rows(), 3);
+    both.X << large.X, (small.X.rowwise() + Eigen::RowVector3d(3, 0, 0));
+    both.F.resize(large.F.rows() + small.F.rows(), 3);
+    both.F << large.F, (small.F.array() + large.vertex_count()).matrix();
+    const auto size_of = [](const TriangleMesh& mesh, const std::string& name) {
+        const SmoothingSubject subject = smoothing_subject(library_mesh(mesh, name));
+        return run_smoothing(subject, SmoothingScheme::implicit_euler, 1e-3, 3).size;
+    };
+    const std::vector<double> whole = size_of(both, "both"), alone = size_of(small, "small");
+    ASSERT_EQ(whole.size(), 4u);
+    for (std::size_t t = 0; t < whole.size(); ++t) EXPECT_NEAR(whole[t], alone[t], 1e-9) << t;
+    EXPECT_LT(whole.back(), size_of(large, "large").back());
+    const SmoothingSubject sheet = smoothing_subject(library_mesh(grid_mesh(8, 8, 1, 1), "sheet"));   // open: the box
+    const SmoothingRun run = run_smoothing(sheet, SmoothingScheme::implicit_euler, 1e-2, 2);
+    EXPECT_NEAR(run.size.back(), bounding_box(moved_to(sheet.mesh(), run.result.X)).diagonal() / sheet.diagonal, 1e-12);
 }
