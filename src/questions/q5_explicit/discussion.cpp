@@ -23,7 +23,7 @@ Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
     const int vertices = vertices_of(study);
     if (support < 10 && support < 0.1 * vertices) return Extent::spot;
-    return support < 0.25 * vertices ? Extent::region : Extent::whole;
+    return support < 0.1 * vertices ? Extent::region : Extent::whole;
 }
 
 /// The meshes on which it has this extent, with the vertex where there is one to name.

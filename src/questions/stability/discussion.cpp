@@ -47,7 +47,7 @@ report::Text where_and_why(const StabilityStudy& study) {
     const LimitingVertex& v = study.limiting;
     const int vertices = study.mesh().vertex_count();
     const double sharing = std::max(1.0, study.cotangent.certificate.top.support);
-    return words.say(sharing > std::max(8.0, 0.25 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
+    return words.say(sharing > std::max(8.0, 0.1 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
                      "alike"_a = study.peaks.size() > 1 ? words.line("vertex.alike", "others"_a = study.peaks.size() - 1) : "",
                      "sharing"_a = readable(sharing, 2), "vertices"_a = vertices, "area"_a = readable(v.area_share, 2),
                      "weights"_a = readable(v.stiffness_share, 2), "why"_a = why(v));

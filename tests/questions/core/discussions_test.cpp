@@ -75,7 +75,7 @@ TEST(ExplicitDiscussion, BlamesASpotARegionOrTheWhole) {
     EXPECT_TRUE(has(told(study), "a single spot")) << told(study);
     EXPECT_TRUE(has(told(study), "around vertex 17")) << told(study);
     study.subject.top.support = 100;
-    EXPECT_TRUE(has(told(study), "spreads over a large part of the triangulation")) << told(study);
+    EXPECT_TRUE(has(told(study), "spreads over the triangulation")) << told(study);
     EXPECT_FALSE(has(told(study), "vertex 17")) << told(study);
 }
 
