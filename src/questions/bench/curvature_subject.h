@@ -38,11 +38,11 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh);
 /// Largest |value| over the finite values whose vertex satisfies `chosen`; 0 when there is none.
 template <class Predicate>
 double largest_magnitude(const Vector& values, Predicate chosen) {
-    double largest = 0;
+    double most = 0;
     for (int i = 0; i < values.size(); ++i) {
-        if (chosen(i) && std::isfinite(values[i])) largest = std::max(largest, std::abs(values[i]));
+        if (chosen(i) && std::isfinite(values[i])) most = std::max(most, std::abs(values[i]));
     }
-    return largest;
+    return most;
 }
 double largest_magnitude(const Vector& values);
 
