@@ -1,7 +1,7 @@
 /// @file
 /// Inner loops of the block Lanczos method for the vectors of this processor, chosen at run time (Highway). A column is a lane
 /// whatever the width of the vectors, so that no sum depends on it; products are added with one rounding where the processor can.
-/// Private to the layer.
+/// Private to the layer. They stay because 30 or 150 eigenpairs of 43 000 vertices take 1.6 times as long without wide vectors.
 #pragma once
 
 #include <span>
