@@ -93,23 +93,4 @@ DenoisingStudy denoising_study(std::shared_ptr<const LibraryMesh> clean, const Q
     return study;
 }
 
-std::string outcome_of(const DenoisingTrial& trial) {
-    if (trial.best_rms == 0) return "harms";
-    return trial.gain() >= 2 ? "works" : trial.gain() >= 1.2 ? "helps" : "fails";
-}
-
-NoiseSplit noise_split(const std::vector<DenoisingStudy>& studies) {
-    NoiseSplit split;
-    for (const DenoisingStudy& study : studies) {
-        for (const DenoisingTrial& trial : study.trials) {
-            const double edges = trial.sigma / study.mean_edge;
-            if (trial.gain() >= 1.2)
-                split.smallest_helped = std::min(split.smallest_helped, edges);
-            else
-                split.largest_failed = std::max(split.largest_failed, edges);
-        }
-    }
-    return split;
-}
-
 }   // namespace meshfolio

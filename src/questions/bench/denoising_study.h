@@ -1,5 +1,5 @@
 /// @file
-/// What question 7 measures: noisy meshes smoothed step by step, against the clean mesh.
+/// What claims about denoising measure: noisy meshes smoothed step by step with one λ, against the clean mesh.
 #pragma once
 
 #include <cmath>
@@ -46,14 +46,5 @@ struct DenoisingStudy {
 
 /// At the noise levels of the settings, else from barely visible to hopeless.
 DenoisingStudy denoising_study(std::shared_ptr<const LibraryMesh> clean, const QuestionSettings& settings);
-
-/// "works" (gain ≥ 2), "helps" (≥ 1.2), "fails" (below) or "harms" (no iteration is better than none).
-std::string outcome_of(const DenoisingTrial& trial);
-
-/// The lowest noise that smoothing helps against (gain ≥ 1.2), ∞ for none, and the highest that it does not, 0 for none. [mean edges]
-struct NoiseSplit {
-    double smallest_helped = INFINITY, largest_failed = 0;
-};
-NoiseSplit noise_split(const std::vector<DenoisingStudy>& studies);
 
 }   // namespace meshfolio

@@ -44,7 +44,7 @@ report::Text limits_in_mean_edges(const Grids& grids) {
 
 report::Text why(const Grids& grids) { return words.say("explained", "mesh"_a = grids.front().name()); }
 
-/// The best amount of smoothing from the lowest to the highest noise, by the distance to the surface.
+/// The best amount of smoothing λt [h̄²] from the lowest to the highest noise, by surface distance.
 report::Text noise_and_amount(const Grids& grids) {
     Names more, less;
     for (const DenoisingGrid& grid : grids) {
@@ -89,7 +89,7 @@ report::Text drift(const Grids& grids) {
     return said_of(shares, words, "drift");
 }
 
-/// Where the distance that is left sits: on edges or off them.
+/// Where the surface distance that is left sits: on edges or off them.
 report::Text features(const Grids& grids) {
     Names rounded, alike, smooth, coarse;
     for (const DenoisingGrid& grid : grids) {

@@ -24,15 +24,6 @@ int smallest_at(const std::vector<double>& values) {
     return static_cast<int>(std::min_element(values.begin(), values.end()) - values.begin());
 }
 
-/// A trial whose error goes from 1 to `best`.
-DenoisingTrial trial_reaching(double best, double sigma = 1) {
-    DenoisingTrial trial;
-    trial.sigma = sigma;
-    trial.rms = {1, best};
-    trial.best_rms = best < 1 ? 1 : 0;
-    return trial;
-}
-
 }   // namespace
 
 TEST(DenoisingStudy, TheErrorBeginsWithTheNoise) {
@@ -126,25 +117,4 @@ TEST(DenoisingStudy, ALevelNamedTwiceIsOneTrial) {
     ASSERT_EQ(study.trials.size(), 2u);
     EXPECT_EQ(study.trials[0].relative, 0.002);
     EXPECT_EQ(study.trials[1].relative, 0.01);
-}
-
-TEST(DenoisingStudy, OutcomesFollowTheGain) {
-    EXPECT_EQ(outcome_of(trial_reaching(0.5)), "works");
-    EXPECT_EQ(outcome_of(trial_reaching(0.51)), "helps");
-    EXPECT_EQ(outcome_of(trial_reaching(0.8)), "helps");
-    EXPECT_EQ(outcome_of(trial_reaching(0.9)), "fails");
-    EXPECT_EQ(outcome_of(trial_reaching(1.1)), "harms");
-}
-
-TEST(DenoisingStudy, TheSplitIsInMeanEdges) {
-    std::vector<DenoisingStudy> studies(2);
-    studies[0].mean_edge = 2;
-    studies[0].trials = {trial_reaching(0.9, 0.2), trial_reaching(0.5, 0.6), trial_reaching(0.4, 0.8)};   // 0.1, 0.3, 0.4 edges
-    studies[1].mean_edge = 1;
-    studies[1].trials = {trial_reaching(1.2, 0.25)};
-    const NoiseSplit split = noise_split(studies);
-    EXPECT_NEAR(split.smallest_helped, 0.3, 1e-15);
-    EXPECT_NEAR(split.largest_failed, 0.25, 1e-15);
-    EXPECT_EQ(noise_split({}).largest_failed, 0);
-    EXPECT_TRUE(std::isinf(noise_split({}).smallest_helped));
 }
