@@ -239,7 +239,10 @@ struct Section {
     std::vector<Input> inputs;
     std::map<std::string, std::string> parameters;
     std::vector<CodeReference> code;
+    Text answer;   // in one sentence, for the opening table and as the first line of the section
     std::vector<Block> blocks;
+    /// Of a question: the blocks from here on, its long tables and further figures, are in the appendix. −1: none are.
+    int appendix_from = -1;
     std::vector<Check> checks;
     std::vector<Finding> findings;
     std::vector<std::string> warnings;

@@ -15,7 +15,7 @@ namespace meshfolio::output {
 struct Panel {
     std::string name;    // "q5_cube_lambda0.1", unique; [a-zA-Z0-9_.-]
     std::string label;   // "λ = 0.1, 20 iterations"
-    std::shared_ptr<const TriangleMesh> mesh;
+    std::shared_ptr<const TriangleMesh> mesh;   // null in a matrix: an empty cell, and the label says why
     Vector values = {};                      // one a vertex, NaN where undefined; empty: plain surface
     std::vector<int> marked_vertices = {};   // ringed where they are seen
 };
@@ -29,9 +29,9 @@ struct ColorRange {
 };
 
 enum class Layout {
-    six_views,   // each panel from six directions: one panel as a 2 × 3 sheet, several as a row each
-    multiples,   // one picture a panel, from the right front and above, each in its own frame; beyond twelve at half the size, six in a
-                 // line
+    six_views,   // each panel from three quarters and from the six directions: one panel large with the views beside it; of several the
+                 // large pictures side by side, and below them a row of views for each
+    multiples,   // one picture a panel, from three quarters, each in its own frame; beyond twelve at half the size, six in a line
     one_frame,   // the same in one frame, that of `frame_panel`, for one mesh in several states: sizes can be compared
     comparison   // the same of a mesh before and after, and as a third, if there is one, their difference: one slides over the other
 };
@@ -47,6 +47,8 @@ struct FigureRequest {
     Layout layout = Layout::six_views;
     bool turnable = false;        // readers of the page can turn the first panel, and with it the second if it has the same triangles
     double isoline_spacing = 0;   // lines where a value is a multiple of this; 0: none
+    std::vector<std::string> columns = {}, rows = {};   // heads of a matrix of panels, which are given row by row (one_frame, multiples)
+    bool view_files = false;   // each view is a file of full size as well, for what the assignment asks to be handed in
 };
 
 /// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, never

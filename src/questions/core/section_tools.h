@@ -38,6 +38,8 @@ void enter_input(const LibraryMesh& mesh, report::Section& section);
 
 // Blocks, in the order they are read.
 inline void add(report::Section& section, report::Block block) { section.blocks.push_back(std::move(block)); }
+/// What is added from here on is in the appendix of the report.
+inline void begin_appendix(report::Section& section) { section.appendix_from = static_cast<int>(section.blocks.size()); }
 /// Heading, paragraphs, formulas: whatever the message has.
 void add_words(report::Section& section, const report::Words& words, std::string_view key, const report::Facts& facts);
 void add_words(report::Section& section, const report::Words& words, std::string_view key, auto... facts) {

@@ -311,11 +311,14 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
     fields("asked", section.asked);
     fields("status", section.status);
     fields("extent", section.extent);
+    fields.optional("answer", section.answer, {}, "in one sentence");
     fields.only_if(section.status == Status::failed, "failure", section.failure, "why, for status failed");
     fields("inputs", section.inputs);
     fields("parameters", section.parameters);
     fields("code", section.code);
     fields("blocks", entry.blocks, "what is read, in order: each list below from its beginning");
+    fields.optional("appendix_from", section.appendix_from, -1,
+                    {"how many of them stand in the report; the appendix has the others; absent: none", 0});
     fields("tables", entry.tables);
     fields("plots", entry.plots);
     fields("maps", entry.maps, "values over a plane, in panels on common axes");
