@@ -18,7 +18,8 @@ const Block* first_block(const Section& section, Condition is_one) {
 }
 
 bool is_picture(const Block& block) {
-    return std::holds_alternative<Figure>(block) || std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
+    return std::holds_alternative<Figure>(block) || std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block) ||
+           std::holds_alternative<Diagram>(block);
 }
 
 bool is_narrow_table(const Block& block) {
@@ -63,6 +64,7 @@ std::vector<std::string> ids_in(const Block& block) {
     if (const auto* table = std::get_if<Table>(&block)) return {table->id};
     if (const auto* plot = std::get_if<Plot>(&block)) return {plot->id};
     if (const auto* map = std::get_if<Map>(&block)) return {map->id};
+    if (const auto* diagram = std::get_if<Diagram>(&block)) return {diagram->id};
     if (const auto* figure = std::get_if<Figure>(&block)) return {figure->id};
     if (const auto* formula = std::get_if<Formula>(&block)) return {formula->id};
     std::vector<std::string> ids;

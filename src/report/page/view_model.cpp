@@ -99,7 +99,7 @@ json section_head(const Section& section, const std::string& number, const ViewO
     json checks = json::array();
     for (const Check& check : section.checks)
         if (options.passed_checks || !check.passed()) checks.push_back(check_view(check));
-    const std::size_t figures = count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section);
+    const std::size_t figures = count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section) + count_of<Diagram>(section);
     json head = score_view(score_of(section.checks));
     enter(head, {{"id", "anchor of the section: \"q4\"", safe_text(section.id)},
                  {"number", "\"4\"; letters for what the answers rest on", number},
