@@ -178,7 +178,9 @@ private:
     std::string words(const Diagram::Label& label) const {
         if (label.words.empty() || !is_shown(label.x, label.y)) return "";
         const Box box = box_of(label);
-        return text_element({0.5 * (box.left + box.right), box.bottom - 4.5}, "middle", label.words,
+        const double aside = direction_of(label.side).x;
+        const char* anchor = aside < 0 ? "end" : aside > 0 ? "start" : "middle";
+        return text_element({0.5 * ((1 - aside) * box.right + (1 + aside) * box.left), box.bottom - 4.5}, anchor, label.words,
                             " fill=\"" + fill_of(label) + "\" paint-order=\"stroke\" stroke=\"var(--plot-ground, #ffffff)\" " +
                                 "stroke-width=\"3\" stroke-linejoin=\"round\"");
     }
