@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "report/diagram.h"
 #include "report/text.h"
 
 namespace meshfolio::report {
@@ -154,7 +155,7 @@ struct EntryList {
     bool operator==(const EntryList&) const = default;
 };
 
-using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Figure, EntryList>;
+using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure, EntryList>;
 
 // ---- what a section proves and says -----------------------------------------------------------------------------------
 
