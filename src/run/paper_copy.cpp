@@ -3,15 +3,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "base/parallel_tasks.h"
 #include "base/sha256.h"
-#include "output/draw/draw_figures.h"
 #include "output/publish/temporaries.h"
-#include "png/png.h"
 #include "report/pdf/pdf_finish.h"
 #include "report/pdf/print_page.h"
 #include "report/pdf/print_pdf.h"
@@ -80,10 +76,6 @@ std::string printed_report(const report::Document& document, const report::Drawn
 PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates, report::Extent extent)
     : templates_(templates), extent_(extent), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
-std::set<std::string> PaperCopy::figures(const report::Document& document) const {
-    return is_wanted() ? report::figures_shown(document, extent_) : std::set<std::string>();
-}
-
 /// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
 std::string PaperCopy::key_of(const report::Document& document, const report::DrawnFigures& figures, const fs::path& folder) const {
     output::KeyMaker key;
@@ -91,34 +83,18 @@ std::string PaperCopy::key_of(const report::Document& document, const report::Dr
     key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(environment("SOURCE_DATE_EPOCH"));
     for (const std::string& name : templates_.names()) key.add(name).add(templates_[name]);
     key.add(report::write_json(document, figures, {.timings = false}));
-    for (const std::string& id : this->figures(document)) {
+    for (const std::string& id : report::figures_shown(document, extent_)) {
         const auto drawn = figures.find(id);
         key.add(id).add(drawn == figures.end() ? "" : sha256_of_file(folder / drawn->second.sheet));
     }
     return key.key();
 }
 
-void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& figures, output::ResultCache* store,
+void PaperCopy::look_up(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
                         const fs::path& folder) {
-    if (!is_wanted()) return;
-    if (store != nullptr && !program_identity().empty()) {
-        key_ = key_of(document, figures, folder);
-        stored_ = store->get(key_);
-        if (stored_) return;
-    }
-    std::vector<report::DrawnFigure*> shown;
-    for (const std::string& id : this->figures(document)) {
-        if (const auto drawn = figures.find(id); drawn != figures.end()) shown.push_back(&drawn->second);
-    }
-    const auto jpeg_of = [&](const report::DrawnFigure& figure, int quality) {
-        const auto sheet = render::decode_png(read_file(folder / figure.sheet));
-        return sheet ? render::encode_jpeg(*sheet, quality) : "";
-    };
-    for_each_task(shown.size(), [&](std::size_t i) {
-        if (shown[i]->print_jpeg.empty()) shown[i]->print_jpeg = jpeg_of(*shown[i], output::DrawSettings().print_quality);
-    });
-    constexpr int lesser_quality = 72;
-    report::lighten(shown, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
+    if (!is_wanted() || store == nullptr || program_identity().empty()) return;
+    key_ = key_of(document, figures, folder);
+    stored_ = store->get(key_);
 }
 
 std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,

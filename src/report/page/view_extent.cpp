@@ -109,6 +109,8 @@ std::set<std::string> figures_shown(const Document& document, Extent extent) {
     return ids;
 }
 
-std::string print_file(const std::string& figure) { return "figures/" + figure + ".jpg"; }
+std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture) {
+    return "figures/" + figure + "_" + std::to_string(panel) + "_" + std::to_string(picture) + ".jpg";
+}
 
 }   // namespace meshfolio::report

@@ -9,6 +9,7 @@
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
 #include "report/page/view_extent.h"
+#include "report/page/view_figure.h"
 #include "report/page/view_value.h"
 
 namespace meshfolio::report {
@@ -286,7 +287,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"has_author", "there is an author", !document.author.empty()},
                  {"course", "which course it is for", safe_text(document.course)},
                  {"has_course", "there is a course", !document.course.empty()},
-                 {"cover", "picture of the first page; false: none", document.cover ? picture_view(*document.cover, context) : json(false)},
+                 {"cover", "picture of the first page; false: none", document.cover ? cover_view(*document.cover, context) : json(false)},
                  {"provenance", "what made this report", provenance_view(document)},
                  {"score", "checks of the whole report", std::move(score)},
                  {"used", "the meshes, for the first page", meshes_used(document)},

@@ -22,8 +22,8 @@ enum class Extent {
 
 struct ViewOptions {
     bool timings = true;
-    bool pictures = true;          // previews and plots inside, for a page of one file
-    bool print_files = false;      // pictures are print_file(id), beside the page
+    bool pictures = true;          // pictures and plots inside, for a page of one file
+    bool print_files = false;      // pictures are print_file(…), beside the page
     bool page_numbers = false;     // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
     bool plain_formulas = false;   // for readers without MathML
     Extent extent = Extent::whole;
@@ -35,8 +35,8 @@ struct ViewOptions {
     std::size_t fewest_left_out = 1;   // unless fewer than these would be left out
 };
 
-/// Of the picture of a figure for paper.
-std::string print_file(const std::string& figure);
+/// Of a picture of a figure for paper: which of its panel.
+std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture);
 
 /// Ids of the figures shown to this extent, the cover included.
 std::set<std::string> figures_shown(const Document& document, Extent extent);
