@@ -46,8 +46,9 @@ nlohmann::json documented_model() {
     const KeptMeanings kept;
     const Templates templates;
     DrawnFigure drawn;
-    drawn.views = {{"+x", "x.png"}};
-    drawn.comparison.emplace_back();
+    drawn.layout = DrawnFigure::Layout::matrix;
+    drawn.columns = drawn.rows = {""};
+    drawn.panels = {{.label = "", .pictures = {{.view = ""}, {.view = "+x", .file = "x.png"}}}};
     drawn.models.emplace_back();
     nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}}, templates, {.table_rows = rows_shown});
     add_design(model, templates, "report");
