@@ -75,11 +75,9 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {
     request.range->high = 1;
     request.range->clipped_below = request.range->clipped_above = 0;
     request.isoline_spacing = 2;   // of values between −1 and 1 only 0 is a multiple
-    std::vector<std::string> waves;
-    for (const int mode : {drawn.front(), drawn.back()})
-        waves.push_back(words.line("eigenfunctions.wave", "mode"_a = mode, "share"_a = percent_of_box(study, wavelength(study, mode))));
-    if (drawn.size() == 1) waves.pop_back();
-    const std::string caption = words.line("eigenfunctions.caption", "mesh"_a = study.name(), "waves"_a = listed(waves));
+    const std::string caption = words.line("eigenfunctions.caption", "mesh"_a = study.name(), "first"_a = drawn.front(),
+                                           "longest"_a = percent_of_box(study, wavelength(study, drawn.front())), "last"_a = drawn.back(),
+                                           "shortest"_a = percent_of_box(study, wavelength(study, drawn.back())));
     add(answer.section, report::Figure{request.id, caption, caption});
     answer.figures.push_back(std::move(request));
 }
