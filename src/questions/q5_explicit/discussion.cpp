@@ -126,7 +126,8 @@ report::Text when_to_stop(const Studies& studies) {
         else
             none.push_back(study.name());
     }
-    return paragraph_of({effects.empty() ? effects : words.say("stop"), effects, said_of(none, words, "good.none")});
+    if (!effects.empty()) effects = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)), effects});
+    return paragraph_of({effects, said_of(none, words, "good.none")});
 }
 
 // ---- and beyond

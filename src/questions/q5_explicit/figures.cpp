@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "base/number_text.h"
+#include "mesh/triangle_measures.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
@@ -20,14 +23,15 @@ output::Panel frame_of(const ExplicitStudy& study, const Strip& strip, std::size
                     words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t));
 }
 
-}   // namespace
-
-void add_recommended_figure(Answer& answer, const ExplicitStudy& study) {
-    if (!study.recommended) return;
+report::Facts facts_of(const ExplicitStudy& study) {
     const SmoothingRun& run = study.recommended->stopped;
-    const report::Facts facts{"mesh"_a = study.name(), "iterations"_a = run.result.iterations,
-                              "limits"_a = in_limits(study.subject, run.lambda)};
-    const std::string id = id_of("q5", study.name(), "recommended");
+    return {"mesh"_a = study.name(), "iterations"_a = run.result.iterations, "limits"_a = in_limits(study.subject, run.lambda)};
+}
+
+/// One mesh: input and result in one figure.
+void add_pair(Answer& answer, const ExplicitStudy& study, const std::string& id) {
+    const SmoothingRun& run = study.recommended->stopped;
+    const report::Facts facts = facts_of(study);
     SixViewFigure figure{.id = id,
                          .title = words.line("recommended.title", facts),
                          .subtitle = subtitle_of(*study.subject.source),
@@ -37,6 +41,62 @@ void add_recommended_figure(Answer& answer, const ExplicitStudy& study) {
     figure.panels = {panel_of(*study.subject.source, id + "_input", "input"),
                      panel_of(moved_to(study.subject.mesh(), run.result.X), id + "_smoothed", words.line("recommended.after", facts))};
     add_figure(answer, std::move(figure));
+}
+
+/// At the size and place in which all inputs have the same box diagonal.
+output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, const std::string& what, std::string label) {
+    const Eigen::RowVector3d centre = bounding_box(study.subject.mesh()).centre().transpose();
+    return panel_of(moved_to(study.subject.mesh(), (X.rowwise() - centre) / study.subject.diagonal), id_of("q5", study.name(), what),
+                    std::move(label));
+}
+
+output::Panel result_panel(const ExplicitStudy& study, const std::string& what, std::string label) {
+    if (!study.recommended) return {id_of("q5", study.name(), what), words.line("before_after.none"), nullptr};
+    return resized_panel(study, study.recommended->stopped.result.X, what, std::move(label));
+}
+
+/// Several meshes: inputs above results, one column a mesh.
+void add_before_after(Answer& answer, const Studies& studies, const std::string& id) {
+    output::FigureRequest request;
+    request.id = id;
+    request.title = words.line("before_after.title");
+    request.layout = output::Layout::one_frame;
+    request.frame_panel = -1;
+    request.rows = {"input", "recommended"};
+    for (const ExplicitStudy& study : studies) {
+        request.columns.push_back(study.name());
+        request.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", study.name() + ", input"));
+    }
+    for (const ExplicitStudy& study : studies) request.panels.push_back(result_panel(study, "result", study.name() + ", recommended"));
+    const std::string caption = words.line("before_after.caption");
+    add(answer.section, report::Figure{id, caption, caption});
+    answer.figures.push_back(std::move(request));
+}
+
+/// The results from six directions.
+void add_results(Answer& answer, const Studies& studies) {
+    SixViewFigure figure{.id = "q5_recommended", .title = words.line("results.title"), .frame_panel = -1};
+    std::vector<std::string> steps;
+    for (const ExplicitStudy& study : studies) {
+        if (!study.recommended) continue;
+        figure.panels.push_back(result_panel(study, "smoothed", study.name()));
+        steps.push_back(words.line("results.steps", facts_of(study)));
+    }
+    figure.caption = words.line("results.caption", "steps"_a = listed(steps));
+    add_figure(answer, std::move(figure));
+}
+
+}   // namespace
+
+std::string recommended_figure(const Studies& studies) {
+    return studies.size() == 1 ? id_of("q5", studies.front().name(), "recommended") : "q5_before_after";
+}
+
+void add_recommended_figures(Answer& answer, const Studies& studies) {
+    if (std::ranges::none_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); })) return;
+    if (studies.size() == 1) return add_pair(answer, studies.front(), recommended_figure(studies));
+    add_before_after(answer, studies, recommended_figure(studies));
+    add_results(answer, studies);
 }
 
 void add_frames_figure(Answer& answer, const ExplicitStudy& study) {
