@@ -124,7 +124,8 @@ std::string PlotPanel::end_names(double width) const {
             continue;
         }
         const Box box = placer.place(around(*end, text_width(name), line_height));
-        inside += text_element({box.left, box.bottom - 5}, "start", name, halo + (" fill=\"" + curve.look.color + "\""));
+        inside +=
+            leader(*end, box) + text_element({box.left, box.bottom - 5}, "start", name, halo + (" fill=\"" + curve.look.color + "\""));
     }
     return inside + drawn_names(beside, frame_.right, frame_.top - 6, frame_.bottom + 10);
 }

@@ -63,7 +63,7 @@ private:
         });
         const std::size_t count = panels_.size();
         columns_ = count == 1 ? 1 : count == 2 || count == 4 || !curves_recur_ ? 2 : 3;
-        const double longest = count == 1 ? 150 : curves_recur_ ? 120 : 100;   // a line of a name
+        const double longest = count == 1 ? 165 : curves_recur_ ? 125 : 110;   // a line of a name
         for (const PlotPanel& panel : panels_) {
             for (const PlotCurve& curve : panel.curves()) {
                 if (curve.series->name.empty() || !panel.has_end(curve)) continue;
