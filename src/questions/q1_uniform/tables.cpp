@@ -82,7 +82,9 @@ report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator)
     for (const BenchRun& run : runs) {
         using enum report::Series::Style;
         const ErrorHistory errors = run.errors(estimator);
-        plot.series.push_back(error_series(run.title(), errors, run.kind == MeshKind::regular ? line_and_points : dashed));
+        plot.series.push_back(
+            error_series(std::string(name_of(run.kind)), errors, run.kind == MeshKind::regular ? line_and_points : dashed));
+        plot.series.back().panel = run.surface;
         plot.alt += " " + words.line("convergence.alt.series", "series"_a = run.title(), "trend"_a = trend(errors));
     }
     return plot;

@@ -92,19 +92,15 @@ report::Plot convergence_plot(const BenchRuns& runs, MeshKind kind) {
     const std::string name(name_of(kind));
     report::Plot plot = error_plot("q3_convergence_" + name, words.line("convergence", "triangulation"_a = name),
                                    words.line("convergence.alt", "triangulation"_a = name));
-    int surface = 0;
     for (const BenchRun& run : of_kind(runs, kind)) {
-        const auto add = [&](const std::string& estimator, const ErrorHistory& errors, report::Series::Style style, std::size_t pattern) {
-            plot.series.push_back(error_series(run.surface + ", " + estimator, errors, style));
-            plot.series.back().color = surface;
-            plot.series.back().pattern = static_cast<int>(pattern);
-            plot.alt += " " + words.line("convergence.alt.series", "series"_a = plot.series.back().name, "trend"_a = trend(errors));
+        const auto add = [&](const std::string& estimator, const ErrorHistory& errors, report::Series::Style style) {
+            plot.series.push_back(error_series(estimator, errors, style));
+            plot.series.back().panel = run.surface;
+            plot.alt += " " + words.line("convergence.alt.series", "series"_a = run.surface + ", " + estimator, "trend"_a = trend(errors));
         };
         using enum report::Series::Style;
-        for (const AreaForm form : area_forms)
-            add(area_name(form), run.errors(H_with(form)), line_and_points, static_cast<std::size_t>(form));
-        add("uniform", run.errors("H.uniform"), dashed, area_forms.size());
-        ++surface;
+        for (const AreaForm form : area_forms) add(area_name(form), run.errors(H_with(form)), line_and_points);
+        add("uniform", run.errors("H.uniform"), dashed);
     }
     return plot;
 }
