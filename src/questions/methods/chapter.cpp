@@ -1,6 +1,7 @@
 // The denoising laboratory: kinds of noise, levels and methods against each other, each method at its best within the same budget.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/number_text.h"
 #include "mesh/samples/sample_shapes.h"
@@ -89,15 +90,15 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     section.checks.push_back(check_at_most(words.line("check.area"), 0, area, 1e-9));
 }
 
-report::Text finding(const DenoisingLaboratory& laboratory) {
+report::Text answer_of(const DenoisingLaboratory& laboratory) {
+    std::map<int, std::vector<std::string>> won;   // classes, by the method that is best on them
+    for (const ClassResult& c : class_results(laboratory))
+        if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
     std::vector<std::string> winners;
-    for (const ClassResult& c : class_results(laboratory)) {
-        const int best = c.best();
-        if (winners.size() < 3 && best >= 0)
-            winners.push_back(
-                words.line("finding.winner", "method"_a = method_title(best), "class"_a = c.title, "gain"_a = readable(c.gain[best], 2)));
-    }
-    return words.say("finding", "winners"_a = winners.empty() ? words.line("finding.none") : listed(winners));
+    for (const auto& [method, classes] : won)
+        winners.push_back(
+            words.line("answer.winner", "method"_a = method_title(static_cast<std::size_t>(method)), "classes"_a = listed(classes)));
+    return winners.empty() ? words.say("answer.none") : words.say("answer", "winners"_a = listed(winners));
 }
 
 }   // namespace
@@ -124,7 +125,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         if (trial.s1_level && settings.laboratory) add_method_figure(answer, first, trial);
     add_discussion(section, laboratory);
     add_checks(section, laboratory);
-    section.findings.push_back({finding(laboratory), 70});
+    section.answer = answer_of(laboratory);
 
     const int steps = laboratory.budget.total();
     section.parameters = {{words.line("parameter.steps"), std::to_string(steps)},

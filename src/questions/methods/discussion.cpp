@@ -55,7 +55,7 @@ report::Text about_winners(const DenoisingLaboratory& laboratory) {
         report::extend(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials), " ");
     };
     count("filters.sharp", sharp);
-    count("filters.other", other);
+    count(sharp.trials > 0 ? "filters.other" : "filters.other_alone", other);
     const char* verdict = 3 * differ > compared ? "agreement.rare" : differ > 0 ? "agreement.frequent" : "agreement.always";
     if (compared > 0)
         report::extend(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
@@ -77,23 +77,31 @@ report::Text about_places(const DenoisingLaboratory& laboratory) {
     return words.say(shape > 1.5 * places ? "places.less" : "places", "places"_a = readable(places), "shape"_a = readable(shape));
 }
 
-/// The methods whose gain in shape is as large in a trial: "none", "explicit and guided normals".
-std::string those_with(const NoiseTrial& trial, double gain) {
+/// The methods whose gain in shape is as large in a trial: "no method", "explicit and guided normals"; and as how many the verb takes them.
+struct Those {
+    std::string named;
+    std::size_t count = 1;
+};
+Those those_with(const NoiseTrial& trial, double gain) {
     std::vector<std::string> titles;
     for (const SearchResult& r : trial.results)
         if (r.gain() >= gain) titles.push_back(method_title(r));
-    if (titles.empty()) return "none";
-    return std::ranges::ssize(titles) == std::ranges::count_if(trial.results, &SearchResult::defined) ? "every method" : listed(titles);
+    if (titles.empty()) return {words.line("limits.none")};
+    if (std::ranges::ssize(titles) == std::ranges::count_if(trial.results, &SearchResult::defined)) return {words.line("limits.every")};
+    return {listed(titles), titles.size()};
 }
 
 /// From where and up to where, on one mesh.
 report::Text about_limits(const DenoisingTrials& mesh) {
     const auto levels = mesh.of_kind(NoiseKind::gaussian);
     const NoiseTrial &low = *levels.front(), &high = *levels.back();
-    const std::string edges = readable(low.edges, 2), lowering = those_with(low, helps);
-    if (levels.size() == 1) return words.say("limits.one_level", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering);
-    report::Text t = words.say("limits", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering,
-                               "high"_a = readable(high.edges, 2), "halving"_a = those_with(high, works));
+    const std::string edges = readable(low.edges, 2);
+    const Those lowering = those_with(low, helps), halving = those_with(high, works);
+    if (levels.size() == 1)
+        return words.say("limits.one_level", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering.named,
+                         "count"_a = lowering.count);
+    report::Text t = words.say("limits", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering.named, "count"_a = lowering.count,
+                               "high"_a = readable(high.edges, 2), "halving"_a = halving.named, "halving_count"_a = halving.count);
     const SearchResult* best = winner(high, &SearchResult::gain);
     const double angle = best == nullptr ? 0 : degrees * best->difference.mean_normal_angle;
     go_on(t, best == nullptr
@@ -130,7 +138,7 @@ report::Text about_kinds(const DenoisingTrials& mesh) {
         const std::string_view title = noise_entry(trial.kind).title;
         const SearchResult* best = winner(trial, &SearchResult::gain);
         const double gain = best != nullptr ? best->gain() : 1;
-        told.push_back(std::string(title) + " " + readable(gain) + (best != nullptr ? " (" + method_title(*best) + ")" : ""));
+        told.push_back(std::string(title) + " " + readable(gain, 2) + (best != nullptr ? " (" + method_title(*best) + ")" : ""));
         if (gain < least_gain) least_gain = gain, least = title;
         if (gain > most_gain) most_gain = gain, most = title;
     }
@@ -149,7 +157,6 @@ report::Text about_box_level(const DenoisingLaboratory& laboratory) {
         told.push_back(best == nullptr ? words.line("box.nothing", "mesh"_a = mesh.name())
                                        : words.line("box.best", "mesh"_a = mesh.name(), "method"_a = method_title(*best),
                                                     "gain"_a = readable(best->gain(), 2),
-                                                    "error"_a = readable_percent(best->by_shape.shape / mesh.subject.diagonal, 2),
                                                     "angle"_a = readable(degrees * best->difference.mean_normal_angle, 2)));
     }
     return told.empty() ? report::Text() : words.say("box", "meshes"_a = in_a_row(told));
@@ -160,11 +167,17 @@ report::Text about_volumes(const DenoisingLaboratory& laboratory) {
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         if (!mesh.subject.encloses_volume) continue;
         const NoiseTrial& trial = mesh.pictured_trial();
-        std::vector<std::string> methods;
-        for (const SearchResult& r : trial.results)
-            if (r.defined) methods.push_back(method_title(r) + " " + readable(r.difference.volume_ratio));
-        told.push_back(words.line("volumes.mesh", "mesh"_a = mesh.name(), "noise"_a = trial.title(),
-                                  "noisy"_a = readable(trial.spoilt.volume_ratio), "methods"_a = listed(methods)));
+        const auto keeps = [](const SearchResult& r) { return r.defined ? r.difference.volume_ratio : undefined; };
+        const SearchResult *least = nullptr, *most = nullptr;
+        for (const SearchResult& r : trial.results) {
+            if (!std::isfinite(keeps(r))) continue;
+            if (least == nullptr || keeps(r) < keeps(*least)) least = &r;
+            if (most == nullptr || keeps(r) > keeps(*most)) most = &r;
+        }
+        if (least == nullptr) continue;
+        told.push_back(words.line("volumes.mesh", "mesh"_a = mesh.name(), "noisy"_a = readable_percent(trial.spoilt.volume_ratio),
+                                  "least_method"_a = method_title(*least), "least"_a = readable_percent(keeps(*least)),
+                                  "most_method"_a = method_title(*most), "most"_a = readable_percent(keeps(*most))));
     }
     return told.empty() ? report::Text() : words.say("volumes", "meshes"_a = in_a_row(told));
 }

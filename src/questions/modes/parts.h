@@ -21,7 +21,6 @@ report::Table damping_table(const Studies& studies);
 /// |factor| of each mode against μ/μ_max for one of the schemes, measured on the laws.
 report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme);
 report::Table gap_table(const Studies& studies);
-report::Table cost_table(const ModeStudy& study);
 report::Plot cost_plot(const ModeStudy& study);
 report::Plot truth_plot(const ModeStudy& study);
 report::Table crossing_table(const Studies& studies);

@@ -25,9 +25,8 @@ report::Text about_precision(const KnownTrials& known) {
 std::string about_cotangent_weights(const LaboratoryMesh& lab) {
     const OperatorScores &cotan = lab.trial(OperatorKind::cotan).scores, &idt = lab.trial(OperatorKind::idt).scores;
     const double share = double(cotan.negative_inside + cotan.negative_boundary) / std::max(1, cotan.weights);
-    return words.line("weights.cotangent", "share"_a = readable_percent(share), "mesh"_a = lab.name(),
-                      "smallest"_a = readable(cotan.smallest_weight), "flips"_a = lab.flips, "inside"_a = idt.negative_inside,
-                      "boundary"_a = idt.negative_boundary);
+    return words.line("weights.cotangent", "share"_a = readable_percent(share), "mesh"_a = lab.name(), "flips"_a = lab.flips,
+                      "left"_a = idt.negative_inside + idt.negative_boundary);
 }
 
 /// Which operators have no negative weight on any mesh, what the default has, and which are indefinite.
@@ -96,12 +95,12 @@ report::Text about_areas(const Labs& labs) {
     return without.empty() ? report::Text() : words.say("areas", "where"_a = listed(without));
 }
 
-report::Text finding(const Labs& labs) {
+report::Text answer_of(const Labs& labs) {
     const auto own_areas = [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt_original_mass).critical_ratio; };
     const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, own_areas);
     const double ratio = own_areas(lab);
-    return ratio > 1 + 1e-9 ? words.say("finding.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio))
-                            : words.say("finding.no_longer", "meshes"_a = listed(names_of(labs)));
+    return ratio > 1 + 1e-9 ? words.say("answer.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio, 2))
+                            : words.say("answer.no_longer", "meshes"_a = listed(names_of(labs)));
 }
 
 }   // namespace
@@ -109,7 +108,7 @@ report::Text finding(const Labs& labs) {
 void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known) {
     add_words(section, words, "discussion");
     add_paragraphs(section, {about_precision(known), about_weights(labs), about_steps(labs), about_curvature(known), about_areas(labs)});
-    section.findings.push_back({finding(labs), 6});
+    section.answer = answer_of(labs);
 }
 
 }   // namespace meshfolio::operators

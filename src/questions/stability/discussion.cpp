@@ -9,28 +9,39 @@ namespace meshfolio::stability {
 
 namespace {
 
-report::Text what_is_proved(const Studies& studies) {
+/// Of the limits of all operators on all meshes.
+struct Proofs {
     double widest = 0, rounding = 0, below = 0;
-    int refuted = 0, proved = 0, semidefinite = 0;
+    int refuted = 0, limits = 0, semidefinite = 0;
+
+    bool all() const { return semidefinite == limits; }
+    std::string named() const { return limits == 2 ? words.line("proved.both") : words.line("proved.all", "limits"_a = limits); }
+};
+Proofs proofs_of(const Studies& studies) {
+    Proofs proofs;
     for (const StabilityStudy& study : studies) {
         for (const OperatorLimit* limit : study.operators()) {
             const StabilityCertificate& c = limit->certificate;
-            widest = std::max(widest, c.relative_width());
-            rounding = std::max(rounding, c.rounding);
-            below = std::max(below, -c.bottom.mu_low / c.mu_high);
-            refuted += c.refuted() ? 1 : 0;
-            semidefinite += c.bottom.semidefinite() ? 1 : 0;
-            ++proved;
+            proofs.widest = std::max(proofs.widest, c.relative_width());
+            proofs.rounding = std::max(proofs.rounding, c.rounding);
+            proofs.below = std::max(proofs.below, -c.bottom.mu_low / c.mu_high);
+            proofs.refuted += c.refuted() ? 1 : 0;
+            proofs.semidefinite += c.bottom.semidefinite() ? 1 : 0;
+            ++proofs.limits;
         }
     }
-    const std::string width = readable(widest, 2);
-    if (semidefinite < proved)
-        return words.say("proved.not_all", "operators"_a = proved, "semidefinite"_a = semidefinite, "width"_a = width);
-    report::Text t =
-        words.say("proved", "limits"_a = proved == 2 ? words.line("proved.both") : words.line("proved.all", "limits"_a = proved),
-                  "width"_a = width, "rounding"_a = readable(rounding, 2));
-    report::extend(t, " ", refuted == 0 ? words.say("proved.at_once") : words.say("proved.after_breakdown", "cases"_a = refuted), " ",
-                   words.say("proved.semidefinite", "below"_a = readable(below, 2)));
+    return proofs;
+}
+
+report::Text what_is_proved(const Studies& studies) {
+    const Proofs proofs = proofs_of(studies);
+    const std::string width = readable(proofs.widest, 2);
+    if (!proofs.all())
+        return words.say("proved.not_all", "operators"_a = proofs.limits, "semidefinite"_a = proofs.semidefinite, "width"_a = width);
+    report::Text t = words.say("proved", "limits"_a = proofs.named(), "width"_a = width, "rounding"_a = readable(proofs.rounding, 2));
+    report::extend(t, " ",
+                   proofs.refuted == 0 ? words.say("proved.at_once") : words.say("proved.after_breakdown", "cases"_a = proofs.refuted), " ",
+                   words.say("proved.semidefinite", "below"_a = readable(proofs.below, 2)));
     return t;
 }
 
@@ -132,6 +143,12 @@ report::Text about_frozen(const RebuiltFlow& flow) {
 }
 
 }   // namespace
+
+report::Text answer_of(const Studies& studies) {
+    const Proofs proofs = proofs_of(studies);
+    return words.say(proofs.all() ? "answer" : "answer.not_all", "limits"_a = proofs.named(), "width"_a = readable(proofs.widest, 1),
+                     "operators"_a = proofs.limits, "semidefinite"_a = proofs.semidefinite);
+}
 
 void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow) {
     add_words(section, words, "discussion");

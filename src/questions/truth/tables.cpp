@@ -58,20 +58,20 @@ report::Table overview(const GroundTruth& truth) {
     return behaviours;
 }
 
-report::Table error_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
+report::Table error_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
-    auto errors = table_of_estimators("truth_errors_" + name + "_" + norm.key, words.line("errors", "norm"_a = norm.name, "kind"_a = name));
+    auto errors = table_of_estimators("truth_errors_" + name + "_l2", words.line("errors", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
         errors.column(run.surface, {.unit = "%", .heat = report::Column::Heat{0.1, 30}},
-                      [&](auto* e) { return cell_of(100 * run.finest().error(e->key).*norm.of); });
+                      [&](auto* e) { return cell_of(100 * run.finest().error(e->key).l2); });
     return errors;
 }
 
-report::Table order_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
+report::Table order_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
-    auto orders = table_of_estimators("truth_orders_" + name + "_" + norm.key, words.line("orders", "norm"_a = norm.name, "kind"_a = name));
+    auto orders = table_of_estimators("truth_orders_" + name + "_l2", words.line("orders", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
-        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key, norm.of).order()); });
+        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key).order()); });
     return orders;
 }
 
