@@ -72,7 +72,7 @@ ExitCode run_report(const ReportFlags& flags) {
     report::Templates templates(settings.templates);
     report::use_words_of(templates);
     if (settings.page.file) templates.replace("report.html", *settings.page.file);
-    PaperCopy paper(settings, templates, settings.printed);
+    PaperCopy paper(settings, templates);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
     const auto threads = limited_threads(settings);
     output::Publication publication(settings.out);
