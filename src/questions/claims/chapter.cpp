@@ -1,5 +1,4 @@
 // The section "claims": what earlier reports and papers say, measured again and judged, each by its rule.
-#include <map>
 #include <set>
 
 #include "questions/claims/parts.h"
@@ -10,22 +9,6 @@ namespace {
 
 int count_of(const std::vector<JudgedClaim>& judged, Verdict verdict) {
     return static_cast<int>(std::ranges::count_if(judged, [&](const JudgedClaim& j) { return j.decision.verdict == verdict; }));
-}
-
-/// By source: "S0: holds 5, refuted 2 and …".
-report::Text by_source(const std::vector<JudgedClaim>& judged) {
-    std::map<std::string, std::map<Verdict, int>> counts;
-    for (const JudgedClaim& j : judged) {
-        const Source& source = j.claim->source();
-        ++counts[source.citation.empty() ? std::string(source.name) : words.line("papers")][j.decision.verdict];
-    }
-    report::Text t;
-    for (const auto& [source, verdicts] : counts) {
-        std::vector<std::string> parts;
-        for (const auto& [verdict, n] : verdicts) parts.push_back(word_of(verdict) + " " + std::to_string(n));
-        report::extend(t, t.empty() ? "" : " ", words.say("by_source", "source"_a = source, "verdicts"_a = listed(parts)));
-    }
-    return t;
 }
 
 void add_claims_with(report::Section& section, const std::vector<JudgedClaim>& judged, Verdict verdict, std::string_view key) {
@@ -40,7 +23,6 @@ void add_claims_with(report::Section& section, const std::vector<JudgedClaim>& j
 
 void add_discussion(report::Section& section, const std::vector<JudgedClaim>& judged) {
     add_words(section, words, "discussion", "summary"_a = ledger_summary(judged));
-    add_paragraph(section, by_source(judged));
     add_claims_with(section, judged, Verdict::refuted, "discussion.refuted");
     add_claims_with(section, judged, Verdict::conditional, "discussion.conditional");
     add_words(section, words, "discussion.rules");
@@ -100,8 +82,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     section.parameters = {{"rules", words.line("parameter.rules")}, {"noise", words.line("parameter.noise", "seed"_a = settings.seed)}};
     section.extent = report::plain(ledger_summary(ledger));
-    section.answer = words.say("answer", "claims"_a = ledger.size(), "holds"_a = count_of(ledger, Verdict::holds),
-                               "conditional"_a = count_of(ledger, Verdict::conditional));
+    section.answer = words.say("answer", "claims"_a = ledger.size(), "holds"_a = count_of(ledger, Verdict::holds));
     return answer;
 }
 

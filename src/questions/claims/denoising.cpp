@@ -115,13 +115,13 @@ const DenoisingStudy& cow_study(ClaimBench& bench) { return bench.denoising("cow
 std::string level_text(const DenoisingTrial& trial) { return words.line("case.noise", "share"_a = readable_percent(trial.relative)); }
 
 /// What is left of the noise over what is lost of the clean mesh, both rms, at the first step of λ after which the clean mesh has no more
-/// than half of its roughness. Both are smoothed by the operator of the noisy mesh, which is linear: their difference is the noise.
+/// than half of its roughness. Both are smoothed by the operator of the clean mesh, which is linear: their difference is the noise.
 double noise_over_detail(const SmoothingSubject& clean, const TriangleMesh& noisy, double lambda) {
     ImplicitSolver solver;
-    solver.prepare(operator_with_mass(laplace_beltrami(noisy)), lambda, noisy.X);
+    solver.prepare(operator_with_mass(clean.laplacian), lambda, noisy.X);
     const double half = roughness(clean, clean.mesh().X) / 2;
     Positions shape = clean.mesh().X, both = noisy.X;
-    for (int step = 0; step < 200; ++step) {
+    for (int step = 0; step < 400; ++step) {
         shape = solver.step(shape);
         both = solver.step(both);
         if (roughness(clean, shape) <= half) return vertex_rms(both, shape) / vertex_rms(shape, clean.mesh().X);

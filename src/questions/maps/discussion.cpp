@@ -84,8 +84,8 @@ report::Text about_best(const SmoothingMaps& maps) {
                      "implicit_at"_a = best_place(maps, maps.implicit_map, *by_implicit), "verdict"_a = verdict);
 }
 
-/// "in 96 of the 113 cells of the explicit plane that can be measured, at most 61.7 % of the triangles".
-std::string turned_words(const SchemeMap& map) {
+/// "Triangles turn over in 96 of the 113 measurable cells of the explicit plane, at most 61.7 % of them."
+report::Text about_turned(const SmoothingMaps& maps, const SchemeMap& map) {
     int measured = 0, turned = 0;
     double most = 0;
     for (const double share : map.inverted) {
@@ -95,16 +95,15 @@ std::string turned_words(const SchemeMap& map) {
         most = std::max(most, share);
     }
     const bool all = measured == static_cast<int>(map.inverted.size());
-    return words.line(all ? "turned.in" : "turned.in_measured", "turned"_a = none_or(turned), "cells"_a = measured, "scheme"_a = map.name(),
-                      "most"_a = turned == 0 ? "" : words.line("turned.most", "share"_a = readable_percent(most)));
+    return words.say(all ? "turned.in" : "turned.in_measured", "mesh"_a = maps.name(), "turned"_a = none_or(turned), "cells"_a = measured,
+                     "scheme"_a = map.name(), "most"_a = turned == 0 ? "" : words.line("turned.most", "share"_a = readable_percent(most)));
 }
 
 report::Text about_health(const SmoothingMaps& maps) {
     double least = infinity;
     for (const double size : maps.implicit_map.size) least = std::min(least, size);   // NaN is left out
-    report::Text t = words.say("turned", "mesh"_a = maps.name(), "explicit"_a = turned_words(maps.explicit_map),
-                               "implicit"_a = turned_words(maps.implicit_map));
-    report::extend(t, " ",
+    report::Text t = about_turned(maps, maps.explicit_map);
+    report::extend(t, " ", about_turned(maps, maps.implicit_map), " ",
                    words.say(maps.closed ? "kept.volume" : "kept.area",
                              "least"_a = least < 1e-6 ? words.line("nothing") : readable_percent(least, 2)));
     return t;

@@ -82,7 +82,7 @@ report::Map plane_of(const SmoothingMaps& maps, const std::string& id, const std
                      double unit, const std::string& input = "") {
     report::Map map{.id = id_of("maps", maps.name(), id),
                     .caption = words.line(key + ".caption", "mesh"_a = maps.name(), "input"_a = input,
-                                          "critical"_a = readable(maps.subject.critical, 4), "places"_a = words_of(maps.places)),
+                                          "critical"_a = readable(maps.subject.critical, 4)),
                     .x_label = "step λ/λ_crit",
                     .y_label = "iterations t",
                     .value_label = words.line(key),

@@ -34,7 +34,7 @@ void add_checks(report::Section& section, const ModeStudy& study) {
         ++runs;
     }
     section.checks.push_back(
-        check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()), 1e-9, damping));
+        check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()), law_tolerance, damping));
     if (gaps > 0) section.checks.push_back(check_at_most(words.line("check.gap", "mesh"_a = study.name()), 1e-6, gap));
     if (runs > 0)
         section.checks.push_back(check_at_most(words.line("check.energy", "runs"_a = runs, "mesh"_a = study.name()), 1e-6, energy));

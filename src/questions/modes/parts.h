@@ -15,6 +15,9 @@ inline constexpr report::Words words("modes");
 
 using Studies = std::vector<ModeStudy>;
 
+/// No coefficient may be farther than this from its law, over the largest.
+inline constexpr double law_tolerance = 1e-9;
+
 inline std::string scheme_name(SmoothingScheme scheme) { return scheme == SmoothingScheme::explicit_euler ? "explicit" : "implicit"; }
 
 report::Table damping_table(const Studies& studies);

@@ -75,7 +75,7 @@ std::string reach_of(const Studies& studies, FlowOperator kind, std::string_view
     const std::string most = readable_percent(off.high, 2);
     if (!std::isfinite(bad)) return words.line("reach.everywhere", "off"_a = most);
     if (off.low == off.high) return words.line("reach.one_level", "off"_a = most);
-    return words.line(good > 0 ? "reach.up_to" : "reach.nowhere", "edges"_a = readable(good > 0 ? good : bad, 2),
+    return words.line(good > 0 ? "reach.up_to" : "reach.nowhere", "edges"_a = readable(good, 2),
                       "off"_a = off.high > deviation_shown ? "more than " + readable_percent(deviation_shown, 4) : "up to " + most);
 }
 
@@ -133,7 +133,7 @@ report::Text about_divergence(const Studies& studies) {
         if (const PredictedCurve* stein = tried.prediction(by_stein)) off.take(deviation(*stein, tried.measured));
     }
     const int steps = std::min(5, own.measured.iterations());
-    return words.say("stein", "steps"_a = steps, "mesh"_a = studies.front().name(), "sigma"_a = readable_percent(level.sigma, 2),
+    return words.say("stein", "steps"_a = steps, "mesh"_a = studies.front().name(),
                      "divergence"_a = readable_percent(own.divergence[steps], 2),
                      "held"_a = readable_percent(own.divergence_held[steps], 2), "off"_a = off.percent());
 }

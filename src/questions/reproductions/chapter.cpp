@@ -82,10 +82,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = settings.experiments.size(),
                                 "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows.size());
     constexpr int all = limits::last_row - limits::first_row + 1;
-    const auto covered = [](const std::vector<Experiment>& by) { return all - static_cast<int>(uncovered_rows(by).size()); };
-    const int here = covered(settings.experiments);
-    section.answer = words.say(here == all ? "answer.all" : "answer", "all"_a = all, "here"_a = here,
-                               "by_bundled"_a = covered(settings.bundled_experiments));
+    const int here = all - static_cast<int>(uncovered_rows(settings.experiments).size());
+    section.answer = words.say(here == all ? "answer.all" : "answer", "all"_a = all, "here"_a = here);
     return answer;
 }
 

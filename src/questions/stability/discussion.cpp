@@ -47,11 +47,14 @@ report::Text what_is_proved(const Studies& studies) {
 
 /// What makes that vertex fast: its rate is weights over area, and each takes its part of it on a logarithmic scale.
 std::string why(const LimitingVertex& v) {
-    if (v.on_boundary && v.area_share < 0.8) return words.line("vertex.boundary", "rate"_a = readable(v.rate(), 2));
-    if (v.rate() < 1.5) return words.line("vertex.usual");
     const double by_area = -std::log(v.area_share) / std::log(v.rate());
-    const char* key = by_area > 0.75 ? "vertex.small_area" : by_area < 0.25 ? "vertex.large_weights" : "vertex.both";
-    return words.line(key, "rate"_a = readable(v.rate(), 2));
+    const char* key = v.on_boundary && v.area_share < 0.8 ? "vertex.boundary"
+                      : v.rate() < 1.5                    ? "vertex.usual"
+                      : by_area > 0.75                    ? "vertex.small_area"
+                      : by_area < 0.25                    ? "vertex.large_weights"
+                                                          : "vertex.both";
+    return words.line(key, "rate"_a = readable(v.rate(), 2), "area"_a = readable(v.area_share, 2),
+                      "weights"_a = readable(v.stiffness_share, 2));
 }
 
 report::Text where_and_why(const StabilityStudy& study) {
@@ -60,8 +63,8 @@ report::Text where_and_why(const StabilityStudy& study) {
     const double sharing = std::max(1.0, study.cotangent.certificate.top.support);
     return words.say(sharing > std::max(8.0, 0.1 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
                      "alike"_a = study.peaks.size() > 1 ? words.line("vertex.alike", "others"_a = study.peaks.size() - 1) : "",
-                     "sharing"_a = readable(sharing, 2), "vertices"_a = vertices, "area"_a = readable(v.area_share, 2),
-                     "weights"_a = readable(v.stiffness_share, 2), "why"_a = why(v));
+                     "sharing"_a = readable(sharing, 2), "of_all"_a = words.line("vertex.of_all", "vertices"_a = vertices),
+                     "why"_a = why(v));
 }
 
 report::Text on_both_sides(const Studies& studies) {
@@ -74,8 +77,8 @@ report::Text on_both_sides(const Studies& studies) {
     }
     const OperatorLimit& first = studies.front().cotangent;
     const int steps = first.beyond.steps();
-    return words.say("both_sides", "steps"_a = steps, "growth"_a = readable(first.beyond.predicted(steps), 5), "off"_a = readable(off, 2),
-                     "left"_a = readable(highest, 2), "predicted"_a = readable(first.below.predicted(steps), 4));
+    return words.say("both_sides", "steps"_a = steps, "growth"_a = readable(first.beyond.predicted(steps), 2), "off"_a = readable(off, 2),
+                     "left"_a = readable(highest, 2), "predicted"_a = readable(first.below.predicted(steps), 2));
 }
 
 report::Text about_uniform(const Studies& studies) {

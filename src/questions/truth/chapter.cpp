@@ -8,9 +8,9 @@ namespace meshfolio::truth {
 namespace {
 
 void add_method(report::Section& section, const GroundTruth& truth) {
-    const auto surfaces = of_kind(truth.runs, MeshKind::regular);
-    for (const BenchRun& run : surfaces) section.parameters[run.surface] = run.dimensions;
-    add_words(section, words, "method", "surfaces"_a = std::ranges::distance(surfaces), "refinements"_a = truth.runs.front().levels.size(),
+    for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) section.parameters[run.surface] = run.dimensions;
+    add_words(section, words, "method", "surfaces"_a = truth.runs.size() / panel_kinds.size(),
+              "refinements"_a = truth.runs.front().levels.size(),
               "vertices"_a = truth.run("saddle", MeshKind::regular).levels.back().vertices);
 }
 

@@ -78,8 +78,7 @@ report::Table order_table(const GroundTruth& truth, MeshKind kind) {
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity) {
     static const std::vector<std::string> shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
     const BenchRun& run = truth.run("ellipsoid", kind);
-    const std::string caption =
-        words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind), "dimensions"_a = run.dimensions);
+    const std::string caption = words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind));
     report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);
     for (const Estimator* e : panel_estimators(quantity)) {
         const auto place = std::ranges::find(shown, e->key.substr(2));   // behind "H."

@@ -384,15 +384,17 @@ TEST(ClaimRules, DetailsAreLostFirstOnlyWhereTheNoiseOutlivesThem) {
         ClaimBench bench(library, settings);
         return judged(claim_named("claims_s2_too_much"), bench).deciding_value();
     };
-    TriangleMesh wavy = icosphere(3);   // detail as coarse as the mesh is large, which noise cannot outlive
-    const double smooth = ratio_on(icosphere(3), "rule_ball");
-    for (Eigen::Index i = 0; i < wavy.X.rows(); ++i) {
-        const Eigen::RowVector3d p = wavy.X.row(i);
-        wavy.X.row(i) *= 1 + 0.25 * std::sin(7 * p[0]) * std::sin(7 * p[1]) * std::sin(7 * p[2]);
-    }
-    const double bumpy = ratio_on(wavy, "rule_bumps");
-    EXPECT_TRUE(std::isfinite(smooth) && std::isfinite(bumpy));
-    EXPECT_LT(smooth, bumpy) << "half of a ball's roughness is gone only when the ball is";
+    const auto with_bumps = [](double frequency) {
+        TriangleMesh mesh = icosphere(4);
+        for (Eigen::Index i = 0; i < mesh.X.rows(); ++i) {
+            const Eigen::RowVector3d p = mesh.X.row(i);
+            mesh.X.row(i) *= 1 + 0.3 * std::sin(frequency * p[0]) * std::sin(frequency * p[1]);
+        }
+        return mesh;
+    };
+    const double fine = ratio_on(with_bumps(12), "rule_fine_bumps"), coarse = ratio_on(with_bumps(4), "rule_coarse_bumps");
+    EXPECT_GT(fine, 1) << "gone before the noise is";
+    EXPECT_LT(coarse, 1) << "the noise is gone first, although it is as strong";
 }
 
 // ---- the meshes of the reports --------------------------------------------------------------------------------------------
