@@ -15,7 +15,7 @@ inline constexpr report::Words words("maps");
 
 using Studies = std::vector<SmoothingMaps>;
 
-/// The maps of one mesh: error, volume (area where it is open), smallest angle, turned triangles; explicit beside implicit.
+/// The maps of one mesh: error, volume (area where it is open), turned triangles; explicit beside implicit.
 std::vector<report::Map> maps_of(const SmoothingMaps& maps);
 /// "a: explicit, the last step …. b: …."
 std::string words_of(const std::vector<MapPlace>& places);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/number_text.h"
+#include "geometry/denoising/component_size.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/study_list.h"
 #include "questions/core/table.h"
@@ -69,6 +70,13 @@ double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) 
     return std::sqrt(2 / n);
 }
 
+/// Has a component of the result a volume of the other sign than the noise left it? Noise as large as a component turns it inside out, and
+/// no scale takes it back.
+bool turned_inside_out(const DenoisingSubject& subject, const NoiseTrial& trial, const SearchResult& result) {
+    const auto volumes = [&](const Positions& X) { return component_sizes(moved_to(subject.mesh, X), subject.topology).volume; };
+    return (volumes(trial.noisy).array() * volumes(result.X).array() <= 0).any();
+}
+
 void add_checks(report::Section& section, const DenoisingLaboratory& laboratory) {
     double strength = 0, volume = 0, area = 0, unspent = 0;
     bool any_volume = false;
@@ -79,7 +87,7 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
             if (r.defined && r.failed == 0) unspent = std::max(unspent, std::abs(double(r.steps - laboratory.budget.total())));
             if (r.method == DenoisingMethod::conformal_flow)
                 area = std::max(area, std::abs(r.difference.area_ratio / trial.spoilt.area_ratio - 1));
-            if (r.method != DenoisingMethod::volume_rescaled || !r.defined) continue;
+            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || turned_inside_out(mesh.subject, trial, r)) continue;
             volume = std::max(volume, std::abs(r.difference.volume_ratio / trial.spoilt.volume_ratio - 1));
             any_volume = true;
         }

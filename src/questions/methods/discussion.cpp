@@ -176,6 +176,12 @@ report::Text about_box_level(const DenoisingLaboratory& laboratory) {
     return t;
 }
 
+/// Nothing is 0 %, whatever is left of it in rounding.
+std::string share_kept(const SearchResult& result) {
+    const double kept = result.difference.volume_ratio;
+    return readable_percent(std::abs(kept) < 1e-9 ? 0 : kept);
+}
+
 /// Of each closed mesh, which method keeps least of the volume and which most.
 report::Text about_volumes(const DenoisingLaboratory& laboratory) {
     report::Text t;
@@ -191,8 +197,7 @@ report::Text about_volumes(const DenoisingLaboratory& laboratory) {
         if (least == nullptr) continue;
         report::extend(t, t.empty() ? "" : " ",
                        words.say("volumes.mesh", "mesh"_a = mesh.name(), "least_method"_a = method_title(*least),
-                                 "least"_a = readable_percent(least->difference.volume_ratio), "most_method"_a = method_title(*most),
-                                 "most"_a = readable_percent(most->difference.volume_ratio)));
+                                 "least"_a = share_kept(*least), "most_method"_a = method_title(*most), "most"_a = share_kept(*most)));
     }
     return t;
 }

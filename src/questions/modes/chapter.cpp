@@ -43,7 +43,8 @@ void add_checks(report::Section& section, const ModeStudy& study) {
 report::Text answer_of(const ModeStudy& study) {
     const char* key = study.cheaper_nowhere(0) ? "answer.nowhere" : study.cheaper_everywhere(0) ? "answer.everywhere" : "answer.below";
     const double energy = study.crossings[0] ? study.crossings[0]->energy : 0;
-    return words.say(key, "mesh"_a = study.name(), "energy"_a = readable_percent(energy, 2));
+    return words.say(key, "mesh"_a = study.name(), "energy"_a = readable_percent(energy, 2),
+                     "least"_a = readable_percent(study.curve.back().energy, 2));
 }
 
 }   // namespace

@@ -30,7 +30,7 @@ report::Text about_negative_weights(const Labs& labs, const std::vector<std::str
     const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, share_of);
     const OperatorScores& idt = lab.trial(OperatorKind::idt).scores;
     const double share = share_of(lab);
-    if (share == 0) return words.say("weights.no_cotangent", "clean"_a = listed(clean));
+    if (share == 0) return words.say("weights.no_cotangent");
     return words.say("weights", "share"_a = readable_percent(share, 2), "mesh"_a = lab.name(), "flips"_a = lab.flips,
                      "left"_a = idt.negative_inside + idt.negative_boundary, "clean"_a = listed(clean));
 }
@@ -104,8 +104,8 @@ report::Text answer_of(const Labs& labs) {
     const auto own_areas = [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt_original_mass).critical_ratio; };
     const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, own_areas);
     const double ratio = own_areas(lab);
-    return ratio > 1 + 1e-9 ? words.say("answer.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio, 2))
-                            : words.say("answer.no_longer", "meshes"_a = listed(names_of(labs)));
+    return ratio >= 1.01 ? words.say("answer.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio, 2))
+                         : words.say("answer.no_longer", "meshes"_a = listed(names_of(labs)));
 }
 
 }   // namespace

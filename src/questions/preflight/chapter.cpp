@@ -53,6 +53,7 @@ void add_checks(report::Section& section, const Inspected& mesh) {
 report::Text answer_of(const std::vector<Inspected>& meshes) {
     const auto sound = std::ranges::count_if(meshes, [](const Inspected& mesh) { return defects_of(mesh.facts).empty(); });
     if (sound == std::ranges::ssize(meshes)) return words.say("answer.sound", "meshes"_a = meshes.size());
+    if (sound == 0) return words.say("answer.found_on_all", "all"_a = meshes.size());
     return words.say("answer.found", "meshes"_a = std::ranges::ssize(meshes) - sound, "all"_a = meshes.size());
 }
 

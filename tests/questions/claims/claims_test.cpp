@@ -392,7 +392,7 @@ TEST(ClaimRules, DetailsAreLostFirstOnlyWhereTheNoiseOutlivesThem) {
         }
         return mesh;
     };
-    const double fine = ratio_on(with_bumps(12), "rule_fine_bumps"), coarse = ratio_on(with_bumps(4), "rule_coarse_bumps");
+    const double fine = ratio_on(with_bumps(16), "rule_fine_bumps"), coarse = ratio_on(with_bumps(7), "rule_coarse_bumps");
     EXPECT_GT(fine, 1) << "gone before the noise is";
     EXPECT_LT(coarse, 1) << "the noise is gone first, although it is as strong";
 }

@@ -188,7 +188,7 @@ TEST(SmoothingMapsSection, WellFormedAndPassesItsChecks) {
         EXPECT_FALSE(map->panels[0].markers.empty());
         EXPECT_EQ(map->panels[0].lines.front().x, (std::vector<double>{1, 1})) << "the limit is drawn in";
     }
-    EXPECT_EQ(maps, 4u);
+    EXPECT_EQ(maps, 3u);
 }
 
 TEST(SmoothingMapsSection, TakesTheStepsAndIterationsOfTheSettings) {

@@ -223,9 +223,16 @@ TEST(Methods, OddMeshesAreBorne) {
     far_away.X = 1e9 * (far_away.X.array() + 5);
     TriangleMesh pair = cube_mesh(2);
     pair.F.conservativeResize(pair.F.rows() + 1, 3);
-    pair.F.bottomRows(1) << 0, 1, 25;   // a fin
+    pair.F.bottomRows(1) << 0, 1, 25;      // a fin
+    TriangleMesh unequal = icosphere(1);   // 20 % of the box turns the small ball inside out
+    const TriangleMesh small = moved_to(icosphere(1), (0.4 * icosphere(1).X).rowwise() + Eigen::RowVector3d(3, 0, 0));
+    const auto n = unequal.X.rows(), m = unequal.F.rows();
+    unequal.X.conservativeResize(2 * n, 3);
+    unequal.X.bottomRows(n) = small.X;
+    unequal.F.conservativeResize(2 * m, 3);
+    unequal.F.bottomRows(m) = small.F.array() + static_cast<int>(n);
     int i = 0;
-    for (const TriangleMesh& mesh : {triangle, far_away, cube_mesh(1), pair}) {
+    for (const TriangleMesh& mesh : {triangle, far_away, cube_mesh(1), pair, unequal}) {
         const Answer answer =
             chapter_of_id("methods").answer(library_of(mesh, "methods_odd" + std::to_string(i++)), QuestionSettings(), no_progress);
         expect_well_formed(answer);
