@@ -31,6 +31,7 @@ std::string prose_of(const report::Section& section) {
             }
         }
     }
+    prose += "\n" + report::plain(section.answer);
     for (const report::Finding& finding : section.findings) prose += "\n" + report::plain(finding.text);
     return prose;
 }
