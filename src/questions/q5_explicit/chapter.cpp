@@ -83,7 +83,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, damping_plot());
     add_words(section, words, "results");
     add(section, limit_table(studies));
-    add_recommended_figures(answer, studies);
+    add_recommended_figure(answer, studies);
     add_frames_figure(answer, telling(studies));
     add(section, steps_table(studies));
     for (const ExplicitStudy& study : studies) add_checks(section, study);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "base/number_text.h"
 #include "mesh/triangle_measures.h"
@@ -51,38 +52,20 @@ output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, cons
                     std::move(label));
 }
 
-output::Panel result_panel(const ExplicitStudy& study, const std::string& what, std::string label) {
-    if (!study.recommended) return {id_of("q5", study.name(), what), words.line("before_after.none"), nullptr};
-    return resized_panel(study, study.recommended->stopped.result.X, what, std::move(label));
-}
-
-/// Several meshes: inputs above results, one column a mesh.
-void add_before_after(Answer& answer, const Studies& studies, const std::string& id) {
-    output::FigureRequest request;
-    request.id = id;
-    request.title = words.line("before_after.title");
-    request.layout = output::Layout::one_frame;
-    request.frame_panel = -1;
-    request.rows = {"input", "recommended"};
-    for (const ExplicitStudy& study : studies) {
-        request.columns.push_back(study.name());
-        request.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", study.name() + ", input"));
-    }
-    for (const ExplicitStudy& study : studies) request.panels.push_back(result_panel(study, "result", study.name() + ", recommended"));
-    const std::string caption = words.line("before_after.caption");
-    add(answer.section, report::Figure{id, caption, caption});
-    answer.figures.push_back(std::move(request));
-}
-
-/// The results from six directions.
-void add_results(Answer& answer, const Studies& studies) {
-    SixViewFigure figure{.id = "q5_recommended", .title = words.line("results.title"), .frame_panel = -1};
+/// Several meshes: the inputs above the results, and these from six directions.
+void add_all(Answer& answer, const Studies& studies, const std::string& id) {
+    SixViewFigure figure{.id = id, .title = words.line("results.title"), .frame_panel = -1};
+    std::vector<output::Panel> results;
     std::vector<std::string> steps;
     for (const ExplicitStudy& study : studies) {
         if (!study.recommended) continue;
-        figure.panels.push_back(result_panel(study, "smoothed", study.name()));
-        steps.push_back(words.line("results.steps", facts_of(study)));
+        const report::Facts facts = facts_of(study);
+        figure.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", words.line("results.input", facts)));
+        figure.panels.back().directions = false;
+        results.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
+        steps.push_back(words.line("results.steps", facts));
     }
+    std::ranges::move(results, std::back_inserter(figure.panels));
     figure.caption = words.line("results.caption", "steps"_a = listed(steps));
     add_figure(answer, std::move(figure));
 }
@@ -90,14 +73,15 @@ void add_results(Answer& answer, const Studies& studies) {
 }   // namespace
 
 std::string recommended_figure(const Studies& studies) {
-    return studies.size() == 1 ? id_of("q5", studies.front().name(), "recommended") : "q5_before_after";
+    return studies.size() == 1 ? id_of("q5", studies.front().name(), "recommended") : "q5_recommended";
 }
 
-void add_recommended_figures(Answer& answer, const Studies& studies) {
+void add_recommended_figure(Answer& answer, const Studies& studies) {
     if (std::ranges::none_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); })) return;
-    if (studies.size() == 1) return add_pair(answer, studies.front(), recommended_figure(studies));
-    add_before_after(answer, studies, recommended_figure(studies));
-    add_results(answer, studies);
+    if (studies.size() == 1)
+        add_pair(answer, studies.front(), recommended_figure(studies));
+    else
+        add_all(answer, studies, recommended_figure(studies));
 }
 
 void add_frames_figure(Answer& answer, const ExplicitStudy& study) {

@@ -16,9 +16,8 @@ using Studies = std::vector<ExplicitStudy>;
 const ExplicitStudy& telling(const Studies& studies);
 
 // Figures.
-/// The inputs beside what the recommended steps make of them, and these from six directions; nothing where none is recommended.
-void add_recommended_figures(Answer& answer, const Studies& studies);
-/// The first of them.
+/// The inputs, and what the recommended steps make of them from six directions; nothing where none is recommended.
+void add_recommended_figure(Answer& answer, const Studies& studies);
 std::string recommended_figure(const Studies& studies);
 /// Frames of a stable step, of one just beyond the limit, and of one far beyond.
 void add_frames_figure(Answer& answer, const ExplicitStudy& study);
