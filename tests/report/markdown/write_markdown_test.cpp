@@ -164,8 +164,8 @@ TEST(WriteMarkdown, NeverExceedsItsLimit) {
         document.sections[0].blocks.push_back(Figure{id, "caption", "alt"});
         DrawnFigure& drawn = figures[id];
         for (int v = 0; v < 42; ++v)
-            drawn.views.emplace_back("λ = 0." + std::to_string(v / 6) + ", +x",
-                                     "images/" + id + "_" + std::string(40, 'n') + std::to_string(v) + ".png");
+            drawn.panels.push_back({"λ = 0." + std::to_string(v),
+                                    {{"+x", 0, 0, 9, 9, "images/" + id + "_" + std::string(40, 'n') + std::to_string(v) + ".png", ""}}});
     }
     const std::string without_views = write_markdown(document, figures, Templates());
     EXPECT_LE(without_views.size(), limit);

@@ -118,8 +118,12 @@ std::vector<json> complete_models() {
     on_paper.extent = Extent::brief;
     ViewOptions without_mathml;
     without_mathml.plain_formulas = true;
-    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), without_mathml),
-            model_of(sample_document(), with_models, sample_models()), model_of(supporting, on_paper)};
+    return {model_of(sample_document()),
+            model_of(all_well, with_files),
+            model_of(sample_document(), without_mathml),
+            model_of(sample_document(), with_models, sample_models()),
+            model_of(sample_document(), {}, sample_layouts()),
+            model_of(supporting, on_paper)};
 }
 
 /// Every tag of the template is known to the models, and every tag is met with one of them.
