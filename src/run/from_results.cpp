@@ -156,7 +156,7 @@ ExitCode report_from_results(const ReportFlags& flags) {
     report::ReadReport earlier = report::read_json(read_file(source, largest_results), source.string());
     report::Templates templates(settings.templates);
     const ReportSettings words = words_of_file(flags.config, earlier.document, templates);
-    PaperCopy paper(settings, templates, words.printed);
+    PaperCopy paper(settings, templates);
     const auto store = flags.no_cache ? nullptr : cache_for_report();
     const EarlierFiles files(folder);
     output::Publication publication(settings.out);

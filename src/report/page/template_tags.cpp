@@ -22,7 +22,7 @@ Document specimen(const Templates& templates) {
     section.parameters = {{"", ""}};
     section.code.emplace_back();
     section.checks.emplace_back();
-    section.findings.push_back({{math("x")}});
+    section.answer = {math("x")};
     section.warnings = section.output_meshes = {""};
     const Table table{.id = "table", .columns = {{}}, .rows = std::vector<std::vector<Cell>>(rows_shown + 1, {Cell()})};
     section.blocks = {Heading(),

@@ -28,17 +28,19 @@ json math_view(const std::string& math) {
 
 json run_view(const Run& run, const Reference& target) {
     const bool is_reference = run.kind == Run::Kind::reference;
+    const bool is_link = is_reference && !target.anchor.empty() && (!target.elsewhere || !target.page.empty());
     return view_of(
         {{"text", "words of the piece", safe_text(is_reference ? target.label : run.content)},
-         {"href", "where a link leads, within the page", "#" + url_path(target.anchor)},
+         {"href", "where a link leads, in this page or that of the other volume", target.page + "#" + url_path(target.anchor)},
          {"parts", "pieces of mathematics; empty in other pieces", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
-         {"is_plain", "words as they are", run.kind == Run::Kind::plain || (is_reference && target.anchor.empty())},
+         {"is_plain", "words as they are", run.kind == Run::Kind::plain || (is_reference && !is_link)},
          {"is_strong", "bold", run.kind == Run::Kind::strong},
          {"is_emphasis", "italic", run.kind == Run::Kind::emphasis},
          {"is_code", "a name from the program", run.kind == Run::Kind::code},
          {"is_math", "mathematics: print the parts", run.kind == Run::Kind::math},
-         {"is_link", "a link to `href`", is_reference && !target.anchor.empty()},
-         {"is_elsewhere", "what it names is left out here; index.html has it (print.html only)", is_reference && target.left_out}});
+         {"is_link", "a link to `href`", is_link},
+         {"is_elsewhere", "what it names is in the other volume, and no page can be linked to (print.html only)",
+          is_reference && !is_link && target.elsewhere}});
 }
 
 json formula_view(const Formula& formula, const ViewContext& context) {
@@ -141,6 +143,10 @@ json entry_view(const Entry& entry, const ViewContext& context) {
 }
 
 }   // namespace
+
+std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture) {
+    return "figures/" + figure + "_" + std::to_string(panel) + "_" + std::to_string(picture) + ".jpg";
+}
 
 void enter_separators(json& list) {
     for (std::size_t i = 0; i < list.size(); ++i)

@@ -6,12 +6,13 @@
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
+#include "report/page/volumes.h"
 
 namespace meshfolio::report {
 
 namespace {
 
-constexpr std::size_t rows_of_the_whole = 60;
+constexpr std::size_t table_rows = 16;   // tables half as long again and longer show their first and last rows
 
 /// Without tags, entities resolved, spaces and line ends as one space each.
 std::string text_of(const std::string& html) {
@@ -38,9 +39,9 @@ std::string text_of(const std::string& html) {
     return text;
 }
 
-std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Extent extent) {
+std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Volume volume) {
     std::map<std::string, std::string> files;
-    for (const std::string& id : figures_shown(document, extent)) {
+    for (const std::string& id : figures_in(document, volume)) {
         const auto drawn = figures.find(id);
         if (drawn == figures.end()) continue;
         const std::vector<DrawnPanel>& panels = drawn->second.panels;
@@ -59,13 +60,13 @@ PrintPage print_page(const Document& document, const DrawnFigures& figures, cons
     view.page_numbers = options.page_numbers;
     view.plain_formulas = !options.mathml;
     view.single_views = false;
-    view.extent = options.extent;
-    view.passed_checks = options.extent == Extent::whole;
-    view.table_rows = options.extent == Extent::brief ? options.table_rows : rows_of_the_whole;
-    view.fewest_left_out = view.table_rows / 2;   // a gap in a table hardly longer spares nothing
+    view.volume = options.volume;
+    view.passed_checks = false;   // results.json, attached to the report, has them all
+    view.table_rows = table_rows;
+    view.fewest_left_out = table_rows / 2;   // a gap in a table hardly longer spares nothing
     nlohmann::json model = view_model(document, figures, templates, view);
     add_design(model, templates, "print");
-    return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.extent)};
+    return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.volume)};
 }
 
 std::vector<PageHeading> headings_of(const std::string& html) {

@@ -18,10 +18,9 @@ struct PrintPage {
 };
 
 struct PrintOptions {
-    Extent extent = Extent::brief;
-    bool mathml = true;            // the engine sets it; else formulas are plain text
-    bool page_numbers = true;      // in the contents, which takes a second pass of the engine
-    std::size_t table_rows = 16;   // tables half as long again and longer show their first and last rows; the whole report 60
+    Volume volume = Volume::report;
+    bool mathml = true;         // the engine sets it; else formulas are plain text
+    bool page_numbers = true;   // in the contents, which takes a second pass of the engine
 };
 
 /// Nothing in it depends on the time.

@@ -91,6 +91,7 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
         problems);
     if (!flags.data.empty()) settings.data.assign(flags.data.begin(), flags.data.end());
     settings.quick = flags.quick;
+    settings.view_files = settings.view_files || flags.view_files;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;
 }
@@ -170,7 +171,6 @@ Words words_of(const std::string& value) { return {value}; }
 Words words_of(const std::filesystem::path& value) { return {value.string()}; }
 Words words_of(const ViewSize& size) { return {std::to_string(size.width) + " × " + std::to_string(size.height)}; }
 Words words_of(const PageTemplate& page) { return {page.design, page.file.value_or("").string()}; }
-Words words_of(report::Extent extent) { return {extent == report::Extent::whole ? "full" : "brief"}; }
 template <class Number>
 requires std::is_arithmetic_v<Number> Words words_of(Number value) {
     if constexpr (std::is_integral_v<Number>)
