@@ -91,7 +91,7 @@ json views_view(const PictureOf& of, std::size_t p) {
                     {"groups", "its views, three by three", std::move(groups)}});
 }
 
-json head_view(const std::string& words) { return view_of({{"head", "of a column or a row of a matrix", prose_view(words)}}); }
+json head_view(const std::string& words) { return view_of({{"head", "of a column of a matrix", prose_view(words)}}); }
 
 /// Lines about equally full; many panels are small.
 std::size_t columns_of(const DrawnFigure& drawn) {
@@ -173,7 +173,7 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
                  {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
                  {"has_legend", "there are colours", drawn.legend.has_value()},
                  {"has_row_heads", "of a matrix", !drawn.rows.empty()}});
-    enter_list(view, "columns", "of a matrix, each with its head", std::move(columns));
+    enter_list(view, "heads", "of the columns of a matrix", std::move(columns));
     enter_list(view, "view_rows", "views of a panel each", std::move(rows));
 }
 
