@@ -36,7 +36,7 @@ private:
 struct ReportFlags {
     std::vector<std::string> meshes, data;
     std::string only, out, config, threads, size, templates, pdf, pdf_browser, from;
-    bool quick = false, fail_fast = false, no_timings = false, no_cache = false;
+    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false;
 };
 
 struct ViewSize {
@@ -68,6 +68,7 @@ struct ReportSettings {
     ViewSize size;
     int threads = 0;   // 0: all
     std::uint64_t seed = 0;
+    bool view_files = false;   // every view of every figure is a file of its own as well
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
