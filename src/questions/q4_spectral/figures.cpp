@@ -17,7 +17,7 @@ output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
 output::ColorRange distance_range(const SpectralStudy& study) {
     std::vector<output::Panel> panels;
     for (const Reconstruction& r : study.reconstructions) panels.push_back(panel_of(study, r));
-    output::ColorRange range = output::robust_range(panels, "viridis", "distance to the original", words.line("of_the_diagonal"), 0.1);
+    output::ColorRange range = output::robust_range(panels, "pale", "distance to the original", words.line("of_the_diagonal"), 0.1);
     range.low = range.clipped_below = 0;
     return range;
 }
