@@ -100,7 +100,6 @@ TEST(Q5, SeveralMeshesStandInOneFrameEachAtTheScaleOfItsInput) {
         // Smoothing keeps the barycentre, so the two have one scale and one place.
         const SmoothingSubject subject = smoothing_subject(library_mesh(input, "resized" + std::to_string(i)));
         EXPECT_LT((subject.laplacian.M.transpose() * (result.X - input.X)).norm(), 1e-9 * subject.laplacian.M.sum());
-        EXPECT_LT(bounding_box(result).diagonal(), 1);
     }
 }
 
