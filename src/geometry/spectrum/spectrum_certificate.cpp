@@ -279,7 +279,9 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     certificate.orthonormality_error = finite ? (problem.gram - identity).cwiseAbs().maxCoeff() : infinity;
     certificate.parseval_gap = parseval_gap(laplacian, spectrum, mesh.X);
     count_inertia(problem, residuals, spectrum.gap_middle, certificate);
-    certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= 1e-9 * problem.mu0).count());
+    certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= SpectrumCertificate::zero_limit * problem.mu0).count());
+    certificate.zero_rounding =
+        std::numeric_limits<double>::epsilon() * problem.A.diagonal().cwiseQuotient(problem.M).maxCoeff() / problem.mu0;
     // Triangles without area hold nothing together for cotangents, but for weights that see no lengths, and flips may give them some.
     certificate.components = std::clamp(certificate.zero_eigenvalues, components_with_mass(mesh, laplacian.M, false),
                                         components_with_mass(mesh, laplacian.M, true));
@@ -290,9 +292,10 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
 
 Proof SpectrumCertificate::verdict() const {
     const bool within = (residual <= residual_limit || residual_undecided()) && orthonormality_error <= orthonormality_limit &&
-                        parseval_gap <= parseval_limit && zero_eigenvalues == expected_zeros && smallest_step_up >= -step_down_limit;
+                        parseval_gap <= parseval_limit && (zero_eigenvalues == expected_zeros || zeros_undecided()) &&
+                        smallest_step_up >= -step_down_limit;
     if (!within) return Proof::refuted;
-    return complete == Proof::proved && residual_undecided() ? Proof::undecided : complete;
+    return complete == Proof::proved && (residual_undecided() || zeros_undecided()) ? Proof::undecided : complete;
 }
 
 Inertia eigenvalues_below(const LaplaceBeltrami& laplacian, double sigma) {
