@@ -43,16 +43,13 @@ struct SpectrumCertificate {
     int counted_below = -1, found_below = 0;
     double delta = 0,
            gap = 0;   // rounding of the count; distance of σ from u and from the next value found: proved needs δ < gap [1/length²]
-    int zero_eigenvalues = 0;      // μ ≤ 1e-9 μ₀
-    double zero_rounding = 0;      // what rounding may move an eigenvalue by, ε max(A_ii/M_ii), over μ₀
+    int zero_eigenvalues = 0;      // μ ≤ 1e-9 μ₀, and where these are too many, not out of rounding
     int components = 0;            // of the mesh, by its triangles; those without area may or may not join two
     int expected_zeros = 0;        // as many, at most k
     double smallest_step_up = 0;   // of the eigenvalues from one to the next, over the largest: negative where they are not ascending
 
-    static constexpr double orthonormality_limit = 1e-9, parseval_limit = 1e-9, step_down_limit = 1e-12, zero_limit = 1e-9;
+    static constexpr double orthonormality_limit = 1e-9, parseval_limit = 1e-9, step_down_limit = 1e-12;
 
-    /// More zeros than components, where rounding alone may make a zero of what is none.
-    bool zeros_undecided() const { return zero_eigenvalues > expected_zeros && zero_rounding > zero_limit; }
     bool residual_undecided() const { return residual > residual_limit && residual <= residual_rounding; }
     /// refuted where anything measured is beyond its limit or the count is; proved where all is well and none is missing.
     Proof verdict() const;
