@@ -58,7 +58,8 @@ void expect_few_and_different(const report::Plot& plot) {
     for (const std::string& panel : report::panel_names(plot)) {
         std::set<std::string> looks;
         const report::Axis axis({}, false);
-        for (const report::PlotCurve& curve : report::PlotPanel(plot, panel, axis, axis).curves()) {
+        const report::PlotPanel drawn(plot, panel, axis, axis);
+        for (const report::PlotCurve& curve : drawn.curves()) {
             const report::Look& look = curve.look;
             const std::string line = look.has_line ? look.dashes : "none", points = look.has_points ? std::to_string(look.pattern) : "";
             EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + points).second)
