@@ -49,6 +49,7 @@ std::set<std::string> files_of(const report::Section& section, const report::Dra
         if (const auto* table = std::get_if<report::Table>(&block)) files.insert("tables/" + table->id + ".csv");
         if (const auto* plot = std::get_if<report::Plot>(&block)) add_drawing(plot->id);
         if (const auto* map = std::get_if<report::Map>(&block)) add_drawing(map->id);
+        if (const auto* diagram = std::get_if<report::Diagram>(&block)) files.insert("images/" + diagram->id + ".svg");
     }
     for (const auto& [id, figure] : figures) {
         files.insert(figure.sheet);

@@ -46,11 +46,11 @@ struct NumberedEntry {
 
 /// A block as it stands in `blocks`: short ones whole, the others by their ids.
 struct BlockEntry {
-    enum class Kind { heading, paragraph, list, formula, table, plot, map, figure, entries } kind = Kind::heading;
+    enum class Kind { heading, paragraph, list, formula, table, plot, map, diagram, figure, entries } kind = Kind::heading;
     std::string title;         // heading
     Text text;                 // paragraph
     std::vector<Text> items;   // list
-    std::string name, id;      // formula; id also of a table, plot, map or figure
+    std::string name, id;      // formula; id also of a table, plot, map, diagram or figure
     std::vector<std::string> ids;
 };
 
@@ -60,6 +60,7 @@ struct SectionEntry {
     std::vector<Table> tables;
     std::vector<Plot> plots;
     std::vector<Map> maps;
+    std::vector<Diagram> diagrams;
     std::vector<FigureEntry> figures;
     std::vector<NumberedEntry> entries;
     std::vector<BlockEntry> blocks;
@@ -72,13 +73,17 @@ inline constexpr std::array<const char*, 3> names_of(Column::Best) { return {"no
 inline constexpr std::array<const char*, 3> names_of(Column::Rounding) { return {"nearest", "down", "up"}; }
 inline constexpr std::array<const char*, 4> names_of(Series::Style) { return {"line", "points", "line_and_points", "dashed"}; }
 inline constexpr std::array<const char*, 2> names_of(Map::Colours) { return {"sequential", "diverging"}; }
+inline constexpr std::array<const char*, 6> names_of(Diagram::Style) { return {"line", "thin", "dashed", "area", "accent", "accent_area"}; }
+inline constexpr std::array<const char*, 9> names_of(Diagram::Side) {
+    return {"centre", "above", "below", "left", "right", "above_left", "above_right", "below_left", "below_right"};
+}
 inline constexpr std::array<const char*, 3> names_of(DrawnFigure::Layout) { return {"panels", "matrix", "comparison"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Kind) { return {"near", "at_most", "at_least"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Status) { return {"passed", "failed", "undecided"}; }
 inline constexpr std::array<const char*, 3> names_of(Status) { return {"ok", "failed", "skipped"}; }
 inline constexpr std::array<const char*, 6> names_of(Run::Kind) { return {"plain", "strong", "emphasis", "code", "math", "reference"}; }
-inline constexpr std::array<const char*, 9> names_of(BlockEntry::Kind) {
-    return {"heading", "paragraph", "list", "formula", "table", "plot", "map", "figure", "entries"};
+inline constexpr std::array<const char*, 10> names_of(BlockEntry::Kind) {
+    return {"heading", "paragraph", "list", "formula", "table", "plot", "map", "diagram", "figure", "entries"};
 }
 
 // ---- tables -------------------------------------------------------------------------------------------------------------
@@ -124,6 +129,7 @@ void describe(Fields& fields, part_of<Series> auto& series) {
     fields.optional("style", series.style, Series::Style::line);
     fields.optional("color", series.color, -1, {"which of six; absent: that of its place", 0});
     fields.optional("pattern", series.pattern, -1, {"which of seven dashes and shapes of points; absent: that of its place", 0});
+    fields.optional("panel", series.panel, {}, "those of one panel share a small plot; absent: one plot for all");
     fields("x", series.x);
     fields("y", series.y);
     fields.optional("y_low", series.y_low, {});
@@ -135,6 +141,7 @@ void describe(Fields& fields, part_of<Marker> auto& marker) {
     fields("x", marker.x);
     fields("y", marker.y);
     fields("label", marker.label);
+    fields.optional("panel", marker.panel, {});
 }
 
 template <class Fields>
@@ -184,6 +191,42 @@ void describe(Fields& fields, part_of<Map> auto& map) {
         panel_fields("lines", panel.lines);
         panel_fields("markers", panel.markers);
     });
+}
+
+// ---- diagrams -----------------------------------------------------------------------------------------------------------
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram::Path> auto& path) {
+    fields.optional("style", path.style, Diagram::Style::line);
+    fields.optional("closed", path.closed, false);
+    fields.optional("arrow", path.arrow, false, "a head at its last point");
+    fields("x", path.x);
+    fields("y", path.y);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram::Label> auto& label) {
+    fields("x", label.x);
+    fields("y", label.y);
+    fields("words", label.words);
+    fields.optional("side", label.side, Diagram::Side::above, "of its point, on which it stands");
+    fields.optional("dot", label.dot, false, "the point is marked");
+    fields.optional("accent", label.accent, false);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram::Panel> auto& panel) {
+    fields("title", panel.title);
+    fields("paths", panel.paths);
+    fields("labels", panel.labels);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram> auto& diagram) {
+    fields("id", diagram.id);
+    fields("caption", diagram.caption);
+    fields("alt", diagram.alt);
+    fields("panels", diagram.panels);
 }
 
 // ---- figures ------------------------------------------------------------------------------------------------------------
@@ -291,13 +334,6 @@ void describe(Fields& fields, part_of<Check> auto& check) {
 }
 
 template <class Fields>
-void describe(Fields& fields, part_of<Finding> auto& finding) {
-    fields("runs", finding.text);
-    fields.derived("text", [&] { return plain(finding.text); });
-    fields("weight", finding.weight);
-}
-
-template <class Fields>
 void describe(Fields& fields, part_of<Input> auto& input) {
     fields("role", input.role);
     fields("asked", input.asked, "the assignment's path; empty: no one asked for this mesh");
@@ -343,13 +379,13 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
     fields("tables", entry.tables);
     fields("plots", entry.plots);
     fields("maps", entry.maps, "values over a plane, in panels on common axes");
+    fields.optional("diagrams", entry.diagrams, {}, "the geometry behind a formula, y upwards; absent where there are none");
     fields("figures", entry.figures);
     fields.optional("entries", entry.entries, {}, "numbered texts that tables refer to by their ids; absent where there are none");
     fields(
         "checks", section.checks,
         "near: |measured - expected| <= tolerance; at_most: measured <= expected + tolerance; at_least: measured >= expected - tolerance; "
         "undecided: the number says nothing about what is checked, for the reason in the note, and is no failure");
-    fields("findings", section.findings);
     fields("warnings", section.warnings);
     fields.files("output_meshes", section.output_meshes);
     fields.if_there("timings", section.timings, entry.with_timings, timings_note);

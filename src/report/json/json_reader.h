@@ -179,6 +179,7 @@ private:
     static void require_sound(const Column& column, const JsonPlace& place);
     static void require_sound(const Table& table, const JsonPlace& place);
     static void require_sound(const Series& series, const JsonPlace& place);
+    static void require_sound(const Diagram::Path& path, const JsonPlace& place);
     template <class Value>
     static void require_sound(const Value&, const JsonPlace&) {}
 };

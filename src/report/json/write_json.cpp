@@ -44,6 +44,10 @@ public:
         add(BlockEntry::Kind::map, map.id);
         entry_.maps.push_back(map);
     }
+    void operator()(const Diagram& diagram) {
+        add(BlockEntry::Kind::diagram, diagram.id);
+        entry_.diagrams.push_back(diagram);
+    }
     void operator()(const Figure& figure) {
         add(BlockEntry::Kind::figure, figure.id);
         entry_.figures.push_back(entry_of(figure, drawn_));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/bibliography.h"
 #include "report/numbering.h"
 #include "report/page/page_design.h"
 #include "report/page/view_model.h"
@@ -22,7 +23,7 @@ Document specimen(const Templates& templates) {
     section.parameters = {{"", ""}};
     section.code.emplace_back();
     section.checks.emplace_back();
-    section.answer = {math("x")};
+    section.answer = {math("x"), ref(bibliography_of(templates).front().id)};
     section.warnings = section.output_meshes = {""};
     const Table table{.id = "table", .columns = {{}}, .rows = std::vector<std::vector<Cell>>(rows_shown + 1, {Cell()})};
     section.blocks = {Heading(),

@@ -68,13 +68,12 @@ json markers_view(const Plot& plot) {
     return markers;
 }
 
-/// A plot or a map.
+/// A plot, a map or a diagram; the last has no data beside its picture.
 template <class Drawing>
 json drawing_view(const Drawing& drawing, json markers, const ViewContext& context) {
     json view = captioned_view(drawing.id, drawing.caption, context);
     enter(view, {{"alt", "the picture in words", safe_text(drawing.alt)},
-                 {"x_label", "of the axis", safe_text(drawing.x_label)},
-                 {"y_label", "of the axis", safe_text(drawing.y_label)},
+                 {"has_csv", "its data are a file", !std::is_same_v<Drawing, Diagram>},
                  {"csv", "link to the data", url_path("tables/" + drawing.id + ".csv")},
                  {"svg", "the drawing, inside the page", context.options.pictures ? svg_of(drawing) : ""},
                  {"has_file", "there is that file", context.options.plot_files},
@@ -144,10 +143,6 @@ json entry_view(const Entry& entry, const ViewContext& context) {
 
 }   // namespace
 
-std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture) {
-    return "figures/" + figure + "_" + std::to_string(panel) + "_" + std::to_string(picture) + ".jpg";
-}
-
 void enter_separators(json& list) {
     for (std::size_t i = 0; i < list.size(); ++i)
         enter(list[i], {{"separator", "a semicolon and a blank, but after the last", i + 1 < list.size() ? "; " : ""}});
@@ -197,19 +192,22 @@ json block_view(const Block& block, const std::string& section_number, int& head
         view = drawing_view(*plot, markers_view(*plot), context);
     } else if (const auto* map = std::get_if<Map>(&block)) {
         view = drawing_view(*map, json::array(), context);
+    } else if (const auto* diagram = std::get_if<Diagram>(&block)) {
+        view = drawing_view(*diagram, json::array(), context);
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
     } else if (const auto* entries = std::get_if<EntryList>(&block)) {
         const auto one = [&](const Entry& entry) { return entry_view(entry, context); };
         view = view_of({{"entries", "of a list of numbered texts", list_of(entries->entries, one)}});
     }
-    const bool is_plot = std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
+    const bool is_plot =
+        std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block) || std::holds_alternative<Diagram>(block);
     enter(view, {{"is_heading", "heading: title, number, anchor", std::holds_alternative<Heading>(block)},
                  {"is_paragraph", "paragraph: runs", std::holds_alternative<Paragraph>(block)},
                  {"is_list", "bullets: items", std::holds_alternative<BulletList>(block)},
                  {"is_formula", "displayed equation: mathml, tex, plain", std::holds_alternative<Formula>(block)},
                  {"is_table", "table: columns, rows", std::holds_alternative<Table>(block)},
-                 {"is_plot", "plot or map: svg", is_plot},
+                 {"is_plot", "plot, map or diagram: svg", is_plot},
                  {"is_figure", "pictures of meshes: source, groups", std::holds_alternative<Figure>(block)},
                  {"is_entry_list", "numbered texts: entries", std::holds_alternative<EntryList>(block)}});
     return view;

@@ -7,13 +7,13 @@
 #include <set>
 
 #include "mesh/io/mesh_files.h"
-#include "report/svg/svg_elements.h"
+#include "report/svg/plot_panel.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::testing_tools {
 
 std::string prose_of(const report::Section& section) {
-    std::string prose = section.extent;
+    std::string prose = section.extent + "\n" + report::plain(section.answer);
     for (const report::Block& block : section.blocks) {
         if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) prose += "\n" + report::plain(paragraph->text);
         if (const auto* list = std::get_if<report::BulletList>(&block)) {
@@ -23,6 +23,7 @@ std::string prose_of(const report::Section& section) {
         if (const auto* figure = std::get_if<report::Figure>(&block)) prose += "\n" + figure->caption + "\n" + figure->alt;
         if (const auto* plot = std::get_if<report::Plot>(&block)) prose += "\n" + plot->caption + "\n" + plot->alt;
         if (const auto* map = std::get_if<report::Map>(&block)) prose += "\n" + map->caption + "\n" + map->alt;
+        if (const auto* diagram = std::get_if<report::Diagram>(&block)) prose += "\n" + diagram->caption + "\n" + diagram->alt;
         if (const auto* list = std::get_if<report::EntryList>(&block)) {
             for (const report::Entry& entry : list->entries) {
                 prose += "\n" + report::plain(entry.title);
@@ -30,7 +31,7 @@ std::string prose_of(const report::Section& section) {
             }
         }
     }
-    for (const report::Finding& finding : section.findings) prose += "\n" + report::plain(finding.text);
+    prose += "\n" + report::plain(section.answer);
     return prose;
 }
 
@@ -51,17 +52,24 @@ bool is_of_another_section(const std::string& id, const std::string& own) {
     return section != own && std::find(all.begin(), all.end(), section) != all.end();
 }
 
-/// No two curves of a plot have the same colour, the same dashes (or no line) and the same shape of points (or none).
-void expect_looks_differ(const report::Plot& plot) {
-    using Style = report::Series::Style;
-    std::set<std::string> looks;
-    for (std::size_t i = 0; i < plot.series.size(); ++i) {
-        const Style style = plot.series[i].style;
-        const report::Look look = report::look_of(plot.series[i], i);
-        const std::string line = style == Style::points ? "none" : look.dashes;
-        const bool with_points = style == Style::points || style == Style::line_and_points;
-        EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + (with_points ? std::to_string(look.pattern) : "")).second)
-            << plot.id << ": " << plot.series[i].name << " looks like another";
+/// No panel of a plot has more than five curves, no two of them of the same colour, the same dashes (or no line) and the same shape of
+/// points (or none).
+void expect_few_and_different(const report::Plot& plot) {
+    const report::Axis axis({}, false);
+    for (const std::string& name : report::panel_names(plot)) {
+        std::set<std::string> looks;
+        const report::PlotPanel panel(plot, name, axis, axis);
+        for (const report::PlotCurve& curve : panel.curves()) {
+            const report::Look& look = curve.look;
+            const std::string line = look.has_line ? look.dashes : "none", points = look.has_points ? std::to_string(look.pattern) : "";
+            EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + points).second)
+                << plot.id << ": " << curve.series->name << " looks like another";
+        }
+        EXPECT_LE(looks.size(), 5u) << plot.id << " " << name;
+    }
+    for (const report::Marker& marker : plot.markers) {
+        const auto is_its_panel = [&](const report::Series& series) { return series.panel == marker.panel; };
+        EXPECT_TRUE(std::ranges::any_of(plot.series, is_its_panel)) << plot.id << " has no panel " << marker.panel;
     }
 }
 
@@ -90,11 +98,18 @@ void expect_well_formed(const Answer& answer) {
         if (const auto* plot = std::get_if<report::Plot>(&block)) {
             enter(plot->id);
             for (const report::Series& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << plot->id;
-            expect_looks_differ(*plot);
+            expect_few_and_different(*plot);
         }
         if (const auto* map = std::get_if<report::Map>(&block)) {
             enter(map->id);
             for (const auto& panel : map->panels) EXPECT_EQ(panel.values.size(), map->x.size() * map->y.size()) << map->id;
+        }
+        if (const auto* diagram = std::get_if<report::Diagram>(&block)) {
+            enter(diagram->id);
+            EXPECT_FALSE(diagram->panels.empty()) << diagram->id;
+            for (const auto& panel : diagram->panels) {
+                for (const auto& path : panel.paths) EXPECT_EQ(path.x.size(), path.y.size()) << diagram->id;
+            }
         }
         if (const auto* figure = std::get_if<report::Figure>(&block)) {
             enter(figure->id);
@@ -118,9 +133,14 @@ void expect_well_formed(const Answer& answer) {
     std::set<std::string> requested, panels;
     for (const output::FigureRequest& request : answer.figures) {
         EXPECT_TRUE(requested.insert(request.id).second) << request.id;
+        EXPECT_TRUE(request.rows.empty() || request.panels.size() == request.rows.size() * request.columns.size()) << request.id;
         for (const output::Panel& panel : request.panels) {
             EXPECT_TRUE(std::regex_match(panel.name, file_form)) << panel.name;
             EXPECT_TRUE(panels.insert(panel.name).second) << "two pictures of one name: " << panel.name;
+            if (panel.mesh == nullptr) {   // an empty cell of a matrix, which says why
+                EXPECT_FALSE(panel.label.empty()) << panel.name;
+                continue;
+            }
             EXPECT_TRUE(panel.values.size() == 0 || panel.values.size() == panel.mesh->vertex_count()) << panel.name;
         }
     }
@@ -130,7 +150,7 @@ void expect_well_formed(const Answer& answer) {
         EXPECT_TRUE(ids.contains(reference) || std::regex_match(reference, cited_work) || is_of_another_section(reference, section.id))
             << "leads nowhere: " << reference;
     EXPECT_FALSE(std::regex_search(prose_of(section), not_a_number)) << prose_of(section);
-    EXPECT_FALSE(section.findings.empty());
+    EXPECT_FALSE(section.answer.empty());
     EXPECT_FALSE(section.extent.empty());
 }
 
