@@ -61,11 +61,11 @@ void Numbering::add(const std::string& id, const std::string& kind, const std::s
         throw std::logic_error("report: the id " + id + " is used twice");
 }
 
-void Numbering::leave_out(const std::string& id) {
+void Numbering::place_elsewhere(const std::string& id, const std::string& page) {
     const auto it = references_.find(id);
     if (it == references_.end()) return;
-    it->second.anchor.clear();
-    it->second.left_out = true;
+    it->second.elsewhere = true;
+    it->second.page = page;
 }
 
 /// The section whose blocks are called "<section>_…"; questions also where the document lacks them.

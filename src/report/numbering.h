@@ -12,10 +12,11 @@
 namespace meshfolio::report {
 
 struct Reference {
-    std::string number;      // "1.3"
-    std::string label;       // "Figure 1.3"
-    std::string anchor;      // of the element in the page; empty: the page does not hold it
-    bool left_out = false;   // of this page alone, to be found in the whole report
+    std::string number;       // "1.3"
+    std::string label;        // "Figure 1.3"
+    std::string anchor;       // of the element in the page; empty: no page holds it
+    bool elsewhere = false;   // it is in the other volume,
+    std::string page = {};    // in this file; empty: no link leads there
 };
 
 class Numbering {
@@ -30,8 +31,8 @@ public:
     /// @throws std::logic_error naming the id if nothing has it
     Reference resolve(const std::string& id) const;
 
-    /// What has this id is not in the page, only in the whole report: it keeps its name and has no anchor.
-    void leave_out(const std::string& id);
+    /// What has this id is in the other volume. @param page  its file; empty: no link leads there
+    void place_elsewhere(const std::string& id, const std::string& page);
 
 private:
     void add(const std::string& id, const std::string& kind, const std::string& number);

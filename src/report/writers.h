@@ -33,7 +33,20 @@ private:
     std::map<std::string, std::string> text_;
 };
 
+/// The two volumes that a report is published in.
+enum class Volume {
+    report,    // the questions
+    appendix   // what they rest on: the other sections, what questions leave to it, all checks, where everything comes from
+};
+
+/// The file of a volume in each format.
+inline std::string page_file(Volume volume) { return volume == Volume::report ? "index.html" : "appendix.html"; }
+inline std::string markdown_file(Volume volume) { return volume == Volume::report ? "report.md" : "appendix.md"; }
+inline std::string pdf_file(Volume volume) { return volume == Volume::report ? "report.pdf" : "appendix.pdf"; }
+inline Volume other_of(Volume volume) { return volume == Volume::report ? Volume::appendix : Volume::report; }
+
 struct WriteOptions {
+    Volume volume = Volume::report;
     bool timings = true;             // false: nothing that differs from run to run
     bool plot_files = false;         // the caller also writes svg_file_of(plot) to images/<id>.svg; Markdown then shows the plots
     std::string design = "report";   // of the page: design.html with design.css, of the templates
@@ -46,6 +59,8 @@ inline constexpr const char* page_designs[] = {"report", "print"};
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});
 std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates,
                            const WriteOptions& options = {});
+/// The answers on one page of Markdown, for the summary of a CI job.
+std::string write_summary(const Document& document, const Templates& templates);
 std::string write_json(const Document& document, const DrawnFigures& figures, const WriteOptions& options = {});
 
 /// The JSON schema (draft 7) of results.json, made from the descriptions that write and read it (json/json_fields.h).

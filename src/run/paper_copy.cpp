@@ -3,15 +3,13 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"
 #include "base/sha256.h"
-#include "output/draw/draw_figures.h"
 #include "output/publish/temporaries.h"
-#include "png/png.h"
+#include "report/page/volumes.h"
 #include "report/pdf/pdf_finish.h"
 #include "report/pdf/print_page.h"
 #include "report/pdf/print_pdf.h"
@@ -48,101 +46,93 @@ std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings) {
     if (!refused.empty()) refused += ")";
     const std::string remedy = "install chromium-headless-shell, or name a browser with --pdf-browser";
     if (!finding.engine && settings.pdf == "require") throw EngineError("there is no PDF engine" + refused, remedy);
-    if (!finding.engine) warn("there is no PDF engine" + refused + ", and so no report.pdf; " + remedy);
+    if (!finding.engine) warn("there is no PDF engine" + refused + ", and so no report.pdf and no appendix.pdf; " + remedy);
     return finding.engine;
 }
 
-/// The bytes of report.pdf. Nothing in them depends on the time or the place.
+/// The bytes of a PDF. Nothing in them depends on the time or the place.
 /// @throws EngineError if the engine does not deliver
-std::string printed_report(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                           report::Extent extent, const report::PdfEngine& engine) {
+std::string printed(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                    report::Volume volume, const report::PdfEngine& engine) {
     const bool mathml = engine.kind == report::PdfEngine::Kind::chromium;
     // A first look does without page numbers in the contents, and comes a third sooner. Read from the document, so that a report rendered
     // again is printed as it was.
     const auto quick = document.provenance.settings.find("quick");
     const bool first_look = quick != document.provenance.settings.end() && quick->second == "yes";
     report::PrintPage page =
-        report::print_page(document, figures, templates, {.extent = extent, .mathml = mathml, .page_numbers = !first_look});
+        report::print_page(document, figures, templates, {.volume = volume, .mathml = mathml, .page_numbers = !first_look});
+    const bool is_report = volume == report::Volume::report;   // the results are attached to it, once
     const report::PrintJob job{std::move(page.html),
                                std::move(page.files),
-                               document.title,
+                               is_report ? document.title : "Appendix to " + document.title,
                                document.author,
                                "meshfolio " + document.provenance.version,
                                report::pdf_date(environment("SOURCE_DATE_EPOCH")),
-                               "results.json",
-                               report::write_json(document, figures, {.timings = false})};
+                               is_report ? "results.json" : "",
+                               is_report ? report::write_json(document, figures, {.timings = false}) : ""};
     const output::Temporary scratch = scratch_folder();
     return report::print_pdf(job, engine, scratch.path());
 }
 
 }   // namespace
 
-PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates, report::Extent extent)
-    : templates_(templates), extent_(extent), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
-
-std::set<std::string> PaperCopy::figures(const report::Document& document) const {
-    return is_wanted() ? report::figures_shown(document, extent_) : std::set<std::string>();
-}
+PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates)
+    : templates_(templates), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
 /// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
-std::string PaperCopy::key_of(const report::Document& document, const report::DrawnFigures& figures, const fs::path& folder) const {
+std::string PaperCopy::key_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
+                              const fs::path& folder) const {
     output::KeyMaker key;
-    key.add("report.pdf").add(program_identity()).add(engine_->program.string()).add(engine_->version);
-    key.add(extent_ == report::Extent::whole ? "whole" : "brief").add(environment("SOURCE_DATE_EPOCH"));
+    key.add(report::pdf_file(volume)).add(program_identity()).add(engine_->program.string()).add(engine_->version);
+    key.add(environment("SOURCE_DATE_EPOCH"));
     for (const std::string& name : templates_.names()) key.add(name).add(templates_[name]);
     key.add(report::write_json(document, figures, {.timings = false}));
-    for (const std::string& id : this->figures(document)) {
+    for (const std::string& id : report::figures_in(document, volume)) {
         const auto drawn = figures.find(id);
         key.add(id).add(drawn == figures.end() ? "" : sha256_of_file(folder / drawn->second.sheet));
     }
     return key.key();
 }
 
-void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& figures, output::ResultCache* store,
+void PaperCopy::look_up(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
                         const fs::path& folder) {
-    if (!is_wanted()) return;
-    if (store != nullptr && !program_identity().empty()) {
-        key_ = key_of(document, figures, folder);
-        stored_ = store->get(key_);
-        if (stored_) return;
+    if (!is_wanted() || store == nullptr || program_identity().empty()) return;
+    for (Copy& copy : copies_) {
+        copy.key = key_of(copy.volume, document, figures, folder);
+        copy.stored = store->get(copy.key);
     }
-    std::vector<report::DrawnFigure*> shown;
-    for (const std::string& id : this->figures(document)) {
-        if (const auto drawn = figures.find(id); drawn != figures.end()) shown.push_back(&drawn->second);
+}
+
+std::string PaperCopy::pdf_of(const Copy& copy, const report::Document& document, const report::DrawnFigures& figures,
+                              output::ResultCache* store) const {
+    if (copy.stored) return *copy.stored;
+    std::string pdf = printed(document, figures, templates_, copy.volume, *engine_);
+    try {
+        if (!copy.key.empty()) store->put(copy.key, pdf);
+    } catch (const OutputError&) {
+        // the cache is no part of the report
     }
-    const auto jpeg_of = [&](const report::DrawnFigure& figure, int quality) {
-        const auto sheet = render::decode_png(read_file(folder / figure.sheet));
-        return sheet ? render::encode_jpeg(*sheet, quality) : "";
-    };
-    for_each_task(shown.size(), [&](std::size_t i) {
-        if (shown[i]->print_jpeg.empty()) shown[i]->print_jpeg = jpeg_of(*shown[i], output::DrawSettings().print_quality);
-    });
-    constexpr int lesser_quality = 72;
-    report::lighten(shown, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
+    return pdf;
 }
 
 std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
                              const fs::path& folder) const {
     if (!is_wanted()) return "";
-    std::string pdf;
-    if (stored_) {
-        pdf = *stored_;
-    } else {
+    std::array<std::string, 2> warnings;
+    for_each_task(copies_.size(), [&](std::size_t i) {
+        const std::string name = report::pdf_file(copies_[i].volume);
+        std::string pdf;
         try {
-            pdf = printed_report(document, figures, templates_, extent_, *engine_);
+            pdf = pdf_of(copies_[i], document, figures, store);
         } catch (const Error& error) {
             const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
             if (required_) throw EngineError(error.what(), remedy);
-            return std::string("there is no report.pdf: ") + error.what() + "; " + remedy;
+            warnings[i] = "there is no " + name + ": " + error.what() + "; " + remedy;
+            return;
         }
-        try {
-            if (!key_.empty()) store->put(key_, pdf);
-        } catch (const OutputError&) {
-            // the cache is no part of the report
-        }
-    }
-    write_file(folder / "report.pdf", pdf);
-    return "";
+        write_file(folder / name, pdf);
+    });
+    return warnings[0].empty() ? warnings[1] : warnings[0];
 }
 
 }   // namespace meshfolio::run

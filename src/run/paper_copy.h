@@ -1,10 +1,11 @@
 /// @file
-/// report.pdf among the other files of a report: taken from the cache where an earlier run printed the same, else printed.
+/// report.pdf and appendix.pdf among the other files of a report: each taken from the cache where an earlier run printed the same, else
+/// printed.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "output/cache/result_cache.h"
@@ -17,31 +18,35 @@ namespace meshfolio::run {
 class PaperCopy {
 public:
     /// @throws EngineError when the flags require an engine and none is there
-    PaperCopy(const ReportSettings& settings, const report::Templates& templates, report::Extent extent);
+    PaperCopy(const ReportSettings& settings, const report::Templates& templates);
 
     bool is_wanted() const { return engine_.has_value(); }
-    /// Ids of the figures that are drawn for paper.
-    std::set<std::string> figures(const report::Document& document) const;
 
-    /// Looks into the cache; where it has nothing, makes the pictures for paper that an earlier run did not leave, from the sheets in
-    /// `folder`.
-    void prepare(const report::Document& document, report::DrawnFigures& figures, output::ResultCache* store,
+    /// Looks into the cache whether an earlier run printed the same from the sheets in `folder`.
+    void look_up(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
                  const std::filesystem::path& folder);
-    /// Writes report.pdf into `folder`, and what was printed into the cache.
+    /// Writes the PDF of both volumes into `folder`, and what was printed into the cache.
     /// @return what to warn of, else empty
     /// @throws EngineError if the engine does not deliver what is required; OutputError
     std::string write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
                       const std::filesystem::path& folder) const;
 
 private:
+    struct Copy {
+        report::Volume volume;
+        std::string key = {};                     // in the cache; empty: not asked
+        std::optional<std::string> stored = {};   // bytes that the cache had
+    };
+
     const report::Templates& templates_;
-    report::Extent extent_;
     bool required_;
     std::optional<report::PdfEngine> engine_;
-    std::string key_;                     // in the cache; empty: not asked
-    std::optional<std::string> stored_;   // bytes that the cache had
+    std::array<Copy, 2> copies_{{{report::Volume::report}, {report::Volume::appendix}}};
 
-    std::string key_of(const report::Document& document, const report::DrawnFigures& figures, const std::filesystem::path& folder) const;
+    std::string key_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
+                       const std::filesystem::path& folder) const;
+    std::string pdf_of(const Copy& copy, const report::Document& document, const report::DrawnFigures& figures,
+                       output::ResultCache* store) const;
 };
 
 }   // namespace meshfolio::run

@@ -55,8 +55,14 @@ void write_report_files(const report::Document& document, const report::DrawnFig
                         const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
                         const fs::path& folder) {
     for (const char* name : {"images", "meshes", "tables"}) output::make_folder(folder / name);
-    run_tasks([&] { write_file(folder / "index.html", report::write_html(document, figures, templates, options)); },
-              [&] { write_file(folder / "report.md", report::write_markdown(document, figures, templates, options)); },
+    const auto write_volume = [&](report::Volume volume) {
+        report::WriteOptions own = options;
+        own.volume = volume;
+        write_file(folder / report::page_file(volume), report::write_html(document, figures, templates, own));
+        write_file(folder / report::markdown_file(volume), report::write_markdown(document, figures, templates, own));
+    };
+    run_tasks([&] { write_volume(report::Volume::report); }, [&] { write_volume(report::Volume::appendix); },
+              [&] { write_file(folder / "summary.md", report::write_summary(document, templates)); },
               [&] { write_file(folder / "results.json", report::write_json(document, figures, options)); },
               [&] { write_tables_and_plots(document, stored, folder); },
               [&] { for_each_task(answers.size(), [&](std::size_t i) { write_meshes(*answers[i], folder); }); });

@@ -14,7 +14,8 @@
 
 namespace meshfolio::run {
 
-/// Writes everything of the report but the pictures of meshes into `folder`: index.html, report.md, results.json, tables, plots, meshes.
+/// Writes everything of the report but the pictures of meshes into `folder`: the pages
+/// and the Markdown of both volumes, summary.md, results.json, tables, plots, meshes.
 /// @param stored  ids of sections whose tables, plots and meshes are there already
 /// @throws OutputError
 void write_report_files(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,

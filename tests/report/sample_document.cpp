@@ -156,7 +156,8 @@ Section answered() {
                 check_at_most("L2 error of H on sphere", 0.01, 0.0088),
                 check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1),
                 undecided(check_at_most("count below σ", 30, undefined), "rounding is larger than the gap")};
-    s.findings = {{text("H of the sphere is ", strong("0.88 %"), " off (", ref("q1_errors"), ")."), 50}, {text("small"), 1}};
+    s.answer = text("H of the sphere is ", strong("0.88 %"), " off, ", emphasis("not"), " more, with ", code("A"), " and ",
+                    math("λ_crit = x^{2}"), " (", ref("q1_errors"), ").");
     s.warnings = {"plane.obj: 3 duplicate faces were left out"};
     s.output_meshes = {"meshes/q1_plane.ply"};
     s.timings = {{"Laplacian", 0.0123}, {"curvature", 1.5}};
@@ -176,7 +177,6 @@ Document sample_document() {
     failed.title = "Fundamental forms";
     failed.status = Status::failed;
     failed.failure = "ellipsoid.obj:3: not a number";
-    failed.findings = {{text("second"), 30}, {text("third"), 20}, {text("fourth"), 10}, {text("fifth"), 5}};
     failed.checks = {check_near("all well", 1, 1, 0)};
     Section skipped;
     skipped.id = "q3";

@@ -77,6 +77,7 @@ inline constexpr std::array<const char*, 6> names_of(Diagram::Style) { return {"
 inline constexpr std::array<const char*, 9> names_of(Diagram::Side) {
     return {"centre", "above", "below", "left", "right", "above_left", "above_right", "below_left", "below_right"};
 }
+inline constexpr std::array<const char*, 3> names_of(DrawnFigure::Layout) { return {"panels", "matrix", "comparison"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Kind) { return {"near", "at_most", "at_least"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Status) { return {"passed", "failed", "undecided"}; }
 inline constexpr std::array<const char*, 3> names_of(Status) { return {"ok", "failed", "skipped"}; }
@@ -229,9 +230,32 @@ void describe(Fields& fields, part_of<Diagram> auto& diagram) {
 // ---- figures ------------------------------------------------------------------------------------------------------------
 
 template <class Fields>
+void describe(Fields& fields, part_of<DrawnPicture> auto& picture) {
+    fields.optional("view", picture.view, {}, "the direction it is seen from; absent: three quarters");
+    fields("left", picture.left, {"in the sheet [pixels]", 0});
+    fields("top", picture.top, {"", 0});
+    fields("width", picture.width, {"", 1});
+    fields("height", picture.height, {"", 1});
+    fields.file_if_any("file", picture.file);
+}
+
+template <class Fields>
 void describe(Fields& fields, part_of<DrawnPanel> auto& panel) {
     fields("label", panel.label);
-    fields.file("file", panel.file);
+    fields("pictures", panel.pictures, "none: an empty cell of a matrix, and the label says why");
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Legend> auto& legend) {
+    fields("quantity", legend.quantity);
+    fields("unit", legend.unit);
+    fields("low", legend.low);
+    fields("high", legend.high);
+    fields("colours", legend.colours, "evenly from low to high");
+    fields.optional("clipped_below", legend.clipped_below, 0, "share of the values");
+    fields.optional("clipped_above", legend.clipped_above, 0, "share of the values");
+    fields.optional("undefined", legend.undefined, {}, "colour of what has no value; absent: everything has one");
+    fields.optional("histogram", legend.histogram, {}, "share of the values in equal bins");
 }
 
 template <class Fields>
@@ -241,21 +265,18 @@ void describe(Fields& fields, part_of<DrawnModel> auto& model) {
     fields.optional("quantity", model.quantity, {}, "of the values at the vertices, with its unit");
 }
 
-using LabelAndFile = std::pair<std::string, std::string>;
-template <class Fields>
-void describe(Fields& fields, part_of<LabelAndFile> auto& view) {
-    fields("label", view.first);
-    fields.file("file", view.second);
-}
-
 template <class Fields>
 void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
     fields("id", entry.figure.id);
     fields("caption", entry.figure.caption);
     fields("alt", entry.figure.alt);
     fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn, "null: could not be drawn");
-    fields("views", entry.drawn.views);
-    fields.optional("comparison", entry.drawn.comparison, {}, "pictures to be laid over each other: before, after, and their difference");
+    const DrawnFigure fallback;
+    fields.optional("layout", entry.drawn.layout, fallback.layout);
+    fields.optional("columns", entry.drawn.columns, {}, "heads of a matrix, whose panels are given row by row");
+    fields.optional("rows", entry.drawn.rows, {});
+    fields.optional("panels", entry.drawn.panels, {}, "meshes, and where their pictures are in the sheet");
+    fields.optional("legend", entry.drawn.legend, "what the colours mean");
     fields.optional("models", entry.drawn.models, {}, "meshes that readers of the page can turn");
 }
 
@@ -377,7 +398,7 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
 }
 
 /// Raised whenever a reader of the earlier one would misread what is written; keys that are added do not raise it.
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 
 struct MeshDigest {
     std::string file, sha256;

@@ -94,6 +94,10 @@ public:
         (*this)(key, path);
         require_inner_path(path, {&place_, key});
     }
+    void file_if_any(const char* key, std::string& path) {
+        path.clear();
+        if (object_.contains(key)) file(key, path);
+    }
     void files(const char* key, std::vector<std::string>& paths) {
         (*this)(key, paths);
         for (const std::string& path : paths) require_inner_path(path, {&place_, key});

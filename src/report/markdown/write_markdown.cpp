@@ -1,10 +1,7 @@
-// report.md for a repository or a job summary: GitHub-flavoured, small enough to be shown whole.
-#include <array>
+// report.md and appendix.md for a repository, and summary.md for the summary of a CI job: GitHub-flavoured.
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "report/escape.h"
-#include "report/markdown/shortened_markdown.h"
 #include "report/page/template_render.h"
 #include "report/page/view_model.h"
 #include "report/writers.h"
@@ -13,8 +10,9 @@ namespace meshfolio::report {
 
 namespace {
 
-/// GitHub drops a job summary of 1 MiB whole and stops rendering long files well before that.
+/// GitHub stops rendering longer files.
 constexpr std::size_t size_limit = 256 << 10;
+constexpr std::size_t summary_limit = 20'000;
 
 /// No more than one empty line in a row, none at the beginning.
 std::string without_gaps(const std::string& text) {
@@ -29,35 +27,33 @@ std::string without_gaps(const std::string& text) {
 }   // namespace
 
 std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options) {
-    struct Detail {
-        bool single_views;
-        std::size_t table_rows;
-        bool passed_checks;
-    };
-    constexpr std::array<Detail, 5> details{
-        {{true, 40, true}, {false, 40, true}, {false, 12, true}, {false, 12, false}, {false, 4, false}}};
-    const auto written_with = [&](std::size_t i) {
-        ViewOptions view;
-        view.timings = options.timings;
-        view.pictures = false;
-        view.plot_files = options.plot_files;
-        view.single_views = details[i].single_views;
-        view.table_rows = details[i].table_rows;
-        view.passed_checks = details[i].passed_checks;
-        return without_gaps(render(templates, "report.md", view_model(document, figures, templates, view), markdown_escape));
-    };
-    // As much as fits, from the middle on: every attempt takes as long as the page itself.
-    std::size_t i = details.size() / 2;
-    std::string text = written_with(i);
-    while (text.size() > size_limit && i + 1 < details.size()) text = written_with(++i);
-    if (text.size() > size_limit) return shortened_markdown(text, size_limit);
-    const bool from_above = i > details.size() / 2;
-    while (!from_above && i > 0) {
-        std::string more = written_with(--i);
-        if (more.size() > size_limit) break;
-        text = std::move(more);
+    ViewOptions view;
+    view.volume = options.volume;
+    view.other_page = markdown_file(other_of(options.volume));
+    view.timings = options.timings;
+    view.pictures = false;
+    view.plot_files = options.plot_files;
+    std::string text;
+    for (const std::size_t rows : {40, 12, 4}) {   // as many rows of long tables as fit; with fewer, only the checks that did not pass
+        view.table_rows = rows;
+        view.passed_checks = rows > 12;
+        text = without_gaps(render(templates, "report.md", view_model(document, figures, templates, view), markdown_escape));
+        if (text.size() <= size_limit) break;
     }
     return text;
+}
+
+std::string write_summary(const Document& document, const Templates& templates) {
+    ViewOptions view;
+    view.other_page = page_file(Volume::appendix);
+    view.timings = view.pictures = view.passed_checks = false;
+    std::string text;
+    for (const std::size_t checks : {20, 4, 1, 0}) {   // of each section
+        view.most_checks = checks;
+        text = without_gaps(render(templates, "summary.md", view_model(document, {}, templates, view), markdown_escape));
+        if (text.size() <= summary_limit) return text;
+    }
+    return text.substr(0, text.rfind('\n', summary_limit - 1) + 1);
 }
 
 }   // namespace meshfolio::report

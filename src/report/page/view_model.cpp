@@ -8,16 +8,15 @@
 #include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
-#include "report/page/view_extent.h"
+#include "report/page/view_figure.h"
 #include "report/page/view_value.h"
+#include "report/page/volumes.h"
 
 namespace meshfolio::report {
 
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t findings_shown = 5;
 
 json names_and_values(const std::map<std::string, std::string>& pairs, const char* name_meaning, const char* value_meaning) {
     json list = list_of(pairs, [&](const auto& pair) {
@@ -63,12 +62,6 @@ json score_view(const Score& score) {
 
 // ---- sections -----------------------------------------------------------------------------------------------------------
 
-template <class Kind>
-std::size_t count_of(const Section& section) {
-    const auto is_kind = [](const Block& block) { return std::holds_alternative<Kind>(block); };
-    return static_cast<std::size_t>(std::count_if(section.blocks.begin(), section.blocks.end(), is_kind));
-}
-
 /// An input whose file has this name, this content and may be a stand-in.
 json mesh_view(const std::string& file, const std::string& sha256, bool is_stand_in) {
     return view_of({{"file", "name of the file", safe_text(file)},
@@ -94,26 +87,35 @@ json code_view(const CodeReference& code) {
                     {"has_line", "src.txt has the function", code.line > 0}});
 }
 
+std::string link_to(const std::string& id, const Numbering& numbering) {
+    const Reference target = numbering.resolve(id);
+    return target.page + "#" + url_path(target.anchor);
+}
+
 /// What the opening table, the contents list and the section itself have in common.
-json section_head(const Section& section, const std::string& number, const ViewOptions& options) {
+json section_head(const Section& section, const std::string& number, const ViewContext& context) {
     json checks = json::array();
-    for (const Check& check : section.checks)
-        if (options.passed_checks || !check.passed()) checks.push_back(check_view(check));
-    const std::size_t figures = count_of<Figure>(section) + count_of<Plot>(section) + count_of<Map>(section) + count_of<Diagram>(section);
+    for (const Check& check : section.checks) {
+        const bool is_listed = context.options.passed_checks || !check.passed();
+        if (is_listed && checks.size() < context.options.most_checks) checks.push_back(check_view(check));
+    }
     json head = score_view(score_of(section.checks));
     enter(head, {{"id", "anchor of the section: \"q4\"", safe_text(section.id)},
+                 {"href", "link to the section, in this page or that of the other volume", link_to(section.id, context.numbering)},
                  {"number", "\"4\"; letters for what the answers rest on", number},
                  {"title", "its title", safe_text(section.title)},
+                 {"is_question", "it answers a question of the assignment", is_question(section.id)},
                  {"is_ok", "it was answered", section.status == Status::ok},
                  {"is_failed", "it failed", section.status == Status::failed},
                  {"is_skipped", "it was not asked for, or stopped", section.status == Status::skipped},
+                 {"answer", "in one sentence", text_view(section.answer, context.numbering)},
+                 {"has_answer", "there is one", !section.answer.empty()},
                  {"extent", "how far it was achieved", prose_view(section.extent)},
                  {"has_extent", "that is said", !section.extent.empty()},
                  {"failure", "why it failed, one line", safe_text(section.failure)},
-                 {"figure_count", "figures, plots included", std::to_string(figures)},
-                 {"table_count", "tables", std::to_string(count_of<Table>(section))},
                  {"has_listed_checks", "its list of checks is not empty", !checks.empty()},
                  {"checks", "what was checked", std::move(checks)}});
+    enter_list(head, "code", "functions that answer it", list_of(section.code, code_view));
     return head;
 }
 
@@ -130,54 +132,30 @@ json headings_view(const json& blocks) {
 }
 
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
-    const auto finding = [&](const Finding& f) { return text_view(f.text, context.numbering); };
     const auto warning = [](const std::string& words) { return view_of({{"text", "one line", safe_text(words)}}); };
     const auto output = [](const std::string& file) {
         return view_of({{"name", "its path in the report", safe_text(file)}, {"href", "link to the file", url_path(file)}});
     };
-    int headings = 0;
-    json blocks = json::array();
-    const std::set<const Block*> shown = blocks_shown(section, context.options.extent);
-    for (const Block& block : section.blocks) {
-        if (shown.contains(&block)) blocks.push_back(block_view(block, number, headings, context));
-    }
-    json view = section_head(section, number, context.options);
+    const bool is_further = context.options.volume == Volume::appendix && is_question(section.id);
+    const std::span<const Block> shown = blocks_in(section, context.options.volume);
+    const auto is_heading = [](const Block& block) { return std::holds_alternative<Heading>(block); };
+    int headings = static_cast<int>(std::count_if(section.blocks.data(), shown.data(), is_heading));   // those of the report come first
+    json blocks = list_of(shown, [&](const Block& block) { return block_view(block, number, headings, context); });
+    json view = section_head(section, number, context);
+    if (is_further) view["id"] = further_id(section);
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
                  {"has_asked", "there is one", !section.asked.empty()},
-                 {"is_brief", "it is told in brief (print.html only)", is_brief(section, context.options.extent)}});
+                 {"is_further", "what a question leaves to the appendix", is_further}});
     enter_list(view, "inputs", "meshes it read", list_of(section.inputs, input_view));
     enter_list(view, "parameters", "its settings", names_and_values(section.parameters, "of the setting", "what it is"));
-    enter_list(view, "code", "functions that answer it", list_of(section.code, code_view));
     enter_list(view, "warnings", "what was unusual", list_of(section.warnings, warning));
     enter_list(view, "outputs", "meshes it wrote", list_of(section.output_meshes, output));
-    enter_list(view, "own_findings", "what it found, each a text", list_of(section.findings, finding));
     enter_list(view, "headings", "numbered headings within the section", headings_view(blocks));
     enter(view, {{"blocks", "what is read, in order; one of the is_… is true for each", std::move(blocks)}});
     return view;
 }
 
 // ---- the document -------------------------------------------------------------------------------------------------------
-
-json findings_view(const Document& document, const std::vector<std::string>& numbers, const Numbering& numbering) {
-    struct Ranked {
-        const Finding* finding;
-        std::size_t section;
-    };
-    std::vector<Ranked> ranked;
-    for (std::size_t s = 0; s < document.sections.size(); ++s) {
-        for (const Finding& finding : document.sections[s].findings) ranked.push_back({&finding, s});
-    }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.finding->weight > b.finding->weight; });
-    if (ranked.size() > findings_shown) ranked.resize(findings_shown);
-    return list_of(ranked, [&](const Ranked& r) {
-        const std::string& section = document.sections[r.section].id;
-        json view = text_view(r.finding->text, numbering);
-        enter(view, {{"href", "link to its section", "#" + url_path(section)},
-                     {"label", "of that section: \"Question 4\"", numbering.resolve(section).label},
-                     {"section_number", "of that section: \"4\", \"A\"", numbers[r.section]}});
-        return view;
-    });
-}
 
 json provenance_view(const Document& document) {
     const Provenance& p = document.provenance;
@@ -260,10 +238,14 @@ json timings_view(const Document& document, const Numbering& numbering) {
 }   // namespace
 
 json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options) {
-    const std::vector<CitedWork> works = bibliography_of(templates);
+    std::vector<CitedWork> works = bibliography_of(templates);
+    // Those that the report cites have the first numbers.
+    const auto in_report = works_cited_in(document, Volume::report, works), cited = works_cited_in(document, options.volume, works);
+    std::stable_partition(works.begin(), works.end(), [&](const CitedWork& work) { return in_report.contains(work.id); });
     const auto formulas = formulas_of(templates);
     Numbering numbering(document, works);
-    leave_out_hidden(document, options.extent, numbering);
+    mark_elsewhere(document, options.volume, options.other_page, numbering);
+    std::erase_if(works, [&](const CitedWork& work) { return !cited.contains(work.id); });
     const auto numbers = section_numbers(document);
     const ViewContext context{figures, numbering, formulas, options};
 
@@ -272,10 +254,8 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         const Section& section = document.sections[s];
         total += score_of(section.checks);
-        const bool begins_supporting = s > 0 && is_question(document.sections[s - 1].id) && !is_question(section.id);
-        attempted.push_back(section_head(section, numbers[s], options));
-        enter(attempted.back(), {{"begins_supporting", "the first that is no question of the assignment", begins_supporting}});
-        sections.push_back(section_view(section, numbers[s], context));
+        attempted.push_back(section_head(section, numbers[s], context));
+        if (has_section(section, options.volume)) sections.push_back(section_view(section, numbers[s], context));
     }
     json score = score_view(total);
     enter(score, {{"is_complete", "the lists of checks hold those that passed, too", options.passed_checks},
@@ -286,19 +266,22 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"has_author", "there is an author", !document.author.empty()},
                  {"course", "which course it is for", safe_text(document.course)},
                  {"has_course", "there is a course", !document.course.empty()},
-                 {"cover", "picture of the first page; false: none", document.cover ? picture_view(*document.cover, context) : json(false)},
+                 {"is_report", "this is the volume of the questions", options.volume == Volume::report},
+                 {"is_appendix", "this is the volume of what they rest on", options.volume == Volume::appendix},
+                 {"other_page", "file of the other volume", url_path(options.other_page)},
+                 {"cover", "picture of the first page; false: none", document.cover ? cover_view(*document.cover, context) : json(false)},
                  {"provenance", "what made this report", provenance_view(document)},
                  {"score", "checks of the whole report", std::move(score)},
                  {"used", "the meshes, for the first page", meshes_used(document)},
                  {"answers", "how many questions of the assignment were answered", answered_view(document)},
-                 {"attempted", "opening table: one a section, with what `sections` has of heads", std::move(attempted)},
-                 {"sections", "questions, then what they rest on, in order", std::move(sections)},
-                 {"has_page_numbers", "the page is printed with their numbers in the contents (print.html only)", options.page_numbers},
-                 {"is_brief_report", "what is no question is told in brief (print.html only)", options.extent == Extent::brief}});
-    enter_list(model, "findings", "what is worth the first page, best first", findings_view(document, numbers, numbering));
-    enter_list(model, "works", "cited works", list_of(works, [&](const CitedWork& work) { return work_view(work, numbering); }));
-    enter_list(model, "timings", "seconds of each step; empty without timings",
-               options.timings ? timings_view(document, numbering) : json::array());
+                 {"attempted", "one a section of both volumes, with what `sections` has of heads", std::move(attempted)},
+                 {"sections", "of this volume, in order", std::move(sections)},
+                 {"has_page_numbers", "the page is printed with their numbers in the contents (print.html only)", options.page_numbers}});
+    enter_list(model, "works", "works that this volume cites",
+               list_of(works, [&](const CitedWork& work) { return work_view(work, numbering); }));
+    const bool with_timings = options.timings && options.volume == Volume::appendix;
+    enter_list(model, "timings", "seconds of each step; empty without timings, and in the report",
+               with_timings ? timings_view(document, numbering) : json::array());
     return model;
 }
 

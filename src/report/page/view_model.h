@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
-#include <set>
 #include <string>
 
 #include "report/document.h"
@@ -13,33 +12,25 @@
 
 namespace meshfolio::report {
 
-/// How much of the document the page shows.
-enum class Extent {
-    whole,
-    brief,   // of what is no question the findings, the first paragraph with what it introduces, the first picture and the first table; of
-             // the checks those that failed
-};
-
 struct ViewOptions {
+    Volume volume = Volume::report;
+    std::string other_page = {};   // of the other volume, for links; empty: what is there is called by its number alone
     bool timings = true;
-    bool pictures = true;          // previews and plots inside, for a page of one file
-    bool print_files = false;      // pictures are print_file(id), beside the page
-    bool page_numbers = false;     // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
-    bool plain_formulas = false;   // for readers without MathML
-    Extent extent = Extent::whole;
+    bool pictures = true;              // pictures and plots inside, for a page of one file
+    bool print_files = false;          // pictures are print_file(…), beside the page
+    bool page_numbers = false;         // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
+    bool plain_formulas = false;       // for readers without MathML
     bool plot_files = false;           // images/<plot>.svg are there to link to
     bool single_views = true;          // links to the pictures a sheet is made of
     bool models = false;               // inside, for a page that can turn them; false: only linked to
-    bool passed_checks = true;         // in the lists of checks; false: only those that failed
+    bool passed_checks = true;         // in the lists of checks; false: only the others,
+    std::size_t most_checks = -1;      // and of a section at most so many
     std::size_t table_rows = 200;      // longer tables show their first and last rows,
     std::size_t fewest_left_out = 1;   // unless fewer than these would be left out
 };
 
-/// Of the picture of a figure for paper.
-std::string print_file(const std::string& figure);
-
-/// Ids of the figures shown to this extent, the cover included.
-std::set<std::string> figures_shown(const Document& document, Extent extent);
+/// Of a picture of a figure for paper: which of its panel.
+std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture);
 
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula
 nlohmann::json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options);

@@ -134,7 +134,8 @@ bool refers_elsewhere(const Table& table, const Numbering& numbering) {
     for (const auto& row : table.rows) {
         for (std::size_t c = 0; c < std::min(row.size(), table.columns.size()); ++c) {
             const auto* id = std::get_if<std::string>(&row[c]);
-            if (id != nullptr && table.columns[c].reference && numbering.resolve(*id).left_out) return true;
+            if (id != nullptr && table.columns[c].reference && numbering.resolve(*id).elsewhere && numbering.resolve(*id).page.empty())
+                return true;
         }
     }
     return false;
@@ -206,7 +207,7 @@ json table_view(const Table& table, const ViewContext& context) {
                  {"is_sortable", "readers may sort it", whole && worth_sorting},
                  {"has_many_columns", "the table has so many columns that its print is small", table.columns.size() > most_columns},
                  {"has_best", "a value of it is marked as best", has_best},
-                 {"has_references_elsewhere", "cells name what is left out here; index.html has it (print.html only)",
+                 {"has_references_elsewhere", "cells name what is in the other volume, and no page can be linked to (print.html only)",
                   refers_elsewhere(table, context.numbering)}});
     return view;
 }

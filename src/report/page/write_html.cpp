@@ -1,4 +1,4 @@
-// index.html: one file that needs nothing else, read by HTML and by XML parsers alike.
+// index.html and appendix.html: each one file that needs nothing else, read by HTML and by XML parsers alike.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -6,25 +6,32 @@
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
 #include "report/page/view_model.h"
+#include "report/page/volumes.h"
 #include "report/writers.h"
 
 namespace meshfolio::report {
 
 namespace {
 
-bool has_models(const DrawnFigures& figures) {
-    return std::any_of(figures.begin(), figures.end(), [](const auto& figure) { return !figure.second.models.empty(); });
+bool has_models(const Document& document, Volume volume, const DrawnFigures& figures) {
+    const std::set<std::string> shown = figures_in(document, volume);
+    return std::any_of(shown.begin(), shown.end(), [&](const std::string& id) {
+        const auto figure = figures.find(id);
+        return figure != figures.end() && !figure->second.models.empty();
+    });
 }
 
 }   // namespace
 
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options) {
     ViewOptions view;
+    view.volume = options.volume;
+    view.other_page = page_file(other_of(options.volume));
     view.timings = options.timings;
     view.plot_files = options.plot_files;
     view.models = !options.viewer.empty() && options.design == "report";
     nlohmann::json model = view_model(document, figures, templates, view);
-    add_design(model, templates, options.design, {has_models(figures), options.viewer});
+    add_design(model, templates, options.design, {has_models(document, options.volume, figures), options.viewer});
     return render(templates, options.design + ".html", model, xml_escape);
 }
 

@@ -6,12 +6,13 @@
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
+#include "report/page/volumes.h"
 
 namespace meshfolio::report {
 
 namespace {
 
-constexpr std::size_t rows_of_the_whole = 60;
+constexpr std::size_t table_rows = 16;   // tables half as long again and longer show their first and last rows
 
 /// Without tags, entities resolved, spaces and line ends as one space each.
 std::string text_of(const std::string& html) {
@@ -38,29 +39,19 @@ std::string text_of(const std::string& html) {
     return text;
 }
 
-std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Extent extent) {
+std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Volume volume) {
     std::map<std::string, std::string> files;
-    for (const std::string& id : figures_shown(document, extent)) {
-        if (const auto drawn = figures.find(id); drawn != figures.end()) files[print_file(id)] = drawn->second.print_jpeg;
+    for (const std::string& id : figures_in(document, volume)) {
+        const auto drawn = figures.find(id);
+        if (drawn == figures.end()) continue;
+        const std::vector<DrawnPanel>& panels = drawn->second.panels;
+        for (std::size_t p = 0; p < panels.size(); ++p)
+            for (std::size_t i = 0; i < panels[p].pictures.size(); ++i) files[print_file(id, p, i)] = panels[p].pictures[i].jpeg;
     }
     return files;
 }
 
 }   // namespace
-
-void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser) {
-    std::size_t weight = 0;
-    for (const DrawnFigure* figure : figures) weight += figure->print_jpeg.size();
-    std::stable_sort(figures.begin(), figures.end(),
-                     [](const auto* a, const auto* b) { return a->print_jpeg.size() > b->print_jpeg.size(); });
-    for (DrawnFigure* figure : figures) {
-        if (weight <= most) return;
-        std::string lighter = lesser(*figure);
-        if (lighter.empty() || lighter.size() >= figure->print_jpeg.size()) continue;
-        weight -= figure->print_jpeg.size() - lighter.size();
-        figure->print_jpeg = std::move(lighter);
-    }
-}
 
 PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
     ViewOptions view;
@@ -69,13 +60,13 @@ PrintPage print_page(const Document& document, const DrawnFigures& figures, cons
     view.page_numbers = options.page_numbers;
     view.plain_formulas = !options.mathml;
     view.single_views = false;
-    view.extent = options.extent;
-    view.passed_checks = options.extent == Extent::whole;
-    view.table_rows = options.extent == Extent::brief ? options.table_rows : rows_of_the_whole;
-    view.fewest_left_out = view.table_rows / 2;   // a gap in a table hardly longer spares nothing
+    view.volume = options.volume;
+    view.passed_checks = false;   // results.json, attached to the report, has them all
+    view.table_rows = table_rows;
+    view.fewest_left_out = table_rows / 2;   // a gap in a table hardly longer spares nothing
     nlohmann::json model = view_model(document, figures, templates, view);
     add_design(model, templates, "print");
-    return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.extent)};
+    return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.volume)};
 }
 
 std::vector<PageHeading> headings_of(const std::string& html) {

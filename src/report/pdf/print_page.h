@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,17 +17,10 @@ struct PrintPage {
     std::map<std::string, std::string> files;   // by their paths relative to the page
 };
 
-/// Pictures of a PDF that is to weigh 15 MB at most.
-inline constexpr std::size_t most_picture_bytes = 12'000'000;
-
-/// While the pictures for paper weigh more than `most` together, the heaviest gives way: to what `lesser` makes of it, if that is lighter.
-void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser);
-
 struct PrintOptions {
-    Extent extent = Extent::brief;
-    bool mathml = true;            // the engine sets it; else formulas are plain text
-    bool page_numbers = true;      // in the contents, which takes a second pass of the engine
-    std::size_t table_rows = 16;   // tables half as long again and longer show their first and last rows; the whole report 60
+    Volume volume = Volume::report;
+    bool mathml = true;         // the engine sets it; else formulas are plain text
+    bool page_numbers = true;   // in the contents, which takes a second pass of the engine
 };
 
 /// Nothing in it depends on the time.

@@ -170,7 +170,6 @@ Words words_of(const std::string& value) { return {value}; }
 Words words_of(const std::filesystem::path& value) { return {value.string()}; }
 Words words_of(const ViewSize& size) { return {std::to_string(size.width) + " × " + std::to_string(size.height)}; }
 Words words_of(const PageTemplate& page) { return {page.design, page.file.value_or("").string()}; }
-Words words_of(report::Extent extent) { return {extent == report::Extent::whole ? "full" : "brief"}; }
 template <class Number>
 requires std::is_arithmetic_v<Number> Words words_of(Number value) {
     if constexpr (std::is_integral_v<Number>)

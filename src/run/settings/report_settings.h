@@ -17,7 +17,7 @@
 
 #include "base/errors.h"
 #include "questions/core/settings.h"
-#include "report/page/view_model.h"
+#include "report/writers.h"
 
 namespace meshfolio::run {
 
@@ -64,7 +64,6 @@ struct ReportSettings {
     std::filesystem::path out = "out", templates;
     PageTemplate page;
     std::string pdf = "auto", pdf_browser;   // auto, require or off; the browser by name or path, empty: the first that is found
-    report::Extent printed = report::Extent::brief;
     std::string title, author, course, colormap;
     ViewSize size;
     int threads = 0;   // 0: all

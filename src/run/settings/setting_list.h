@@ -44,8 +44,8 @@ inline std::vector<std::string> colormap_names() {
 template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
-    auto& [meshes, data, out, templates, page, pdf, pdf_browser, printed, title, author, course, colormap, size, threads, seed, quick,
-           laboratory, fail_fast, timings, only, questions, experiments, experiments_digest, base] = settings;
+    auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, threads, seed, quick, laboratory,
+           fail_fast, timings, only, questions, experiments, experiments_digest, base] = settings;
     visit(Setting{.table = "[render]",
                   .key = "size",
                   .flag = "--size",
@@ -71,7 +71,6 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.table = "[report]", .key = "author"}, author);
     visit(Setting{.table = "[report]", .key = "course"}, course);
     visit(Setting{.table = "[report]", .key = "template"}, page);
-    visit(Setting{.table = "[report]", .key = "pdf"}, printed);
     visit(Setting{.table = "[report]", .key = "sections", .flag = "--only", .name = "only", .choices = section_ids}, only);
     visit(Setting{.table = "[render]", .key = "colormap", .name = "colormap", .shapes_answers = true, .choices = colormap_names}, colormap);
     // Tables of their own, and the file they come from.

@@ -21,8 +21,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Names in the report's folder that a question's output may not take.
-const std::vector<std::string> taken_names{"images",  "tables",       "index.html", "report.md",     "report.pdf",
-                                           "src.txt", "results.json", "SHA256SUMS", "submission.zip"};
+const std::vector<std::string> taken_names{"images",    "tables",       "models",     "index.html",    "appendix.html",
+                                           "report.md", "appendix.md",  "summary.md", "report.pdf",    "appendix.pdf",
+                                           "src.txt",   "results.json", "SHA256SUMS", "submission.zip"};
 
 template <class Settings>
 std::vector<std::string> keys_of(std::string_view table) {
@@ -144,13 +145,6 @@ private:
         } catch (const Error& error) {
             problems_.add(*reader.node(setting.key), reader.called(setting.key) + " cannot be read: " + std::string(error.what()));
         }
-    }
-
-    void take(const TableReader& reader, const Setting& setting, report::Extent& extent) {
-        const auto name = reader.text(setting.key);
-        if (name && *name != "brief" && *name != "full")
-            problems_.add(*reader.node(setting.key), reader.called(setting.key) + " is " + in_quotes(*name), "write \"brief\" or \"full\"");
-        if (name) extent = *name == "full" ? report::Extent::whole : report::Extent::brief;
     }
 
     /// Sections, of which there is a choice, or paths of meshes.

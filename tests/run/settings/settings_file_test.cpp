@@ -202,14 +202,10 @@ TEST(SettingsFile, TemplateMustBeReadable) {
     EXPECT_EQ(parse_settings("[report]\ntemplate = \"page.html\"", file).page.file, folder.path() / "page.html");
 }
 
-TEST(SettingsFile, TheDesignAndTheExtentOfThePdfAreChosenByTheirNames) {
-    const ReportSettings file = parse_settings("[report]\ntemplate = \"print\"\npdf = \"full\"", "my.toml");
+TEST(SettingsFile, TheDesignIsChosenByItsName) {
+    const ReportSettings file = parse_settings("[report]\ntemplate = \"print\"", "my.toml");
     EXPECT_EQ(file.page.design, "print");
     EXPECT_FALSE(file.page.file);
-    EXPECT_EQ(file.printed, report::Extent::whole);
-    EXPECT_EQ(parse_settings("[report]\npdf = \"brief\"", "my.toml").printed, report::Extent::brief);
-    expect_problem("[report]\npdf = \"short\"", 2, {"short", "full"});
-    expect_problem("[report]\npdf = true", 2, {"pdf"});
 }
 
 TEST(SettingsFile, AllProblemsAtOnceInTheOrderOfTheirLines) {
@@ -281,7 +277,6 @@ TEST(DefaultSettings, AndTheirExamplesAreValid) {
     const TemporaryFolder folder;
     const ReportSettings full = parse_settings(uncommented, (folder.path() / "report.toml").string());
     EXPECT_EQ(full.page.design, "print");
-    EXPECT_EQ(full.printed, report::Extent::whole);
     for (const char* id : {"q4", "q6", "q7"}) EXPECT_TRUE(full.questions.contains(id)) << id;
     const QuestionTable& q4 = full.questions.at("q4");
     EXPECT_TRUE(q4.output && q4.seed && q4.threads && !q4.k.empty() && !q4.meshes.empty());
