@@ -59,6 +59,21 @@ double largest_magnitude(const Vector& values) {
     return largest_magnitude(values, [](int) { return true; });
 }
 
+double typical_jump(const Vector& values, const MeshTopology& topology) {
+    const auto median = [](std::vector<double>& sizes) {
+        if (sizes.empty()) return 0.0;
+        std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
+        return sizes[sizes.size() / 2];
+    };
+    std::vector<double> jumps, sizes;
+    for (const Edge& edge : topology.edges)
+        if (const double jump = values[edge.a] - values[edge.b]; std::isfinite(jump)) jumps.push_back(std::abs(jump));
+    for (const double value : values)
+        if (std::isfinite(value)) sizes.push_back(std::abs(value));
+    const double size = median(sizes);
+    return size > 0 ? median(jumps) / size : 0;
+}
+
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels) {
     output::ColorRange range = shared;
     double below = 0, above = 0, finite = 0;
@@ -74,13 +89,9 @@ output::ColorRange range_for(const output::ColorRange& shared, const std::vector
     return range;
 }
 
-int undefined_vertices(const CurvatureSubject& subject) {
-    return subject.source->prepared->preflight.vertices_in_use - subject.interior;
-}
+int undefined_vertices(const CurvatureSubject& subject) { return subject.source->prepared->preflight.vertices_in_use - subject.interior; }
 
-std::string undefined_words(int vertices) {
-    return vertices == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = vertices);
-}
+std::string undefined_words(int vertices) { return vertices == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = vertices); }
 
 output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor) {
     output::ColorRange range = output::robust_range(panels, std::move(colormap), std::move(quantity), "", floor);

@@ -46,6 +46,10 @@ double largest_magnitude(const Vector& values, Predicate chosen) {
 }
 double largest_magnitude(const Vector& values);
 
+/// Median |difference| between the ends of edges over the median |value|, where both are finite: how rough a picture is, whatever single
+/// vertices do. 0 where that median is 0.
+double typical_jump(const Vector& values, const MeshTopology& topology);
+
 /// `shared` with the clipped shares of these panels.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
 

@@ -53,7 +53,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("q1");
-    const auto sources = meshes_for(library, settings, {"plane", "lilium", "bumpy_cube", "sphere"}, section);
+    const auto sources = meshes_for(library, settings, {"bumpy_cube", "lilium", "sphere", "plane"}, section);
     Meshes meshes;
     std::vector<std::string> names;
     for (const auto& source : sources) {

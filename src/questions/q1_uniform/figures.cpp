@@ -56,6 +56,7 @@ void add_figures(Answer& answer, const Meshes& meshes) {
             .colormap = "diverging", .low = -100, .high = 100, .quantity = words.line(quantity.quantity), .unit = words.line("own_range")};
         figure.range = range_for(range, figure.panels);
         figure.frame_panel = -1;
+        figure.turnable = quantity.key == "h";
         figure.view_files = true;
         add_figure(answer, std::move(figure));
     }

@@ -52,7 +52,7 @@ TangentialPart tangential_part(const MeshCurvature& c);
 
 /// What the picture of uniform H shows beside that of cotangent H.
 struct Picture {
-    double jump = 0, cotangent_jump = 0;       // rms difference between neighbours, over the rms of the values
+    double jump = 0, cotangent_jump = 0;       // typical_jump()
     double spread = 0, cotangent_spread = 0;   // 98th over 2nd percentile where there is one sign; 0 where there are two
 
     bool speckled() const { return jump > 1.5 * cotangent_jump; }

@@ -50,7 +50,7 @@ report::Table error_table(const BenchRuns& runs) {
         .column("normal part", {.unit = "%", .digits = 2}, error("H.uniform_n"))
         .column("K", {.unit = "%"}, error(deficit_K))
         .column("order", order(deficit_K))
-        .column("K at one vertex", {.unit = "%"}, error(deficit_K, &EstimateError::linf));
+        .column("K, worst vertex", {.unit = "%"}, error(deficit_K, &EstimateError::linf));
 }
 
 report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
