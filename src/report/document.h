@@ -80,12 +80,15 @@ struct Series {
     /// Which of the colours, and which of the dashes and shapes of points; −1: those of the series' place in its plot. Given where a series
     /// is to look as in another plot, or series are to be told apart by two properties.
     int color = -1, pattern = -1;
+    /// Series of one panel share a small plot of that name, beside the others on common axes: for more than five series. Empty: one plot.
+    std::string panel = {};
     bool operator==(const Series&) const = default;
 };
 
 struct Marker {
     double x = 0, y = 0;
-    std::string label;   // "minimum, iteration 17"
+    std::string label;        // "minimum, iteration 17"
+    std::string panel = {};   // of the series it is on
     bool operator==(const Marker&) const = default;
 };
 

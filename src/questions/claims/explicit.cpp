@@ -128,12 +128,12 @@ Measurement largest_stable_is_best(ClaimBench& bench, const MeshNames& meshes) {
         const SmoothingSubject& s = bench.subject(name);
         const double start = roughness(s, s.mesh().X);
         for (const int t : {10, 100}) {
-            report::Series series{.name = s.name() + ", " + counted(t, "iteration"), .style = report::Series::Style::line_and_points};
+            report::Series series{.name = s.name(), .style = report::Series::Style::line_and_points, .panel = counted(t, "iteration")};
             for (const double share : {0.25, 0.5, 0.75, 0.9, 0.99}) {
                 series.x.push_back(share);
                 series.y.push_back(roughness(s, bench.run(name, {explicit_euler, share * s.critical, t}).X) / start);
             }
-            m.cases.push_back({series.name, series.y.back() / std::ranges::min(series.y)});
+            m.cases.push_back({series.name + ", " + series.panel, series.y.back() / std::ranges::min(series.y)});
             plot.series.push_back(std::move(series));
         }
     }

@@ -141,11 +141,14 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
                       .log_y = true};
     std::vector<std::string> ends;
     for (int i = 0; i < int(denoising_list().size()); ++i) {
-        const bool filter = filters_normals(denoising_list()[i].method);
-        report::Series series{.name = method_title(i),
-                              .style = filter ? report::Series::Style::dashed : report::Series::Style::line_and_points,
-                              .color = i,   // as on the other meshes, also where a method before it has no gain
-                              .pattern = i};
+        const DenoisingMethod method = denoising_list()[i].method;
+        const bool filter = filters_normals(method);
+        report::Series series{
+            .name = method_title(i),
+            .style = filter ? report::Series::Style::dashed : report::Series::Style::line_and_points,
+            .color = i,   // as on the other meshes, also where a method before it has no gain
+            .pattern = i,
+            .panel = words.line(filter || method == DenoisingMethod::conformal_flow ? "gain_plot.others" : "gain_plot.laplacian")};
         for (const NoiseTrial* trial : mesh.of_kind(NoiseKind::gaussian)) {
             series.x.push_back(trial->edges);
             series.y.push_back(trial->results[i].gain());

@@ -29,7 +29,7 @@ report::Table error_table(const BenchRuns& runs);
 /// Errors of K on the finest meshes in one norm, one row an area form.
 report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
 report::Table gauss_bonnet_table(const AngleSums& sums);
-report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator);
+report::Plot convergence_plot(const BenchRuns& runs);
 
 /// Δx and its parts, the angle deficit, and the three areas, each of a real ring.
 report::Diagram ring_diagram();

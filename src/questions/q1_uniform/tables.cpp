@@ -72,16 +72,22 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
         .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); });
 }
 
-report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator) {
-    const bool gaussian = estimator == deficit_K;
-    const std::string quantity = gaussian ? "K (barycentric areas)" : "uniform H (scaled)";
-    report::Plot plot = error_plot(gaussian ? "q1_k_convergence" : "q1_h_convergence", words.line("convergence", "quantity"_a = quantity),
-                                   words.line("convergence.alt", "quantity"_a = quantity));
-    for (const BenchRun& run : runs) {
-        using enum report::Series::Style;
-        const ErrorHistory errors = run.errors(estimator);
-        plot.series.push_back(error_series(run.title(), errors, run.kind == MeshKind::regular ? line_and_points : dashed));
-        plot.alt += " " + words.line("convergence.alt.series", "series"_a = run.title(), "trend"_a = trend(errors));
+report::Plot convergence_plot(const BenchRuns& runs) {
+    report::Plot plot = error_plot("q1_convergence", words.line("convergence"), words.line("convergence.alt"));
+    for (const KnownSurface& surface : question_surfaces()) {
+        int color = 0;
+        for (const auto& [estimator, key] : {std::pair{uniform_H, "convergence.h"}, std::pair{deficit_K, "convergence.k"}}) {
+            for (const MeshKind kind : question_kinds) {
+                using enum report::Series::Style;
+                const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
+                const std::string name = words.line(key, "triangulation"_a = name_of(kind));
+                plot.series.push_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
+                plot.series.back().color = color;
+                plot.series.back().panel = surface.name;
+                plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
+            }
+            ++color;
+        }
     }
     return plot;
 }

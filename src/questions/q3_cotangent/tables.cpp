@@ -100,7 +100,7 @@ report::Plot convergence_plot(const BenchRuns& runs) {
                                                     "triangulation"_a = name_of(kind));
                 plot.series.push_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
                 plot.series.back().color = color;
-                // PANEL
+                plot.series.back().panel = surface.name;
                 plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
             }
             ++color;

@@ -35,8 +35,8 @@ struct UnitRow {
 
 /// |1 − λμ|ᵗ or what was measured of it, at some fifteen steps of the run.
 /// @param first  step to begin with: runs that obey one law would hide each other, so their points alternate
-report::Series curve(const std::string& name, const ModeGrowth& growth, bool measured, double first = 0) {
-    report::Series series{.name = name, .style = measured ? Style::points : Style::dashed};
+report::Series curve(const std::string& name, const std::string& step, const ModeGrowth& growth, bool measured, double first = 0) {
+    report::Series series{.name = name, .style = measured ? Style::points : Style::dashed, .panel = step};
     const int stride = std::max(2, growth.steps() / 15);
     for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride) {
         series.x.push_back(t);
@@ -118,11 +118,11 @@ report::Plot growth_plot(const StabilityStudy& study) {
     plot.alt = plot.caption;
     for (const OperatorLimit* limit : study.operators()) {
         const double first = limit == &study.cotangent ? 0 : 0.5;
-        plot.series.push_back(curve(limit->name + ", 1.01 λ_crit", limit->beyond, true, first));
-        plot.series.push_back(curve(limit->name + ", 0.99 λ_crit", limit->below, true, first));
+        plot.series.push_back(curve(limit->name, "1.01 λ_crit", limit->beyond, true, first));
+        plot.series.push_back(curve(limit->name, "0.99 λ_crit", limit->below, true, first));
     }
-    plot.series.push_back(curve("predicted, 1.01 λ_crit", study.cotangent.beyond, false));
-    plot.series.push_back(curve("predicted, 0.99 λ_crit", study.cotangent.below, false));
+    plot.series.push_back(curve("predicted", "1.01 λ_crit", study.cotangent.beyond, false));
+    plot.series.push_back(curve("predicted", "0.99 λ_crit", study.cotangent.below, false));
     return plot;
 }
 

@@ -88,6 +88,7 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
         const ErrorHistory errors = run.errors(e->key);
         plot.series.push_back(error_series(e->name(), errors, *place == "corrected_exact" ? dashed : line_and_points));
         plot.series.back().color = plot.series.back().pattern = int(place - shown.begin());   // the same in the plots of H and of K
+        plot.series.back().panel = words.line(place - shown.begin() < 4 ? "convergence.operators" : "convergence.fits");
         plot.alt += " " + words.line("convergence.alt.series", "estimator"_a = e->name(), "error"_a = readable_percent(errors.last(), 2),
                                      "order"_a = words_of(errors.order()));
     }

@@ -129,6 +129,7 @@ void describe(Fields& fields, part_of<Series> auto& series) {
     fields.optional("style", series.style, Series::Style::line);
     fields.optional("color", series.color, -1, {"which of six; absent: that of its place", 0});
     fields.optional("pattern", series.pattern, -1, {"which of seven dashes and shapes of points; absent: that of its place", 0});
+    fields.optional("panel", series.panel, {}, "those of one panel share a small plot; absent: one plot for all");
     fields("x", series.x);
     fields("y", series.y);
     fields.optional("y_low", series.y_low, {});
@@ -140,6 +141,7 @@ void describe(Fields& fields, part_of<Marker> auto& marker) {
     fields("x", marker.x);
     fields("y", marker.y);
     fields("label", marker.label);
+    fields.optional("panel", marker.panel, {});
 }
 
 template <class Fields>
