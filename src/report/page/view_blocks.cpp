@@ -143,8 +143,6 @@ json entry_view(const Entry& entry, const ViewContext& context) {
 
 }   // namespace
 
-std::string print_file(const std::string& figure) { return "figures/" + figure + ".jpg"; }
-
 void enter_separators(json& list) {
     for (std::size_t i = 0; i < list.size(); ++i)
         enter(list[i], {{"separator", "a semicolon and a blank, but after the last", i + 1 < list.size() ? "; " : ""}});

@@ -177,4 +177,8 @@ json cover_view(const Figure& cover, const ViewContext& context) {
                     {"has_legend", "there are colours", drawn.legend.has_value()}});
 }
 
+std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture) {
+    return "figures/" + figure + "_" + std::to_string(panel) + "_" + std::to_string(picture) + ".jpg";
+}
+
 }   // namespace meshfolio::report
