@@ -1,6 +1,7 @@
 // Question 6: implicit (backward Euler) smoothing after Desbrun et al. 1999, eq. 9, beside the explicit method.
+#include <algorithm>
+
 #include "questions/core/chapter.h"
-#include "base/number_text.h"
 #include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
@@ -22,18 +23,6 @@ void add_checks(report::Section& section, const ImplicitStudy& study) {
     section.checks.push_back(check_at_most(words.line("check.huge_step", mesh), 1, study.huge_step_energy, 0));
 }
 
-void add_timings(report::Section& section, const ImplicitStudy& study) {
-    const report::Fact mesh = "mesh"_a = study.name();
-    section.timings.push_back({words.line("timing.implicit", mesh), study.cost.implicit_seconds});
-    if (study.cost.reached()) section.timings.push_back({words.line("timing.explicit", mesh), study.cost.explicit_seconds});
-}
-
-report::Finding finding(const ImplicitStudy& study) {
-    return {words.say("finding", "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, study.lambdas.back()),
-                      "deviation"_a = readable(study.worst_damping, 1)),
-            70};
-}
-
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
@@ -41,19 +30,31 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     section = section_of("q6");
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns"}, section);
+    const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study);
+    section.answer = answer_of(studies);
+    add_paragraphs(section, {summary_of(studies)});
     add_words(section, words, "method");
 
     add_words(section, words, "results");
-    const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study);
-    for (const ImplicitStudy& study : studies) {
-        add_figures(answer, study);
-        add_before_after(answer, study, settings.colormap);
-        add(section, grid_table(study));
-        add_checks(section, study);
-        add_timings(section, study);
+    // The assignment asks for the last two; the cube comes first.
+    const auto pictured = studies.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, studies.size()));
+    for (auto study = pictured; study != studies.end(); ++study) {
+        add_matrix(answer, *study);
+        add_pairs(answer, *study);
     }
-    add(section, cost_table(studies));
+    for (const ImplicitStudy& study : studies) {
+        add_views(answer, study);
+        add_checks(section, study);
+    }
+    if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
     add_discussion(section, studies);
+
+    begin_appendix(section);
+    for (auto study = studies.begin(); study != pictured; ++study) {
+        add_matrix(answer, *study);
+        add_pairs(answer, *study);
+    }
+    for (const ImplicitStudy& study : studies) add(section, grid_table(study));
 
     const ImplicitStudy& last = studies.back();
     std::vector<std::string> times;
@@ -61,7 +62,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.parameters = {{"iterations", listed(times)}, {"operator", smoothing_words.line("parameter.operator")}};
     section.extent =
         words.line("extent", "steps"_a = last.lambdas.size(), "counts"_a = listed(times), "meshes"_a = listed(names_of(studies)));
-    section.findings.push_back(finding(last));
     return answer;
 }
 

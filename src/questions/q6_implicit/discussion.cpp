@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "questions/bench/mesh_class.h"
 #include "questions/bench/sentences.h"
 #include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
@@ -12,30 +13,35 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// "after 10 iterations at 0.5 λ_crit".
-std::string run_of(const ImplicitStudy& study, const SmoothingCell& cell) {
-    return words.line("run", "iterations"_a = cell.iterations, "at_step"_a = at_step(study.subject, cell.lambda));
+std::string figure_of(const ImplicitStudy& study, const std::string& what) { return id_of("q6", study.name(), what); }
+
+/// "4.0", "0.25 to 4.0".
+std::string span_of(const std::vector<double>& values, int digits = 2) {
+    const auto [low, high] = std::ranges::minmax(values);
+    const std::string from = readable(low, digits), to = readable(high, digits);
+    return from == to ? from : words.line("span", "low"_a = from, "high"_a = to);
 }
 
-/// How far to smooth each mesh.
-report::Text good_time(const Studies& studies) {
-    report::Text told;
-    Names none;
+/// Only the implicit results lose less than their size.
+bool loses_size(const ImplicitStudy& study) {
+    return std::ranges::any_of(study.grid, [](const SmoothingCell& cell) { return cell.kept < size_to_keep; });
+}
+
+bool blows_up(const ImplicitStudy& study) {
+    return std::ranges::any_of(study.grid, [](const SmoothingCell& cell) { return !cell.has_explicit(); });
+}
+
+/// What is recommended: "λt = 0.91 h̄² on plane".
+report::Text recommendation(const Studies& studies) {
+    Names told, none;
     for (const ImplicitStudy& study : studies) {
-        if (!study.recommended) {
-            none.push_back(study.name());
-            continue;
-        }
-        const Recommendation& good = *study.recommended;
         const double h = study.subject.mean_edge;
-        told = paragraph_of({told.empty() ? words.say("good") : told,
-                             words.say("good.mesh", "mesh"_a = study.name(), "time"_a = readable(good.time() / (h * h), 2),
-                                       "step"_a = step_label(study.subject, good.lambda), "iterations"_a = good.iterations,
-                                       "fall"_a = energy_fall(good.energy), "kept"_a = readable_percent(good.kept, 2),
-                                       "turned"_a = good.turned > 0 ? words.line("good.turned", "turned"_a = good.turned) : "",
-                                       "figure"_a = id_of("q6", study.name(), "before_after"))});
+        if (const SmoothingCell* good = study.good())
+            told.push_back(words.line("recommended.mesh", "mesh"_a = study.name(), "time"_a = readable(good->time() / (h * h), 2)));
+        else
+            none.push_back(study.name());
     }
-    return paragraph_of({told, said_of(none, words, "good.none")});
+    return paragraph_of({said_of(told, words, "recommended"), said_of(none, words, "recommended.none")});
 }
 
 /// How far apart the two schemes end within the explicit limit, as a share of the motion; NaN where there is nothing to compare.
@@ -46,18 +52,68 @@ double gap_within_the_limit(const ImplicitStudy& study) {
     return vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
 }
 
-report::Text agreement(const Studies& studies) {
-    std::vector<Observed> gaps;
-    for (const ImplicitStudy& study : studies) {
-        const double gap = gap_within_the_limit(study);
-        if (std::isnan(gap)) continue;
-        gaps.push_back({words.line(gap < 0.05  ? "agreement.close"
-                                   : gap < 0.3 ? "agreement.rough"
-                                               : "agreement.bad",
-                                   "mesh"_a = study.name(), "gap"_a = readable_percent(gap, 2)),
-                        run_of(study, study.middle_cell(0))});
+std::vector<double> gaps_within_the_limit(const Studies& studies) {
+    std::vector<double> gaps;
+    for (const ImplicitStudy& study : studies)
+        if (const double gap = gap_within_the_limit(study); !std::isnan(gap)) gaps.push_back(gap);
+    return gaps;
+}
+
+/// Explicit over implicit arithmetic, of what is recommended or of what is far beyond.
+std::vector<double> prices(const Studies& studies, bool recommended) {
+    std::vector<double> ratios;
+    for (const ImplicitStudy& study : studies)
+        for (const SmoothingCost& cost : study.costs)
+            if ((cost.cell == study.recommended) == recommended && !std::isnan(cost.ratio())) ratios.push_back(cost.ratio());
+    return ratios;
+}
+
+std::string price_key(const std::vector<double>& ratios) {
+    return std::ranges::min(ratios) > 1.2 ? "dearer" : std::ranges::max(ratios) < 1 / 1.2 ? "cheaper" : "either";
+}
+
+report::Text price_of(const std::vector<double>& ratios, const std::string& amount) {
+    if (ratios.empty()) return {};
+    return words.say("price." + amount + "." + price_key(ratios), "ratios"_a = span_of(ratios));
+}
+
+/// How many times as far as the others these vertices moved; NaN where all are alike, or more than half are of them.
+double excess_of(const SmoothingSubject& subject, const Positions& X, const std::vector<char>& flags) {
+    double sums[2] = {0, 0};
+    int counts[2] = {0, 0};
+    for (Eigen::Index v = 0; v < X.rows(); ++v) {
+        const int flag = flags[static_cast<std::size_t>(v)] != 0 ? 1 : 0;
+        sums[flag] += (X.row(v) - subject.mesh().X.row(v)).squaredNorm();
+        ++counts[flag];
     }
-    return said_of(gaps, words, "agreement");
+    return counts[1] > 0 && counts[1] <= counts[0] && sums[0] > 0 ? std::sqrt(sums[1] / counts[1] / (sums[0] / counts[0])) : NAN;
+}
+
+/// Where the recommended result has moved most: at the boundary, at sharp edges, or nowhere in particular.
+report::Text where_it_goes(const ImplicitStudy& study) {
+    const SmoothingCell* good = study.good();
+    if (good == nullptr) return {};
+    const MeshTopology& topology = study.subject.source->prepared->topology;
+    const TriangleMesh& mesh = study.subject.mesh();
+    const double at_boundary = excess_of(study.subject, good->implicit_X, topology.on_boundary);
+    const double at_edges = excess_of(study.subject, good->implicit_X, feature_vertices(mesh, topology));
+    const bool boundary = !(at_edges > at_boundary);
+    const double most = boundary ? at_boundary : at_edges;
+    if (!(most > 1.5)) return {};
+    return words.say(boundary ? "reading.boundary" : "reading.edges", "mesh"_a = study.name(), "times"_a = readable(most, 2),
+                     "figure"_a = figure_of(study, "views"));
+}
+
+/// What the pictures of one mesh show.
+report::Text reading(const ImplicitStudy& study) {
+    const SmoothingCell *good = study.good(), *much = study.too_much();
+    const report::Fact mesh = "mesh"_a = study.name(), figure = "figure"_a = figure_of(study, "views");
+    return paragraph_of(
+        {good ? words.say("reading.good", mesh, figure, "cell"_a = title_of(study, *good), "fall"_a = energy_fall(good->implicit_energy))
+              : report::Text(),
+         where_it_goes(study),
+         much ? words.say("reading.much", figure, "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2))
+              : report::Text()});
 }
 
 /// Where the explicit runs end, one entry a mesh that has one: at the smallest step that blew up.
@@ -73,28 +129,30 @@ std::vector<Observed> explicit_ends(const Studies& studies) {
     return ends;
 }
 
-/// What the largest implicit step leaves of a mesh.
-std::string remains_of(const ImplicitStudy& study, const SmoothingCell& far) {
-    if (far.collapsed()) return words.line("remains.collapsed", "mesh"_a = study.name());
-    const int faces = far.inverted_faces;
-    return words.line(std::isfinite(far.volume_ratio) ? "remains.closed" : "remains.open", "mesh"_a = study.name(),
-                      "energy"_a = readable_percent(far.implicit_energy, 2), "volume"_a = readable_percent(far.volume_ratio, 2),
-                      "turned"_a = faces > 0 ? words.line("remains.turned", "faces"_a = faces) : "");
-}
-
-/// An open mesh has no volume; what it has lost shows in its energy.
-bool has_lost_its_shape(const SmoothingCell& far) {
-    return far.collapsed() || (std::isfinite(far.volume_ratio) ? far.volume_ratio < 0.5 : far.implicit_energy < 0.05);
-}
-
-report::Text beyond_the_limit(const Studies& studies) {
-    std::vector<Observed> lost, kept;
-    for (const ImplicitStudy& study : studies) {
-        const SmoothingCell& far = study.middle_cell(study.lambdas.size() - 1);
-        (has_lost_its_shape(far) ? lost : kept).push_back({remains_of(study, far), run_of(study, far)});
+/// The last explicit picture whose energy has risen far above that of the input.
+report::Text spikes(const Studies& studies) {
+    for (auto study = studies.rbegin(); study != studies.rend(); ++study) {
+        const std::vector<const SmoothingCell*> cells = compared_cells(*study);
+        const auto risen = std::find_if(cells.rbegin(), cells.rend(),
+                                        [](const SmoothingCell* cell) { return cell->has_explicit() && cell->explicit_energy > 2; });
+        if (risen != cells.rend())
+            return words.say("spikes", "figure"_a = figure_of(*study, "pairs"), "cell"_a = title_of(*study, **risen),
+                             "times"_a = readable((*risen)->explicit_energy, 2));
     }
-    return paragraph_of({said_of(explicit_ends(studies), words, "beyond"), said_of(lost, words, "remains.lost"),
-                         said_of(kept, words, lost.empty() ? "remains.all_kept" : "remains.kept")});
+    return {};
+}
+
+report::Text explicit_beside_implicit(const Studies& studies) {
+    const std::vector<double> gaps = gaps_within_the_limit(studies);
+    report::Text agreement;
+    if (!gaps.empty()) {
+        const double worst = std::ranges::max(gaps);
+        agreement = words.say(worst < 0.1   ? "agreement.close"
+                              : worst < 0.3 ? "agreement.rough"
+                                            : "agreement.bad",
+                              "gap"_a = readable_percent(worst, 2), "figure"_a = figure_of(studies.back(), "pairs"));
+    }
+    return paragraph_of({agreement, said_of(explicit_ends(studies), words, "beyond"), spikes(studies)});
 }
 
 /// Two cells of equal λt: one step of 10 λ against ten of λ, say.
@@ -106,7 +164,7 @@ struct EqualTime {
 EqualTime equal_time(const ImplicitStudy& study) {
     for (const SmoothingCell& a : study.grid) {
         for (const SmoothingCell& b : study.grid) {
-            if (a.iterations >= b.iterations || std::abs(a.lambda * a.iterations / (b.lambda * b.iterations) - 1) > 1e-9) continue;
+            if (a.iterations >= b.iterations || std::abs(a.time() / b.time() - 1) > 1e-9) continue;
             return {&a, &b, vertex_rms(a.implicit_X, b.implicit_X) / vertex_rms(study.subject.mesh().X, b.implicit_X)};
         }
     }
@@ -114,51 +172,59 @@ EqualTime equal_time(const ImplicitStudy& study) {
 }
 
 report::Text iterations_against_steps(const Studies& studies) {
-    std::vector<Observed> compared;
-    double worst = 0;
+    const ImplicitStudy* worst = nullptr;
+    EqualTime most;
     for (const ImplicitStudy& study : studies) {
         const EqualTime pair = equal_time(study);
-        if (!std::isfinite(pair.share)) continue;
-        worst = std::max(worst, pair.share);
-        compared.push_back(
-            {words.line("equal_time.mesh", "share"_a = readable_percent(pair.share, 2), "mesh"_a = study.name()),
-             words.line("equal_time.steps", "many"_a = pair.many->iterations, "few"_a = pair.few->iterations,
-                        "small"_a = in_limits(study.subject, pair.many->lambda), "large"_a = in_limits(study.subject, pair.few->lambda))});
+        if (!std::isfinite(pair.share) || (worst && pair.share <= most.share)) continue;
+        worst = &study;
+        most = pair;
     }
-    if (compared.empty()) return {};
-    return paragraph_of({words.say(worst < 0.05  ? "equal_time.near"
-                                   : worst < 0.4 ? "equal_time.rough"
-                                                 : "equal_time.far"),
-                         said_of(compared, words, "equal_time")});
+    if (worst == nullptr) return {};
+    return paragraph_of(
+        {words.say(most.share < 0.05  ? "equal_time.near"
+                   : most.share < 0.4 ? "equal_time.rough"
+                                      : "equal_time.far",
+                   "figure"_a = figure_of(*worst, "matrix")),
+         words.say("equal_time", "share"_a = readable_percent(most.share, 2), "mesh"_a = worst->name(), "many"_a = most.many->iterations,
+                   "few"_a = most.few->iterations, "small"_a = in_limits(worst->subject, most.many->lambda),
+                   "large"_a = in_limits(worst->subject, most.few->lambda)),
+         words.say("equal_time.why")});
 }
 
 report::Text price(const Studies& studies) {
-    Names prices, step_ratios, ratios, no_speed, only;
-    for (const ImplicitStudy& study : studies) {
-        const SmoothingCost& cost = study.cost;
-        prices.push_back(words.line(prices.empty() ? "price.first" : "price.other", "mesh"_a = study.name(),
-                                    "energy"_a = readable_percent(cost.energy), "implicit"_a = cost.implicit_steps,
-                                    "explicit"_a = cost.reached() ? std::to_string(cost.explicit_steps) : words.line("price.unreached")));
-        if (!cost.reached()) {
-            only.push_back(study.name());
-            continue;
-        }
-        step_ratios.push_back(readable(2.0 * double(cost.factor_nonzeros) / double(cost.operator_nonzeros), 2));
-        ratios.push_back(readable(cost.explicit_operations / cost.implicit_operations, 2));
-        if (cost.explicit_operations <= cost.implicit_operations) no_speed.push_back(study.name());
-    }
-    const report::Text times =
-        ratios.empty() ? report::Text() : words.say("price.ratios", "steps"_a = listed(step_ratios), "ratios"_a = listed(ratios));
-    return paragraph_of(
-        {said_of(prices, words, "price"), times, said_of(no_speed, words, "price.no_speed"), said_of(only, words, "price.only")});
+    Names only;
+    for (const ImplicitStudy& study : studies)
+        if (!std::ranges::all_of(study.costs, &SmoothingCost::reached)) only.push_back(study.name());
+    const report::Text good = price_of(prices(studies, true), "good"), far = price_of(prices(studies, false), "far");
+    const report::Text unreached = said_of(only, words, "price.only");
+    if (good.empty() && far.empty() && unreached.empty()) return {};
+    return paragraph_of({words.say("price"), good, far, unreached});
 }
 
 }   // namespace
 
+report::Text answer_of(const Studies& studies) {
+    const bool blown = std::ranges::any_of(studies, blows_up), lost = std::ranges::any_of(studies, loses_size);
+    double largest = 0;
+    for (const ImplicitStudy& study : studies) largest = std::max(largest, study.lambdas.back() / study.subject.critical);
+    return words.say(blown ? "answer" : "answer.alike", "limits"_a = readable(largest, 2),
+                     "lost"_a = lost ? words.line("answer.lost") : "");
+}
+
+report::Text summary_of(const Studies& studies) {
+    const std::vector<double> gaps = gaps_within_the_limit(studies), far = prices(studies, false);
+    return paragraph_of({recommendation(studies),
+                         gaps.empty() ? report::Text() : words.say("summary.gap", "gap"_a = readable_percent(std::ranges::max(gaps), 2)),
+                         price_of(far, "summary")});
+}
+
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    add_paragraphs(section,
-                   {good_time(studies), agreement(studies), beyond_the_limit(studies), iterations_against_steps(studies), price(studies)});
+    report::Text seen = words.say("reading", "figure"_a = figure_of(studies.back(), "matrix"));
+    add_paragraph(section, paragraph_of({seen, words.say("reading.rule")}));
+    for (const ImplicitStudy& study : studies) add_paragraphs(section, {reading(study)});
+    add_paragraphs(section, {explicit_beside_implicit(studies), iterations_against_steps(studies), price(studies)});
 }
 
 }   // namespace meshfolio::q6_implicit

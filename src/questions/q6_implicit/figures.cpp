@@ -1,9 +1,6 @@
 #include <algorithm>
-#include <cmath>
 
 #include "base/number_text.h"
-#include "mesh/triangle_measures.h"
-#include "questions/core/comparison_figure.h"
 #include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
@@ -11,81 +8,112 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-/// The diagonal of the box around X over that of the input.
-double size_left(const ImplicitStudy& study, const Positions& X) {
-    return bounding_box(moved_to(study.subject.mesh(), X)).diagonal() / study.subject.diagonal;
+/// Of small meshes the triangles are drawn.
+bool shows_edges(const ImplicitStudy& study) { return study.subject.mesh().face_count() < 3000; }
+
+output::Panel panel_of_cell(const ImplicitStudy& study, const Positions& X, const std::string& figure, const std::string& name,
+                            std::string label) {
+    return panel_of(moved_to(study.subject.mesh(), X), id_of("q6", study.name(), figure) + "_" + name, std::move(label));
 }
 
-/// Says something where the box has lost more than four fifths of its diagonal.
-std::string shrinkage(double share) {
-    if (share > 0.2) return "";
-    return share < 1e-4 ? words.line("panel.point") : words.line("panel.shrunk", "share"_a = readable_percent(share, 2));
+std::string step_head(const ImplicitStudy& study, double lambda) {
+    return words.line("head.step", "limits"_a = in_limits(study.subject, lambda));
 }
 
-output::Panel panel_of_cell(const ImplicitStudy& study, const SmoothingCell& cell, const std::string& scheme = "implicit",
-                            const std::string& suffix = "") {
-    const Positions& X = scheme == "implicit" ? cell.implicit_X : cell.explicit_X;
-    const std::string what = scheme + "_" + step_name(cell.lambda) + "_t" + std::to_string(cell.iterations) + suffix;
-    return smoothing_panel(study.subject, X, id_of("q6", study.name(), what),
-                           words.line("panel", "scheme"_a = scheme, "step"_a = step_label(study.subject, cell.lambda),
-                                      "iterations"_a = cell.iterations, "shrunk"_a = shrinkage(size_left(study, X))));
-}
-
-/// @param what  also begins the keys of its words
-void add_figure_of(Answer& answer, const ImplicitStudy& study, const std::string& what, const report::Facts& facts,
-                   std::vector<output::Panel> panels) {
-    SixViewFigure figure{.id = id_of("q6", study.name(), what),
-                         .title = words.line(what + ".title", facts),
-                         .subtitle = words.line("figure.subtitle", "critical"_a = readable(study.subject.critical, 4)),
-                         .caption = words.line("figure.caption", "caption"_a = words.line(what + ".caption", facts)),
-                         .panels = std::move(panels)};
-    add_smoothing_figure(answer, study.subject, id_of("q6", study.name(), what + "_before"), std::move(figure));
+/// A matrix of pictures from three quarters. @param what  also begins the keys of its words
+void add_matrix_figure(Answer& answer, const ImplicitStudy& study, const std::string& what, const report::Facts& facts,
+                       output::FigureRequest request) {
+    request.id = id_of("q6", study.name(), what);
+    request.title = words.line(what + ".title", facts);
+    request.subtitle = words.line("figure.subtitle", "critical"_a = readable(study.subject.critical, 4));
+    request.layout = output::Layout::one_frame;
+    request.edges = shows_edges(study);
+    std::vector<std::string> labels;
+    for (const output::Panel& panel : request.panels) labels.push_back(panel.label);
+    const std::string caption = words.line(what + ".caption", facts);
+    add(answer.section,
+        report::Figure{request.id, caption, words.line("figure.alt", "title"_a = request.title, "panels"_a = listed(labels))});
+    answer.figures.push_back(std::move(request));
 }
 
 }   // namespace
 
-void add_figures(Answer& answer, const ImplicitStudy& study) {
-    std::vector<output::Panel> steps, pairs, iterations;
-    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
-        const SmoothingCell& cell = study.middle_cell(l);
-        steps.push_back(panel_of_cell(study, cell));
-        if (!cell.has_explicit() || pairs.size() == 4) continue;
-        pairs.push_back(panel_of_cell(study, cell, "explicit"));
-        pairs.push_back(panel_of_cell(study, cell, "implicit", "_beside"));
-    }
-    const std::size_t second = std::min<std::size_t>(1, study.lambdas.size() - 1);
-    for (std::size_t t = 0; t < study.iterations.size(); ++t)
-        iterations.push_back(panel_of_cell(study, study.cell(second, t), "implicit", "_series"));
-
-    const report::Facts facts{"mesh"_a = study.name(), "iterations"_a = study.iterations[study.middle_iteration()],
-                              "step"_a = step_label(study.subject, study.lambdas[second])};
-    add_figure_of(answer, study, "steps", facts, std::move(steps));
-    if (!pairs.empty()) add_figure_of(answer, study, "pairs", facts, std::move(pairs));
-    if (iterations.size() > 1) add_figure_of(answer, study, "iterations", facts, std::move(iterations));
+std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell) {
+    return words.line("cell", "limits"_a = in_limits(study.subject, cell.lambda), "iterations"_a = cell.iterations);
 }
 
-void add_before_after(Answer& answer, const ImplicitStudy& study, const std::string& colormap) {
-    if (!study.recommended) return;
-    const Recommendation& good = *study.recommended;
-    const auto run = std::ranges::find(study.explicit_runs, good.lambda, &SmoothingRun::lambda);
-    const int blow_up = run->result.blew_up ? run->result.blow_up_iteration : 0;
-    const report::Facts facts{
-        "mesh"_a = study.name(),
-        "iterations"_a = good.iterations,
-        "step"_a = step_label(study.subject, good.lambda),
-        "fall"_a = energy_fall(good.energy),
-        "kept"_a = readable_percent(good.kept),
-        "explicit"_a = words.line(blow_up > 0 ? "before_after.blew_up" : "before_after.lasted", "iteration"_a = blow_up)};
-    const std::string id = id_of("q6", study.name(), "before_after");
-    add_comparison(answer,
-                   {.id = id,
-                    .title = words.line("before_after.title", facts),
-                    .subtitle = words.line("before_after.subtitle", facts),
-                    .caption = words.line("before_after.caption", facts),
-                    .before = panel_of(*study.subject.source, id + "_input", "before"),
-                    .after = panel_of(moved_to(study.subject.mesh(), good.X), id + "_smoothed", words.line("before_after.after", facts)),
-                    .diagonal = study.subject.diagonal,
-                    .colormap = colormap});
+void add_matrix(Answer& answer, const ImplicitStudy& study) {
+    output::FigureRequest request;
+    for (const int t : study.iterations) request.columns.push_back(words.line("head.time", "iterations"_a = t));
+    for (const double lambda : study.lambdas) request.rows.push_back(step_head(study, lambda));
+    for (const SmoothingCell& cell : study.grid)
+        request.panels.push_back(panel_of_cell(study, cell.implicit_X, "matrix",
+                                               step_name(cell.lambda) + "_t" + std::to_string(cell.iterations), title_of(study, cell)));
+    request.frame_panel = -1;
+    const SmoothingCell* good = study.good();
+    add_matrix_figure(answer, study, "matrix",
+                      {"mesh"_a = study.name(),
+                       "good"_a = good ? words.line("matrix.good", "cell"_a = title_of(study, *good)) : words.line("matrix.none")},
+                      std::move(request));
+}
+
+std::vector<const SmoothingCell*> compared_cells(const ImplicitStudy& study) {
+    std::vector<const SmoothingCell*> cells;
+    const auto blown = std::ranges::find_if(study.grid, [](const SmoothingCell& cell) { return !cell.has_explicit(); });
+    if (blown == study.grid.end()) {
+        for (std::size_t l = 0; l < study.lambdas.size(); ++l) cells.push_back(&study.middle_cell(l));
+        return cells;
+    }
+    const std::size_t index = static_cast<std::size_t>(blown - study.grid.begin()), step = index / study.iterations.size();
+    if (step > 0) cells.push_back(&study.cell(0, study.iterations.size() - 1));
+    for (std::size_t t = 0; t <= index % study.iterations.size(); ++t) cells.push_back(&study.cell(step, t));
+    return cells;
+}
+
+void add_pairs(Answer& answer, const ImplicitStudy& study) {
+    output::FigureRequest request;
+    std::vector<output::Panel> implicit_row;
+    for (const SmoothingCell* cell : compared_cells(study)) {
+        const std::string name = step_name(cell->lambda) + "_t" + std::to_string(cell->iterations);
+        request.columns.push_back(title_of(study, *cell));
+        implicit_row.push_back(panel_of_cell(study, cell->implicit_X, "pairs", "implicit_" + name,
+                                             words.line("panel.implicit", "cell"_a = request.columns.back())));
+        if (cell->has_explicit())
+            request.panels.push_back(panel_of_cell(study, cell->explicit_X, "pairs", "explicit_" + name,
+                                                   words.line("panel.explicit", "cell"_a = request.columns.back())));
+        else
+            request.panels.push_back({id_of("q6", study.name(), "pairs") + "_explicit_" + name,
+                                      words.line("panel.blew_up", "iteration"_a = cell->explicit_blow_up), nullptr});
+    }
+    request.rows = {words.line("head.explicit"), words.line("head.implicit")};
+    request.frame_panel = static_cast<int>(implicit_row.size());   // spikes would shrink the others
+    request.panels.insert(request.panels.end(), implicit_row.begin(), implicit_row.end());
+    add_matrix_figure(answer, study, "pairs", {"mesh"_a = study.name()}, std::move(request));
+}
+
+void add_views(Answer& answer, const ImplicitStudy& study) {
+    const SmoothingCell *good = study.good(), *much = study.too_much();
+    const std::string id = id_of("q6", study.name(), "views");
+    SixViewFigure figure{.id = id,
+                         .title = words.line("views.title", "mesh"_a = study.name()),
+                         .subtitle = words.line("figure.subtitle", "critical"_a = readable(study.subject.critical, 4)),
+                         .panels = {panel_of(*study.subject.source, id + "_input", words.line("views.input"))},
+                         .edges = shows_edges(study),
+                         .turnable = true};
+    report::Facts facts{"mesh"_a = study.name(), "good"_a = "", "much"_a = ""};
+    if (good) {
+        facts[1] = "good"_a = words.line("views.good", "cell"_a = title_of(study, *good), "fall"_a = energy_fall(good->implicit_energy),
+                                         "kept"_a = readable_percent(good->kept, 2));
+        figure.panels.push_back(
+            panel_of_cell(study, good->implicit_X, "views", "good", words.line("views.good.label", "cell"_a = title_of(study, *good))));
+    }
+    if (much) {
+        facts[2] = "much"_a = words.line("views.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2));
+        figure.panels.push_back(
+            panel_of_cell(study, much->implicit_X, "views", "much", words.line("views.much.label", "cell"_a = title_of(study, *much))));
+    }
+    figure.caption = words.line("views.caption", facts);
+    add_figure(answer, std::move(figure));
 }
 
 }   // namespace meshfolio::q6_implicit

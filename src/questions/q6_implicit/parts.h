@@ -12,16 +12,28 @@ inline constexpr report::Words words("q6");
 
 using Studies = std::vector<ImplicitStudy>;
 
+/// "λ = 5 λ_crit, t = 10".
+std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell);
+
 // Figures.
-/// Steps, pairs of both schemes, iterations.
-void add_figures(Answer& answer, const ImplicitStudy& study);
-/// The largest step that leaves something to be seen at the middle number of iterations: three quarters of the size.
-void add_before_after(Answer& answer, const ImplicitStudy& study, const std::string& colormap);
+/// The implicit results over λ × t, in one frame.
+void add_matrix(Answer& answer, const ImplicitStudy& study);
+/// Cells where both schemes are looked at: the smallest step at its last time, then the smallest step that blows up, until it does;
+/// without such a step every one at the middle time.
+std::vector<const SmoothingCell*> compared_cells(const ImplicitStudy& study);
+/// Both schemes in these cells, one above the other.
+void add_pairs(Answer& answer, const ImplicitStudy& study);
+/// The input, the recommended result and, as such, too much of it, from the six directions.
+void add_views(Answer& answer, const ImplicitStudy& study);
 
 // Tables.
 report::Table grid_table(const ImplicitStudy& study);
+/// What is recommended and what is far beyond the explicit limit, with their price.
 report::Table cost_table(const Studies& studies);
 
+/// One sentence, and the few that stand first in the section.
+report::Text answer_of(const Studies& studies);
+report::Text summary_of(const Studies& studies);
 /// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const Studies& studies);
 

@@ -1,7 +1,6 @@
 #include "questions/q6_implicit/study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +13,8 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
+constexpr double nothing_left = 0.01;   // of the size: smaller than one cares to look at
+
 /// Kept positions of a run that may have stopped early: nothing for the iterations it did not reach.
 const Positions* kept(const SmoothingRun& run, std::size_t which) { return which < run.snapshots.size() ? &run.snapshots[which] : nullptr; }
 
@@ -25,6 +26,7 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
     cell.iterations = study.iterations[t];
     cell.implicit_X = *kept(implicit_run, t);
     cell.implicit_energy = implicit_run.energy[step];
+    cell.kept = *std::min_element(implicit_run.size.begin(), implicit_run.size.begin() + cell.iterations + 1);
     if (const Positions* X = kept(explicit_run, t)) {
         cell.explicit_X = *X;
         cell.explicit_energy = explicit_run.energy[step];
@@ -68,70 +70,63 @@ void measure_damping(ImplicitStudy& study) {
     }
 }
 
-SmoothingCost cost_of(const ImplicitStudy& study) {
-    constexpr int most_steps = 3000;
-    SmoothingCost cost;
-    std::size_t l = 0;
-    for (std::size_t i = 0; i < study.lambdas.size(); ++i) {
-        if (study.lambdas[i] < 100 * study.subject.critical) l = i;
-    }
-    const SmoothingCell& cell = study.middle_cell(l);
-    cost.energy = cell.implicit_energy;
-    cost.implicit_lambda = cell.lambda;
-    cost.implicit_steps = cell.iterations;
-    using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
-
-    SmoothingOptions options{.scheme = SmoothingScheme::implicit_euler, .lambda = cell.lambda, .iterations = cell.iterations};
-    Clock::time_point start = Clock::now();
-    const Smoothed implicit_result = smooth(study.subject.mesh(), options);
-    cost.implicit_seconds = seconds_since(start);
-
-    options.scheme = SmoothingScheme::explicit_euler;
-    options.lambda = 0.95 * study.subject.critical;
-    options.iterations = most_steps;
-    options.after_step = [&](int iteration, const Positions& X) {
-        const bool there = dirichlet_energy(study.subject.laplacian.C, X) <= cost.energy * study.subject.initial_energy;
-        if (there) cost.explicit_steps = iteration;
-        return !there;
-    };
-    smooth(study.subject.mesh(), options);
-    if (cost.explicit_steps > 0) {   // timed without the energy, which costs as much as a step
-        options.after_step = {};
-        options.iterations = cost.explicit_steps;
-        start = Clock::now();
-        smooth(study.subject.mesh(), options);
-        cost.explicit_seconds = seconds_since(start);
-    }
-    cost.factor_nonzeros = implicit_result.factor_nonzeros;
-    cost.operator_nonzeros = study.subject.laplacian.C.nonZeros();
-    cost.implicit_operations = 3.0 * cost.implicit_steps * 2 * double(cost.factor_nonzeros);
-    cost.explicit_operations = 3.0 * cost.explicit_steps * double(cost.operator_nonzeros);
-    return cost;
+/// Of the cells that keep their size the one with the least energy.
+std::optional<std::size_t> recommended_cell(const std::vector<SmoothingCell>& grid) {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < grid.size(); ++i)
+        if (grid[i].kept >= size_to_keep && (!best || grid[i].implicit_energy < grid[*best].implicit_energy)) best = i;
+    return best;
 }
 
-std::optional<Recommendation> recommended(const ImplicitStudy& study, ImplicitSolver& solver) {
-    std::optional<Recommendation> best;
-    for (const SmoothingRun& run : study.implicit_runs) {
-        const int kept = iterations_keeping_size(run), t = kept < 0 ? run.result.iterations : kept;
-        const auto at = static_cast<std::size_t>(t);
-        if (t > 0 && (!best || run.energy[at] < best->energy)) best = Recommendation{run.lambda, t, run.energy[at], run.size[at]};
+/// The largest λ below 100 λ_crit after the middle number of iterations, or fewer where that leaves nothing to look at.
+std::size_t far_cell(const ImplicitStudy& study) {
+    std::size_t l = 0;
+    for (std::size_t i = 0; i < study.lambdas.size(); ++i)
+        if (study.lambdas[i] < 100 * study.subject.critical) l = i;
+    std::size_t t = study.middle_iteration();
+    while (t > 0 && study.cell(l, t).kept < nothing_left) --t;
+    return l * study.iterations.size() + t;
+}
+
+/// One explicit run counts the steps to every energy.
+std::vector<SmoothingCost> costs_of(const ImplicitStudy& study) {
+    constexpr int most_steps = 3000;
+    std::vector<SmoothingCost> costs;
+    if (study.recommended) costs.push_back({.cell = *study.recommended});
+    if (const std::size_t far = far_cell(study); far != study.recommended && !study.grid[far].collapsed()) costs.push_back({.cell = far});
+
+    SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = 0.95 * study.subject.critical, .iterations = most_steps};
+    options.after_step = [&](int iteration, const Positions& X) {
+        const double energy = dirichlet_energy(study.subject.laplacian.C, X) / study.subject.initial_energy;
+        for (SmoothingCost& cost : costs)
+            if (!cost.reached() && energy <= study.grid[cost.cell].implicit_energy) cost.explicit_steps = iteration;
+        return !std::ranges::all_of(costs, &SmoothingCost::reached);
+    };
+    if (!costs.empty()) smooth(study.subject.mesh(), options);
+    for (SmoothingCost& cost : costs) {
+        const SmoothingRun& run = study.implicit_runs[cost.cell / study.iterations.size()];
+        cost.implicit_operations = 3.0 * study.grid[cost.cell].iterations * 2 * double(run.result.factor_nonzeros);
+        cost.explicit_operations = 3.0 * cost.explicit_steps * double(study.subject.laplacian.C.nonZeros());
     }
-    if (!best) return best;
-    const SmoothingRun run = run_smoothing(study.subject, SmoothingScheme::implicit_euler, best->lambda, best->iterations, {}, solver);
-    best->X = run.result.X;
-    best->turned = run.moved.inverted_faces;
-    return best;
+    return costs;
 }
 
 }   // namespace
 
+const SmoothingCell* ImplicitStudy::too_much() const {
+    const SmoothingCell* half = nullptr;
+    const auto from_half = [](const SmoothingCell& cell) { return std::abs(std::log(2 * cell.kept)); };
+    for (const SmoothingCell& cell : grid)
+        if (cell.kept >= nothing_left && cell.kept < size_to_keep && (!half || from_half(cell) < from_half(*half))) half = &cell;
+    return half;
+}
+
 ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     ImplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
-    study.lambdas = steps_of(settings, study.subject, {0.5, 5, 50, 1000});
+    study.lambdas = steps_of(settings, study.subject, {0.5, 5, 50});
     study.iterations = settings.iterations;
-    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 10, 50};
+    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30};
     study.iterations = each_once(study.iterations);
     const int last = study.iterations.back();
     ImplicitSolver solver;   // one symbolic analysis for all λ
@@ -146,8 +141,8 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     measure_damping(study);
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);
     study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;
-    study.cost = cost_of(study);
-    study.recommended = recommended(study, solver);
+    study.recommended = recommended_cell(study.grid);
+    study.costs = costs_of(study);
     return study;
 }
 

@@ -2,6 +2,7 @@
 /// What question 6 measures: implicit beside explicit smoothing over a grid of steps and iterations, and what both cost.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,33 +21,23 @@ struct SmoothingCell {
     double implicit_energy = 0, explicit_energy = 0;
     int explicit_blow_up = 0;   // iteration; 0: none
     double volume_ratio = 0;    // of the implicit result; NaN when open
+    double kept = 1;            // of the size: the least share that the implicit run left of any component until here
     int inverted_faces = 0;     // of the implicit result
 
     bool collapsed() const { return implicit_energy < 1e-12; }   // to a point
     bool has_explicit() const { return explicit_X.size() > 0; }
+    double time() const { return lambda * iterations; }   // λt [length²]
 };
 
-/// What reaching the same smoothness costs: the energy of the implicit run with the largest λ below 100 λ_crit after the middle number of
-/// iterations, and the explicit steps at 0.95 λ_crit that get there.
+/// What a cell costs: its implicit steps, and the explicit steps at 0.95 λ_crit that reach the same energy.
 struct SmoothingCost {
-    double energy = 0, implicit_lambda = 0;
-    int implicit_steps = 0, explicit_steps = 0;                // explicit_steps 0: more than the limit tried
+    std::size_t cell = 0;                                      // of the grid
+    int explicit_steps = 0;                                    // 0: more than the limit tried
     double implicit_operations = 0, explicit_operations = 0;   // multiply–adds of the steps, without factorisation
-    long long factor_nonzeros = 0, operator_nonzeros = 0;
-    double implicit_seconds = 0, explicit_seconds = 0;
 
     bool reached() const { return explicit_steps > 0; }
-};
-
-/// The most smoothing that leaves 95 % of the size: of the steps tried and their iterations the ones with the least energy.
-struct Recommendation {
-    double lambda = 0;
-    int iterations = 0;
-    double energy = 0;   // Dirichlet energy, of input
-    double kept = 0;     // share of the size
-    int turned = 0;      // faces turned over
-    Positions X = {};
-    double time() const { return lambda * iterations; }   // λt [length²]
+    /// Of the operations, explicit over implicit; NaN where one is not known.
+    double ratio() const { return reached() && implicit_operations > 0 ? explicit_operations / implicit_operations : NAN; }
 };
 
 struct ImplicitStudy {
@@ -58,8 +49,8 @@ struct ImplicitStudy {
     double worst_damping = 0;                                 // largest relative deviation from (1 + λμ)^−t
     int damped_modes = 0;                                     // modes that went into it
     double huge_step_energy = 0;                              // after one implicit step at a million times the explicit limit, of input
-    SmoothingCost cost;
-    std::optional<Recommendation> recommended;   // none: the smallest step already goes too far
+    std::optional<std::size_t> recommended;                   // of the grid; none: its gentlest cell already goes too far
+    std::vector<SmoothingCost> costs;                         // of the recommended cell, and of one far beyond the explicit limit
 
     const std::string& name() const { return subject.name(); }
     bool is_closed() const { return subject.source->prepared->preflight.closed(); }
@@ -67,9 +58,13 @@ struct ImplicitStudy {
     /// Index of the iteration count that is looked at where one must do: the middle one.
     std::size_t middle_iteration() const { return iterations.size() / 2; }
     const SmoothingCell& middle_cell(std::size_t lambda) const { return cell(lambda, middle_iteration()); }
+    /// The most smoothing that leaves 95 % of the size: of the cells that do the one with the least energy. Null: none.
+    const SmoothingCell* good() const { return recommended ? &grid[*recommended] : nullptr; }
+    /// Of the cells that leave less the one nearest to half of the size: what too much looks like. Null: none, or only points.
+    const SmoothingCell* too_much() const;
 };
 
-/// With the steps of the settings, else four in units of the explicit limit: within it, a little beyond, far beyond, absurdly far.
+/// With the steps of the settings, else three in units of the explicit limit: within it, a little beyond, far beyond.
 ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 
 }   // namespace meshfolio::q6_implicit

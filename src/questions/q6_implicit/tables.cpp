@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "base/number_text.h"
 #include "questions/core/study_list.h"
 #include "questions/core/table.h"
 #include "questions/q6_implicit/parts.h"
@@ -16,7 +15,7 @@ report::Table grid_table(const ImplicitStudy& study) {
         .column("λ", {.unit = "length²"}, &SmoothingCell::lambda)
         .column("λ/λ_crit", [&](auto& c) { return c.lambda / study.subject.critical; })
         .column("iterations", {.digits = 4}, &SmoothingCell::iterations)
-        .column("energy, implicit", {.unit = "of input"}, &SmoothingCell::implicit_energy)
+        .column("energy, implicit", {.unit = "of input"}, [](auto& c) { return cell_of(c.implicit_energy, !c.collapsed()); })
         .column("energy, explicit", {.unit = "of input"}, [](auto& c) { return cell_of(c.explicit_energy, c.has_explicit()); })
         .column("moved, implicit (rms)", {.unit = "% of box"}, [&](auto& c) { return percent * vertex_rms(X, c.implicit_X); })
         .column("gap", {.unit = "% of box"}, gap)
@@ -27,17 +26,21 @@ report::Table grid_table(const ImplicitStudy& study) {
 }
 
 report::Table cost_table(const Studies& studies) {
-    const bool reached = std::ranges::all_of(studies, [](const ImplicitStudy& s) { return s.cost.reached(); });
-    return table("q6_cost", words.line("cost", "unreached"_a = reached ? "" : " " + words.line("cost.unreached")), studies)
-        .column("mesh", &ImplicitStudy::name)
-        .column("energy reached", {.unit = "of input"}, [](auto& s) { return s.cost.energy; })
-        .column("implicit λ/λ_crit", [](auto& s) { return s.cost.implicit_lambda / s.subject.critical; })
-        .column("implicit steps", {.digits = 5}, [](auto& s) { return s.cost.implicit_steps; })
-        .column("explicit steps", {.digits = 5}, [](auto& s) { return cell_of(s.cost.explicit_steps, s.cost.reached()); })
-        .column("nonzeros of factor", {.digits = 7}, [](auto& s) { return s.cost.factor_nonzeros; })
-        .column("nonzeros of C", {.digits = 7}, [](auto& s) { return s.cost.operator_nonzeros; })
-        .column("implicit", {.unit = "multiply–adds"}, [](auto& s) { return s.cost.implicit_operations; })
-        .column("explicit", {.unit = "multiply–adds"}, [](auto& s) { return cell_of(s.cost.explicit_operations, s.cost.reached()); });
+    const auto rows = parts_within(studies, &ImplicitStudy::costs);
+    using Row = Within<ImplicitStudy, SmoothingCost>;
+    const auto cell = [](const Row& r) -> const SmoothingCell& { return r.whole.grid[r.part.cell]; };
+    return table("q6_cost", words.line("cost"), rows)
+        .column("mesh", [](auto& r) { return r.whole.name(); })
+        .column("amount", [](auto& r) { return words.line(r.part.cell == r.whole.recommended ? "amount.good" : "amount.far"); })
+        .column("λ/λ_crit", [&](auto& r) { return cell(r).lambda / r.whole.subject.critical; })
+        .column("t", {.digits = 4}, [&](auto& r) { return cell(r).iterations; })
+        .column("λt", {.unit = "h̄²", .digits = 2},
+                [&](auto& r) { return cell(r).time() / (r.whole.subject.mean_edge * r.whole.subject.mean_edge); })
+        .column("energy", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).implicit_energy; })
+        .column("size", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).kept; })
+        .column("faces turned", {.digits = 6}, [&](auto& r) { return cell(r).inverted_faces; })
+        .column("explicit steps", {.digits = 5}, [](auto& r) { return cell_of(r.part.explicit_steps, r.part.reached()); })
+        .column("price, explicit", {.unit = "× implicit", .digits = 2}, [](auto& r) { return cell_of(r.part.ratio()); });
 }
 
 }   // namespace meshfolio::q6_implicit

@@ -1,5 +1,4 @@
 // Question 7: what Laplacian smoothing can do against noise, measured against the clean mesh.
-#include <algorithm>
 #include <cmath>
 
 #include "base/number_text.h"
@@ -26,19 +25,6 @@ void add_checks(report::Section& section, const DenoisingGrid& grid) {
     }
 }
 
-/// Where smoothing gains most, and where least, by the distance to the surface.
-report::Text best_and_worst(const Grids& grids, const std::vector<std::string>& levels) {
-    const std::vector<Case> cases = cases_of(grids);
-    const auto gain = [](const Case& c) { return std::fmax(1, c.part.gain(measures[0])); };   // 1 where the noise changes no shape
-    const auto best = std::ranges::max_element(cases, {}, gain), worst = std::ranges::min_element(cases, {}, gain);
-    if (gain(*best) <= 1) return words.say("finding.none", "low"_a = levels.front(), "high"_a = levels.back());
-    report::Facts facts = facts_of(best->whole, best->part);
-    facts.push_back(
-        "worst"_a =
-            best == worst ? "" : words.line(gain(*worst) > 1 ? "finding.less" : "finding.no_gain", facts_of(worst->whole, worst->part)));
-    return words.say("finding", facts);
-}
-
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
@@ -46,19 +32,31 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     section = section_of("q7");
     const auto meshes = meshes_for(library, settings, {"cube", "fandisk", "armadillo"}, section);
+    const auto grids = studies_of(meshes, "denoising", settings, progress, section, denoising_grid);
+    section.answer = answer_of(grids);
+    add_paragraphs(section, {summary_of(grids)});
     add_words(section, words, "method");
 
     add_words(section, words, "results");
-    const auto grids = studies_of(meshes, "denoising", settings, progress, section, denoising_grid);
-    add(section, result_table(grids));
     for (const DenoisingGrid& grid : grids) {
-        add(section, gain_map(grid));
-        add(section, error_plot(grid));
-        for (std::size_t i = grid.trials.size() > 2 ? 1 : 0; i < grid.trials.size(); ++i) add_trial_figure(answer, grid, grid.trials[i]);
-        add_before_after(answer, grid, settings.colormap);
+        add_views(answer, grid);
         add_checks(section, grid);
     }
+    add(section, result_table(grids));
+    add(section, gain_map(leading(grids)));
+    add(section, error_plot(leading(grids)));
+    add_limits(answer, grids);
+    add(section, remains_table(grids));
     add_discussion(section, grids);
+
+    begin_appendix(section);
+    for (const DenoisingGrid& grid : grids) {
+        add_levels(answer, grid);
+        if (&grid == &leading(grids)) continue;
+        add(section, gain_map(grid));
+        add(section, error_plot(grid));
+    }
+    add(section, measure_table(grids));
 
     std::vector<std::string> levels, steps;
     for (const NoisyTrial& trial : grids.front().trials) levels.push_back(readable_percent(trial.relative, 2));
@@ -69,7 +67,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.parameters["seed"] = std::to_string(settings.seed);
     section.extent = words.line("extent", "levels"_a = listed(levels), "steps"_a = steps.size(), "iterations"_a = grids.front().iterations,
                                 "meshes"_a = listed(names_of(grids)));
-    section.findings.push_back({best_and_worst(grids, levels), 78});
     return answer;
 }
 

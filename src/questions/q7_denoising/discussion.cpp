@@ -13,19 +13,36 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+/// In how many cases a measure gains so much, of those that have it: noise within a plane changes neither surface nor normals.
+struct Count {
+    std::ptrdiff_t reached = 0, measured = 0;
+};
+Count count_of(const Grids& grids, const Measure& measure, double gain) {
+    Count count;
+    for (const Case& c : cases_of(grids)) {
+        count.measured += std::isnan(c.part.gain(measure)) ? 0 : 1;
+        count.reached += c.part.gain(measure) >= gain ? 1 : 0;
+    }
+    return count;
+}
+
+/// "drift along the surface, rounded edges and lost volume", as far as they are seen.
+std::string losses_of(const Grids& grids) {
+    Names losses;
+    if (most_drifting(grids)) losses.push_back(words.line("loss.drift"));
+    if (most_rounded(grids)) losses.push_back(words.line("loss.edges"));
+    if (most_shrunk(grids)) losses.push_back(words.line("loss.volume"));
+    return losses.empty() ? "" : words.line("loss", "losses"_a = listed(losses));
+}
+
 /// In how many cases smoothing works and helps, measure by measure.
 report::Text verdict(const Grids& grids) {
-    const std::vector<Case> cases = cases_of(grids);
-    report::Text told = words.say("verdict");
-    for (const Measure& measure : measures) {
-        const auto reached = [&](double gain) {
-            return std::ranges::count_if(cases, [&](const Case& c) { return c.part.gain(measure) >= gain; });
-        };
-        const auto measured = std::ranges::count_if(cases, [&](const Case& c) { return !std::isnan(c.part.gain(measure)); });
-        if (measured > 0)   // noise within a plane changes neither surface nor normals
-            go_on(told, words.say("verdict.measure", "measure"_a = words.line("of." + std::string(measure.key)), "works"_a = reached(works),
-                                  "helps"_a = reached(helps), "cases"_a = measured));
-    }
+    report::Text told;
+    for (const Measure& measure : measures)
+        if (const Count working = count_of(grids, measure, works); working.measured > 0)
+            told = paragraph_of(
+                {told, words.say("verdict.measure", "measure"_a = words.line("of." + std::string(measure.key)), "works"_a = working.reached,
+                                 "helps"_a = count_of(grids, measure, helps).reached, "cases"_a = working.measured)});
     return told;
 }
 
@@ -42,7 +59,25 @@ report::Text limits_in_mean_edges(const Grids& grids) {
     return limits;
 }
 
-report::Text why(const Grids& grids) { return words.say("explained", "mesh"_a = grids.front().name()); }
+report::Text why(const Grids& grids) { return words.say("explained", "mesh"_a = leading(grids).name()); }
+
+/// What the pictures of one mesh show.
+report::Text reading(const DenoisingGrid& grid) {
+    const NoisyTrial& trial = grid.pictured();
+    report::Facts facts = facts_of(grid, trial);
+    if (!trial.improved()) return words.say("reading.no_better", facts);
+    const Remains& left = trial.remains;
+    const bool at_edges = grid.has_features() && left.features.times() > 1.2;
+    const bool at_bends = !at_edges && left.curved.times() > 1.2;
+    facts.push_back("times"_a = readable(at_edges ? left.features.times() : left.curved.times(), 2));
+    return paragraph_of({words.say(trial.gain(measures[0]) >= works   ? "reading.works"
+                                   : trial.gain(measures[0]) >= helps ? "reading.helps"
+                                                                      : "reading.fails",
+                                   facts),
+                         at_edges   ? words.say("reading.edges", facts)
+                         : at_bends ? words.say("reading.bends", facts)
+                                    : report::Text()});
+}
 
 /// The best amount of smoothing λt [h̄²] from the lowest to the highest noise, by surface distance.
 report::Text noise_and_amount(const Grids& grids) {
@@ -54,7 +89,11 @@ report::Text noise_and_amount(const Grids& grids) {
         (high > low ? more : less)
             .push_back(words.line("amount.mesh", "mesh"_a = grid.name(), "low"_a = readable(low, 2), "high"_a = readable(high, 2)));
     }
-    return paragraph_of({said_of(more, words, "amount.more"), said_of(less, words, "amount.less")});
+    const report::Fact leader = "leader"_a = leading(grids).name();
+    const auto said = [&](const Names& meshes, std::string_view key) {
+        return meshes.empty() ? report::Text() : words.say(key, "meshes"_a = listed(meshes), leader);
+    };
+    return paragraph_of({said(more, "amount.more"), said(less, "amount.less")});
 }
 
 /// Of all cases the one where the measures differ most in how much smoothing they ask for.
@@ -77,49 +116,13 @@ report::Text measures_disagree(const Grids& grids) {
     return words.say("disagree", facts);
 }
 
-/// How much of the error that is left lies along the surface, which neither distance nor normals show.
-report::Text drift(const Grids& grids) {
-    Names shares;
-    for (const DenoisingGrid& grid : grids) {
-        const SearchState& best = grid.trials.back().found.by_shape;
-        if (best.step == 0 || !(best.rms > 0)) continue;
-        shares.push_back(words.line("drift.mesh", "mesh"_a = grid.name(),
-                                    "share"_a = readable_percent(1 - best.shape * best.shape / (best.rms * best.rms), 2)));
-    }
-    return said_of(shares, words, "drift");
-}
-
-/// Where the surface distance that is left sits: on edges or off them.
-report::Text features(const Grids& grids) {
-    Names rounded, alike, smooth, coarse;
-    for (const DenoisingGrid& grid : grids) {
-        const int vertices = grid.clean->mesh().vertex_count();
-        double highest = 0, lowest = infinity;
-        for (const NoisyTrial& trial : grid.trials) {
-            if (trial.found.by_shape.step == 0 || !(trial.elsewhere > 0)) continue;
-            highest = std::max(highest, trial.on_features / trial.elsewhere);
-            lowest = std::min(lowest, trial.on_features / trial.elsewhere);
-        }
-        const report::Facts facts{"mesh"_a = grid.name(), "features"_a = grid.feature_vertices, "vertices"_a = vertices,
-                                  "lowest"_a = readable(lowest, 2), "highest"_a = readable(highest, 2)};
-        if (grid.feature_vertices == 0)
-            smooth.push_back(grid.name());
-        else if (2 * grid.feature_vertices > vertices)
-            coarse.push_back(words.line("features.mesh.coarse", facts));
-        else if (highest > 0)
-            (lowest > 1 ? rounded : alike).push_back(words.line(highest > lowest ? "features.mesh.range" : "features.mesh", facts));
-    }
-    return paragraph_of({said_of(rounded, words, "features.rounded"), said_of(alike, words, "features.alike"),
-                         said_of(smooth, words, "features.none"), said_of(coarse, words, "features.coarse")});
-}
-
 /// What it costs not to stop: the case that loses most in four times as many iterations.
 report::Text going_on(const Grids& grids) {
     const auto after = [](const Case& c) {
         return shape_rms(c.whole.clean->mesh(), c.whole.clean->prepared->topology.vertex_faces, c.part.over.X);
     };
     std::vector<Case> helped;
-    std::ranges::copy_if(cases_of(grids), std::back_inserter(helped), [](const Case& c) { return c.part.found.by_shape.step > 0; });
+    std::ranges::copy_if(cases_of(grids), std::back_inserter(helped), [](const Case& c) { return c.part.improved(); });
     if (helped.empty()) return {};
     const auto loss = [&](const Case& c) { return after(c) / c.part.found.by_shape.shape; };
     const Case& worst = *std::ranges::max_element(helped, {}, loss);
@@ -129,13 +132,54 @@ report::Text going_on(const Grids& grids) {
     return words.say("going_on", facts);
 }
 
+/// What smoothing cannot do, picture by picture.
+report::Text cannot(const Grids& grids) {
+    const auto left = [](const DenoisingGrid* grid) -> const Remains& { return grid->pictured().remains; };
+    const DenoisingGrid *drift = most_drifting(grids), *edges = most_rounded(grids), *volume = most_shrunk(grids);
+    if (!drift && !edges && !volume) return {};
+    const auto degrees = [](double angle) { return readable(180 / pi * angle, 2); };
+    return paragraph_of(
+        {words.say("cannot"),
+         drift ? words.say("cannot.drift", "mesh"_a = drift->name(), "share"_a = readable_percent(left(drift).along, 2)) : report::Text(),
+         edges ? words.say("cannot.edges", "mesh"_a = edges->name(), "times"_a = readable(edges->pictured().taken.features.times(), 2),
+                           "there"_a = degrees(left(edges).feature_angle), "elsewhere"_a = degrees(left(edges).other_angle))
+               : report::Text(),
+         volume ? words.say("cannot.volume", "mesh"_a = volume->name(), "lost"_a = readable_percent(1 - volume->pictured().taken.volume, 2))
+                : report::Text()});
+}
+
+/// Meshes whose edges cannot be looked at, and why.
+report::Text no_edges(const Grids& grids) {
+    Names smooth, coarse;
+    for (const DenoisingGrid& grid : grids)
+        if (!grid.has_features()) (grid.feature_vertices == 0 ? smooth : coarse).push_back(grid.name());
+    return paragraph_of({said_of(smooth, words, "features.none"), said_of(coarse, words, "features.coarse")});
+}
+
 }   // namespace
+
+report::Text answer_of(const Grids& grids) {
+    const Count helped = count_of(grids, measures[0], helps), halved = count_of(grids, measures[0], works);
+    const auto [smallest_helped, largest_failed] = noise_split(grids, measures[0]);
+    const report::Facts facts{"losses"_a = losses_of(grids),
+                              "helps"_a = helped.reached,
+                              "works"_a = halved.reached,
+                              "cases"_a = helped.measured,
+                              "failed"_a = readable(largest_failed, 2),
+                              "helped"_a = readable(smallest_helped, 2)};
+    if (helped.reached == 0) return words.say("answer.none", facts);
+    return words.say(largest_failed > 0 && largest_failed < smallest_helped ? "answer.split" : "answer.mixed", facts);
+}
+
+report::Text summary_of(const Grids& grids) { return verdict(grids); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
     add_words(section, words, "discussion");
-    add_paragraphs(section, {verdict(grids), paragraph_of({limits_in_mean_edges(grids), why(grids)}),
+    report::Text seen = words.say("reading");
+    for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
+    add_paragraphs(section, {seen, paragraph_of({limits_in_mean_edges(grids), why(grids)}),
                              paragraph_of({noise_and_amount(grids), measures_disagree(grids), going_on(grids)}),
-                             paragraph_of({drift(grids), features(grids), words.say("elsewhere")})});
+                             paragraph_of({cannot(grids), no_edges(grids), words.say("elsewhere")})});
 }
 
 }   // namespace meshfolio::q7_denoising

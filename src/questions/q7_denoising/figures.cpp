@@ -3,7 +3,6 @@
 
 #include "base/number_text.h"
 #include "geometry/measures/mesh_error.h"
-#include "questions/core/comparison_figure.h"
 #include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
@@ -17,64 +16,134 @@ std::string sigma_name(double relative) {
     return "sigma" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
 }
 
+bool shows_edges(const DenoisingGrid& grid) { return grid.clean->mesh().face_count() < 3000; }
+
+Vector distances_of(const DenoisingGrid& grid, const Positions& X) {
+    return shape_distances(grid.clean->mesh(), grid.clean->prepared->topology.vertex_faces, X);
+}
+
+/// A state of the trial, coloured by the distance to the surface in σ.
+output::Panel panel_of_state(const DenoisingGrid& grid, const NoisyTrial& trial, const TriangleMesh& mesh, const std::string& name,
+                             std::string label) {
+    return panel_of(mesh, name, std::move(label), distances_of(grid, mesh.X) / trial.sigma);
+}
+
+/// Of distances in σ, from 0.
+output::ColorRange range_in_sigma(const std::vector<output::Panel>& panels, const std::string& quantity) {
+    output::ColorRange range = output::robust_range(panels, distance_colours, words.line(quantity), "σ", 0.01);
+    range.low = range.clipped_below = 0;
+    return range;
+}
+
+/// A figure in one picture a panel. @param key  of its words
+void add_pictures(Answer& answer, output::FigureRequest request, const std::string& key, const report::Facts& facts) {
+    request.title = words.line(key + ".title", facts);
+    std::vector<std::string> labels;
+    for (const output::Panel& panel : request.panels) labels.push_back(panel.label);
+    add(answer.section, report::Figure{request.id, words.line(key + ".caption", facts),
+                                       words.line("figure.alt", "title"_a = request.title, "panels"_a = listed(labels))});
+    answer.figures.push_back(std::move(request));
+}
+
+/// The grid whose noise to look at shows most of something, above `floor`; null where none does.
+template <class Amount>
+const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amount) {
+    const DenoisingGrid* most = nullptr;
+    for (const DenoisingGrid& grid : grids) {
+        const NoisyTrial& trial = grid.pictured();
+        if (const double found = amount(grid, trial); trial.improved() && found > floor) most = &grid, floor = found;
+    }
+    return most;
+}
+
 }   // namespace
 
 report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
     const SearchState& best = trial.found.by_shape;
+    const double gain = trial.gain(measures[0]);
     return {"mesh"_a = grid.name(),
             "noise"_a = readable_percent(trial.relative, 2),
             "edges"_a = readable(trial.sigma / grid.mean_edge, 2),
             "lambda"_a = readable(best.value, 2),
             "best"_a = best.step,
             "over"_a = 4 * best.step,
-            "first_error"_a = readable_percent(trial.found.noisy.shape / grid.diagonal, 2),
-            "least_error"_a = readable_percent(best.shape / grid.diagonal, 2),
-            "gain"_a = readable(trial.gain(measures[0]), 2)};
+            "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
 }
 
-void add_trial_figure(Answer& answer, const DenoisingGrid& grid, const NoisyTrial& trial) {
-    const TriangleMesh& clean = grid.clean->mesh();
+void add_views(Answer& answer, const DenoisingGrid& grid) {
+    const NoisyTrial& trial = grid.pictured();
     const report::Facts facts = facts_of(grid, trial);
-    const std::string id = id_of("q7", grid.name(), sigma_name(trial.relative));
-    const auto coloured = [&](const TriangleMesh& mesh, const std::string& what, std::string label) {
-        const Vector distance = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, mesh.X) * (100 / grid.diagonal);
-        return panel_of(mesh, id + "_" + what, std::move(label), distance);
-    };
-    std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy")};
-    const bool helped = trial.found.by_shape.step > 0;
-    if (helped) {
-        panels.push_back(coloured(trial.best, "best", words.line("trial.best", facts)));
-        panels.push_back(coloured(trial.over, "over", words.line("trial.over", facts)));
-    }
+    const std::string id = id_of("q7", grid.name(), "views");
+    std::vector<output::Panel> panels{panel_of_state(grid, trial, trial.noisy, id + "_noisy", words.line("views.noisy", facts))};
+    if (trial.improved()) panels.push_back(panel_of_state(grid, trial, trial.best, id + "_best", words.line("views.best", facts)));
     SixViewFigure figure{.id = id,
-                         .title = words.line("trial.title", facts),
+                         .title = words.line("views.title", facts),
                          .subtitle = words.line("trial.subtitle"),
-                         .caption = words.line(helped ? "trial.caption" : "trial.caption.no_better", facts),
-                         .panels = {panel_of(*grid.clean, id + "_clean", "clean")},
-                         .range = output::robust_range(panels, "viridis", words.line("trial.colours"), "% of the box diagonal", 0.01),
-                         .frame_panel = -1};               // noise may reach beyond the clean box
-    figure.range->low = figure.range->clipped_below = 0;   // a distance begins at 0
+                         .caption = words.line(trial.improved() ? "views.caption" : "views.caption.no_better", facts),
+                         .panels = {panel_of(*grid.clean, id + "_clean", words.line("views.clean"))},
+                         .range = range_in_sigma(panels, "colours.surface"),
+                         .edges = shows_edges(grid),
+                         .frame_panel = -1,   // noise may reach beyond the clean box
+                         .turnable = true};
     figure.panels.insert(figure.panels.end(), panels.begin(), panels.end());
     add_figure(answer, std::move(figure));
 }
 
-void add_before_after(Answer& answer, const DenoisingGrid& grid, const std::string& colormap) {
-    const NoisyTrial& trial = *std::ranges::max_element(grid.trials, {}, [](const NoisyTrial& t) {
-        const double gain = t.gain(measures[0]);
-        return std::isnan(gain) ? 0 : gain;
+void add_levels(Answer& answer, const DenoisingGrid& grid) {
+    const std::string id = id_of("q7", grid.name(), "levels");
+    output::FigureRequest request;
+    request.id = id;
+    request.subtitle = words.line("trial.subtitle");
+    request.layout = output::Layout::one_frame;
+    request.edges = shows_edges(grid);
+    request.columns = {words.line("levels.noisy"), words.line("levels.best"), words.line("levels.over")};
+    for (const NoisyTrial& trial : grid.trials) {
+        const report::Facts facts = facts_of(grid, trial);
+        const std::string name = id + "_" + sigma_name(trial.relative);
+        request.rows.push_back(words.line("levels.row", facts));
+        request.panels.push_back(panel_of_state(grid, trial, trial.noisy, name + "_noisy", words.line("views.noisy", facts)));
+        if (trial.improved()) {
+            request.panels.push_back(panel_of_state(grid, trial, trial.best, name + "_best", words.line("views.best", facts)));
+            request.panels.push_back(panel_of_state(grid, trial, trial.over, name + "_over", words.line("views.over", facts)));
+        } else {
+            request.panels.push_back({name + "_best", words.line("levels.no_better"), nullptr});
+            request.panels.push_back({name + "_over", words.line("levels.no_better"), nullptr});
+        }
+    }
+    request.range = range_in_sigma(request.panels, "colours.surface");
+    add_pictures(answer, std::move(request), "levels", {"mesh"_a = grid.name()});
+}
+
+const DenoisingGrid* most_drifting(const Grids& grids) {
+    return most_of(grids, 0, [](const DenoisingGrid&, const NoisyTrial& trial) { return trial.remains.drift / trial.sigma; });
+}
+
+const DenoisingGrid* most_rounded(const Grids& grids) {
+    return most_of(grids, 1, [](const DenoisingGrid& grid, const NoisyTrial& trial) {
+        return grid.has_features() ? trial.taken.features.times() : NAN;
     });
-    if (trial.found.by_shape.step == 0) return;   // nothing was better than the noise
-    const report::Facts facts = facts_of(grid, trial);
-    const std::string id = id_of("q7", grid.name(), "before_after");
-    add_comparison(answer, {.id = id,
-                            .title = words.line("before_after.title", facts),
-                            .subtitle = words.line("before_after.subtitle", facts),
-                            .caption = words.line("before_after.caption", facts),
-                            .before = panel_of(trial.noisy, id + "_noisy", words.line("before_after.noisy", facts)),
-                            .after = panel_of(trial.best, id + "_denoised", words.line("before_after.denoised", facts)),
-                            .diagonal = grid.diagonal,
-                            .colormap = colormap,
-                            .frame_panel = -1});   // noise may reach beyond the clean box
+}
+
+const DenoisingGrid* most_shrunk(const Grids& grids) {
+    return most_of(grids, 0.001, [](const DenoisingGrid&, const NoisyTrial& trial) { return 1 - trial.taken.volume; });
+}
+
+void add_limits(Answer& answer, const Grids& grids) {
+    output::FigureRequest request;
+    request.id = "q7_limits";
+    request.layout = output::Layout::multiples;
+    const auto add_panel = [&](const DenoisingGrid* grid, const std::string& what, TriangleMesh NoisyTrial::*shown, const auto& distances) {
+        if (grid == nullptr) return;
+        const TriangleMesh& mesh = grid->pictured().*shown;
+        request.panels.push_back(panel_of(mesh, request.id + "_" + what, words.line("limits." + what, "mesh"_a = grid->name()),
+                                          distances(*grid, mesh.X) / grid->pictured().sigma));
+    };
+    add_panel(most_drifting(grids), "drift", &NoisyTrial::best, drifts);
+    add_panel(most_rounded(grids), "edges", &NoisyTrial::clean_alike, distances_of);
+    add_panel(most_shrunk(grids), "volume", &NoisyTrial::clean_alike, sinkings);
+    if (request.panels.empty()) return;
+    request.range = range_in_sigma(request.panels, "colours.limits");
+    add_pictures(answer, std::move(request), "limits", {});
 }
 
 }   // namespace meshfolio::q7_denoising

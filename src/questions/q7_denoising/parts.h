@@ -19,18 +19,37 @@ inline std::vector<Case> cases_of(const Grids& grids) { return parts_within(grid
 /// What sentences about a trial may tell, in names and numbers; its best by the distance to the surface.
 report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
 
+inline constexpr auto distance_colours = "viridis";
+
 // Figures.
-void add_trial_figure(Answer& answer, const DenoisingGrid& grid, const NoisyTrial& trial);
-/// The noise that smoothing did most against.
-void add_before_after(Answer& answer, const DenoisingGrid& grid, const std::string& colormap);
+/// Clean, noisy and nearest to the clean surface, from the six directions, at the noise to look at.
+void add_views(Answer& answer, const DenoisingGrid& grid);
+/// All levels of noise: noisy, nearest, smoothed on.
+void add_levels(Answer& answer, const DenoisingGrid& grid);
+/// What smoothing cannot do: drift, rounded edges, lost volume, each where it shows most.
+void add_limits(Answer& answer, const Grids& grids);
+/// Whose noise to look at shows most of it; null where none does.
+const DenoisingGrid* most_drifting(const Grids& grids);
+const DenoisingGrid* most_rounded(const Grids& grids);
+const DenoisingGrid* most_shrunk(const Grids& grids);
+/// The one whose surface gains most, of which maps and curves are looked at.
+const DenoisingGrid& leading(const Grids& grids);
 
 // Tables and plots.
+/// The gains of each noisy mesh.
 report::Table result_table(const Grids& grids);
+/// Errors, λ and t behind them, measure by measure.
+report::Table measure_table(const Grids& grids);
+/// What is left at the noise to look at.
+report::Table remains_table(const Grids& grids);
 /// Distance to the surface over the iterations, at the step in the middle.
 report::Plot error_plot(const DenoisingGrid& grid);
 /// The gain over λ × t, one panel a level of noise.
 report::Map gain_map(const DenoisingGrid& grid);
 
+/// One sentence, and the few that stand first in the section.
+report::Text answer_of(const Grids& grids);
+report::Text summary_of(const Grids& grids);
 /// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const Grids& grids);
 

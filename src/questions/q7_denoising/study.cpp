@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel_tasks.h"
+#include "geometry/curvature/curvature.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -38,6 +39,19 @@ private:
     int latest_ = 0;
 };
 
+/// The tenth of the vertices where the clean mesh is most curved; none where it is flat.
+std::vector<char> most_curved(const TriangleMesh& mesh, const MeshTopology& topology) {
+    const Vector H = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
+    std::vector<std::pair<double, std::size_t>> order;
+    for (Eigen::Index v = 0; v < H.size(); ++v)
+        if (std::isfinite(H[v])) order.push_back({-std::abs(H[v]), static_cast<std::size_t>(v)});
+    std::ranges::sort(order);
+    std::vector<char> flags(static_cast<std::size_t>(H.size()), 0);
+    if (order.empty() || -order.front().first * bounding_box(mesh).diagonal() < 1e-6) return flags;
+    for (std::size_t i = 0; i < order.size() / 10; ++i) flags[order[i].second] = 1;
+    return flags;
+}
+
 double rms_where(const Vector& distances, const std::vector<char>& flags, char flag) {
     double sum = 0;
     int count = 0;
@@ -47,6 +61,32 @@ double rms_where(const Vector& distances, const std::vector<char>& flags, char f
         ++count;
     }
     return count > 0 ? std::sqrt(sum / count) : std::nan("");
+}
+
+Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const TriangleMesh& smoothed) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    Remains remains;
+    const Vector distances = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, smoothed.X);
+    const Vector along = drifts(grid, smoothed.X);
+    if (const double error = (smoothed.X - clean.X).squaredNorm(); error > 0) remains.along = along.squaredNorm() / error;
+    remains.drift = std::sqrt(along.squaredNorm() / std::max(1.0, double(along.size())));
+    remains.features = {rms_where(distances, grid.on_feature, 1), rms_where(distances, grid.on_feature, 0)};
+    remains.curved = {rms_where(distances, grid.curved, 1), rms_where(distances, grid.curved, 0)};
+
+    const Positions found = face_normals(smoothed);
+    std::vector<int> at_features, others;
+    for (int f = 0; f < clean.face_count(); ++f) {
+        const bool at_feature =
+            std::ranges::any_of(clean.F.row(f), [&](int v) { return grid.on_feature[static_cast<std::size_t>(v)] != 0; });
+        (at_feature ? at_features : others).push_back(f);
+    }
+    const auto angle_of = [&](const std::vector<int>& faces) {
+        return faces.empty() ? NAN : mean_normal_angle(normals(faces, Eigen::all), found(faces, Eigen::all));
+    };
+    remains.feature_angle = angle_of(at_features);
+    remains.other_angle = angle_of(others);
+    if (grid.clean->prepared->preflight.closed()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
+    return remains;
 }
 
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed) {
@@ -66,9 +106,9 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     trial.best = moved_to(clean, trial.found.X);
     const SearchState& best = trial.found.by_shape;
     trial.over = best.step == 0 ? trial.noisy : moved_to(clean, smooth(trial.noisy, smoothing_by(grid, best.value, 4 * best.step)).X);
-    const Vector distances = shape_distances(clean, topology.vertex_faces, trial.best.X);
-    trial.on_features = rms_where(distances, grid.on_feature, 1);
-    trial.elsewhere = rms_where(distances, grid.on_feature, 0);
+    trial.clean_alike = best.step == 0 ? clean : moved_to(clean, smooth(clean, smoothing_by(grid, best.value, best.step)).X);
+    trial.remains = remains_of(grid, normals, trial.best);
+    trial.taken = remains_of(grid, normals, trial.clean_alike);
     return trial;
 }
 
@@ -82,9 +122,10 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     grid.diagonal = bounding_box(clean).diagonal();
     grid.mean_edge = mean_edge_length(clean);
     for (const double lambda : each_once(settings.lambda)) grid.lambdas.push_back(lambda / (grid.mean_edge * grid.mean_edge));
-    if (grid.lambdas.empty()) grid.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.001, 0.01, 0.1, 1.0};
+    if (grid.lambdas.empty()) grid.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.001, 0.01, 0.1, 1.0, 10.0};
     grid.iterations = last_or(settings.iterations, settings.quick ? 16 : 48);
     grid.on_feature = feature_vertices(clean, topology);
+    grid.curved = most_curved(clean, topology);
     grid.feature_vertices = static_cast<int>(std::ranges::count(grid.on_feature, 1));
 
     SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), grid.iterations);
@@ -102,6 +143,23 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     const Positions normals = face_normals(clean);
     for_each_task(levels.size(), [&](std::size_t i) { grid.trials[i] = trial_of(grid, normals, levels[i], settings.seed); });
     return grid;
+}
+
+const NoisyTrial& DenoisingGrid::pictured() const {
+    const auto gain = [](const NoisyTrial& trial) { return trial.improved() ? trial.gain(measures[0]) : 0; };
+    const auto halved = std::ranges::find_if(trials, [&](const NoisyTrial& trial) { return gain(trial) >= works; });
+    return halved != trials.end() ? *halved : *std::ranges::max_element(trials, {}, gain);
+}
+
+Vector drifts(const DenoisingGrid& grid, const Positions& X) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    const Vector distances = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, X);
+    return ((X - clean.X).rowwise().squaredNorm().array() - distances.array().square()).max(0).sqrt();
+}
+
+Vector sinkings(const DenoisingGrid& grid, const Positions& X) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    return (clean.X - X).cwiseProduct(vertex_normals(clean)).rowwise().sum().cwiseMax(0.0);
 }
 
 std::string verdict_on(double gain) {

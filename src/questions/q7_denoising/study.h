@@ -28,15 +28,33 @@ inline constexpr std::array measures{
     Measure{"normals", &SearchResult::angle_gain, &SearchResult::by_angle, &SearchState::angle},
 };
 
+/// rms distance to the surface where something is, and everywhere else; NaN where there is no such vertex. [length]
+struct Uneven {
+    double there = NAN, elsewhere = NAN;
+    double times() const { return elsewhere > 0 ? there / elsewhere : NAN; }
+};
+
+/// What a smoothed mesh has not got back, or has lost.
+struct Remains {
+    double along = NAN;           // share of the squared vertex error that lies along the surface
+    double drift = 0;             // rms distance along the surface [length]
+    Uneven features, curved;      // on edges sharper than 40°; where the clean mesh is most curved: a tenth of its vertices
+    double feature_angle = NAN;   // mean angle of the normals of faces at such edges, and of the others [rad]
+    double other_angle = NAN;
+    double volume = NAN;   // over that of the clean mesh; NaN: open
+};
+
 /// One noisy mesh, and what the grid made of it. λ is in squared mean edges of the clean mesh, h̄².
 struct NoisyTrial {
     double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
     TriangleMesh noisy, best;          // best: nearest to the clean surface
     TriangleMesh over;                 // four times as many iterations of the same λ
+    TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
-    double on_features = 0, elsewhere = 0;   // rms distance to the surface of the best, NaN without such vertices [length]
+    Remains remains, taken;   // of `best`, of `clean_alike`
 
+    bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
     /// NaN where the noise has nothing of the measure.
     double gain(const Measure& measure) const { return (found.*measure.gain)(); }
     const SearchState& best_by(const Measure& measure) const { return found.*measure.best; }
@@ -44,20 +62,28 @@ struct NoisyTrial {
 
 struct DenoisingGrid {
     std::shared_ptr<const LibraryMesh> clean;
-    double diagonal = 0, mean_edge = 0;   // [length]
-    std::vector<double> lambdas;          // ascending [h̄²]
-    int iterations = 0;                   // of each run, at most
-    std::vector<char> on_feature;         // n flags
+    double diagonal = 0, mean_edge = 0;     // [length]
+    std::vector<double> lambdas;            // ascending [h̄²]
+    int iterations = 0;                     // of each run, at most
+    std::vector<char> on_feature, curved;   // n flags: on edges sharper than 40°, in the most curved tenth
     int feature_vertices = 0;
     std::vector<NoisyTrial> trials;      // ascending σ
     std::vector<double> without_noise;   // distance to the surface after t = 0, 1, … iterations of middle_lambda() from the clean mesh
 
     const std::string& name() const { return clean->name; }
     double middle_lambda() const { return lambdas[lambdas.size() / 2]; }
+    /// Do edges stand out from the tessellation?
+    bool has_features() const { return feature_vertices > 0 && 2 * feature_vertices <= clean->mesh().vertex_count(); }
+    /// The one to look at: the lowest noise whose distance to the surface is halved, else the one that gains most.
+    const NoisyTrial& pictured() const;
 };
 
-/// At the noise levels of the settings, else from barely visible to hopeless; steps λ from a thousandth of a squared mean edge to one.
+/// At the noise levels of the settings, else from barely visible to hopeless; steps λ from a thousandth of a squared mean edge to ten.
 DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const QuestionSettings& settings);
+
+/// Of each vertex how far X is from where it was clean along the surface, and how far below it. [length]
+Vector drifts(const DenoisingGrid& grid, const Positions& X);
+Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 
 /// "works" (gain ≥ 2), "helps" (≥ 1.2), "fails" (below), "no gain" (nothing tried is better than the noisy mesh), "–" (nothing to measure).
 std::string verdict_on(double gain);

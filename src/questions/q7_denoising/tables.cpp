@@ -30,11 +30,12 @@ std::vector<Judged> judged_in(const Grids& grids) {
     return rows;
 }
 
-/// Lies the best at the edge of the grid?
+/// Is the best the least or the most smoothing tried in some respect? A smaller λ with t to spare is no such end: more steps of it do
+/// the same.
 bool is_unended(const Judged& row) {
     const SearchState& best = row.best();
-    return row.better() &&
-           (best.step == row.grid.iterations || best.value == row.grid.lambdas.front() || best.value == row.grid.lambdas.back());
+    return row.better() && (best.step == row.grid.iterations || best.value == row.grid.lambdas.back() ||
+                            (best.value == row.grid.lambdas.front() && best.step == 1));
 }
 
 /// From the noisy mesh, t = 0, on. [% of the box diagonal]
@@ -51,21 +52,60 @@ report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) 
 
 }   // namespace
 
+const DenoisingGrid& leading(const Grids& grids) {
+    return *std::ranges::max_element(grids, {}, [](const DenoisingGrid& grid) {
+        double most = 0;
+        for (const NoisyTrial& trial : grid.trials) most = std::fmax(most, trial.gain(measures[0]));
+        return most;
+    });
+}
+
 report::Table result_table(const Grids& grids) {
+    const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
+    const report::Column gain{.unit = "×", .heat = report::Column::Heat{1, 8}};
+    return table("q7_results", words.line("results.table"), cases_of(grids))
+        .column("mesh", [](auto& c) { return c.whole.name(); })
+        .column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) { return 100 * c.part.relative; })
+        .column("σ", {.unit = "mean edges", .digits = 2}, [](auto& c) { return c.part.sigma / c.whole.mean_edge; })
+        .column("noisy", {.unit = "% of box"}, [](auto& c) { return 100 * c.part.found.noisy.shape / c.whole.diagonal; })
+        .column("best", {.unit = "% of box"}, [](auto& c) { return 100 * c.part.found.by_shape.shape / c.whole.diagonal; })
+        .column("λt", {.unit = "h̄²", .digits = 2},
+                [](auto& c) { return cell_of(c.part.found.by_shape.value * c.part.found.by_shape.step, c.part.improved()); })
+        .column("gain: surface", gain, gain_by(0))
+        .column("places", gain, gain_by(1))
+        .column("normals", gain, gain_by(2))
+        .column("verdict", [](auto& c) { return verdict_on(c.part.gain(measures[0])); });
+}
+
+report::Table measure_table(const Grids& grids) {
     const std::vector<Judged> rows = judged_in(grids);
-    std::string caption = words.line("results.table");
+    std::string caption = words.line("measures.table");
     if (std::ranges::any_of(rows, is_unended)) caption += " " + words.line("results.unended");
-    return table("q7_results", caption, rows)
+    return table("q7_measures", caption, rows)
         .column("mesh", [](auto& r) { return r.grid.name(); })
-        .column("σ", {.unit = "% of box"}, [](auto& r) { return 100 * r.trial.relative; })
-        .column("σ", {.unit = "mean edges"}, [](auto& r) { return r.trial.sigma / r.grid.mean_edge; })
+        .column("σ", {.unit = "% of box", .digits = 2}, [](auto& r) { return 100 * r.trial.relative; })
         .column("measure", [](auto& r) { return words.line("measure." + std::string(r.measure.key)); })
         .column("noisy", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.trial.found.noisy); })
         .column("best", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.best()); })
-        .column("gain", {.unit = "×", .heat = report::Column::Heat{1, 8}}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
+        .column("gain", {.unit = "×"}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
         .column("λ", {.unit = "h̄²"}, [](auto& r) { return cell_of(r.best().value, r.better()); })
         .column("t", {.digits = 5}, [](auto& r) { return cell_of(r.best().step, r.better()); })
         .column("verdict", [](auto& r) { return verdict_on(r.trial.gain(r.measure)); });
+}
+
+report::Table remains_table(const Grids& grids) {
+    const auto left = [](const DenoisingGrid& grid) -> const Remains& { return grid.pictured().remains; };
+    const auto taken = [](const DenoisingGrid& grid) -> const Remains& { return grid.pictured().taken; };
+    const auto degrees = [](double angle) { return cell_of(180 / pi * angle); };
+    return table("q7_remains", words.line("remains.table"), grids)
+        .column("mesh", &DenoisingGrid::name)
+        .column("σ", {.unit = "% of box", .digits = 2}, [](auto& g) { return 100 * g.pictured().relative; })
+        .column("along surface", {.unit = "% of error²", .digits = 2}, [&](auto& g) { return cell_of(100 * left(g).along); })
+        .column("normals at edges", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(left(g).feature_angle); })
+        .column("elsewhere", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(left(g).other_angle); })
+        .column("volume", {.unit = "%"}, [&](auto& g) { return cell_of(100 * left(g).volume); })
+        .column("clean: edges", {.unit = "× elsewhere", .digits = 2}, [&](auto& g) { return cell_of(taken(g).features.times()); })
+        .column("clean: volume", {.unit = "%"}, [&](auto& g) { return cell_of(100 * taken(g).volume); });
 }
 
 report::Plot error_plot(const DenoisingGrid& grid) {

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/q6_implicit/study.h"
+#include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
 using namespace testing_tools;
@@ -52,32 +54,84 @@ TEST(Q6, TheTablesAreTheStudy) {
         EXPECT_EQ(std::get<double>(explicit_energy[i]), cell.explicit_energy);
     }
     const report::Table& costs = table_named(answer.section, "q6_cost");
-    EXPECT_EQ(numbers(costs, "implicit steps")[0], study.cost.implicit_steps);
-    EXPECT_EQ(numbers(costs, "explicit steps")[0], study.cost.explicit_steps);
-    expect_near(numbers(costs, "implicit λ/λ_crit"), {50});
+    ASSERT_EQ(costs.rows.size(), study.costs.size());
+    for (std::size_t i = 0; i < study.costs.size(); ++i) {
+        const SmoothingCell& cell = study.grid[study.costs[i].cell];
+        EXPECT_EQ(numbers(costs, "t")[i], cell.iterations);
+        EXPECT_EQ(numbers(costs, "energy")[i], 100 * cell.implicit_energy);
+        EXPECT_EQ(numbers(costs, "size")[i], 100 * cell.kept);
+        EXPECT_EQ(numbers(costs, "explicit steps")[i], study.costs[i].explicit_steps);
+        EXPECT_EQ(numbers(costs, "price, explicit")[i], study.costs[i].ratio());
+    }
 }
 
-TEST(Q6, PanelsAreWhatTheirLabelsSay) {
+/// The figure of this id; each test has one mesh.
+const output::FigureRequest& figure_named(const Answer& answer, const std::string& id) {
+    const auto found = std::ranges::find(answer.figures, id, &output::FigureRequest::id);
+    if (found == answer.figures.end()) throw std::logic_error("no figure " + id);
+    return *found;
+}
+
+TEST(Q6, CellsOfTheMatrixAreTheStatesOfTheRuns) {
     const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
-    const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "panels6"), quick_settings(), no_progress);
-    const ImplicitStudy study = implicit_study(library_mesh(mesh, "panels6"), quick_settings());
-    ASSERT_EQ(answer.figures.size(), 4u);   // steps, pairs, iterations, before and after
-    EXPECT_TRUE(answer.figures[3].layout == output::Layout::comparison && answer.figures[3].turnable);
-    const std::vector<output::Panel>&steps = answer.figures[0].panels, &pairs = answer.figures[1].panels, &times = answer.figures[2].panels;
-    for (const output::FigureRequest& figure : answer.figures) EXPECT_EQ(figure.panels[0].mesh->X, study.subject.mesh().X) << figure.id;
-    ASSERT_EQ(steps.size(), study.lambdas.size() + 1);
+    const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "matrix6"), quick_settings(), no_progress);
+    const ImplicitStudy study = implicit_study(library_mesh(mesh, "matrix6"), quick_settings());
+    const output::FigureRequest& matrix = figure_named(answer, "q6_matrix6_matrix");
+    EXPECT_EQ(matrix.layout, output::Layout::one_frame);
+    ASSERT_EQ(matrix.rows.size(), study.lambdas.size());
+    ASSERT_EQ(matrix.columns.size(), study.iterations.size());
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
-        EXPECT_EQ(steps[l + 1].mesh->X, study.cell(l, study.middle_iteration()).implicit_X);
+        EXPECT_NE(matrix.rows[l].find(in_limits(study.subject, study.lambdas[l])), std::string::npos);
+        const SmoothingRun run =
+            run_smoothing(study.subject, SmoothingScheme::implicit_euler, study.lambdas[l], study.iterations.back(), study.iterations);
+        for (std::size_t t = 0; t < study.iterations.size(); ++t)
+            EXPECT_EQ(matrix.panels[l * study.iterations.size() + t].mesh->X, run.snapshots[t]);
     }
-    EXPECT_EQ(pairs[1].mesh->X, study.cell(0, study.middle_iteration()).explicit_X);
-    EXPECT_EQ(pairs[1].label.rfind("explicit, λ = ", 0), 0u);
-    EXPECT_EQ(pairs[2].mesh->X, study.cell(0, study.middle_iteration()).implicit_X);
-    EXPECT_EQ(pairs[2].label.rfind("implicit, λ = ", 0), 0u);
-    ASSERT_EQ(times.size(), study.iterations.size() + 1);
-    for (std::size_t t = 0; t < study.iterations.size(); ++t) {
-        EXPECT_EQ(times[t + 1].mesh->X, study.cell(1, t).implicit_X);
-        EXPECT_NE(times[t + 1].label.find("t = " + std::to_string(study.iterations[t])), std::string::npos);
+}
+
+TEST(Q6, ViewsShowTheInputTheRecommendedCellAndTooMuch) {
+    const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
+    const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "views6"), quick_settings(), no_progress);
+    const ImplicitStudy study = implicit_study(library_mesh(mesh, "views6"), quick_settings());
+    const output::FigureRequest& views = figure_named(answer, "q6_views6_views");
+    EXPECT_TRUE(views.layout == output::Layout::six_views && views.turnable);
+    ASSERT_EQ(views.panels.size(), 3u);
+    EXPECT_EQ(views.panels[0].mesh->X, study.subject.mesh().X);
+    EXPECT_EQ(views.panels[1].mesh->X, study.good()->implicit_X);
+    EXPECT_EQ(views.panels[2].mesh->X, study.too_much()->implicit_X);
+    EXPECT_EQ(views.panels[2].label.rfind("too much", 0), 0u);
+}
+
+TEST(Q6, ExplicitStandsAboveImplicitUntilItBlowsUp) {
+    const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
+    const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "pairs6"), quick_settings(), no_progress);
+    const ImplicitStudy study = implicit_study(library_mesh(mesh, "pairs6"), quick_settings());
+    const std::vector<const SmoothingCell*> cells = compared_cells(study);
+    const output::FigureRequest& pairs = figure_named(answer, "q6_pairs6_pairs");
+    ASSERT_EQ(pairs.columns.size(), cells.size());
+    int blown = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const output::Panel &above = pairs.panels[i], &below = pairs.panels[cells.size() + i];
+        EXPECT_EQ(below.mesh->X, cells[i]->implicit_X);
+        blown += cells[i]->has_explicit() ? 0 : 1;
+        if (cells[i]->has_explicit()) {
+            EXPECT_EQ(above.mesh->X, cells[i]->explicit_X);
+        } else {
+            EXPECT_EQ(above.label, "blew up in iteration " + std::to_string(cells[i]->explicit_blow_up));
+        }
     }
+    EXPECT_EQ(blown, 1) << "5 λ_crit blows up, and is left there";
+    EXPECT_EQ(pairs.frame_panel, static_cast<int>(cells.size())) << "spikes must not shrink the others";
+}
+
+TEST(Q6, LongTablesAreInTheAppendix) {
+    const Answer answer = chapter_of_id("q6").answer(library_of(cube_mesh(6), "box6"), quick_settings(), no_progress);
+    const report::Section& section = answer.section;
+    ASSERT_GT(section.appendix_from, 0);
+    for (std::size_t i = 0; i < section.blocks.size(); ++i)
+        if (const auto* table = std::get_if<report::Table>(&section.blocks[i])) {
+            EXPECT_EQ(table->id.ends_with("_grid"), static_cast<int>(i) >= section.appendix_from) << table->id;
+        }
 }
 
 TEST(Q6, TheTextFollowsTheData) {

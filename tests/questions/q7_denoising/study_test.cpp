@@ -97,7 +97,51 @@ TEST(DenoisingGrid, FeaturesOfACubeAreItsEdges) {
     const DenoisingGrid cube = grid_on(cube_mesh(8), "cube_edges");
     EXPECT_EQ(cube.feature_vertices, 12 * 7 + 8);
     EXPECT_EQ(grid_on(icosphere(3), "ball_edges").feature_vertices, 0);
-    EXPECT_TRUE(std::isnan(grid_on(icosphere(2), "ball_none").trials[0].on_features));
+    EXPECT_TRUE(std::isnan(grid_on(icosphere(2), "ball_none").trials[0].remains.features.there));
+}
+
+TEST(DenoisingGrid, WhatSmoothingTakesFromTheCleanCubeIsItsEdgesAndItsVolume) {
+    const DenoisingGrid grid = grid_on(cube_mesh(10), "cube_taken");
+    const NoisyTrial& trial = grid.pictured();
+    SmoothingOptions options;
+    options.scheme = SmoothingScheme::implicit_euler;
+    options.lambda = trial.found.by_shape.value * grid.mean_edge * grid.mean_edge;
+    options.iterations = trial.found.by_shape.step;
+    const TriangleMesh& clean = grid.clean->mesh();
+    EXPECT_LE((smooth(clean, options).X - trial.clean_alike.X).norm(), 1e-9 * clean.X.norm());
+    EXPECT_GT(trial.taken.features.times(), 1.5);
+    EXPECT_GT(trial.taken.feature_angle, trial.taken.other_angle);
+    EXPECT_NEAR(trial.taken.volume, signed_volume(trial.clean_alike) / signed_volume(clean), 1e-12);
+    EXPECT_LT(trial.taken.volume, 1);
+}
+
+TEST(DenoisingGrid, DriftAndDistanceMakeUpTheVertexError) {
+    const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_drift");
+    for (const NoisyTrial& trial : grid.trials) {
+        const double error = vertex_rms(grid.clean->mesh().X, trial.best.X);
+        EXPECT_NEAR(std::hypot(trial.remains.drift, trial.found.by_shape.shape), error, 1e-9 * error);
+        EXPECT_NEAR(trial.remains.along, std::pow(trial.remains.drift / error, 2), 1e-9);
+    }
+    const Positions& X = grid.clean->mesh().X;
+    EXPECT_EQ(drifts(grid, X).cwiseAbs().maxCoeff(), 0);
+    EXPECT_EQ(sinkings(grid, 1.1 * X).maxCoeff(), 0) << "the cube is about the origin: all of it rises";
+    EXPECT_GT(sinkings(grid, 0.9 * X).minCoeff(), 0);
+}
+
+TEST(DenoisingGrid, TheNoiseToLookAtIsTheLowestThatIsHalved) {
+    DenoisingGrid grid = grid_on(icosphere(2), "ball_pictured");
+    ASSERT_EQ(grid.trials.size(), 2u);
+    const auto gains = [&](double low, double high) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            SearchResult& found = grid.trials[i].found;
+            found.by_shape.step = 3;
+            found.by_shape.shape = found.noisy.shape / (i == 0 ? low : high);
+        }
+        return &grid.pictured() - grid.trials.data();
+    };
+    EXPECT_EQ(gains(2.5, 4), 0);
+    EXPECT_EQ(gains(1.5, 4), 1);
+    EXPECT_EQ(gains(1.5, 1.2), 0);
 }
 
 TEST(DenoisingGrid, NoiseWithinAPlaneDoesNotMoveTheSurface) {
