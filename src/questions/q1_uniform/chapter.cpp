@@ -75,14 +75,14 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method.deficit");
     add_words(section, words, "results");
     add_figures(answer, meshes);
-    if (drifting) add_tangential_figure(answer, *drifting->mesh, drifting->part, settings.colormap);
+    if (drifting) add_tangential_figure(answer, meshes, settings.colormap);
     add(section, error_table(runs));
-    add(section, convergence_plot(runs));
     add_discussion(section, {meshes, runs, sums, flat, panel_runs(settings.seed, settings.quick, progress), drifting});
     add_checks(section, sums, flat, runs);
 
     begin_appendix(section);
     add_words(section, words, "appendix");
+    add(section, convergence_plot(runs));
     add(section, statistics_table(meshes));
     add(section, area_table(runs, &EstimateError::l2, "l2", "L2"));
     add(section, area_table(runs, &EstimateError::linf, "linf", "L∞"));

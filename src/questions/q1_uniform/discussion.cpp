@@ -41,10 +41,10 @@ report::Text curved_picture(const MeshCurvature& c) {
     const std::string& mesh = c.subject.name();
     if (summary_of(c.H).count == 0) return words.say("h.nothing", "mesh"_a = mesh);
     const Picture p = picture_of(c);
-    if (p.speckled() && p.has_one_sign())
+    if (p.varies_where_truth_does_not())
         return words.say("h.uneven", "mesh"_a = mesh, "spread"_a = readable(p.spread, 2), "cotangent"_a = readable(p.cotangent_spread, 2));
-    return words.say(p.speckled() ? "h.speckled" : "h.alike", "mesh"_a = mesh, "jump"_a = readable_percent(p.jump, 2),
-                     "cotangent"_a = readable_percent(p.cotangent_jump, 2));
+    const char* key = p.misleads() ? "h.misleads" : p.correlation < 0.8 ? "h.partly" : "h.plausible";
+    return words.say(key, "mesh"_a = mesh, "correlation"_a = readable(p.correlation, 2));
 }
 
 report::Text about_H_picture(const Findings& found) {
@@ -167,7 +167,7 @@ report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drift
     report::Text t = words.say("lead.k", "regular"_a = error(regular, deficit_K), "jittered"_a = error(jittered, deficit_K));
     go_on(t, words.say("lead.h", "regular"_a = error(regular, uniform_H), "jittered"_a = error(jittered, uniform_H)));
     if (drifting)
-        go_on(t, words.say(drifting->part.share > 0.5 && picture_of(*drifting->mesh).speckled() ? "lead.drift" : "lead.drift.less",
+        go_on(t, words.say(drifting->part.share > 0.5 && picture_of(*drifting->mesh).misleads() ? "lead.drift" : "lead.drift.less",
                            "mesh"_a = drifting->mesh->subject.name(), "share"_a = readable_percent(drifting->part.share, 2)));
     return t;
 }

@@ -36,8 +36,8 @@ report::Diagram ring_diagram();
 
 /// H and K, one figure each of all meshes.
 void add_figures(Answer& answer, const Meshes& meshes);
-/// Where on a mesh Δx lies along the surface.
-void add_tangential_figure(Answer& answer, const MeshCurvature& c, const TangentialPart& part, const std::string& colormap);
+/// Where on the curved meshes Δx lies along the surface.
+void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap);
 
 /// Of the curved meshes that whose ‖Δx‖² lies along the surface most, if there is one.
 struct Drifting {

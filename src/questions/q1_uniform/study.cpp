@@ -100,8 +100,7 @@ TangentialPart tangential_part(const MeshCurvature& c) {
 }
 
 Picture picture_of(const MeshCurvature& c) {
-    const MeshTopology& topology = c.subject.topology();
-    return {typical_jump(c.length, topology), typical_jump(c.cotangent, topology), spread_of(c.length), spread_of(c.cotangent)};
+    return {rank_correlation(c.length, c.cotangent), spread_of(c.length), spread_of(c.cotangent)};
 }
 
 IrregularVertices irregular_vertices(const MeshCurvature& c) {

@@ -94,7 +94,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
     add(section, weight_diagram());
     add_words(section, words, "results");
-    for (const CotangentComparison& c : meshes) add_comparison_figure(answer, c);
+    add_comparison_figure(answer, meshes);
     add(section, error_table(runs, &EstimateError::l2, "l2", "L2"));
     add(section, convergence_plot(runs));
     add_discussion(section, meshes, runs, plane, panel_runs(settings.seed, settings.quick, progress));

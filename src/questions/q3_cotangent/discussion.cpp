@@ -74,11 +74,11 @@ report::Text curved_picture(const CotangentComparison& c) {
                                : beyond > 0  ? "curved.within"
                                              : "curved.all_within",
                                "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2));
-    const double uniform = typical_jump(c.uniform, c.subject.topology()), cotangent = typical_jump(c.cotangent, c.subject.topology());
+    const double uniform = roughness(c.uniform, c.subject.topology()), cotangent = roughness(c.cotangent, c.subject.topology());
     if (uniform > 0 && cotangent > 0) {
         const double ratio = uniform / cotangent;
         const char* key = ratio > 1.2 ? "curved.smoother" : ratio < 1 / 1.2 ? "curved.rougher" : "curved.as_smooth";
-        go_on(t, words.say(key, "uniform"_a = readable_percent(uniform, 2), "cotangent"_a = readable_percent(cotangent, 2)));
+        go_on(t, words.say(key, "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
     }
     if (c.sign_change > 0.005) go_on(t, words.say("curved.sign", "sign"_a = readable_percent(c.sign_change, 2)));
     go_on_about_outlier(t, c);
