@@ -200,13 +200,6 @@ Score score_of(const std::vector<Check>& checks);
 /// "456 of 458 checks passed, 1 failed, 1 undecided".
 std::string words_of(const Score& score);
 
-/// A result worth the first page.
-struct Finding {
-    Text text;
-    int weight = 0;   // larger first; the page shows the first five
-    bool operator==(const Finding&) const = default;
-};
-
 struct Input {
     std::string role;        // "armadillo"
     std::string asked;       // path of the assignment, "decompose/armadillo.obj"; empty for meshes no one asked for
@@ -248,7 +241,6 @@ struct Section {
     /// Of a question: the blocks from here on, its long tables and further figures, are in the appendix. −1: none are.
     int appendix_from = -1;
     std::vector<Check> checks;
-    std::vector<Finding> findings;
     std::vector<std::string> warnings;
     std::vector<std::string> output_meshes;   // "meshes/q4_armadillo_k5.ply"
     std::vector<Timing> timings;

@@ -74,24 +74,6 @@ report::Plot target_plot(const ModeStudy& study, const std::string& key, std::si
     return plot;
 }
 
-struct WayRow {
-    const SmoothingTarget& target;
-    std::string name;
-    const SmoothingWay& way;
-
-    bool there() const { return way.steps > 0; }
-    bool both() const { return there() && target.explicit_way.steps > 0; }
-};
-std::vector<WayRow> way_rows(const ModeStudy& study) {
-    std::vector<WayRow> rows;
-    for (const SmoothingTarget& target : study.targets) {
-        rows.push_back({target, "explicit", target.explicit_way});
-        for (std::size_t which = 0; which < target.implicit_ways.size(); ++which)
-            rows.push_back({target, implicit_way_names()[which], target.implicit_ways[which]});
-    }
-    return rows;
-}
-
 /// An implicit way, and the target from which on it is the cheaper one.
 struct CrossingRow {
     const ModeStudy& study;
@@ -159,21 +141,6 @@ report::Table gap_table(const Studies& studies) {
                 [](auto& r) { return cell_of(100 * r.part.predicted, r.part.predicted < 1e10); })
         .column("first order", {.unit = "% of box"}, [](auto& r) { return cell_of(100 * r.part.leading); })
         .column("gap / motion", {.unit = "%"}, [](auto& r) { return cell_of(100 * r.part.measured / r.part.motion); });
-}
-
-report::Table cost_table(const ModeStudy& study) {
-    const double critical = study.subject.critical;
-    return table(id_of("modes", study.name(), "cost"),
-                 words.line("cost", "mesh"_a = study.name(), "accuracy"_a = readable_percent(implicit_accuracy, 1),
-                            "factorisation"_a = readable(study.factor.factorisation)),
-                 way_rows(study))
-        .column("energy left", {.unit = "% of input"}, [](auto& r) { return 100 * r.target.energy; })
-        .column("way", &WayRow::name)
-        .column("λ/λ_crit", [&](auto& r) { return cell_of(r.way.lambda / critical, r.way.lambda > 0); })
-        .column("steps", {.digits = 7}, [](auto& r) { return cell_of(r.way.steps, r.there()); })
-        .column("error", {.unit = "%"}, [](auto& r) { return cell_of(100 * r.way.error, r.there()); })
-        .column("operations", {.unit = "multiply–adds"}, [](auto& r) { return cell_of(r.way.operations, r.there()); })
-        .column("over explicit", [](auto& r) { return cell_of(r.way.operations / r.target.explicit_way.operations, r.both()); });
 }
 
 report::Plot cost_plot(const ModeStudy& study) {

@@ -107,15 +107,14 @@ report::Table growth_table(const Studies& studies) {
 
 report::Plot growth_plot(const StabilityStudy& study) {
     const auto end = [](const ModeGrowth& growth, int digits) { return readable(growth.factor.back(), digits); };
-    report::Plot plot{
-        .id = id_of("stability", study.name(), "growth"),
-        .caption = words.line("growth", "mesh"_a = study.name(), "steps"_a = study.cotangent.beyond.steps(),
-                              "cotangent_beyond"_a = end(study.cotangent.beyond, 4), "uniform_beyond"_a = end(study.uniform.beyond, 4),
-                              "cotangent_below"_a = end(study.cotangent.below, 3), "uniform_below"_a = end(study.uniform.below, 3)),
-        .x_label = "step",
-        .y_label = words.line("growth.y"),
-        .log_y = true};
-    plot.alt = plot.caption;
+    report::Plot plot{.id = id_of("stability", study.name(), "growth"),
+                      .caption = words.line("growth", "mesh"_a = study.name(), "steps"_a = study.cotangent.beyond.steps()),
+                      .x_label = "step",
+                      .y_label = words.line("growth.y"),
+                      .log_y = true};
+    plot.alt = words.line("growth.alt", "caption"_a = plot.caption, "cotangent_beyond"_a = end(study.cotangent.beyond, 4),
+                          "uniform_beyond"_a = end(study.uniform.beyond, 4), "cotangent_below"_a = end(study.cotangent.below, 3),
+                          "uniform_below"_a = end(study.uniform.below, 3));
     for (const OperatorLimit* limit : study.operators()) {
         const double first = limit == &study.cotangent ? 0 : 0.5;
         plot.series.push_back(curve(limit->name, "1.01 λ_crit", limit->beyond, true, first));

@@ -58,28 +58,27 @@ report::Table overview(const GroundTruth& truth) {
     return behaviours;
 }
 
-report::Table error_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
+report::Table error_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
-    auto errors = table_of_estimators("truth_errors_" + name + "_" + norm.key, words.line("errors", "norm"_a = norm.name, "kind"_a = name));
+    auto errors = table_of_estimators("truth_errors_" + name + "_l2", words.line("errors", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
         errors.column(run.surface, {.unit = "%", .heat = report::Column::Heat{0.1, 30}},
-                      [&](auto* e) { return cell_of(100 * run.finest().error(e->key).*norm.of); });
+                      [&](auto* e) { return cell_of(100 * run.finest().error(e->key).l2); });
     return errors;
 }
 
-report::Table order_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
+report::Table order_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
-    auto orders = table_of_estimators("truth_orders_" + name + "_" + norm.key, words.line("orders", "norm"_a = norm.name, "kind"_a = name));
+    auto orders = table_of_estimators("truth_orders_" + name + "_l2", words.line("orders", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
-        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key, norm.of).order()); });
+        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key).order()); });
     return orders;
 }
 
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity) {
     static const std::vector<std::string> shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
     const BenchRun& run = truth.run("ellipsoid", kind);
-    const std::string caption =
-        words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind), "dimensions"_a = run.dimensions);
+    const std::string caption = words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind));
     report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);
     for (const Estimator* e : panel_estimators(quantity)) {
         const auto place = std::ranges::find(shown, e->key.substr(2));   // behind "H."

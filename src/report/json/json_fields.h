@@ -334,13 +334,6 @@ void describe(Fields& fields, part_of<Check> auto& check) {
 }
 
 template <class Fields>
-void describe(Fields& fields, part_of<Finding> auto& finding) {
-    fields("runs", finding.text);
-    fields.derived("text", [&] { return plain(finding.text); });
-    fields("weight", finding.weight);
-}
-
-template <class Fields>
 void describe(Fields& fields, part_of<Input> auto& input) {
     fields("role", input.role);
     fields("asked", input.asked, "the assignment's path; empty: no one asked for this mesh");
@@ -393,7 +386,6 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
         "checks", section.checks,
         "near: |measured - expected| <= tolerance; at_most: measured <= expected + tolerance; at_least: measured >= expected - tolerance; "
         "undecided: the number says nothing about what is checked, for the reason in the note, and is no failure");
-    fields("findings", section.findings);
     fields("warnings", section.warnings);
     fields.files("output_meshes", section.output_meshes);
     fields.if_there("timings", section.timings, entry.with_timings, timings_note);
