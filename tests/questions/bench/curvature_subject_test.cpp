@@ -81,7 +81,7 @@ TEST(CurvatureSubject, PanelsOfMeshesOfAnySizeFitIntoOneFrame) {
 }
 
 TEST(CurvatureSubject, CotangentIsExactOnIrregularPlanesAndOthersAreNot) {
-    const PlaneTest plane = irregular_plane(1);
+    const PlaneTest plane = irregular_plane(std::uint64_t{1});
     EXPECT_GT(plane.negative_weights, 0.01);
     EXPECT_LT(plane.cotangent, 1e-12);
     EXPECT_GT(plane.uniform, 0.01);
