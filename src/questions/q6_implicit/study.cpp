@@ -126,7 +126,7 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     study.subject = smoothing_subject(std::move(source));
     study.lambdas = steps_of(settings, study.subject, {0.5, 5, 50});
     study.iterations = settings.iterations;
-    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30};
+    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30, 100};
     study.iterations = each_once(study.iterations);
     const int last = study.iterations.back();
     ImplicitSolver solver;   // one symbolic analysis for all λ

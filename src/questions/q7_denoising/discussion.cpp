@@ -175,7 +175,8 @@ report::Text summary_of(const Grids& grids) { return verdict(grids); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
     add_words(section, words, "discussion");
-    report::Text seen = words.say("reading");
+    const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
+    report::Text seen = words.say(improved ? "reading" : "reading.noise");
     for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
     add_paragraphs(section, {seen, paragraph_of({limits_in_mean_edges(grids), why(grids)}),
                              paragraph_of({noise_and_amount(grids), measures_disagree(grids), going_on(grids)}),
