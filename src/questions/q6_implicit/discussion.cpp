@@ -105,14 +105,18 @@ report::Text where_it_goes(const ImplicitStudy& study) {
 
 /// What the pictures of one mesh show.
 report::Text reading(const ImplicitStudy& study) {
-    const SmoothingCell *good = study.good(), *much = study.too_much();
-    const report::Fact mesh = "mesh"_a = study.name(), figure = "figure"_a = matrix_of(study);
+    const SmoothingCell* good = study.good();
+    if (good == nullptr) return {};
     return paragraph_of(
-        {good ? words.say("reading.good", mesh, figure, "cell"_a = title_of(study, *good), "fall"_a = energy_fall(good->implicit_energy))
-              : report::Text(),
-         where_it_goes(study),
-         much ? words.say("reading.much", mesh, figure, "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2))
-              : report::Text()});
+        {words.say("reading.good", "mesh"_a = study.name(), "figure"_a = matrix_of(study), "cell"_a = title_of(study, *good)),
+         where_it_goes(study)});
+}
+
+report::Text too_much(const ImplicitStudy& study) {
+    const SmoothingCell* much = study.too_much();
+    if (much == nullptr) return {};
+    return words.say("reading.much", "figure"_a = matrix_of(study), "cell"_a = title_of(study, *much),
+                     "kept"_a = readable_percent(much->kept, 2));
 }
 
 /// Where the explicit runs end, one entry a mesh that has one: at the smallest step that blew up.
@@ -222,10 +226,11 @@ report::Text summary_of(const Studies& studies) {
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
     const bool pictured = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
-    report::Text seen = paragraph_of({words.say("reading", "figure"_a = matrix_of(studies.back())), words.say("reading.rule"),
-                                      pictured ? words.say("reading.views") : report::Text()});
+    report::Text seen =
+        paragraph_of({words.say("reading", "figure"_a = matrix_of(studies.back())), pictured ? words.say("reading.rule") : report::Text()});
     for (const ImplicitStudy& study : studies) seen = paragraph_of({seen, reading(study)});
-    add_paragraphs(section, {seen, explicit_beside_implicit(studies), iterations_against_steps(studies), price(studies)});
+    add_paragraphs(section, {paragraph_of({seen, too_much(studies.back())}), explicit_beside_implicit(studies),
+                             iterations_against_steps(studies), price(studies)});
 }
 
 }   // namespace meshfolio::q6_implicit

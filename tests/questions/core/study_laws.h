@@ -53,6 +53,20 @@ inline std::vector<double> numbers(const report::Table& table, const std::string
     return values;
 }
 
+/// The same without the empty cells.
+inline std::vector<double> finite_numbers(const report::Table& table, const std::string& name) {
+    std::vector<double> values;
+    for (const report::Cell& cell : cells(table, name))
+        if (const double* value = std::get_if<double>(&cell)) values.push_back(*value);
+    return values;
+}
+
+inline const output::FigureRequest& figure_named(const Answer& answer, const std::string& id) {
+    for (const output::FigureRequest& figure : answer.figures)
+        if (figure.id == id) return figure;
+    throw std::logic_error("no figure " + id);
+}
+
 /// A question's own checks on every mesh beside the project that is not too large; skipped where there are none.
 inline void check_real_meshes(Answer (*answer_of)(const MeshLibrary&, const QuestionSettings&, const Progress&),
                               const QuestionSettings& settings = quick_settings()) {

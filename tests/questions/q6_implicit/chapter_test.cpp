@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
@@ -63,13 +62,6 @@ TEST(Q6, TheTablesAreTheStudy) {
         EXPECT_EQ(numbers(costs, "explicit steps")[i], study.costs[i].explicit_steps);
         EXPECT_EQ(numbers(costs, "price, explicit")[i], study.costs[i].ratio());
     }
-}
-
-/// The figure of this id; each test has one mesh.
-const output::FigureRequest& figure_named(const Answer& answer, const std::string& id) {
-    const auto found = std::ranges::find(answer.figures, id, &output::FigureRequest::id);
-    if (found == answer.figures.end()) throw std::logic_error("no figure " + id);
-    return *found;
 }
 
 TEST(Q6, CellsOfTheMatrixAreTheStatesOfTheRuns) {
