@@ -1,19 +1,18 @@
 // Pictures open large: the full-size files beside the page, or the previews inside it where they are not there.
 
-/// The pictures of a figure: what it shows first, then its single views. {href, name, preview, alt}
+/// The pictures of a figure: the sheet with all of them, then those that are files of their own. {href, name, preview, alt}
 function picturesOf(figure) {
-    const pictures = [];
-    for (const link of figure.querySelectorAll(".plate > a, .files > a.sheet, .views a")) {
-        const image = link.querySelector("img");
-        const name = link.closest(".panel")?.querySelector(".panel-name")?.textContent
-            ?? [link.closest("li")?.querySelector(".panel")?.textContent, image ? "" : link.textContent].filter(Boolean).join(" ");
-        if (pictures.some((picture) => picture.href === link.getAttribute("href"))) continue;
-        pictures.push({ href: link.getAttribute("href"), name: name.trim(), preview: image?.src, alt: image?.alt });
+    const pictures = [], first = figure.querySelector(".plate img");
+    for (const link of figure.querySelectorAll(".files > a.sheet, figure.cover .plate > a, .views a")) {
+        const href = link.getAttribute("href");
+        const image = [...figure.querySelectorAll(".plate a")].find((a) => a.getAttribute("href") === href)?.querySelector("img");
+        const name = link.matches(".views a") ? [link.closest("li")?.querySelector(".panel")?.textContent, link.textContent] : [];
+        pictures.push({ href, name: name.filter(Boolean).join(" ").trim(), preview: (image ?? first)?.src, alt: (image ?? first)?.alt });
     }
     return pictures;
 }
 
-const figures = [...document.querySelectorAll("figure.cover, figure.picture")].filter((figure) => figure.querySelector(".plate > a"));
+const figures = [...document.querySelectorAll("figure.cover, figure.picture")].filter((figure) => figure.querySelector(".plate img"));
 
 const dialog = document.createElement("dialog");
 dialog.className = "lightbox";
@@ -56,21 +55,22 @@ function go(figures_on, views_on) {
     show();
 }
 
-function open(link) {
-    opener = link;
-    at = figures.indexOf(link.closest("figure"));
+/// @param from  what was clicked: a link to a picture, or a picture without one, which is seen in the sheet
+function open(from) {
+    opener = from.closest("a") ?? from.closest("figure").querySelector(".files > a.sheet");
+    at = figures.indexOf(from.closest("figure"));
     pictures = picturesOf(figures[at]);
-    view = Math.max(0, pictures.findIndex((picture) => picture.href === link.getAttribute("href")));
+    view = Math.max(0, pictures.findIndex((picture) => picture.href === opener?.getAttribute("href")));
     show();
     dialog.showModal();
 }
 
 document.addEventListener("click", (event) => {
     if (event.button !== 0 || event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
-    const link = event.target.closest?.("figure.cover .plate > a, figure.picture .plate > a, figure.picture .files > a.sheet, .views a");
-    if (!link || !figures.includes(link.closest("figure"))) return;
+    const from = event.target.closest?.("figure.cover .plate > a, figure.picture .plate a, .plate .panel img, .lead img, .directions img, .files > a.sheet, .views a");
+    if (!from || from.closest(".pair") || !figures.includes(from.closest("figure"))) return;
     event.preventDefault();
-    open(link);
+    open(from);
 });
 const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 dialog.addEventListener("keydown", (event) => {

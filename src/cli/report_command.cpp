@@ -50,8 +50,7 @@ report::Document document_of(const ReportSettings& settings, const std::vector<Q
 }
 
 report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<QuestionResult>& results,
-                                   const std::optional<Cover>& cover, const std::set<std::string>& on_paper, const fs::path& folder,
-                                   ProgressDisplay& display) {
+                                   const std::optional<Cover>& cover, const fs::path& folder, ProgressDisplay& display) {
     std::vector<output::FigureRequest> requests;
     for (const QuestionResult& result : results)
         requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
@@ -59,7 +58,6 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
     output::DrawSettings draw;
     draw.width = settings.size.width;
     draw.height = settings.size.height;
-    draw.on_paper = on_paper;
     display.step("drawing");
     auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
     display.milestone(std::to_string(requests.size()) + " figures drawn");
@@ -93,12 +91,12 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
         const fs::path& folder = publication.folder();
-        report::DrawnFigures figures = drawn_figures(settings, results, cover, paper.figures(document), folder, display);
+        report::DrawnFigures figures = drawn_figures(settings, results, cover, folder, display);
         document.timings.push_back({"drawing", drawing.seconds()});
         document.timings.push_back({"up to writing", whole.seconds()});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         const report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
-        paper.prepare(document, figures, store.get(), folder);
+        paper.look_up(document, figures, store.get(), folder);
         run_tasks([&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
                   [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
                   [&] { write_file(folder / "src.txt", own_source().text()); });

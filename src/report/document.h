@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "report/diagram.h"
 #include "report/text.h"
 
 namespace meshfolio::report {
@@ -154,7 +155,7 @@ struct EntryList {
     bool operator==(const EntryList&) const = default;
 };
 
-using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Figure, EntryList>;
+using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure, EntryList>;
 
 // ---- what a section proves and says -----------------------------------------------------------------------------------
 
@@ -270,13 +271,31 @@ struct Document {
 
 // ---- what the writers need of the pictures ------------------------------------------------------------------------------
 
-/// One picture of a comparison: before, after, or the difference.
+/// A mesh seen from one side: where it is in the sheet of its figure, which holds every picture of the page and of the paper.
+struct DrawnPicture {
+    std::string view;                               // "+x"; empty: from three quarters
+    int left = 0, top = 0, width = 0, height = 0;   // in the sheet [pixels]
+    std::string file = {};                          // of its own in full size; empty: none
+    std::string jpeg = {};                          // bytes, cut out of the sheet
+    bool operator==(const DrawnPicture&) const = default;
+};
+
+/// One mesh, from three quarters or from six directions or both.
 struct DrawnPanel {
-    std::string label;           // "noisy", "after 10 steps", "moved by"
-    std::string file;            // "images/q7_fandisk_noisy_hero.png", full size
-    std::string preview_jpeg;    // bytes, shown inside the page
-    int width = 0, height = 0;   // of the preview, the same for all panels of a comparison
+    std::string label = {};
+    std::vector<DrawnPicture> pictures = {};   // the one from three quarters first; none: an empty cell, the label says why
     bool operator==(const DrawnPanel&) const = default;
+};
+
+/// What the colours of a figure mean.
+struct Legend {
+    std::string quantity = {}, unit = {};
+    double low = 0, high = 1;
+    std::vector<std::string> colours = {};         // "#rrggbb", evenly from low to high
+    double clipped_below = 0, clipped_above = 0;   // share of the values beyond
+    std::string undefined = {};                    // colour of what has no value; empty: everything has one
+    std::vector<double> histogram = {};            // share of the values in equal bins
+    bool operator==(const Legend&) const = default;
 };
 
 /// A mesh that readers of the page can turn.
@@ -290,13 +309,13 @@ struct DrawnModel {
 
 /// A figure once drawn. Paths are relative to the report's folder.
 struct DrawnFigure {
-    std::string sheet;                                        // "images/q1_plane_h_sheet.png"
-    std::string preview_jpeg;                                 // bytes, shown inside the page
-    int width = 0, height = 0;                                // of the preview
-    std::vector<std::pair<std::string, std::string>> views;   // label ("+x", or "λ = 0.1, +x") → path of the full-size PNG
-    std::string print_jpeg = {};                              // bytes, for paper; empty: no PDF is asked for
-    std::vector<DrawnPanel> comparison = {};                  // before, after and their difference; empty: no comparison
-    std::vector<DrawnModel> models = {};                      // one, or before and after with linked cameras; empty: cannot be turned
+    std::string sheet = {};   // "images/q1_plane_h_sheet.png"
+    enum class Layout { panels, matrix, comparison } layout = Layout::panels;
+    std::vector<std::string> columns = {},
+                             rows = {};   // heads of a matrix, whose panels are given row by row; no rows: it has one, or needs no heads
+    std::vector<DrawnPanel> panels = {};
+    std::optional<Legend> legend = {};
+    std::vector<DrawnModel> models = {};   // one, or before and after with linked cameras; empty: cannot be turned
     bool operator==(const DrawnFigure&) const = default;
 };
 using DrawnFigures = std::map<std::string, DrawnFigure>;   // by figure id

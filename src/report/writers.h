@@ -75,9 +75,11 @@ std::string write_csv(const Map& map);
 /// Inline SVG that takes its colours from the page (currentColor and CSS variables), readable in grey.
 std::string svg_of(const Plot& plot);
 std::string svg_of(const Map& map);
+std::string svg_of(const Diagram& diagram);
 
 /// The same as a file of its own, on white: Markdown cannot hold it inline.
 std::string svg_file_of(const Plot& plot);
 std::string svg_file_of(const Map& map);
+std::string svg_file_of(const Diagram& diagram);
 
 }   // namespace meshfolio::report

@@ -6,7 +6,6 @@
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"
 #include "base/sha256.h"
-#include "output/draw/draw_figures.h"
 #include "output/draw/finished_picture.h"
 #include "output/publish/file_sums.h"
 #include "output/publish/folder_system.h"
@@ -90,28 +89,15 @@ private:
     }
 };
 
-/// The picture of a figure made small again; false where it is not there.
-bool restore_preview(const EarlierFiles& files, const std::string& file, int widest, std::string& jpeg, int& width, int& height) {
-    const auto bytes = files.bytes_of(file);
-    if (!bytes) return false;
-    const auto image = render::decode_png(*bytes);
-    if (!image) throw InputError({file}, "is not a PNG that can be read", "make the report anew");
-    output::Preview preview = output::preview_of(*image, widest, output::DrawSettings().jpeg_quality);
-    jpeg = std::move(preview.jpeg);
-    width = preview.width;
-    height = preview.height;
-    return true;
-}
-
-/// What the page needs of a figure besides the names of its files. @return false where its picture is not there
+/// What the page needs of a figure besides the names of its files: its pictures, cut out of the sheet. @return false where that is not
+/// there
 bool restore(const EarlierFiles& files, report::DrawnFigure& figure) {
-    const output::DrawSettings draw;
-    if (!restore_preview(files, figure.sheet, draw.preview_width, figure.preview_jpeg, figure.width, figure.height)) return false;
-    for (report::DrawnPanel& panel : figure.comparison) {
-        if (restore_preview(files, panel.file, draw.panel_width, panel.preview_jpeg, panel.width, panel.height)) continue;
-        figure.comparison.clear();   // one without the others compares nothing
-        break;
-    }
+    const auto bytes = files.bytes_of(figure.sheet);
+    if (!bytes) return false;
+    const auto sheet = render::decode_png(*bytes);
+    if (!sheet) throw InputError({figure.sheet}, "is not a PNG that can be read", "make the report anew");
+    if (!output::cut_pictures(*sheet, figure))
+        throw InputError({figure.sheet}, "is smaller than results.json says", "make the report anew");
     for (report::DrawnModel& model : figure.models) {
         auto glb = files.bytes_of(model.file);
         if (glb) model.glb = std::move(*glb);
@@ -183,7 +169,7 @@ ExitCode report_from_results(const ReportFlags& flags) {
     } catch (const std::logic_error& error) {   // a text refers to what is not there
         throw InputError({source.string()}, error.what(), "take a whole results.json");
     }
-    paper.prepare(earlier.document, earlier.figures, store.get(), publication.folder());
+    paper.look_up(earlier.document, earlier.figures, store.get(), publication.folder());
     const std::string pdf_note = paper.write(earlier.document, earlier.figures, store.get(), publication.folder());
     const std::string note = publication.publish(digests);
     for (const std::string& remark : {note, pdf_note}) {

@@ -3,15 +3,12 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"
 #include "base/sha256.h"
-#include "output/draw/draw_figures.h"
 #include "output/publish/temporaries.h"
-#include "png/png.h"
 #include "report/page/volumes.h"
 #include "report/pdf/pdf_finish.h"
 #include "report/pdf/print_page.h"
@@ -82,13 +79,6 @@ std::string printed(const report::Document& document, const report::DrawnFigures
 PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates)
     : templates_(templates), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
-std::set<std::string> PaperCopy::figures(const report::Document& document) const {
-    if (!is_wanted()) return {};
-    std::set<std::string> ids;
-    for (const Copy& copy : copies_) ids.merge(report::figures_in(document, copy.volume));
-    return ids;
-}
-
 /// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
 std::string PaperCopy::key_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
                               const fs::path& folder) const {
@@ -104,31 +94,13 @@ std::string PaperCopy::key_of(report::Volume volume, const report::Document& doc
     return key.key();
 }
 
-void PaperCopy::prepare(const report::Document& document, report::DrawnFigures& figures, output::ResultCache* store,
+void PaperCopy::look_up(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
                         const fs::path& folder) {
-    if (!is_wanted()) return;
-    bool all_stored = true;
+    if (!is_wanted() || store == nullptr || program_identity().empty()) return;
     for (Copy& copy : copies_) {
-        if (store != nullptr && !program_identity().empty()) {
-            copy.key = key_of(copy.volume, document, figures, folder);
-            copy.stored = store->get(copy.key);
-        }
-        all_stored = all_stored && copy.stored;
+        copy.key = key_of(copy.volume, document, figures, folder);
+        copy.stored = store->get(copy.key);
     }
-    if (all_stored) return;
-    std::vector<report::DrawnFigure*> shown;
-    for (const std::string& id : this->figures(document)) {
-        if (const auto drawn = figures.find(id); drawn != figures.end()) shown.push_back(&drawn->second);
-    }
-    const auto jpeg_of = [&](const report::DrawnFigure& figure, int quality) {
-        const auto sheet = render::decode_png(read_file(folder / figure.sheet));
-        return sheet ? render::encode_jpeg(*sheet, quality) : "";
-    };
-    for_each_task(shown.size(), [&](std::size_t i) {
-        if (shown[i]->print_jpeg.empty()) shown[i]->print_jpeg = jpeg_of(*shown[i], output::DrawSettings().print_quality);
-    });
-    constexpr int lesser_quality = 72;
-    report::lighten(shown, report::most_picture_bytes, [&](const report::DrawnFigure& figure) { return jpeg_of(figure, lesser_quality); });
 }
 
 std::string PaperCopy::pdf_of(const Copy& copy, const report::Document& document, const report::DrawnFigures& figures,

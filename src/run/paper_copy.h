@@ -6,7 +6,6 @@
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "output/cache/result_cache.h"
@@ -22,12 +21,9 @@ public:
     PaperCopy(const ReportSettings& settings, const report::Templates& templates);
 
     bool is_wanted() const { return engine_.has_value(); }
-    /// Ids of the figures that are drawn for paper.
-    std::set<std::string> figures(const report::Document& document) const;
 
-    /// Looks into the cache; where it has nothing, makes the pictures for paper that an earlier run did not leave, from the sheets in
-    /// `folder`.
-    void prepare(const report::Document& document, report::DrawnFigures& figures, output::ResultCache* store,
+    /// Looks into the cache whether an earlier run printed the same from the sheets in `folder`.
+    void look_up(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
                  const std::filesystem::path& folder);
     /// Writes the PDF of both volumes into `folder`, and what was printed into the cache.
     /// @return what to warn of, else empty

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* form = "meshfolio answer 1";   // of what is stored: another form, another key
+constexpr const char* form = "meshfolio answer 2";   // of what is stored: another form, another key
 
 json json_of(const std::vector<MeshLookup>& lookups) {
     json list = json::array();
@@ -49,27 +49,33 @@ std::set<std::string> files_of(const report::Section& section, const report::Dra
         if (const auto* table = std::get_if<report::Table>(&block)) files.insert("tables/" + table->id + ".csv");
         if (const auto* plot = std::get_if<report::Plot>(&block)) add_drawing(plot->id);
         if (const auto* map = std::get_if<report::Map>(&block)) add_drawing(map->id);
+        if (const auto* diagram = std::get_if<report::Diagram>(&block)) files.insert("images/" + diagram->id + ".svg");
     }
     for (const auto& [id, figure] : figures) {
         files.insert(figure.sheet);
-        for (const auto& [label, file] : figure.views) files.insert(file);
-        for (const report::DrawnPanel& panel : figure.comparison) files.insert(panel.file);
+        for (const report::DrawnPanel& panel : figure.panels) {
+            for (const report::DrawnPicture& picture : panel.pictures) {
+                if (!picture.file.empty()) files.insert(picture.file);
+            }
+        }
         for (const report::DrawnModel& model : figure.models) files.insert(model.file);
     }
     return files;
 }
 
-// ---- figures: names, sizes, digests of their bytes. Pictures for paper are not kept: they follow from the sheets. ----------
+// ---- figures: the bytes that results.json does not hold, in the order in which it names what they are of ------------------
 
 json json_of(const report::DrawnFigure& figure, output::ResultCache& store) {
-    json panels = json::array(), models = json::array();
-    for (const report::DrawnPanel& p : figure.comparison)
-        panels.push_back({p.label, p.file, store.keep(p.preview_jpeg), p.width, p.height});
-    for (const report::DrawnModel& m : figure.models) models.push_back({m.label, m.file, store.keep(m.glb), m.quantity});
-    return {{"sheet", figure.sheet}, {"preview", store.keep(figure.preview_jpeg)},
-            {"width", figure.width}, {"height", figure.height},
-            {"views", figure.views}, {"comparison", panels},
-            {"models", models}};
+    json lengths = json::array(), models = json::array();
+    std::string jpegs;   // one after another: a blob a picture would be a file each
+    for (const report::DrawnPanel& panel : figure.panels) {
+        for (const report::DrawnPicture& picture : panel.pictures) {
+            lengths.push_back(picture.jpeg.size());
+            jpegs += picture.jpeg;
+        }
+    }
+    for (const report::DrawnModel& m : figure.models) models.push_back(store.keep(m.glb));
+    return {{"jpegs", store.keep(jpegs)}, {"lengths", lengths}, {"models", models}};
 }
 
 /// What is stored has been lost or damaged.
@@ -81,17 +87,18 @@ std::string bytes_of(const json& digest, output::ResultCache& store) {
     return std::move(*bytes);
 }
 
-report::DrawnFigure figure_of(const json& stored, output::ResultCache& store) {
-    report::DrawnFigure figure;
-    figure.sheet = stored.at("sheet");
-    figure.preview_jpeg = bytes_of(stored.at("preview"), store);
-    figure.width = stored.at("width");
-    figure.height = stored.at("height");
-    figure.views = stored.at("views").get<std::vector<std::pair<std::string, std::string>>>();
-    for (const json& p : stored.at("comparison"))
-        figure.comparison.push_back({p.at(0), p.at(1), bytes_of(p.at(2), store), p.at(3), p.at(4)});
-    for (const json& m : stored.at("models")) figure.models.push_back({m.at(0), m.at(1), bytes_of(m.at(2), store), m.at(3)});
-    return figure;
+void restore(report::DrawnFigure& figure, const json& stored, output::ResultCache& store) {
+    const std::string jpegs = bytes_of(stored.at("jpegs"), store);
+    std::size_t at = 0, picture_number = 0;
+    for (report::DrawnPanel& panel : figure.panels) {
+        for (report::DrawnPicture& picture : panel.pictures) {
+            const auto length = stored.at("lengths").at(picture_number++).get<std::size_t>();
+            if (length > jpegs.size() - at) throw Lost();
+            picture.jpeg = jpegs.substr(at, length);
+            at += length;
+        }
+    }
+    for (std::size_t m = 0; m < figure.models.size(); ++m) figure.models[m].glb = bytes_of(stored.at("models").at(m), store);
 }
 
 /// Puts every file in its place, or none.
@@ -145,8 +152,10 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
     StoredAnswer answer;
     answer.key = key;
     const std::string text = bytes_of(stored.at("section"), store_);
-    answer.section = report::read_json(text, "cache").document.sections.at(0);
-    for (const auto& [id, figure] : stored.at("figures").items()) answer.figures[id] = figure_of(figure, store_);
+    report::ReadReport read = report::read_json(text, "cache");
+    answer.section = std::move(read.document.sections.at(0));
+    answer.figures = std::move(read.figures);
+    for (auto& [id, figure] : answer.figures) restore(figure, stored.at("figures").at(id), store_);
     answer.digests = stored.at("files").get<std::map<std::string, std::string>>();
     for (const auto& [file, digest] : answer.digests) report::require_inner_path(file, {});
     answer.cover = {stored.at("cover").at(0), stored.at("cover").at(1), stored.at("cover").at(2)};
@@ -181,6 +190,7 @@ std::map<std::string, std::string> QuestionCache::write(const std::string& key, 
     report::Document document;
     document.sections = {section};
     document.sections[0].timings.clear();   // of that run
+    if (figures.contains("cover")) document.cover = report::Figure{"cover", "", ""};
     const std::string text = report::write_json(document, figures);
     if (text.find("\uFFFD") != std::string::npos) return {};   // words that are no UTF-8 would not come back
     json stored = {{"section", store_.keep(text)}, {"files", digests}, {"figures", json::object()}};

@@ -31,6 +31,8 @@ void write_tables_and_plots(const report::Document& document, const std::set<std
                 write_file(folder / "tables" / (table->id + ".csv"), report::write_csv(*table));
             if (const auto* plot = std::get_if<report::Plot>(&block)) write_drawing(*plot, folder);
             if (const auto* map = std::get_if<report::Map>(&block)) write_drawing(*map, folder);
+            if (const auto* diagram = std::get_if<report::Diagram>(&block))
+                write_file(folder / "images" / (diagram->id + ".svg"), report::svg_file_of(*diagram));
         }
     }
 }

@@ -100,6 +100,27 @@ Map error_map() {
     return map;
 }
 
+/// The edge from i to j, the two angles opposite to it, and a dart whose angle is missing.
+Diagram angle_diagram() {
+    const DiagramPoint i{0, 0}, j{2, 0.4}, above{0.7, 1.5}, below{1.1, -1.4};
+    Diagram::Panel cotangent{"cotangent weights", {}, {}};
+    cotangent.paths = {path_through({i, below, j, above}, Diagram::Style::area, true),
+                       path_through({i, below, j, above}, Diagram::Style::line, true), path_through({i, j}, Diagram::Style::accent),
+                       angle_arc(above, i, j, 0.35, Diagram::Style::accent), angle_arc(below, i, j, 0.35, Diagram::Style::accent)};
+    const DiagramPoint alpha = inside_angle(above, i, j, 0.6), beta = inside_angle(below, i, j, 0.6);
+    cotangent.labels = {{i[0], i[1], {math("x_i")}, Diagram::Side::left, true},
+                        {j[0], j[1], {math("x_j")}, Diagram::Side::right, true},
+                        {alpha[0], alpha[1], {math("α_ij")}, Diagram::Side::centre, false, true},
+                        {beta[0], beta[1], {math("β_ij")}, Diagram::Side::centre, false, true}};
+    Diagram::Panel deficit{"angle deficit", {}, {}};
+    const DiagramPoint left{-1, 1}, right{1, 1};
+    deficit.paths = {path_through({i, right, left}, Diagram::Style::accent_area, true),
+                     path_through({left, i, right}, Diagram::Style::dashed), path_through({i, {0, -1}}, Diagram::Style::line)};
+    deficit.paths.back().arrow = true;
+    deficit.labels = {{0, 0.7, text("gap ", math("2π − Σθ")), Diagram::Side::centre}, {0, -1, text("normal"), Diagram::Side::below_right}};
+    return {"q1_angles", "Angles of *the* weights.", "An edge with the two angles opposite to it.", {cotangent, deficit}};
+}
+
 Section answered() {
     Section s;
     s.id = "q1";
@@ -129,12 +150,14 @@ Section answered() {
                 ledger(),
                 counts(),
                 claims(),
-                Figure{"q1_before_after", "Before and after.", "A plane before and after, which moved by 1 %."}};
+                Figure{"q1_before_after", "Before and after.", "A plane before and after, which moved by 1 %."},
+                angle_diagram()};
     s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
                 check_at_most("L2 error of H on sphere", 0.01, 0.0088),
                 check_at_least("order of convergence on torus", 1.9, 0.7, 0, "too coarse"), check_near("undefined", 1, undefined, 0.1),
                 undecided(check_at_most("count below σ", 30, undefined), "rounding is larger than the gap")};
-    s.findings = {{text("H of the sphere is ", strong("0.88 %"), " off (", ref("q1_errors"), ")."), 50}, {text("small"), 1}};
+    s.answer = text("H of the sphere is ", strong("0.88 %"), " off, ", emphasis("not"), " more, with ", code("A"), " and ",
+                    math("λ_crit = x^{2}"), " (", ref("q1_errors"), ").");
     s.warnings = {"plane.obj: 3 duplicate faces were left out"};
     s.output_meshes = {"meshes/q1_plane.ply"};
     s.timings = {{"Laplacian", 0.0123}, {"curvature", 1.5}};
@@ -154,7 +177,6 @@ Document sample_document() {
     failed.title = "Fundamental forms";
     failed.status = Status::failed;
     failed.failure = "ellipsoid.obj:3: not a number";
-    failed.findings = {{text("second"), 30}, {text("third"), 20}, {text("fourth"), 10}, {text("fifth"), 5}};
     failed.checks = {check_near("all well", 1, 1, 0)};
     Section skipped;
     skipped.id = "q3";
@@ -217,6 +239,11 @@ Document hostile_document() {
     map.caption = map.alt = map.x_label = map.y_label = map.value_label = map.undefined = map.panels[0].title = hostile;
     map.panels[0].lines[0].name = map.panels[0].markers[0].label = hostile;
     s.blocks.emplace_back(map);
+    Diagram diagram = angle_diagram();
+    diagram.id = "q1_hostile_diagram";
+    diagram.caption = diagram.alt = diagram.panels[0].title = hostile;
+    diagram.panels[0].labels[0].words = text(hostile, math(hostile));
+    s.blocks.emplace_back(diagram);
     Table table{"q1_hostile_table", hostile, {{hostile, hostile}, {"x", "", 3}}, {{hostile, 1.0}}};
     table.sortable = table.columns[0].filter = true;
     s.blocks.push_back(table);

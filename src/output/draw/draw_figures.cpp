@@ -3,12 +3,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
-#include <iterator>
-#include <limits>
+#include <cmath>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -17,37 +16,57 @@
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"
 #include "draw_mesh.h"
+#include "output/draw/arrangement.h"
 #include "output/draw/draw_models.h"
 #include "output/draw/finished_picture.h"
+#include "output/draw/framing.h"
 #include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
-#include "sheet/contact_sheet.h"
 
 namespace meshfolio::output {
 
 namespace {
 
-/// A figure while its panels are being drawn: only the small pictures of the sheet are kept.
+/// A figure while its panels are being drawn.
 struct FigureJob {
     const FigureRequest* request = nullptr;
-    render::DrawOptions options;
-    std::vector<render::SheetRow> rows;
-    std::vector<Preview> previews;   // of the panels of a comparison
+    std::vector<PictureFrame> three_quarters;   // a panel
+    std::optional<SixFrames> six;
+    std::vector<PanelPictures> pictures;   // a panel
     std::atomic<int> panels_left = 0;
     report::DrawnFigure drawn;
 };
 
-/// So many small multiples that they are looked at together and not one by one: six in a line, drawn at half the size, which leaves lines
-/// on the surface thick enough to be seen.
-bool is_gallery(const FigureRequest& request) {
-    return request.layout != Layout::six_views && request.panels.size() > static_cast<std::size_t>(render::largest_block);
+/// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
+constexpr int alone = 680, compared = 560, in_a_strip = 480, small = 300;
+
+bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
+
+double scale_of(const DrawSettings& settings) { return std::min({1.0, settings.width / 800.0, settings.height / 800.0}); }
+int scaled(int side, const DrawSettings& settings) { return std::max(8, static_cast<int>(std::lround(side * scale_of(settings)))); }
+
+int three_quarter_side(const FigureRequest& request) {
+    if (is_gallery(request)) return small;
+    if (request.panels.size() == 1) return alone;
+    return request.layout == Layout::comparison ? compared : in_a_strip;
 }
 
-int cell_of(const FigureRequest& request, const DrawSettings& settings) {
-    const bool large = request.panels.size() == 1 || (request.layout != Layout::six_views && !is_gallery(request));
-    return std::min(large ? settings.sheet_cell : settings.strip_cell, is_gallery(request) ? (settings.width + 1) / 2 : settings.width);
+/// A cell of a matrix may be empty, nothing else.
+void require_meshes(const FigureRequest& request) {
+    const std::size_t panels = request.panels.size(), columns = request.columns.size(), rows = request.rows.size();
+    const auto refuse = [&](const char* why) { throw std::logic_error("figure " + request.id + " " + why); };
+    const auto has_mesh = [](const Panel& panel) { return panel.mesh != nullptr; };
+    const bool is_matrix = columns > 0 || rows > 0;
+    if (std::none_of(request.panels.begin(), request.panels.end(), has_mesh)) refuse("has no panel");
+    if (!is_matrix && !std::all_of(request.panels.begin(), request.panels.end(), has_mesh)) refuse("has a panel without a mesh");
+    if (is_matrix && has_six_views(request)) refuse("has heads and six views");
+    if ((columns > 0 && panels % columns != 0) || (rows > 0 && panels % rows != 0) || (columns > 0 && rows > 0 && panels != columns * rows))
+        refuse("has another number of panels than its heads say");
+    if (request.frame_panel >= static_cast<int>(panels) ||
+        (request.frame_panel >= 0 && !has_mesh(request.panels[static_cast<std::size_t>(request.frame_panel)])))
+        refuse("is framed on a panel it has not");
 }
 
 /// Names become files: unique in the whole report, and nothing but a name.
@@ -59,153 +78,146 @@ void require_good_names(std::span<const FigureRequest> requests) {
     };
     for (const FigureRequest& request : requests) {
         require(request.id + "_sheet");
-        for (const Panel& panel : request.panels) require(panel.name);
-        if (request.panels.empty()) throw std::logic_error("figure " + request.id + " has no panel");
-        if (request.frame_panel >= static_cast<int>(request.panels.size())) {
-            throw std::logic_error("figure " + request.id + " is framed on a panel it has not");
-        }
+        for (const Panel& panel : request.panels)
+            if (panel.mesh) require(panel.name);
+        require_meshes(request);
         if (request.layout == Layout::comparison && request.panels.size() != 2 && request.panels.size() != 3)
             throw std::logic_error("figure " + request.id + " compares neither two panels nor three");
     }
 }
 
-/// The box all panels are framed on, so that they share one scale.
-render::Bounds framed_box(const FigureRequest& request) {
-    if (request.frame_panel >= 0) return bounds_of(*request.panels[static_cast<std::size_t>(request.frame_panel)].mesh);
-    render::Bounds box = bounds_of(*request.panels.front().mesh);
-    for (const Panel& panel : request.panels) {
-        const render::Bounds other = bounds_of(*panel.mesh);
-        box.low = glm::min(box.low, other.low);
-        box.high = glm::max(box.high, other.high);
-    }
-    return box;
+/// A mesh so coarse that its shape is not seen without its triangles, where shapes are compared.
+constexpr Eigen::Index coarse_mesh = 3000;
+bool shows_edges(const FigureRequest& request, const Panel& panel) {
+    const bool plain = panel.values.size() == 0 || !request.range;
+    return request.edges || (plain && !has_six_views(request) && panel.mesh->face_count() < coarse_mesh);
 }
 
-/// In which the panels that have to be seen fill the picture.
-render::Frame three_quarter_frame(const FigureRequest& request, const render::DrawOptions& options) {
-    std::vector<glm::dvec3> positions;
-    std::vector<glm::ivec3> triangles;
-    for (std::size_t p = 0; p < request.panels.size(); ++p) {
-        if (request.frame_panel >= 0 && p != static_cast<std::size_t>(request.frame_panel)) continue;
-        const render::Surface surface = surface_of(*request.panels[p].mesh);
-        const int offset = static_cast<int>(positions.size());
-        positions.insert(positions.end(), surface.positions.begin(), surface.positions.end());
-        for (const glm::ivec3& t : surface.triangles) triangles.push_back(t + offset);
-    }
-    return render::frame_of(positions, triangles, render::three_quarter_view(), options.width, options.height, options.fill);
-}
-
-render::DrawOptions options_of(const FigureRequest& request, const DrawSettings& settings) {
+render::DrawOptions options_of(const FigureRequest& request, const Panel& panel) {
     render::DrawOptions options;
-    options.width = is_gallery(request) ? (settings.width + 1) / 2 : settings.width;
-    options.height = is_gallery(request) ? (settings.height + 1) / 2 : settings.height;
-    if (request.layout == Layout::comparison) options.height = static_cast<int>(comparison_share * settings.height);
-    options.edges = request.edges;
+    options.edges = shows_edges(request, panel);
     options.isoline_spacing = request.isoline_spacing;
-    if (request.layout == Layout::six_views)
-        options.frame = render::frame_of(framed_box(request), options.width, options.height, options.fill);
-    else if (request.layout != Layout::multiples)
-        options.frame = three_quarter_frame(request, options);
+    options.marked_vertices = panel.marked_vertices;
     if (request.range) options.range = value_range(*request.range);
     return options;
 }
 
-std::vector<render::View> views_of(const FigureRequest& request) {
-    if (request.layout != Layout::six_views) return {render::three_quarter_view()};
-    return {render::six_views.begin(), render::six_views.end()};
+render::Surface surface_in(const FigureRequest& request, const Panel& panel) {
+    return surface_of(*panel.mesh, panel.values.size() > 0 && request.range ? &panel.values : nullptr);
 }
 
 std::string view_file(const Panel& panel, const render::View& view) {
     return "images/" + panel.name + "_" + std::string(view.name) + ".png";
 }
 
+std::vector<render::View> views_of(const FigureRequest& request) {
+    if (has_six_views(request)) return views_in_reading_order();
+    return {render::three_quarter_view()};
+}
+
 bool has_undefined(const FigureRequest& request) {
-    for (const Panel& panel : request.panels) {
-        if (panel.values.array().isNaN().any()) return true;
-    }
-    return false;
+    return std::any_of(request.panels.begin(), request.panels.end(), [](const Panel& panel) { return panel.values.array().isNaN().any(); });
 }
 
-render::ColorBar legend_of(const FigureJob& job) {
-    return color_bar_of(*job.request->range, has_undefined(*job.request), job.options.undefined_color);
-}
-
-/// Six pictures into files; the sheet keeps them small.
-void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
-    const Panel& panel = job.request->panels[index];
-    render::DrawOptions options = job.options;
-    options.marked_vertices = panel.marked_vertices;
-    const bool colored = panel.values.size() > 0 && job.request->range.has_value();
-    const std::vector<render::View> directions = views_of(*job.request);
-    std::vector<render::Image> views = render::draw_views(surface_of(*panel.mesh, colored ? &panel.values : nullptr), directions, options);
-    const int cell = cell_of(*job.request, settings);
-    render::SheetRow& row = job.rows[index];
-    row.label = job.request->panels.size() > 1 ? panel.label : "";
-    row.pictures.resize(views.size());
+/// As large as is asked for, the name of the view in a corner.
+void draw_view_files(const FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
+    const FigureRequest& request = *job.request;
+    const Panel& panel = request.panels[index];
+    const std::vector<render::View> directions = views_of(request);
+    render::DrawOptions options = options_of(request, panel);
+    options.width = settings.width;
+    options.height = settings.height;
+    options.frame = full_frame(request, index, !has_six_views(request), options.width, options.height);
+    std::vector<render::Image> views = render::draw_views(surface_in(request, panel), directions, options);
     for_each_task(views.size(), [&](std::size_t i) {
-        row.pictures[i] = render::shrink(views[i], cell, cell * views[i].height / views[i].width);
         label_view(views[i], directions[i].name);
-        if (job.request->layout == Layout::comparison) {
-            const render::ColorBar bar = colored ? legend_of(job) : render::ColorBar{};
-            views[i] = with_room_below(views[i], settings.height, colored ? &bar : nullptr);
-            job.previews[index] = preview_of(views[i], settings.panel_width, settings.jpeg_quality);
-        }
         write_file(folder / view_file(panel, directions[i]), render::encode_png(views[i]));
         views[i] = {};
     });
 }
 
-/// One picture a panel: small multiples, side by side and named below, rather than a row each.
-void fold_into_grid(render::ContactSheet& sheet) {
-    render::SheetRow all;
-    for (render::SheetRow& row : sheet.rows) {
-        sheet.view_names.push_back(std::move(row.label));
-        std::move(row.pictures.begin(), row.pictures.end(), std::back_inserter(all.pictures));
-    }
-    sheet.rows = {std::move(all)};
-}
-
-void draw_sheet(FigureJob& job, const std::filesystem::path& folder, const DrawSettings& settings) {
+void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
-    render::ContactSheet sheet;
-    sheet.title = request.title;
-    sheet.subtitle = request.subtitle;
-    if (request.layout == Layout::six_views)
-        for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
-    sheet.rows = std::move(job.rows);
-    if (request.layout != Layout::six_views && request.panels.size() > 1) fold_into_grid(sheet);
-    if (request.range) {
-        sheet.color_bar = legend_of(job);
-        // of these panels: several figures may share a range
-        sheet.color_bar->histogram = histogram(finite_values(request.panels), request.range->low, request.range->high);
-    }
-    const render::Image image = render::compose(sheet);
-    job.drawn.sheet = "images/" + request.id + "_sheet.png";
-    write_file(folder / job.drawn.sheet, render::encode_png(image));
+    const Panel& panel = request.panels[index];
+    if (!panel.mesh) return;
+    const render::Surface surface = surface_in(request, panel);
+    render::DrawOptions options = options_of(request, panel);
+    PanelPictures& pictures = job.pictures[index];
 
-    if (settings.on_paper.contains(request.id)) job.drawn.print_jpeg = render::encode_jpeg(image, settings.print_quality);
-    Preview preview = preview_of(image, settings.preview_width, settings.jpeg_quality);
-    job.drawn.width = preview.width;
-    job.drawn.height = preview.height;
-    job.drawn.preview_jpeg = std::move(preview.jpeg);
+    const std::array hero{render::three_quarter_view()};
+    const PictureFrame& large = job.three_quarters[index];
+    options.width = large.width;
+    options.height = large.height;
+    options.frame = large.frame;
+    pictures = render::draw_views(surface, hero, options);
+    if (job.six) {
+        const PictureFrame whole = job.six->covering_all();
+        options.width = whole.width;
+        options.height = whole.height;
+        options.frame = job.six->frame;
+        const std::vector<render::View> directions = views_in_reading_order();
+        const std::vector<render::Image> views = render::draw_views(surface, directions, options);
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const PictureFrame& size = job.six->of(directions[i]);
+            pictures.push_back(
+                part_of(views[i], (views[i].width - size.width) / 2, (views[i].height - size.height) / 2, size.width, size.height));
+        }
+    }
+    if (request.view_files || settings.view_files) draw_view_files(job, index, folder, settings);
 }
 
-void name_views(FigureJob& job) {
-    for (const Panel& panel : job.request->panels) {
-        for (const render::View& view : views_of(*job.request)) {
-            const std::string prefix = job.request->panels.size() > 1 ? panel.label + ", " : "";
-            job.drawn.views.emplace_back(prefix + std::string(view.name), view_file(panel, view));
+/// The bar of the sheet, and the legend of the page.
+void set_legend(FigureJob& job, render::FigureSheet& sheet) {
+    const ColorRange& range = *job.request->range;
+    sheet.color_bar = color_bar_of(range, has_undefined(*job.request), render::DrawOptions().undefined_color);
+    // of these panels: several figures may share a range
+    sheet.color_bar->histogram = histogram(finite_values(job.request->panels), range.low, range.high);
+    job.drawn.legend = legend_of(*sheet.color_bar);
+}
+
+std::size_t pictures_of(const FigureRequest& request, std::size_t panel) {
+    return !request.panels[panel].mesh ? 0 : has_six_views(request) ? 7 : 1;
+}
+
+/// Where the pictures are on the sheet.
+void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const render::ComposedFigure& composed, const DrawSettings& settings) {
+    const FigureRequest& request = *job.request;
+    const std::vector<render::View> directions = views_in_reading_order();
+    std::size_t next = 0;
+    for (std::size_t p = 0; p < request.panels.size(); ++p) {
+        report::DrawnPanel& panel = job.drawn.panels.emplace_back();
+        panel.label = request.panels[p].label;
+        for (std::size_t i = 0; i < pictures_of(request, p); ++i) {
+            const render::FigureSheet::Picture& placed = sheet.pictures[next++];
+            report::DrawnPicture& picture = panel.pictures.emplace_back();
+            picture.view = i == 0 ? "" : std::string(directions[i - 1].name);
+            picture.left = composed.left + placed.left;
+            picture.top = composed.top + placed.top;
+            picture.width = placed.image.width;
+            picture.height = placed.image.height;
+            const bool has_file = (request.view_files || settings.view_files) && (i > 0 || !has_six_views(request));
+            if (has_file) picture.file = view_file(request.panels[p], i == 0 ? render::three_quarter_view() : directions[i - 1]);
         }
     }
 }
 
-void name_comparison(FigureJob& job) {
-    for (std::size_t p = 0; p < job.previews.size(); ++p) {
-        const Panel& panel = job.request->panels[p];
-        Preview& preview = job.previews[p];
-        job.drawn.comparison.push_back(
-            {panel.label, view_file(panel, render::three_quarter_view()), std::move(preview.jpeg), preview.width, preview.height});
-    }
+void finish_figure(FigureJob& job, const std::filesystem::path& folder, const DrawSettings& settings) {
+    const FigureRequest& request = *job.request;
+    using Kind = report::DrawnFigure::Layout;
+    job.drawn.layout = request.layout == Layout::comparison              ? Kind::comparison
+                       : request.columns.empty() && request.rows.empty() ? Kind::panels
+                                                                         : Kind::matrix;
+    job.drawn.columns = request.columns;
+    job.drawn.rows = request.rows;
+    render::FigureSheet sheet = arranged(request, std::move(job.pictures), std::max(13.0, 21 * scale_of(settings)));
+    sheet.title = request.title;
+    sheet.subtitle = request.subtitle;
+    if (request.range) set_legend(job, sheet);
+    const render::ComposedFigure composed = render::compose(sheet);
+    name_pictures(job, sheet, composed, settings);
+    job.drawn.sheet = "images/" + request.id + "_sheet.png";
+    write_file(folder / job.drawn.sheet, render::encode_png(composed.image));
+    cut_pictures(composed.image, job.drawn);
 }
 
 /// One panel of one figure: what is drawn in parallel.
@@ -224,9 +236,9 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     std::vector<Piece> pieces;
     for (std::size_t f = 0; f < requests.size(); ++f) {
         figures[f].request = &requests[f];
-        figures[f].options = options_of(requests[f], settings);
-        figures[f].rows.resize(requests[f].panels.size());
-        figures[f].previews.resize(requests[f].layout == Layout::comparison ? requests[f].panels.size() : 0);
+        figures[f].three_quarters = three_quarter_frames(requests[f], scaled(three_quarter_side(requests[f]), settings));
+        if (has_six_views(requests[f])) figures[f].six = six_frames(requests[f], scaled(small, settings));
+        figures[f].pictures.resize(requests[f].panels.size());
         figures[f].panels_left = static_cast<int>(requests[f].panels.size());
         for (std::size_t p = 0; p < requests[f].panels.size(); ++p) pieces.push_back({f, p});
     }
@@ -238,7 +250,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         tbb::this_task_arena::isolate([&] {
             FigureJob& job = figures[pieces[i].figure];
             draw_panel(job, pieces[i].panel, folder, settings);
-            if (--job.panels_left == 0) draw_sheet(job, folder, settings);
+            if (--job.panels_left == 0) finish_figure(job, folder, settings);
         });
         const std::lock_guard lock(telling);
         if (progress) progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
@@ -247,11 +259,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     arena.execute([&] { for_each_task(pieces.size(), draw_piece); });
 
     report::DrawnFigures all;
-    for (FigureJob& job : figures) {
-        name_views(job);
-        name_comparison(job);
-        all.emplace(job.request->id, std::move(job.drawn));
-    }
+    for (FigureJob& job : figures) all.emplace(job.request->id, std::move(job.drawn));
     add_models(requests, folder, all);
     return all;
 }

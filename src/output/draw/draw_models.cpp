@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 /// The first panel, and the second beside it where it has the same triangles: before and after, one estimate and another.
 std::span<const Panel> turned_panels(const FigureRequest& request) {
     const std::vector<Panel>& panels = request.panels;
-    const bool pair = panels.size() > 1 && panels[0].mesh->face_count() == panels[1].mesh->face_count();
+    const bool pair = panels.size() > 1 && panels[1].mesh && panels[0].mesh->face_count() == panels[1].mesh->face_count();
     return {panels.data(), pair ? 2U : 1U};
 }
 
@@ -41,8 +41,9 @@ Ball frame_of(const FigureRequest& request, std::span<const Panel> panels) {
 }
 
 std::vector<report::DrawnModel> models_of(const FigureRequest& request) {
+    if (!request.turnable || !request.panels[0].mesh) return {};
     const std::span<const Panel> panels = turned_panels(request);
-    if (!request.turnable || !can_be_turned(panels)) return {};
+    if (!can_be_turned(panels)) return {};
     const Ball frame = frame_of(request, panels);
     std::vector<report::DrawnModel> models;
     for (const Panel& panel : panels) {

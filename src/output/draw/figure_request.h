@@ -13,11 +13,11 @@ namespace meshfolio::output {
 
 /// One mesh with values, drawn from all six views: images/<name>_<view>.png.
 struct Panel {
-    std::string name;    // "q5_cube_lambda0.1", unique; [a-zA-Z0-9_.-]
-    std::string label;   // "λ = 0.1, 20 iterations"
+    std::string name;                           // "q5_cube_lambda0.1", unique; [a-zA-Z0-9_.-]
+    std::string label;                          // "λ = 0.1, 20 iterations"
     std::shared_ptr<const TriangleMesh> mesh;   // null in a matrix: an empty cell, and the label says why
-    Vector values = {};                      // one a vertex, NaN where undefined; empty: plain surface
-    std::vector<int> marked_vertices = {};   // ringed where they are seen
+    Vector values = {};                         // one a vertex, NaN where undefined; empty: plain surface
+    std::vector<int> marked_vertices = {};      // ringed where they are seen
 };
 
 struct ColorRange {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "base/parallel_tasks.h"
 #include "png/png.h"
 #include "scene/camera.h"
 #include "sheet/view_label.h"
@@ -36,23 +38,27 @@ void label_view(render::Image& picture, std::string_view view) {
     render::draw_view_label(picture, corner.first + width / 2.0, corner.second + height / 2.0, view, em, {90, 90, 100, 255});
 }
 
-render::Image with_room_below(const render::Image& picture, int height, const render::ColorBar* bar) {
-    render::Image taller(picture.width, height, picture.at(0, 0));
-    render::paste(taller, picture, 0, 0);
-    if (bar == nullptr) return taller;
-    render::ColorBar plain = *bar;
-    plain.histogram.clear();   // the sheet has it, and the room is small
-    const int room = height - picture.height;
-    // As large as fits, a little air included.
-    const double em = 0.92 * room / render::color_bar_height(plain, 100) * 100;
-    render::draw_color_bar(taller, plain, 0, picture.height, picture.width, em, {27, 27, 31, 255});
-    return taller;
+render::Image part_of(const render::Image& picture, int left, int top, int width, int height) {
+    render::Image part(width, height);
+    render::paste(part, picture, -left, -top);
+    return part;
 }
 
-Preview preview_of(const render::Image& picture, int widest, int jpeg_quality) {
-    if (picture.width <= widest) return {render::encode_jpeg(picture, jpeg_quality), picture.width, picture.height};
-    const int height = std::max(1, picture.height * widest / picture.width);
-    return {render::encode_jpeg(render::shrink(picture, widest, height), jpeg_quality), widest, height};
+bool cut_pictures(const render::Image& sheet, report::DrawnFigure& figure) {
+    constexpr int quality = 88;
+    std::vector<report::DrawnPicture*> pictures;
+    for (report::DrawnPanel& panel : figure.panels)
+        for (report::DrawnPicture& picture : panel.pictures) pictures.push_back(&picture);
+    const auto lies_inside = [&](const report::DrawnPicture* p) {
+        return p->left >= 0 && p->top >= 0 && p->width > 0 && p->height > 0 && p->width <= sheet.width && p->height <= sheet.height &&
+               p->left <= sheet.width - p->width && p->top <= sheet.height - p->height;
+    };
+    if (!std::all_of(pictures.begin(), pictures.end(), lies_inside)) return false;
+    for_each_task(pictures.size(), [&](std::size_t i) {
+        report::DrawnPicture& p = *pictures[i];
+        p.jpeg = render::encode_jpeg(part_of(sheet, p.left, p.top, p.width, p.height), quality);
+    });
+    return true;
 }
 
 }   // namespace meshfolio::output

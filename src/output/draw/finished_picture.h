@@ -1,12 +1,11 @@
 /// @file
-/// What is done to a picture once it is drawn: the name of the view, room for a colour bar, a small copy for the page.
+/// What is done to a picture once it is drawn: the name of the view, the JPEG for page and paper.
 #pragma once
 
-#include <string>
 #include <string_view>
 
+#include "report/document.h"
 #include "scene/image.h"
-#include "sheet/color_bar.h"
 
 namespace meshfolio::output {
 
@@ -14,18 +13,11 @@ namespace meshfolio::output {
 /// from three quarters stay as they are.
 void label_view(render::Image& picture, std::string_view view);
 
-/// The share of the picture's height that is left to the surface.
-inline constexpr double comparison_share = 0.86;
+/// What lies in this rectangle; beyond the picture white.
+render::Image part_of(const render::Image& picture, int left, int top, int width, int height);
 
-/// The picture with room below it, so that it is `height` high; with the colour bar in that room unless `bar` is null.
-render::Image with_room_below(const render::Image& picture, int height, const render::ColorBar* bar);
-
-struct Preview {
-    std::string jpeg;   // its bytes
-    int width = 0, height = 0;
-};
-
-/// Made from the pixels alone: the picture as it is, or as read back from its PNG, gives the same bytes. Never enlarged.
-Preview preview_of(const render::Image& picture, int widest, int jpeg_quality);
+/// The JPEGs of a figure, from the sheet as it was drawn or as read back from its PNG: the same bytes.
+/// @return false where one does not lie in the sheet
+bool cut_pictures(const render::Image& sheet, report::DrawnFigure& figure);
 
 }   // namespace meshfolio::output

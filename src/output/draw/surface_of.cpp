@@ -1,5 +1,7 @@
 #include "output/draw/surface_of.h"
 
+#include <array>
+#include <cstdio>
 #include <glm/vec3.hpp>
 #include <stdexcept>
 
@@ -48,6 +50,20 @@ render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, rende
     bar.undefined_color = undefined_color;
     bar.histogram = histogram(range.sample, range.low, range.high);
     return bar;
+}
+
+report::Legend legend_of(const render::ColorBar& bar) {
+    constexpr int colours = 48;
+    const auto hex = [](render::Rgba c) {
+        std::array<char, 8> text{};
+        static_cast<void>(std::snprintf(text.data(), text.size(), "#%02x%02x%02x", c.r, c.g, c.b));
+        return std::string(text.data());
+    };
+    report::Legend legend{bar.quantity,      bar.unit, bar.range.low, bar.range.high, {}, bar.clipped_below,
+                          bar.clipped_above, "",       bar.histogram};
+    for (int i = 0; i < colours; ++i) legend.colours.push_back(hex(render::color_at(*bar.range.colormap, (i + 0.5) / colours)));
+    if (bar.has_undefined) legend.undefined = hex(bar.undefined_color);
+    return legend;
 }
 
 }   // namespace meshfolio::output

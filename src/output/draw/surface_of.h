@@ -5,7 +5,8 @@
 #include "draw_mesh.h"
 #include "mesh/triangle_mesh.h"
 #include "output/draw/figure_request.h"
-#include "sheet/contact_sheet.h"
+#include "report/document.h"
+#include "sheet/color_bar.h"
 
 namespace meshfolio::output {
 
@@ -22,5 +23,8 @@ render::ValueRange value_range(const ColorRange& range);
 
 /// With the histogram of the range's own sample.
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
+
+/// The same for a page.
+report::Legend legend_of(const render::ColorBar& bar);
 
 }   // namespace meshfolio::output

@@ -46,11 +46,11 @@ struct NumberedEntry {
 
 /// A block as it stands in `blocks`: short ones whole, the others by their ids.
 struct BlockEntry {
-    enum class Kind { heading, paragraph, list, formula, table, plot, map, figure, entries } kind = Kind::heading;
+    enum class Kind { heading, paragraph, list, formula, table, plot, map, diagram, figure, entries } kind = Kind::heading;
     std::string title;         // heading
     Text text;                 // paragraph
     std::vector<Text> items;   // list
-    std::string name, id;      // formula; id also of a table, plot, map or figure
+    std::string name, id;      // formula; id also of a table, plot, map, diagram or figure
     std::vector<std::string> ids;
 };
 
@@ -60,6 +60,7 @@ struct SectionEntry {
     std::vector<Table> tables;
     std::vector<Plot> plots;
     std::vector<Map> maps;
+    std::vector<Diagram> diagrams;
     std::vector<FigureEntry> figures;
     std::vector<NumberedEntry> entries;
     std::vector<BlockEntry> blocks;
@@ -72,12 +73,17 @@ inline constexpr std::array<const char*, 3> names_of(Column::Best) { return {"no
 inline constexpr std::array<const char*, 3> names_of(Column::Rounding) { return {"nearest", "down", "up"}; }
 inline constexpr std::array<const char*, 4> names_of(Series::Style) { return {"line", "points", "line_and_points", "dashed"}; }
 inline constexpr std::array<const char*, 2> names_of(Map::Colours) { return {"sequential", "diverging"}; }
+inline constexpr std::array<const char*, 6> names_of(Diagram::Style) { return {"line", "thin", "dashed", "area", "accent", "accent_area"}; }
+inline constexpr std::array<const char*, 9> names_of(Diagram::Side) {
+    return {"centre", "above", "below", "left", "right", "above_left", "above_right", "below_left", "below_right"};
+}
+inline constexpr std::array<const char*, 3> names_of(DrawnFigure::Layout) { return {"panels", "matrix", "comparison"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Kind) { return {"near", "at_most", "at_least"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Status) { return {"passed", "failed", "undecided"}; }
 inline constexpr std::array<const char*, 3> names_of(Status) { return {"ok", "failed", "skipped"}; }
 inline constexpr std::array<const char*, 6> names_of(Run::Kind) { return {"plain", "strong", "emphasis", "code", "math", "reference"}; }
-inline constexpr std::array<const char*, 9> names_of(BlockEntry::Kind) {
-    return {"heading", "paragraph", "list", "formula", "table", "plot", "map", "figure", "entries"};
+inline constexpr std::array<const char*, 10> names_of(BlockEntry::Kind) {
+    return {"heading", "paragraph", "list", "formula", "table", "plot", "map", "diagram", "figure", "entries"};
 }
 
 // ---- tables -------------------------------------------------------------------------------------------------------------
@@ -185,12 +191,71 @@ void describe(Fields& fields, part_of<Map> auto& map) {
     });
 }
 
+// ---- diagrams -----------------------------------------------------------------------------------------------------------
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram::Path> auto& path) {
+    fields.optional("style", path.style, Diagram::Style::line);
+    fields.optional("closed", path.closed, false);
+    fields.optional("arrow", path.arrow, false, "a head at its last point");
+    fields("x", path.x);
+    fields("y", path.y);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram::Label> auto& label) {
+    fields("x", label.x);
+    fields("y", label.y);
+    fields("words", label.words);
+    fields.optional("side", label.side, Diagram::Side::above, "of its point, on which it stands");
+    fields.optional("dot", label.dot, false, "the point is marked");
+    fields.optional("accent", label.accent, false);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram::Panel> auto& panel) {
+    fields("title", panel.title);
+    fields("paths", panel.paths);
+    fields("labels", panel.labels);
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Diagram> auto& diagram) {
+    fields("id", diagram.id);
+    fields("caption", diagram.caption);
+    fields("alt", diagram.alt);
+    fields("panels", diagram.panels);
+}
+
 // ---- figures ------------------------------------------------------------------------------------------------------------
+
+template <class Fields>
+void describe(Fields& fields, part_of<DrawnPicture> auto& picture) {
+    fields.optional("view", picture.view, {}, "the direction it is seen from; absent: three quarters");
+    fields("left", picture.left, {"in the sheet [pixels]", 0});
+    fields("top", picture.top, {"", 0});
+    fields("width", picture.width, {"", 1});
+    fields("height", picture.height, {"", 1});
+    fields.file_if_any("file", picture.file);
+}
 
 template <class Fields>
 void describe(Fields& fields, part_of<DrawnPanel> auto& panel) {
     fields("label", panel.label);
-    fields.file("file", panel.file);
+    fields("pictures", panel.pictures, "none: an empty cell of a matrix, and the label says why");
+}
+
+template <class Fields>
+void describe(Fields& fields, part_of<Legend> auto& legend) {
+    fields("quantity", legend.quantity);
+    fields("unit", legend.unit);
+    fields("low", legend.low);
+    fields("high", legend.high);
+    fields("colours", legend.colours, "evenly from low to high");
+    fields.optional("clipped_below", legend.clipped_below, 0, "share of the values");
+    fields.optional("clipped_above", legend.clipped_above, 0, "share of the values");
+    fields.optional("undefined", legend.undefined, {}, "colour of what has no value; absent: everything has one");
+    fields.optional("histogram", legend.histogram, {}, "share of the values in equal bins");
 }
 
 template <class Fields>
@@ -200,21 +265,18 @@ void describe(Fields& fields, part_of<DrawnModel> auto& model) {
     fields.optional("quantity", model.quantity, {}, "of the values at the vertices, with its unit");
 }
 
-using LabelAndFile = std::pair<std::string, std::string>;
-template <class Fields>
-void describe(Fields& fields, part_of<LabelAndFile> auto& view) {
-    fields("label", view.first);
-    fields.file("file", view.second);
-}
-
 template <class Fields>
 void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
     fields("id", entry.figure.id);
     fields("caption", entry.figure.caption);
     fields("alt", entry.figure.alt);
     fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn, "null: could not be drawn");
-    fields("views", entry.drawn.views);
-    fields.optional("comparison", entry.drawn.comparison, {}, "pictures to be laid over each other: before, after, and their difference");
+    const DrawnFigure fallback;
+    fields.optional("layout", entry.drawn.layout, fallback.layout);
+    fields.optional("columns", entry.drawn.columns, {}, "heads of a matrix, whose panels are given row by row");
+    fields.optional("rows", entry.drawn.rows, {});
+    fields.optional("panels", entry.drawn.panels, {}, "meshes, and where their pictures are in the sheet");
+    fields.optional("legend", entry.drawn.legend, "what the colours mean");
     fields.optional("models", entry.drawn.models, {}, "meshes that readers of the page can turn");
 }
 
@@ -322,6 +384,7 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
     fields("tables", entry.tables);
     fields("plots", entry.plots);
     fields("maps", entry.maps, "values over a plane, in panels on common axes");
+    fields.optional("diagrams", entry.diagrams, {}, "the geometry behind a formula, y upwards; absent where there are none");
     fields("figures", entry.figures);
     fields.optional("entries", entry.entries, {}, "numbered texts that tables refer to by their ids; absent where there are none");
     fields(
@@ -335,7 +398,7 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
 }
 
 /// Raised whenever a reader of the earlier one would misread what is written; keys that are added do not raise it.
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 
 struct MeshDigest {
     std::string file, sha256;

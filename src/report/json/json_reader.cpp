@@ -214,4 +214,8 @@ void FieldReader::require_sound(const Series& series, const JsonPlace& place) {
         throw JsonProblem(place, "has lists of different lengths");
 }
 
+void FieldReader::require_sound(const Diagram::Path& path, const JsonPlace& place) {
+    if (path.x.size() != path.y.size()) throw JsonProblem(place, "has lists of different lengths");
+}
+
 }   // namespace meshfolio::report

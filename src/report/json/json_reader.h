@@ -94,6 +94,10 @@ public:
         (*this)(key, path);
         require_inner_path(path, {&place_, key});
     }
+    void file_if_any(const char* key, std::string& path) {
+        path.clear();
+        if (object_.contains(key)) file(key, path);
+    }
     void files(const char* key, std::vector<std::string>& paths) {
         (*this)(key, paths);
         for (const std::string& path : paths) require_inner_path(path, {&place_, key});
@@ -175,6 +179,7 @@ private:
     static void require_sound(const Column& column, const JsonPlace& place);
     static void require_sound(const Table& table, const JsonPlace& place);
     static void require_sound(const Series& series, const JsonPlace& place);
+    static void require_sound(const Diagram::Path& path, const JsonPlace& place);
     template <class Value>
     static void require_sound(const Value&, const JsonPlace&) {}
 };

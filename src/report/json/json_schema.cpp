@@ -75,6 +75,7 @@ public:
         add(key, inner_file, {}, false);
         require(key);
     }
+    void file_if_any(const char* key, const std::string&) { add(key, inner_file, {}, false); }
     void files(const char* key, const std::vector<std::string>&) {
         add(key, list_of(inner_file), {}, false);
         require(key);

@@ -27,6 +27,7 @@ public:
         add_all(section.tables, {&place, "tables"}, [](const Table& table) { return table.id; });
         add_all(section.plots, {&place, "plots"}, [](const Plot& plot) { return plot.id; });
         add_all(section.maps, {&place, "maps"}, [](const Map& map) { return map.id; });
+        add_all(section.diagrams, {&place, "diagrams"}, [](const Diagram& diagram) { return diagram.id; });
         add_all(section.figures, {&place, "figures"}, [](const FigureEntry& entry) { return entry.figure.id; });
         add_all(section.entries, {&place, "entries"}, [](const NumberedEntry& entry) { return entry.entry.id; });
         const JsonPlace blocks{&place, "blocks"};
@@ -69,6 +70,7 @@ public:
         require_used("tables", tables_, entry_.tables.size());
         require_used("plots", plots_, entry_.plots.size());
         require_used("maps", maps_, entry_.maps.size());
+        require_used("diagrams", diagrams_, entry_.diagrams.size());
         require_used("figures", figures_, entry_.figures.size());
         require_used("entries", entries_, entry_.entries.size());
         return blocks;
@@ -78,7 +80,7 @@ private:
     SectionEntry& entry_;
     DrawnFigures& drawn_;
     const JsonPlace& place_;
-    std::size_t tables_ = 0, plots_ = 0, maps_ = 0, figures_ = 0, entries_ = 0;
+    std::size_t tables_ = 0, plots_ = 0, maps_ = 0, diagrams_ = 0, figures_ = 0, entries_ = 0;
 
     Block block_of(BlockEntry& block, const JsonPlace& place) {
         switch (block.kind) {
@@ -96,6 +98,8 @@ private:
                 return next(entry_.plots, plots_, block.id, place);
             case BlockEntry::Kind::map:
                 return next(entry_.maps, maps_, block.id, place);
+            case BlockEntry::Kind::diagram:
+                return next(entry_.diagrams, diagrams_, block.id, place);
             case BlockEntry::Kind::figure:
                 return next_figure(block.id, place);
             default:

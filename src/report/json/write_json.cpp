@@ -16,10 +16,10 @@ FigureEntry entry_of(const Figure& figure, const DrawnFigures& drawn) {
     FigureEntry entry{figure, it != drawn.end(), {}};
     if (!entry.is_drawn) return entry;
     // Names alone: pictures and models are files of their own.
-    entry.drawn.sheet = it->second.sheet;
-    entry.drawn.views = it->second.views;
-    for (const DrawnPanel& panel : it->second.comparison) entry.drawn.comparison.push_back({panel.label, panel.file, {}, 0, 0});
-    for (const DrawnModel& model : it->second.models) entry.drawn.models.push_back({model.label, model.file, {}, model.quantity});
+    entry.drawn = it->second;
+    for (DrawnPanel& panel : entry.drawn.panels)
+        for (DrawnPicture& picture : panel.pictures) picture.jpeg.clear();
+    for (DrawnModel& model : entry.drawn.models) model.glb.clear();
     return entry;
 }
 
@@ -43,6 +43,10 @@ public:
     void operator()(const Map& map) {
         add(BlockEntry::Kind::map, map.id);
         entry_.maps.push_back(map);
+    }
+    void operator()(const Diagram& diagram) {
+        add(BlockEntry::Kind::diagram, diagram.id);
+        entry_.diagrams.push_back(diagram);
     }
     void operator()(const Figure& figure) {
         add(BlockEntry::Kind::figure, figure.id);

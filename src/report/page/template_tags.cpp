@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/bibliography.h"
 #include "report/numbering.h"
 #include "report/page/page_design.h"
 #include "report/page/view_model.h"
@@ -22,7 +23,7 @@ Document specimen(const Templates& templates) {
     section.parameters = {{"", ""}};
     section.code.emplace_back();
     section.checks.emplace_back();
-    section.answer = {math("x")};
+    section.answer = {math("x"), ref(bibliography_of(templates).front().id)};
     section.warnings = section.output_meshes = {""};
     const Table table{.id = "table", .columns = {{}}, .rows = std::vector<std::vector<Cell>>(rows_shown + 1, {Cell()})};
     section.blocks = {Heading(),
@@ -45,8 +46,9 @@ nlohmann::json documented_model() {
     const KeptMeanings kept;
     const Templates templates;
     DrawnFigure drawn;
-    drawn.views = {{"+x", "x.png"}};
-    drawn.comparison.emplace_back();
+    drawn.layout = DrawnFigure::Layout::matrix;
+    drawn.columns = drawn.rows = {""};
+    drawn.panels = {{.label = "", .pictures = {{.view = ""}, {.view = "+x", .file = "x.png"}}}};
     drawn.models.emplace_back();
     nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}}, templates, {.table_rows = rows_shown});
     add_design(model, templates, "report");

@@ -5,6 +5,7 @@
 #include "report/escape.h"
 #include "report/page/math_markup.h"
 #include "report/page/page_design.h"
+#include "report/page/view_figure.h"
 #include "report/page/view_value.h"
 
 namespace meshfolio::report {
@@ -67,13 +68,12 @@ json markers_view(const Plot& plot) {
     return markers;
 }
 
-/// A plot or a map.
+/// A plot, a map or a diagram; the last has no data beside its picture.
 template <class Drawing>
 json drawing_view(const Drawing& drawing, json markers, const ViewContext& context) {
     json view = captioned_view(drawing.id, drawing.caption, context);
     enter(view, {{"alt", "the picture in words", safe_text(drawing.alt)},
-                 {"x_label", "of the axis", safe_text(drawing.x_label)},
-                 {"y_label", "of the axis", safe_text(drawing.y_label)},
+                 {"has_csv", "its data are a file", !std::is_same_v<Drawing, Diagram>},
                  {"csv", "link to the data", url_path("tables/" + drawing.id + ".csv")},
                  {"svg", "the drawing, inside the page", context.options.pictures ? svg_of(drawing) : ""},
                  {"has_file", "there is that file", context.options.plot_files},
@@ -82,19 +82,21 @@ json drawing_view(const Drawing& drawing, json markers, const ViewContext& conte
     return view;
 }
 
-/// Links to the single pictures, those of one panel together: "λ = 0.1, +x" belongs to the panel "λ = 0.1".
+/// Links to the single pictures, those of one panel together.
 json view_groups(const DrawnFigure& drawn) {
     json groups = json::array();
-    for (const auto& [label, file] : drawn.views) {
-        const std::size_t comma = label.rfind(", ");
-        const std::string panel = safe_text(comma == std::string::npos ? "" : label.substr(0, comma));
-        const std::string name = safe_text(comma == std::string::npos ? label : label.substr(comma + 2));
-        if (groups.empty() || groups.back()["panel"] != panel) {
-            groups.push_back(view_of({{"panel", "name of the panel", panel},
-                                      {"has_panel", "it has one", !panel.empty()},
-                                      {"views", "of the panel", json::array()}}));
+    for (const DrawnPanel& panel : drawn.panels) {
+        json views = json::array();
+        for (const DrawnPicture& picture : panel.pictures) {
+            if (picture.file.empty()) continue;
+            const std::string name = picture.view.empty() ? "three quarters" : picture.view;
+            views.push_back(view_of({{"name", "\"+x\"", safe_text(name)}, {"href", "link to the picture", url_path(picture.file)}}));
         }
-        groups.back()["views"].push_back(view_of({{"name", "\"+x\"", name}, {"href", "link to the picture", url_path(file)}}));
+        if (views.empty()) continue;
+        const bool has_name = drawn.panels.size() > 1 && !panel.label.empty();
+        groups.push_back(view_of({{"panel", "name of the panel", safe_text(panel.label)},
+                                  {"has_panel", "it has one", has_name},
+                                  {"views", "of the panel", std::move(views)}}));
     }
     return groups;
 }
@@ -114,45 +116,18 @@ json model_view(const DrawnModel& model, const ViewContext& context) {
                     {"data", "the file, zlib and base64, where the page can turn it", context.options.models ? packed(model.glb) : ""}});
 }
 
-/// What an <img> element has of an image; `drawn` knows the size of its preview.
-template <class Drawn>
-void enter_image(json& view, const std::string& source, const Drawn& drawn) {
-    enter(view, {{"source", "what an <img> shows: a preview inside the page, else the file", source},
-                 {"has_size", "width and height are known", drawn.width > 0 && drawn.height > 0},
-                 {"width", "of the preview [pixels]", std::to_string(drawn.width)},
-                 {"height", "of the preview [pixels]", std::to_string(drawn.height)}});
-}
-
-std::string image_source(const std::string& file, const std::string& jpeg, const ViewContext& context) {
-    const bool inside = context.options.pictures && !jpeg.empty();
-    return inside ? "data:image/jpeg;base64," + base64(jpeg) : url_path(file);
-}
-
-json panel_view(const DrawnPanel& panel, const std::string& figure, const ViewContext& context) {
-    json view = view_of({{"label", "what it shows", prose_view(panel.label)},
-                         {"alt", "the picture in words", figure + ": " + safe_text(panel.label)},
-                         {"href", "link to the full size", url_path(panel.file)}});
-    enter_image(view, image_source(panel.file, panel.preview_jpeg, context), panel);
-    return view;
-}
-
-DrawnFigure drawn_of(const Figure& figure, const ViewContext& context) {
-    const auto it = context.figures.find(figure.id);
-    return it != context.figures.end() ? it->second : DrawnFigure{};
-}
-
 json figure_view(const Figure& figure, const ViewContext& context) {
-    const DrawnFigure drawn = drawn_of(figure, context);
-    json view = picture_view(figure, context);
-    view.update(captioned_view(figure.id, figure.caption, context), true);
-    const std::string label = view["label"];
-    enter(view, {{"has_views", "the single pictures are linked", context.options.single_views && !drawn.views.empty()},
-                 {"view_count", "how many", std::to_string(drawn.views.size())},
-                 {"groups", "single pictures, a group a panel", view_groups(drawn)},
-                 {"is_turnable", "the page itself can turn its models", context.options.models && !drawn.models.empty()},
-                 {"is_comparison", "before beside after: panels", !drawn.comparison.empty()},
-                 {"panels", "pictures of a comparison: before, after, and the difference if there is one",
-                  list_of(drawn.comparison, [&](const DrawnPanel& panel) { return panel_view(panel, label, context); })}});
+    const auto it = context.figures.find(figure.id);
+    const DrawnFigure drawn = it != context.figures.end() ? it->second : DrawnFigure{};
+    json view = captioned_view(figure.id, figure.caption, context);
+    enter_pictures(view, figure, drawn, context);
+    json groups = view_groups(drawn);
+    std::size_t views = 0;
+    for (const json& group : groups) views += group["views"].size();
+    enter(view, {{"has_views", "the single pictures are linked", context.options.single_views && views > 0},
+                 {"view_count", "how many", std::to_string(views)},
+                 {"groups", "single pictures, a group a panel", std::move(groups)},
+                 {"is_turnable", "the page itself can turn its models", context.options.models && !drawn.models.empty()}});
     enter_list(view, "models", "meshes of the figure as files",
                list_of(drawn.models, [&](const DrawnModel& model) { return model_view(model, context); }));
     return view;
@@ -167,8 +142,6 @@ json entry_view(const Entry& entry, const ViewContext& context) {
 }
 
 }   // namespace
-
-std::string print_file(const std::string& figure) { return "figures/" + figure + ".jpg"; }
 
 void enter_separators(json& list) {
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -199,18 +172,6 @@ json captioned_view(const std::string& id, const std::string& caption, const Vie
                     {"caption", "what to see", prose_view(caption)}});
 }
 
-json picture_view(const Figure& figure, const ViewContext& context) {
-    const DrawnFigure drawn = drawn_of(figure, context);
-    json view = view_of({{"alt", "the picture in words", safe_text(figure.alt)},
-                         {"is_drawn", "there is a picture", context.figures.contains(figure.id)},
-                         {"is_tall", "about as high as wide, or higher", 20 * drawn.height > 19 * drawn.width},
-                         {"is_wide", "more than twice as wide as high", 2 * drawn.height < drawn.width},
-                         {"sheet", "its file, relative to the report", url_path(drawn.sheet)}});
-    const std::string print = url_path(print_file(figure.id));
-    enter_image(view, context.options.print_files ? print : image_source(drawn.sheet, drawn.preview_jpeg, context), drawn);
-    return view;
-}
-
 json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context) {
     json view = json::object();
     const auto text = [&](const Text& words) { return text_view(words, context.numbering); };
@@ -231,19 +192,22 @@ json block_view(const Block& block, const std::string& section_number, int& head
         view = drawing_view(*plot, markers_view(*plot), context);
     } else if (const auto* map = std::get_if<Map>(&block)) {
         view = drawing_view(*map, json::array(), context);
+    } else if (const auto* diagram = std::get_if<Diagram>(&block)) {
+        view = drawing_view(*diagram, json::array(), context);
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
     } else if (const auto* entries = std::get_if<EntryList>(&block)) {
         const auto one = [&](const Entry& entry) { return entry_view(entry, context); };
         view = view_of({{"entries", "of a list of numbered texts", list_of(entries->entries, one)}});
     }
-    const bool is_plot = std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block);
+    const bool is_plot =
+        std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block) || std::holds_alternative<Diagram>(block);
     enter(view, {{"is_heading", "heading: title, number, anchor", std::holds_alternative<Heading>(block)},
                  {"is_paragraph", "paragraph: runs", std::holds_alternative<Paragraph>(block)},
                  {"is_list", "bullets: items", std::holds_alternative<BulletList>(block)},
                  {"is_formula", "displayed equation: mathml, tex, plain", std::holds_alternative<Formula>(block)},
                  {"is_table", "table: columns, rows", std::holds_alternative<Table>(block)},
-                 {"is_plot", "plot or map: svg", is_plot},
+                 {"is_plot", "plot, map or diagram: svg", is_plot},
                  {"is_figure", "pictures of meshes: source, groups", std::holds_alternative<Figure>(block)},
                  {"is_entry_list", "numbered texts: entries", std::holds_alternative<EntryList>(block)}});
     return view;

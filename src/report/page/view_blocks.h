@@ -35,9 +35,6 @@ void enter_separators(nlohmann::json& list);
 
 nlohmann::json table_view(const Table& table, const ViewContext& context);
 
-/// What a page needs to show the picture of a figure: where it is, how large, in words.
-nlohmann::json picture_view(const Figure& figure, const ViewContext& context);
-
 /// A heading gets the next of the section's subsection numbers, counted in `headings`.
 nlohmann::json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context);
 

@@ -8,6 +8,7 @@
 #include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
+#include "report/page/view_figure.h"
 #include "report/page/view_value.h"
 #include "report/page/volumes.h"
 
@@ -268,7 +269,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"is_report", "this is the volume of the questions", options.volume == Volume::report},
                  {"is_appendix", "this is the volume of what they rest on", options.volume == Volume::appendix},
                  {"other_page", "file of the other volume", url_path(options.other_page)},
-                 {"cover", "picture of the first page; false: none", document.cover ? picture_view(*document.cover, context) : json(false)},
+                 {"cover", "picture of the first page; false: none", document.cover ? cover_view(*document.cover, context) : json(false)},
                  {"provenance", "what made this report", provenance_view(document)},
                  {"score", "checks of the whole report", std::move(score)},
                  {"used", "the meshes, for the first page", meshes_used(document)},

@@ -16,8 +16,8 @@ struct ViewOptions {
     Volume volume = Volume::report;
     std::string other_page = {};   // of the other volume, for links; empty: what is there is called by its number alone
     bool timings = true;
-    bool pictures = true;              // previews and plots inside, for a page of one file
-    bool print_files = false;          // pictures are print_file(id), beside the page
+    bool pictures = true;              // pictures and plots inside, for a page of one file
+    bool print_files = false;          // pictures are print_file(…), beside the page
     bool page_numbers = false;         // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
     bool plain_formulas = false;       // for readers without MathML
     bool plot_files = false;           // images/<plot>.svg are there to link to
@@ -29,8 +29,8 @@ struct ViewOptions {
     std::size_t fewest_left_out = 1;   // unless fewer than these would be left out
 };
 
-/// Of the picture of a figure for paper.
-std::string print_file(const std::string& figure);
+/// Of a picture of a figure for paper: which of its panel.
+std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture);
 
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula
 nlohmann::json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options);

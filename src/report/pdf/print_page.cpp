@@ -42,26 +42,16 @@ std::string text_of(const std::string& html) {
 std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Volume volume) {
     std::map<std::string, std::string> files;
     for (const std::string& id : figures_in(document, volume)) {
-        if (const auto drawn = figures.find(id); drawn != figures.end()) files[print_file(id)] = drawn->second.print_jpeg;
+        const auto drawn = figures.find(id);
+        if (drawn == figures.end()) continue;
+        const std::vector<DrawnPanel>& panels = drawn->second.panels;
+        for (std::size_t p = 0; p < panels.size(); ++p)
+            for (std::size_t i = 0; i < panels[p].pictures.size(); ++i) files[print_file(id, p, i)] = panels[p].pictures[i].jpeg;
     }
     return files;
 }
 
 }   // namespace
-
-void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser) {
-    std::size_t weight = 0;
-    for (const DrawnFigure* figure : figures) weight += figure->print_jpeg.size();
-    std::stable_sort(figures.begin(), figures.end(),
-                     [](const auto* a, const auto* b) { return a->print_jpeg.size() > b->print_jpeg.size(); });
-    for (DrawnFigure* figure : figures) {
-        if (weight <= most) return;
-        std::string lighter = lesser(*figure);
-        if (lighter.empty() || lighter.size() >= figure->print_jpeg.size()) continue;
-        weight -= figure->print_jpeg.size() - lighter.size();
-        figure->print_jpeg = std::move(lighter);
-    }
-}
 
 PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
     ViewOptions view;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,12 +16,6 @@ struct PrintPage {
     std::string html;                           // "@page:ID@" stands for the number of the page that the heading ID is on
     std::map<std::string, std::string> files;   // by their paths relative to the page
 };
-
-/// Pictures of a PDF that is to weigh 15 MB at most.
-inline constexpr std::size_t most_picture_bytes = 12'000'000;
-
-/// While the pictures for paper weigh more than `most` together, the heaviest gives way: to what `lesser` makes of it, if that is lighter.
-void lighten(std::vector<DrawnFigure*> figures, std::size_t most, const std::function<std::string(const DrawnFigure&)>& lesser);
 
 struct PrintOptions {
     Volume volume = Volume::report;

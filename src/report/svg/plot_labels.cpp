@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "report/page/math_markup.h"
+
 namespace meshfolio::report {
 
 namespace {
@@ -31,6 +33,21 @@ std::size_t length_of(const std::string& text) {
 }
 
 double text_width(const std::string& text) { return mean_character_width * static_cast<double>(length_of(text)); }
+
+double text_width(const Text& text) {
+    double width = 0;
+    for (const Run& run : text) {
+        if (run.kind != Run::Kind::math) {
+            width += text_width(run.content);
+            continue;
+        }
+        for (const MathPart& part : math_parts(run.content)) {
+            const bool small = part.kind == MathPart::Kind::subscript || part.kind == MathPart::Kind::superscript;
+            width += text_width(part.text) * (small ? script_size / font_size : 1);
+        }
+    }
+    return width;
+}
 
 std::vector<std::string> wrapped(const std::string& text, double width) {
     std::vector<std::string> lines(1);

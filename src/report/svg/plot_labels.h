@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "report/text.h"
+
 namespace meshfolio::report {
 
-constexpr double font_size = 12.5;
+constexpr double font_size = 12.5, script_size = 10.5;   // 8.9 and 7.4 points where a drawing is 160 mm wide
 
 struct Point {
     double x = 0, y = 0;
@@ -21,6 +23,8 @@ struct Box {
 std::size_t length_of(const std::string& text);
 /// Width in pixels, estimated on the large side for the sans-serif fonts in use.
 double text_width(const std::string& text);
+/// Of a text whose indices and exponents are smaller.
+double text_width(const Text& text);
 /// Broken at spaces so that no line is wider than `width`, a single word excepted.
 std::vector<std::string> wrapped(const std::string& text, double width);
 

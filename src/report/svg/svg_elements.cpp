@@ -12,19 +12,29 @@ namespace meshfolio::report {
 
 namespace {
 
-/// Escaped text with the indices of its symbols lowered: λ_crit.
-std::string with_indices(const std::string& words) {
-    std::string marked, shift;   // `shift` takes the next part back to the base line
-    for (const Run& run : prose(words)) {
-        for (const MathPart& part :
-             run.kind == Run::Kind::math ? math_parts(run.content) : std::vector<MathPart>{{MathPart::Kind::upright, run.content}}) {
-            const bool lowered = part.kind == MathPart::Kind::subscript;
-            const std::string text = xml_escape(safe_text(part.text));
-            marked += lowered         ? "<tspan dy=\"3.5\" font-size=\"9.5\">" + text + "</tspan>"
-                      : shift.empty() ? text
-                                      : "<tspan" + shift + ">" + text + "</tspan>";
-            shift = lowered ? " dy=\"-3.5\"" : "";
+/// What `shift` pixels below the base line is set in: SVG moves from where the text before stood.
+std::string span(const MathPart& part, double& shift) {
+    using Kind = MathPart::Kind;
+    const double wanted = part.kind == Kind::subscript ? 3.5 : part.kind == Kind::superscript ? -4.5 : 0;
+    std::string attributes;
+    if (wanted != shift) attributes += " dy=\"" + px(wanted - shift) + "\"";
+    if (wanted != 0) attributes += " font-size=\"" + px(script_size) + "\"";
+    if (part.kind == Kind::variable) attributes += " font-style=\"italic\"";
+    shift = wanted;
+    const std::string text = xml_escape(safe_text(part.text));
+    return attributes.empty() ? text : "<tspan" + attributes + ">" + text + "</tspan>";
+}
+
+/// Escaped text, its mathematics set as such: λ_crit.
+std::string spans(const Text& words) {
+    std::string marked;
+    double shift = 0;
+    for (const Run& run : words) {
+        if (run.kind != Run::Kind::math) {
+            marked += span({MathPart::Kind::upright, run.content}, shift);
+            continue;
         }
+        for (const MathPart& part : math_parts(run.content)) marked += span(part, shift);
     }
     return marked;
 }
@@ -33,9 +43,12 @@ std::string with_indices(const std::string& words) {
 
 std::string px(double x) { return plain_text(std::round(10 * x) / 10, 6); }
 
+std::string text_element(Point at, const std::string& anchor, const Text& text, const std::string& more) {
+    return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + spans(text) + "</text>\n";
+}
+
 std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more) {
-    return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + with_indices(text) +
-           "</text>\n";
+    return text_element(at, anchor, prose(text), more);
 }
 
 std::string title_element(Point& at, const std::string& anchor, const std::string& words) {

@@ -16,8 +16,9 @@ inline constexpr double drawing_width = 640, line_height = 17;   // of plots and
 /// A coordinate to a tenth of a pixel.
 std::string px(double x);
 
-/// Text of any kind, made safe; symbols such as λ_crit get their index lowered. `anchor`: start, middle or end.
+/// Text of any kind, made safe; of mathematics, such as λ_crit, letters are italic and indices lowered. `anchor`: start, middle or end.
 std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more = "");
+std::string text_element(Point at, const std::string& anchor, const Text& text, const std::string& more = "");
 
 /// A title from `at` on, in lines no wider than the picture; `at` moves below them.
 std::string title_element(Point& at, const std::string& anchor, const std::string& words);

@@ -23,6 +23,7 @@ std::string prose_of(const report::Section& section) {
         if (const auto* figure = std::get_if<report::Figure>(&block)) prose += "\n" + figure->caption + "\n" + figure->alt;
         if (const auto* plot = std::get_if<report::Plot>(&block)) prose += "\n" + plot->caption + "\n" + plot->alt;
         if (const auto* map = std::get_if<report::Map>(&block)) prose += "\n" + map->caption + "\n" + map->alt;
+        if (const auto* diagram = std::get_if<report::Diagram>(&block)) prose += "\n" + diagram->caption + "\n" + diagram->alt;
         if (const auto* list = std::get_if<report::EntryList>(&block)) {
             for (const report::Entry& entry : list->entries) {
                 prose += "\n" + report::plain(entry.title);
@@ -95,6 +96,13 @@ void expect_well_formed(const Answer& answer) {
         if (const auto* map = std::get_if<report::Map>(&block)) {
             enter(map->id);
             for (const auto& panel : map->panels) EXPECT_EQ(panel.values.size(), map->x.size() * map->y.size()) << map->id;
+        }
+        if (const auto* diagram = std::get_if<report::Diagram>(&block)) {
+            enter(diagram->id);
+            EXPECT_FALSE(diagram->panels.empty()) << diagram->id;
+            for (const auto& panel : diagram->panels) {
+                for (const auto& path : panel.paths) EXPECT_EQ(path.x.size(), path.y.size()) << diagram->id;
+            }
         }
         if (const auto* figure = std::get_if<report::Figure>(&block)) {
             enter(figure->id);

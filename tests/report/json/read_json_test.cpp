@@ -41,6 +41,14 @@ void replace_nan(Block& block) {
     if (auto* map = std::get_if<Map>(&block)) {
         for (Map::Panel& panel : map->panels) replace_nan(panel.values);
     }
+    if (auto* diagram = std::get_if<Diagram>(&block)) {
+        for (Diagram::Panel& panel : diagram->panels) {
+            for (Diagram::Path& path : panel.paths) {
+                replace_nan(path.x);
+                replace_nan(path.y);
+            }
+        }
+    }
 }
 Document without_nan(Document document) {
     for (Section& section : document.sections) {
@@ -68,6 +76,10 @@ Document rich_document() {
             map->range = Map::Range{0.25, 8};
             map->panels[0].values[0] = INFINITY;
             map->panels[0].values[1] = -INFINITY;
+        }
+        if (auto* diagram = std::get_if<Diagram>(&block)) {
+            diagram->panels[0].paths[0].x[1] = NAN;
+            diagram->panels[0].paths[0].y[2] = -INFINITY;
         }
         if (auto* plot = std::get_if<Plot>(&block)) {
             plot->series[0].style = Series::Style::points;
@@ -198,8 +210,10 @@ TEST(ReadJson, RefusesWhatDoesNotFitTogether) {
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0]["digits"] = 100000; }), "it may be 1 to 17"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["plots"][0]["series"][0]["x"].push_back(1); }), "different lengths"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["maps"][0]["x"].push_back(100); }), "a number for each x"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["findings"][0]["text"] = "other"; }), "derived"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["checks"][0]["passed"] = false; }), "derived"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["provenance"]["inputs"][0]["sha256"] = "0"; }), "does not list the inputs"));
+    EXPECT_TRUE(
+        says(refusal([](Json& d) { d["questions"][0]["diagrams"][0]["panels"][0]["paths"][0]["x"].push_back(1); }), "different lengths"));
     EXPECT_TRUE(
         says(refusal([](Json& d) { d["questions"][0]["maps"][0]["panels"][0]["values_not_finite"][0][0] = 4; }), "not to be finite"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["rows_not_finite"] = 4; }), "broken list of what is not finite"));

@@ -81,55 +81,20 @@ void expect_links_with_targets(const std::string& text) {
 
 TEST(WriteMarkdown, LinksWithinHaveTheirTargets) { expect_links_with_targets(sample_text()); }
 
+TEST(WriteMarkdown, WhatIsInTheOtherVolumeIsLinkedThere) {
+    Document document = sample_document();
+    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 1;
+    document.sections[0].answer = text("See ", ref("q1_before_after"), " and ", ref("ground_truth"), ".");
+    const std::string report = write_markdown(document, sample_figures(), Templates());
+    expect_links_with_targets(report);
+    EXPECT_NE(report.find("[Figure 1.5](appendix.md#q1_before_after) and [Section A](appendix.md#ground_truth)"), std::string::npos);
+    const std::string appendix = write_markdown(document, sample_figures(), Templates(), {.volume = Volume::appendix});
+    EXPECT_NE(appendix.find("<a id=\"q1_before_after\"></a>"), std::string::npos);
+    EXPECT_EQ(appendix.find("<a id=\"q1_errors\"></a>"), std::string::npos);
+}
+
 TEST(WriteMarkdown, ListsEndWithoutSeparator) {
     for (const std::string& line : lines_of(sample_text())) EXPECT_FALSE(line.ends_with("; ") || line.ends_with("; |")) << line;
-}
-
-/// A supporting section far too long: tables and figures, then the discussion, to which an answer refers.
-Document with_long_section() {
-    Document document = sample_document();
-    Section supporting = document.sections[0];
-    supporting.id = "truth";
-    supporting.blocks = {Heading{"Results"}};
-    const auto add_table = [&](const std::string& id, int rows) {
-        Table table;
-        table.id = id;
-        table.caption = "Caption of " + id + ".";
-        table.columns = {{"words"}};
-        for (int r = 0; r < rows; ++r) table.rows.push_back({std::string(20000, 'x')});
-        supporting.blocks.emplace_back(std::move(table));
-    };
-    for (int i = 0; i < 4; ++i) add_table("truth_long_" + std::to_string(i), 4);
-    add_table("truth_short", 1);
-    for (int i = 0; i < 100; ++i) {
-        Table table;
-        table.id = "truth_many_" + std::to_string(i);
-        table.caption = std::string(3000, 'c');
-        table.columns = {{"number"}};
-        table.rows = {{1.0}};
-        supporting.blocks.emplace_back(std::move(table));
-    }
-    supporting.blocks.push_back(Heading{"Discussion"});
-    supporting.blocks.push_back(Paragraph{text("What is concluded from ", ref("truth_many_99"), ".")});
-    document.sections[0].blocks.push_back(Paragraph{text("It rests on ", ref("truth_many_98"), ".")});
-    document.sections.push_back(supporting);
-    return document;
-}
-
-TEST(WriteMarkdown, WhatIsCutLeavesNoDeadLinkAndNoDanglingAnchor) {
-    const std::string cut = write_markdown(with_long_section(), sample_figures(), Templates());
-    EXPECT_LE(cut.size(), std::size_t{256 << 10});
-    expect_links_with_targets(cut);
-    EXPECT_NE(cut.find("It rests on [Table B.104](index.html#truth_many_98)."), std::string::npos);
-    EXPECT_EQ(matches(cut, "(</a>\n\n\\*What stood here)").size(), 0u);
-}
-
-TEST(WriteMarkdown, TablesAreCutBeforeConclusions) {
-    const std::string cut = write_markdown(with_long_section(), sample_figures(), Templates());
-    EXPECT_NE(cut.find("What is concluded from [Table B.105](index.html#truth_many_99)."), std::string::npos);
-    EXPECT_NE(cut.find("Caption of truth_long_0."), std::string::npos);
-    EXPECT_EQ(cut.find(std::string(20000, 'x')), std::string::npos);
-    EXPECT_NE(cut.find("*Its rows are left out"), std::string::npos);
 }
 
 TEST(WriteMarkdown, HostileNamesStayText) {
@@ -146,80 +111,52 @@ TEST(WriteMarkdown, LongTablesPointToTheirCsv) {
 
 TEST(WriteMarkdown, PlotsAreLinkedOnlyWhenTheirFilesAreThere) {
     EXPECT_EQ(sample_text().find("images/q1_error_versus_k.svg"), std::string::npos);
-    EXPECT_NE(sample_text({.timings = true, .plot_files = true}).find("](images/q1_error_versus_k.svg)"), std::string::npos);
+    EXPECT_NE(sample_text({.plot_files = true}).find("](images/q1_error_versus_k.svg)"), std::string::npos);
 }
 
 TEST(WriteMarkdown, MapsAreDescribedOrShown) {
     EXPECT_NE(sample_text().find("**Figure 1.4.** Error over step and iteration. ([data](tables/q1_error_map.csv)) The error grows"),
               std::string::npos);
-    EXPECT_NE(sample_text({.timings = true, .plot_files = true}).find("](images/q1_error_map.svg)"), std::string::npos);
-}
-
-TEST(WriteMarkdown, NeverExceedsItsLimit) {
-    constexpr std::size_t limit = 256 << 10;
-    Document document = sample_document();
-    DrawnFigures figures;
-    for (int i = 0; i < 150; ++i) {
-        const std::string id = "q1_many_" + std::to_string(i);
-        document.sections[0].blocks.push_back(Figure{id, "caption", "alt"});
-        DrawnFigure& drawn = figures[id];
-        for (int v = 0; v < 42; ++v)
-            drawn.views.emplace_back("λ = 0." + std::to_string(v / 6) + ", +x",
-                                     "images/" + id + "_" + std::string(40, 'n') + std::to_string(v) + ".png");
-    }
-    const std::string without_views = write_markdown(document, figures, Templates());
-    EXPECT_LE(without_views.size(), limit);
-    EXPECT_EQ(without_views.find("Single views"), std::string::npos);
-    EXPECT_NE(without_views.find("## References"), std::string::npos);   // whole apart from that
-    for (int i = 0; i < 300; ++i) document.sections[0].blocks.push_back(Paragraph{text(std::string(2000, 'x'))});
-    const std::string cut = write_markdown(document, figures, Templates());
-    EXPECT_LE(cut.size(), limit);
-    EXPECT_NE(cut.find("see* `index.html`"), std::string::npos);
-    EXPECT_GT(cut.size(), limit - 4096) << "no more is left out than must be";
-    for (const char* whole : {"<a id=\"q1\"></a>\n\n## 1 ", "<a id=\"q2\"></a>\n\n## 2 ", "<a id=\"q3\"></a>\n\n## 3 ", "## References",
-                              "## Provenance", "## Checks", "ellipsoid.obj:3: not a number"}) {
-        EXPECT_NE(cut.find(whole), std::string::npos) << whole;
-    }
-}
-
-TEST(WriteMarkdown, AnswersToQuestionsStayWholeWhileTheOthersAreCut) {
-    Document document = sample_document();
-    Section supporting = document.sections[0];
-    supporting.blocks.clear();
-    supporting.id = "truth";
-    for (int i = 0; i < 100; ++i) {
-        supporting.blocks.push_back(Paragraph{text(std::string(2000, 'x'))});
-        document.sections[0].blocks.push_back(Paragraph{text(std::string(1000, 'y'))});
-    }
-    document.sections[0].blocks.push_back(Paragraph{text("The last word of the answer.")});
-    supporting.blocks.push_back(Paragraph{text("The last word of what it rests on.")});
-    document.sections.push_back(supporting);
-    const std::string text = write_markdown(document, sample_figures(), Templates());
-    EXPECT_LE(text.size(), std::size_t{256 << 10});
-    EXPECT_NE(text.find("The last word of the answer."), std::string::npos);
-    EXPECT_EQ(text.find("The last word of what it rests on."), std::string::npos);
-    EXPECT_NE(text.find("## A "), std::string::npos);
+    EXPECT_NE(sample_text({.plot_files = true}).find("](images/q1_error_map.svg)"), std::string::npos);
 }
 
 TEST(WriteMarkdown, UndecidedChecksAreCountedAndNamed) {
-    const std::string text = sample_text();
-    EXPECT_NE(text.find("3 of 6 checks passed, 2 failed, 1 undecided.**"), std::string::npos);
-    EXPECT_NE(text.find("| 2/5, 2 failed, 1 undecided |"), std::string::npos);
-    EXPECT_NE(text.find("**3 of 6 passed, 2 failed, 1 undecided.** What is undecided is no failure"), std::string::npos);
+    EXPECT_NE(sample_text().find("3 of 6 checks passed, 2 failed, 1 undecided.**"), std::string::npos);
+    const std::string text = sample_text({.volume = Volume::appendix});
+    EXPECT_NE(text.find("**3 of 6 passed, 2 failed, 1 undecided.** An undecided check is no failure"), std::string::npos);
     EXPECT_NE(text.find("count below σ (<i>rounding is larger than the gap</i>) | ≤\u202f30 | – | 0 | *undecided* |"), std::string::npos);
     EXPECT_NE(text.find("| **no** |"), std::string::npos) << "what failed has another mark";
 }
 
-TEST(WriteMarkdown, ChecksThatPassedAreLeftOutBeforeRowsAre) {
+TEST(WriteMarkdown, ChecksThatPassedAreLeftOutWhereTheFileWouldBeTooLong) {
     Document document = sample_document();
     for (int i = 0; i < 3000; ++i) document.sections[1].checks.push_back(check_near("passes " + std::string(80, 'x'), 1, 1, 0));
-    const std::string text = write_markdown(document, sample_figures(), Templates());
+    const std::string text = write_markdown(document, sample_figures(), Templates(), {.volume = Volume::appendix});
+    EXPECT_LT(text.size(), std::size_t{256 << 10});
     EXPECT_EQ(text.find("passes x"), std::string::npos);
     EXPECT_NE(text.find("order of convergence on torus"), std::string::npos) << "what failed is still told";
     EXPECT_NE(text.find("count below σ"), std::string::npos) << "and what is undecided";
-    EXPECT_NE(text.find("Those that passed are listed in `index.html`"), std::string::npos);
-    EXPECT_EQ(sample_text().find("Those that passed are listed"), std::string::npos);
-    EXPECT_EQ(text.find("see* `index.html`"), std::string::npos) << "nothing had to be cut";
+    EXPECT_NE(text.find("Those that passed are listed in `appendix.html`"), std::string::npos);
+    EXPECT_EQ(sample_text({.volume = Volume::appendix}).find("Those that passed are listed"), std::string::npos);
+}
+
+TEST(WriteSummary, HasEveryAnswerAndWhatDidNotPass) {
+    const std::string text = write_summary(sample_document(), Templates());
+    EXPECT_NE(text.find("| 1 Uniform Laplace curvature | complete | H of the sphere is <b>0.88 %</b> off"), std::string::npos) << text;
+    EXPECT_NE(text.find("| **failed** | ellipsoid.obj:3: not a number"), std::string::npos);
+    EXPECT_NE(text.find("order of convergence on torus"), std::string::npos);
+    EXPECT_EQ(text.find("L2 error of H on sphere"), std::string::npos) << "it passed";
+}
+
+TEST(WriteSummary, IsNeverLongerThanAJobSummaryShouldBe) {
+    Document document = sample_document();
+    for (int i = 0; i < 300; ++i) document.sections[0].checks.push_back(check_near("fails " + std::string(80, 'x'), 1, 2, 0));
+    const std::string text = write_summary(document, Templates());
+    EXPECT_LE(text.size(), 20'000u);
+    EXPECT_NE(text.find("fails xxx"), std::string::npos);
+    document.sections[0].warnings.assign(500, std::string(200, 'w'));
+    EXPECT_LE(write_summary(document, Templates()).size(), 20'000u);
+    EXPECT_LE(write_summary(hostile_document(), Templates()).size(), 20'000u);
 }
 
 }   // namespace

@@ -110,16 +110,29 @@ std::vector<json> complete_models() {
     with_files.plot_files = true;
     ViewOptions with_models;
     with_models.models = true;
-    // And on paper, where the sections that answer no question are brief.
-    Document supporting = sample_document();
-    supporting.sections[0].id = "truth";
+    // And on paper, where what is in the other volume cannot be linked to.
+    Document parted = sample_document();
+    parted.sections[0].appendix_from = 9;
+    parted.sections[3] = parted.sections[0];
+    parted.sections[3].id = "truth";
+    parted.sections[3].blocks.clear();
     ViewOptions on_paper;
     on_paper.page_numbers = on_paper.plain_formulas = true;
-    on_paper.extent = Extent::brief;
+    ViewOptions appendix;
+    appendix.volume = Volume::appendix;
+    ViewOptions short_appendix = appendix;
+    short_appendix.passed_checks = false;
+    short_appendix.page_numbers = true;
     ViewOptions without_mathml;
     without_mathml.plain_formulas = true;
-    return {model_of(sample_document()), model_of(all_well, with_files), model_of(sample_document(), without_mathml),
-            model_of(sample_document(), with_models, sample_models()), model_of(supporting, on_paper)};
+    return {model_of(sample_document()),
+            model_of(all_well, with_files),
+            model_of(sample_document(), without_mathml),
+            model_of(sample_document(), with_models, sample_models()),
+            model_of(parted, on_paper),
+            model_of(parted, appendix, sample_models()),
+            model_of(parted, short_appendix),
+            model_of(all_well, appendix)};
 }
 
 /// Every tag of the template is known to the models, and every tag is met with one of them.
@@ -143,6 +156,8 @@ TEST(ViewModel, KnowsEveryTagOfTheHtmlTemplate) { expect_all_tags_known("report.
 TEST(ViewModel, KnowsEveryTagOfTheMarkdownTemplate) { expect_all_tags_known("report.md"); }
 
 TEST(ViewModel, KnowsEveryTagOfThePrintTemplate) { expect_all_tags_known("print.html"); }
+
+TEST(ViewModel, KnowsEveryTagOfTheSummary) { expect_all_tags_known("summary.md"); }
 
 TEST(ViewModel, UnknownFormulaIsNamed) {
     Document document = sample_document();

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "report/page/view_extent.h"
+#include "report/page/volumes.h"
 #include "report/pdf/print_pdf.h"
 #include "report/sample_document.h"
 #include "report/test_tools.h"
@@ -29,11 +29,11 @@ PrintPage printed(const Document& document, PrintOptions options = {}) {
     return print_page(document, figures_for_paper(), Templates(), options);
 }
 
-constexpr PrintOptions whole{.extent = Extent::whole};
+constexpr PrintOptions appendix{.volume = Volume::appendix};
 
 TEST(PrintPage, EveryLinkHasItsTargetInThePage) {
     for (const Document& document : {sample_document(), supporting_document(), hostile_document()}) {
-        for (const PrintOptions& options : {PrintOptions{}, whole}) {
+        for (const PrintOptions& options : {PrintOptions{}, appendix}) {
             const std::string page = body_of(printed(document, options).html);
             std::set<std::string> ids;
             for (const std::string& id : matches(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id << " twice";
@@ -91,109 +91,61 @@ TEST(PrintPage, FormulasArePlainForEnginesWithoutMathml) {
     EXPECT_EQ(printed(sample_document(), {.mathml = false}).html.find("<math"), std::string::npos);
 }
 
-TEST(PrintPage, UndecidedChecksAreListedInAWordAndAreNoFailure) {
+TEST(PrintPage, ChecksThatDidNotPassAreListedInTheAppendix) {
     Document document = sample_document();
-    for (const PrintOptions& options : {PrintOptions{}, whole}) {
-        const std::string page = body_of(printed(document, options).html);
-        EXPECT_NE(page.find("3 of 6 checks passed, 2 failed, 1 undecided.</p>"), std::string::npos) << "on the first page";
-        EXPECT_NE(page.find("</strong>, 2 failed, 1 undecided</td>"), std::string::npos) << "in the opening table";
-        EXPECT_NE(page.find("2 of 5 checks passed, 2 failed, 1 undecided.</figcaption>"), std::string::npos);
-        EXPECT_NE(page.find("<span class=\"note\">rounding is larger than the gap</span>"), std::string::npos);
-        EXPECT_NE(page.find("<td><em>undecided</em></td>"), std::string::npos);
-    }
+    EXPECT_NE(body_of(printed(document).html).find("2 of 5 checks failed."), std::string::npos) << "in the opening table";
+    const std::string page = body_of(printed(document, appendix).html);
+    EXPECT_NE(page.find("3 of 6 checks passed, 2 failed, 1 undecided."), std::string::npos);
+    EXPECT_NE(page.find("2 of 5 checks passed, 2 failed, 1 undecided.</figcaption>"), std::string::npos);
+    EXPECT_NE(page.find("<span class=\"note\">rounding is larger than the gap</span>"), std::string::npos);
+    EXPECT_NE(page.find("<td><em>undecided</em></td>"), std::string::npos);
     document.sections.resize(1);
     std::erase_if(document.sections[0].checks, [](const Check& check) { return check.failed(); });
-    EXPECT_EQ(body_of(printed(document).html).find("class=\"failure\""), std::string::npos);
-    EXPECT_EQ(body_of(printed(document).html).find("All 3 checks"), std::string::npos);
+    for (const PrintOptions& options : {PrintOptions{}, appendix})
+        EXPECT_EQ(body_of(printed(document, options).html).find("class=\"failure\""), std::string::npos);
+    EXPECT_EQ(body_of(printed(document, appendix).html).find("All 3 checks"), std::string::npos);
 }
 
 TEST(PrintPage, HasNoTimings) {
-    ASSERT_NE(write_html(sample_document(), sample_figures(), Templates()).find("Timings"), std::string::npos);
-    for (const PrintOptions& options : {PrintOptions{}, whole})
+    ASSERT_NE(write_html(sample_document(), sample_figures(), Templates(), {.volume = Volume::appendix}).find("Timings"),
+              std::string::npos);
+    for (const PrintOptions& options : {PrintOptions{}, appendix})
         EXPECT_EQ(printed(sample_document(), options).html.find("Timings"), std::string::npos);
 }
 
-TEST(PrintPage, LongTablesAreCut) {
-    Document document = sample_document();
-    Table table{"q1_forty", "Long", {{.name = "number"}}, {}};
-    for (int i = 0; i < 40; ++i) table.rows.push_back({static_cast<double>(i)});
-    document.sections[0].blocks.push_back(table);
-    EXPECT_NE(printed(document, {.table_rows = 10}).html.find("30 rows only in tables/q1_forty.csv"), std::string::npos);
-    EXPECT_EQ(printed(document, whole).html.find("rows only in tables/q1_forty.csv"), std::string::npos);
-}
-
-TEST(PrintPage, ATableThatIsHardlyTooLongIsPrintedWhole) {
-    for (const auto& [rows, is_cut] : {std::pair{14, false}, {15, true}}) {
-        Document document = supporting_document();
-        Table table{"truth_table", "", {{.name = "number"}}, {}};
+TEST(PrintPage, LongTablesAreCutUnlessTheyAreHardlyTooLong) {
+    for (const auto& [rows, is_cut] : {std::pair{23, false}, {24, true}}) {
+        Document document = sample_document();
+        Table table{"q1_table", "", {{.name = "number"}}, {}};
         table.rows.assign(static_cast<std::size_t>(rows), {1.0});
+        document.sections[0].answer = {};
         document.sections[0].blocks = {table};
-        EXPECT_EQ(printed(document, {.table_rows = 10}).html.find("only in tables/truth_table.csv") != std::string::npos, is_cut) << rows;
+        EXPECT_EQ(printed(document).html.find("8 rows only in tables/q1_table.csv") != std::string::npos, is_cut) << rows;
     }
 }
 
-/// How many blocks of a supporting section are told, from the first on.
-std::size_t told_of(std::vector<Block> blocks) {
-    Section section;
-    section.id = "truth";
-    section.blocks = std::move(blocks);
-    const auto told = blocks_shown(section, Extent::brief);
-    for (std::size_t i = 0; i < told.size(); ++i) EXPECT_TRUE(told.contains(&section.blocks[i])) << i;
-    return told.size();
-}
-
-TEST(PrintPage, NoSentenceIsLeftInTheMiddle) {
-    const auto words = [](const char* said) { return Paragraph{text(said)}; };
-    const Formula formula{"parseval", ""};
-    const BulletList list{{text("one;")}};
-    const Paragraph more = words("More.");
-    EXPECT_EQ(told_of({words("It is so."), formula, more}), 1u);
-    EXPECT_EQ(told_of({words("Is it so? (It is.)"), formula, more}), 1u);
-    EXPECT_EQ(told_of({words("So that"), formula, more}), 2u);
-    EXPECT_EQ(told_of({words("They are:"), formula, formula, list, more}), 4u);
-    EXPECT_EQ(told_of({words("With its formula,"), formula, words("and the other one:"), list, more}), 4u);
-    EXPECT_EQ(told_of({words("It is"), words("so."), more}), 2u);
-    EXPECT_EQ(told_of({words("It ends with:"), Heading{"Results"}, more}), 1u);
-    EXPECT_EQ(told_of({words("They are:")}), 1u);
-    EXPECT_EQ(told_of({more, words("Not told:"), formula}), 1u);
-    EXPECT_EQ(told_of({}), 0u);
-}
-
-TEST(PrintPage, NamesThePageForWhatIsLeftOut) {
-    Document document = supporting_document();
-    Table first{"truth_first", "First.", {{"see"}}, {{std::string("truth_second")}}}, second{"truth_second", "Second.", {{"a"}}, {{1.0}}};
+TEST(PrintPage, NamesTheVolumeOfWhatIsInTheOther) {
+    Document document = sample_document();
+    Table first{"q1_first", "First.", {{"see"}}, {{std::string("q1_second")}}}, second{"q1_second", "Second.", {{"a"}}, {{1.0}}};
     first.columns[0].reference = true;
-    document.sections[0].findings = {{text("Found (", ref("truth_second"), ", ", ref("truth_first"), ")."), 9}};
-    document.sections[0].blocks = {Paragraph{text("It is so.")}, first, second};
-    const std::string brief = printed(document).html;
-    EXPECT_NE(brief.find("(Table A.2 of index.html, <a href=\"#truth_first\">Table A.1</a>)"), std::string::npos);
-    EXPECT_NE(brief.find(">Table A.2</th>"), std::string::npos) << "a cell has the name alone";
-    EXPECT_NE(brief.find("this document leaves out is in index.html"), std::string::npos) << "its caption says where";
-    const std::string all = printed(document, whole).html;
-    EXPECT_EQ(all.find("of index.html"), std::string::npos);
-    EXPECT_EQ(all.find("leaves out"), std::string::npos);
+    Section& section = document.sections[0];
+    section.answer = text("Found (", ref("q1_second"), ", ", ref("q1_first"), ").");
+    section.blocks = {Paragraph{text("It is so.")}, first, second, Paragraph{text("See ", ref("q1_first"), ".")}};
+    section.appendix_from = 2;
+    const std::string report = printed(document).html;
+    EXPECT_NE(report.find("(Table 1.2 of the appendix, <a href=\"#q1_first\">Table 1.1</a>)"), std::string::npos);
+    EXPECT_NE(report.find(">Table 1.2</th>"), std::string::npos) << "a cell has the name alone";
+    EXPECT_NE(report.find("What its cells refer to is in the appendix."), std::string::npos) << "its caption says where";
+    EXPECT_NE(printed(document, appendix).html.find("See Table 1.1 of the report."), std::string::npos);
 }
 
-TEST(PrintPage, WhatIsLeftOutIsNamedButNotLinked) {
-    const Document document = supporting_document();
-    const Section& section = document.sections[0];
-    const auto told = blocks_shown(section, Extent::brief);
-    EXPECT_LT(told.size(), section.blocks.size());
-    EXPECT_EQ(blocks_shown(section, Extent::whole).size(), section.blocks.size());
-    const auto pictures = [](const std::set<const Block*>& blocks) {
-        return std::count_if(blocks.begin(), blocks.end(),
-                             [](const Block* b) { return std::holds_alternative<Figure>(*b) || std::holds_alternative<Plot>(*b); });
-    };
-    EXPECT_EQ(pictures(told), 1);
-    // A question is told whole.
-    EXPECT_EQ(blocks_shown(sample_document().sections[0], Extent::brief).size(), section.blocks.size());
-}
-
-TEST(PrintPage, OnlyFiguresShownNeedAPicture) {
-    const auto brief = figures_shown(supporting_document(), Extent::brief), all = figures_shown(supporting_document(), Extent::whole);
-    EXPECT_LE(brief.size(), all.size());
-    EXPECT_EQ(printed(supporting_document()).files.size(), brief.size());
-    EXPECT_TRUE(std::includes(all.begin(), all.end(), brief.begin(), brief.end()));
+TEST(PrintPage, OnlyFiguresOfTheVolumeNeedAPicture) {
+    Document document = sample_document();
+    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 1;
+    const std::size_t all = printed(sample_document()).files.size();
+    EXPECT_EQ(printed(sample_document(), appendix).files.size(), 0u);
+    EXPECT_LT(printed(document).files.size(), all);
+    EXPECT_EQ(printed(document).files.size() + printed(document, appendix).files.size(), all);
 }
 
 TEST(PrintPage, HeadingsAreReadWithTheirWordsApart) {
@@ -208,12 +160,14 @@ TEST(PrintPage, HeadingsAreReadWithTheirWordsApart) {
 }
 
 TEST(PrintPage, EveryPageNumberThatIsAskedForHasItsHeading) {
-    const PrintPage page = printed(supporting_document());
-    std::set<std::string> ids;
-    for (const PageHeading& heading : headings_of(page.html)) ids.insert(heading.id);
-    const auto asked = matches(page.html, "@page:([^@]*)@");
-    EXPECT_GE(asked.size(), supporting_document().sections.size());
-    for (const std::string& id : asked) EXPECT_TRUE(ids.contains(id)) << id;
+    for (const PrintOptions& options : {PrintOptions{}, appendix}) {
+        const PrintPage page = printed(supporting_document(), options);
+        std::set<std::string> ids;
+        for (const PageHeading& heading : headings_of(page.html)) ids.insert(heading.id);
+        const auto asked = matches(page.html, "@page:([^@]*)@");
+        EXPECT_GE(asked.size(), 2u);
+        for (const std::string& id : asked) EXPECT_TRUE(ids.contains(id)) << id;
+    }
 }
 
 TEST(PrintPdf, APageWithAMissingPictureIsRefused) {

@@ -1,0 +1,138 @@
+#include "output/draw/arrangement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "sheet/view_label.h"
+
+namespace meshfolio::output {
+
+namespace {
+
+constexpr std::size_t most_large = 12, in_a_line = 4, in_a_gallery_line = 6;
+
+class Arranger {
+public:
+    Arranger(const FigureRequest& request, std::vector<PanelPictures> panels, double em)
+        : request_(request),
+          panels_(std::move(panels)),
+          line_(static_cast<int>(std::lround(std::max(1.7 * em, render::view_label_height(0.95 * em))))),
+          gap_(line_ / 3) {
+        sheet_.em = em;
+        places_.resize(panels_.size());
+        for (std::size_t p = 0; p < panels_.size(); ++p) places_[p].resize(panels_[p].size());
+    }
+
+    render::FigureSheet sheet() {
+        const bool six = request_.layout == Layout::six_views;
+        if (six && panels_.size() == 1) {
+            const int left = panels_[0][0].width + 2 * gap_;
+            const int height = std::max(panels_[0][0].height, 2 * views_height());
+            place(0, 0, 0, (height - panels_[0][0].height) / 2);
+            views(0, left, (height - 2 * views_height()) / 2, 2);
+        } else {
+            const int below = grid();
+            if (six) rows_of_views(below);
+        }
+        for (std::size_t p = 0; p < panels_.size(); ++p)
+            for (std::size_t i = 0; i < panels_[p].size(); ++i)
+                sheet_.pictures.push_back({std::move(panels_[p][i]), places_[p][i].first, places_[p][i].second});
+        return std::move(sheet_);
+    }
+
+private:
+    const FigureRequest& request_;
+    std::vector<PanelPictures> panels_;
+    const int line_, gap_;
+    render::FigureSheet sheet_;
+    std::vector<std::vector<std::pair<int, int>>> places_;
+
+    void place(std::size_t panel, std::size_t picture, int left, int top) { places_[panel][picture] = {left, top}; }
+    void say(std::string words, int left, int top, int width, bool is_centred = true) {
+        if (!words.empty()) sheet_.words.push_back({std::move(words), left, top, width, line_, is_centred});
+    }
+
+    /// The pictures from three quarters, named below, or between the heads of a matrix. @return where they end
+    int grid() {
+        const bool matrix = !request_.columns.empty() || !request_.rows.empty();
+        const std::size_t columns = columns_of(request_);
+        int width = 6 * line_, height = 0;
+        for (const PanelPictures& panel : panels_) {
+            if (panel.empty()) continue;
+            width = std::max(width, panel[0].width);
+            height = std::max(height, panel[0].height);
+        }
+        const int left = request_.rows.empty() ? 0 : 6 * line_, top = request_.columns.empty() ? 0 : line_;
+        const bool named = panels_.size() > 1 && !matrix;
+        const int across = width + gap_, down = height + gap_ + (named ? line_ : 0);
+        for (std::size_t p = 0; p < panels_.size(); ++p) {
+            const int x = left + static_cast<int>(p % columns) * across, y = top + static_cast<int>(p / columns) * down;
+            if (!panels_[p].empty()) place(p, 0, x + (width - panels_[p][0].width) / 2, y);
+            if (named) say(request_.panels[p].label, x, y + height, width);
+            if (panels_[p].empty()) say(request_.panels[p].label, x, y + height / 2 - line_ / 2, width);
+        }
+        for (std::size_t c = 0; c < request_.columns.size(); ++c) say(request_.columns[c], left + static_cast<int>(c) * across, 0, width);
+        for (std::size_t r = 0; r < request_.rows.size(); ++r)
+            say(request_.rows[r], 0, top + static_cast<int>(r) * down + height / 2 - line_ / 2, left - gap_, false);
+        return top + static_cast<int>((panels_.size() + columns - 1) / columns) * down;
+    }
+
+    int views_height() const {
+        int height = 0;
+        for (std::size_t i = 1; i < panels_[0].size(); ++i) height = std::max(height, panels_[0][i].height);
+        return height + line_ + gap_;
+    }
+
+    /// The six views of a panel, each with its name below, in so many lines. @return where they end
+    int views(std::size_t panel, int left, int top, int lines) {
+        const std::vector<render::View> directions = views_in_reading_order();
+        const std::size_t columns = directions.size() / static_cast<std::size_t>(lines);
+        const int height = views_height() - line_ - gap_;
+        int x = left;
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            if (i % columns == 0) x = left;
+            const render::Image& image = panels_[panel][1 + i];
+            const int y = top + static_cast<int>(i / columns) * views_height(), width = std::max(image.width, 3 * line_);
+            place(panel, 1 + i, x + (width - image.width) / 2, y + (height - image.height) / 2);
+            say(std::string(directions[i].name), x, y + height, width);
+            x += width + gap_;
+        }
+        return top + lines * views_height();
+    }
+
+    void rows_of_views(int top) {
+        for (std::size_t p = 0; p < panels_.size(); ++p) {
+            say(request_.panels[p].label, 0, top, 30 * line_, false);
+            top = views(p, 0, top + line_, 1);
+        }
+    }
+
+    /// Lines about equally full.
+    static std::size_t columns_of(const FigureRequest& request) {
+        const std::size_t panels = request.panels.size();
+        if (!request.columns.empty()) return request.columns.size();
+        if (!request.rows.empty()) return (panels + request.rows.size() - 1) / request.rows.size();
+        if (is_gallery(request)) return in_a_gallery_line;
+        const std::size_t lines = (panels + in_a_line - 1) / in_a_line;
+        return (panels + lines - 1) / lines;
+    }
+};
+
+}   // namespace
+
+std::vector<render::View> views_in_reading_order() {
+    const auto& six = render::six_views;
+    return {six[0], six[2], six[4], six[1], six[3], six[5]};
+}
+
+bool is_gallery(const FigureRequest& request) {
+    return request.layout != Layout::six_views && request.panels.size() > most_large && request.columns.empty() && request.rows.empty();
+}
+
+render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em) {
+    return Arranger(request, std::move(panels), em).sheet();
+}
+
+}   // namespace meshfolio::output

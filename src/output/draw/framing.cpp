@@ -1,0 +1,136 @@
+#include "output/draw/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "output/draw/surface_of.h"
+
+namespace meshfolio::output {
+
+namespace {
+
+constexpr double share_framed = 0.94;        // of the side of a picture; the rest is margin
+constexpr double narrowest_picture = 0.12;   // of the side: a surface seen from its edge stays a picture
+
+bool is_framed(const FigureRequest& request, std::size_t panel) {
+    return request.frame_panel < 0 || panel == static_cast<std::size_t>(request.frame_panel);
+}
+
+/// Of the panels that have a mesh and that `is_wanted(panel)`.
+template <class Wanted>
+render::Bounds joined_box(const FigureRequest& request, const Wanted& is_wanted) {
+    std::optional<render::Bounds> box;
+    for (std::size_t p = 0; p < request.panels.size(); ++p) {
+        if (!request.panels[p].mesh || !is_wanted(p)) continue;
+        const render::Bounds other = bounds_of(*request.panels[p].mesh);
+        box = box ? render::Bounds{glm::min(box->low, other.low), glm::max(box->high, other.high)} : other;
+    }
+    return box.value_or(render::Bounds{});
+}
+
+/// The corners of the triangles that can be drawn, in pixels of `frame` across and up.
+render::Bounds seen(const TriangleMesh& mesh, const render::View& view, const render::Frame& frame) {
+    const render::Surface surface = surface_of(mesh);
+    const glm::dvec3 right = view.right();
+    render::Bounds box{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
+    for (const glm::ivec3& t : surface.triangles) {
+        if (!render::can_be_drawn(t, surface.positions)) continue;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 p = (surface.positions[static_cast<std::size_t>(t[k])] - frame.centre) * frame.pixels_per_unit;
+            const glm::dvec3 at(glm::dot(p, right), glm::dot(p, view.up), 0);
+            box.low = glm::min(box.low, at);
+            box.high = glm::max(box.high, at);
+        }
+    }
+    return box.low.x <= box.high.x ? box : render::Bounds{};
+}
+
+render::Bounds within_square(const render::Bounds& box, int side) {
+    const glm::dvec3 half(0.5 * side);
+    return {glm::clamp(box.low, -half, half), glm::clamp(box.high, -half, half)};
+}
+
+/// Pixels of a picture that shows so much of a square of `side`, with the margin.
+int picture_length(double extent, int side) {
+    const double length = extent + (1 - share_framed) * side;
+    return static_cast<int>(std::lround(std::clamp(length, std::max(1.0, narrowest_picture * side), double(side))));
+}
+
+/// In which all panels that are framed fill the square.
+render::Frame common_frame(const FigureRequest& request, const render::View& view, int width, int height, double fill) {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::ivec3> triangles;
+    for (std::size_t p = 0; p < request.panels.size(); ++p) {
+        if (!request.panels[p].mesh || !is_framed(request, p)) continue;
+        const render::Surface surface = surface_of(*request.panels[p].mesh);
+        const int offset = static_cast<int>(positions.size());
+        positions.insert(positions.end(), surface.positions.begin(), surface.positions.end());
+        for (const glm::ivec3& t : surface.triangles) triangles.push_back(t + offset);
+    }
+    return render::frame_of(positions, triangles, view, width, height, fill);
+}
+
+render::Frame own_frame(const TriangleMesh& mesh, const render::View& view, int width, int height, double fill) {
+    const render::Surface surface = surface_of(mesh);
+    return render::frame_of(surface.positions, surface.triangles, view, width, height, fill);
+}
+
+}   // namespace
+
+std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side) {
+    const render::View view = render::three_quarter_view();
+    const bool own = request.layout == Layout::multiples;
+    const render::Frame common = own ? render::Frame{} : common_frame(request, view, side, side, share_framed);
+    std::vector<PictureFrame> frames(request.panels.size());
+    std::optional<render::Bounds> box;
+    for (std::size_t p = 0; p < frames.size(); ++p) {
+        if (!request.panels[p].mesh) continue;
+        const TriangleMesh& mesh = *request.panels[p].mesh;
+        frames[p].frame = own ? own_frame(mesh, view, side, side, share_framed) : common;
+        const render::Bounds one = within_square(seen(mesh, view, frames[p].frame), side);
+        box = box ? render::Bounds{glm::min(box->low, one.low), glm::max(box->high, one.high)} : one;
+    }
+    const render::Bounds shown = box.value_or(render::Bounds{});
+    const glm::dvec3 extent = shown.high - shown.low, middle = 0.5 * (shown.low + shown.high);
+    for (PictureFrame& frame : frames) {
+        frame.frame.centre += (middle.x * view.right() + middle.y * view.up) / frame.frame.pixels_per_unit;
+        frame.width = picture_length(extent.x, side);
+        frame.height = picture_length(extent.y, side);
+    }
+    return frames;
+}
+
+PictureFrame SixFrames::covering_all() const {
+    PictureFrame all{frame, 0, 0};
+    for (const PictureFrame& one : along) {
+        all.width = std::max(all.width, one.width);
+        all.height = std::max(all.height, one.height);
+    }
+    return all;
+}
+
+SixFrames six_frames(const FigureRequest& request, int side) {
+    SixFrames six;
+    six.frame = render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p); }), side, side, share_framed);
+    const render::Bounds all = joined_box(request, [](std::size_t) { return true; });
+    const double scale = six.frame.pixels_per_unit;
+    const render::Bounds shown = within_square({(all.low - six.frame.centre) * scale, (all.high - six.frame.centre) * scale}, side);
+    const glm::dvec3 extent = shown.high - shown.low;
+    six.frame.centre += 0.5 * (shown.low + shown.high) / scale;
+    const int x = picture_length(extent.x, side), y = picture_length(extent.y, side), z = picture_length(extent.z, side);
+    six.along = {{{six.frame, z, y}, {six.frame, x, z}, {six.frame, x, y}}};
+    return six;
+}
+
+render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool three_quarters, int width, int height) {
+    const double fill = render::DrawOptions{}.fill;
+    const render::View view = render::three_quarter_view();
+    if (!three_quarters)
+        return render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p); }), width, height, fill);
+    if (request.layout == Layout::multiples) return own_frame(*request.panels[panel].mesh, view, width, height, fill);
+    return common_frame(request, view, width, height, fill);
+}
+
+}   // namespace meshfolio::output

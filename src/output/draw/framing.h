@@ -1,0 +1,34 @@
+/// @file
+/// What the pictures of a figure show, and how large they are: no more than what is to be seen, all at one scale.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "output/draw/figure_request.h"
+#include "scene/camera.h"
+
+namespace meshfolio::output {
+
+struct PictureFrame {
+    render::Frame frame;
+    int width = 0, height = 0;   // [pixels]
+};
+
+/// From three quarters, a frame a panel, all of one size: each mesh in the middle of its own (Layout::multiples), or all in one. What is
+/// framed takes `side` pixels in width or in height; of the others is seen what lies within that square.
+std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
+
+/// The six directions: one frame, and the sizes of the pictures along x, y and z. A flat mesh is slim from the side.
+struct SixFrames {
+    render::Frame frame;
+    std::array<PictureFrame, 3> along;
+    PictureFrame covering_all() const;
+    const PictureFrame& of(const render::View& view) const { return along[view.from.x != 0 ? 0 : view.from.y != 0 ? 1 : 2]; }
+};
+SixFrames six_frames(const FigureRequest& request, int side);
+
+/// Of single pictures in full size, where meshes are framed as in the others but pictures are not cut.
+render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool three_quarters, int width, int height);
+
+}   // namespace meshfolio::output

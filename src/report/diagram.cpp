@@ -1,0 +1,56 @@
+#include "report/diagram.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace meshfolio::report {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+struct AngleRange {
+    double from, to;
+};
+
+/// The directions from `vertex` to `a` and to `b`, less than half a turn apart.
+AngleRange angles_between(DiagramPoint vertex, DiagramPoint a, DiagramPoint b) {
+    const double from = std::atan2(a[1] - vertex[1], a[0] - vertex[0]), to = std::atan2(b[1] - vertex[1], b[0] - vertex[0]);
+    return {from, from + std::remainder(to - from, turn)};
+}
+
+}   // namespace
+
+Diagram::Path path_through(const std::vector<DiagramPoint>& points, Diagram::Style style, bool closed) {
+    Diagram::Path path;
+    path.style = style;
+    path.closed = closed;
+    for (const auto& [x, y] : points) {
+        path.x.push_back(x);
+        path.y.push_back(y);
+    }
+    return path;
+}
+
+Diagram::Path arc(DiagramPoint centre, double radius, double from, double to, Diagram::Style style) {
+    const int steps = 1 + static_cast<int>(std::abs(to - from) / turn * 72);   // a chord every five degrees
+    std::vector<DiagramPoint> points;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = from + (to - from) * i / steps;
+        points.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
+    }
+    return path_through(points, style);
+}
+
+Diagram::Path angle_arc(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius, Diagram::Style style) {
+    const AngleRange range = angles_between(vertex, a, b);
+    return arc(vertex, radius, range.from, range.to, style);
+}
+
+DiagramPoint inside_angle(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius) {
+    const AngleRange range = angles_between(vertex, a, b);
+    const double middle = 0.5 * (range.from + range.to);
+    return {vertex[0] + radius * std::cos(middle), vertex[1] + radius * std::sin(middle)};
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,61 @@
+/// @file
+/// The geometry behind a formula as lines, areas and labels, and the shapes it is made of.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "report/text.h"
+
+namespace meshfolio::report {
+
+/// One panel or several beside each other, each in coordinates of its own: y points upwards, and both axes have one scale.
+struct Diagram {
+    std::string id = {};   // images/<id>.svg
+    std::string caption = {};
+    std::string alt = {};   // what is to be seen, in words
+
+    enum class Style { line, thin, dashed, area, accent, accent_area };   // accents: what the formula is about
+    /// A line or an area through points.
+    struct Path {
+        std::vector<double> x = {}, y = {};   // equally long; NaN leaves a gap
+        Style style = Style::line;
+        bool closed = false;
+        bool arrow = false;   // a head at its last point
+        bool operator==(const Path&) const = default;
+    };
+
+    enum class Side { centre, above, below, left, right, above_left, above_right, below_left, below_right };
+    /// Words or mathematics beside a point: text(math("α_ij")), words.say("gap"), text("gap ", math("2π − Σθ")).
+    struct Label {
+        double x = 0, y = 0;
+        Text words = {};   // empty: the point alone
+        Side side = Side::above;
+        bool dot = false;      // the point itself is marked
+        bool accent = false;   // in the colour of the accents
+        bool operator==(const Label&) const = default;
+    };
+
+    struct Panel {
+        std::string title = {};
+        std::vector<Path> paths = {};   // drawn in order
+        std::vector<Label> labels = {};
+        bool operator==(const Panel&) const = default;
+    };
+    std::vector<Panel> panels = {};
+    bool operator==(const Diagram&) const = default;
+};
+
+using DiagramPoint = std::array<double, 2>;
+
+/// The line, or with `closed` the polygon, through these points.
+Diagram::Path path_through(const std::vector<DiagramPoint>& points, Diagram::Style style, bool closed = false);
+/// The arc of the angle at `vertex` between the directions to `a` and to `b`, the short way round.
+Diagram::Path angle_arc(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius, Diagram::Style style);
+/// The arc from angle `from` to angle `to` [radians], counter-clockwise where `to` is larger.
+Diagram::Path arc(DiagramPoint centre, double radius, double from, double to, Diagram::Style style);
+/// Where a label of that angle stands: `radius` from the vertex, on the line that halves it.
+DiagramPoint inside_angle(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius);
+
+}   // namespace meshfolio::report

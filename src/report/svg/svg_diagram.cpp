@@ -1,0 +1,224 @@
+// Diagrams as inline SVG, in the manner of the plots: accents differ by width and shade, not by colour alone.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "report/escape.h"
+#include "report/svg/svg_elements.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+constexpr double largest_coordinate = 1e100, panel_gap = 20, highest_panel = 230, label_distance = 7, dot_radius = 3.6, line_margin = 3;
+constexpr const char* accent_color = "var(--plot-1, #0b5fa5)";
+
+bool is_shown(double x, double y) { return std::abs(x) < largest_coordinate && std::abs(y) < largest_coordinate; }   // NaN is not
+
+/// Grows with every box that it takes in.
+struct Bounds {
+    Box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    void add(const Box& b) {
+        box = {std::min(box.left, b.left), std::min(box.top, b.top), std::max(box.right, b.right), std::max(box.bottom, b.bottom)};
+    }
+    double width() const { return std::max(box.right - box.left, 0.0); }
+    double height() const { return std::max(box.bottom - box.top, 0.0); }
+};
+
+/// −1, 0 or 1: where a label stands from its point, x to the right and y downwards.
+Point direction_of(Diagram::Side side) {
+    switch (side) {
+        case Diagram::Side::centre:
+            return {0, 0};
+        case Diagram::Side::above:
+            return {0, -1};
+        case Diagram::Side::below:
+            return {0, 1};
+        case Diagram::Side::left:
+            return {-1, 0};
+        case Diagram::Side::right:
+            return {1, 0};
+        case Diagram::Side::above_left:
+            return {-1, -1};
+        case Diagram::Side::above_right:
+            return {1, -1};
+        case Diagram::Side::below_left:
+            return {-1, 1};
+        default:
+            return {1, 1};
+    }
+}
+
+class DiagramPanel {
+public:
+    explicit DiagramPanel(const Diagram::Panel& panel) : panel_(panel) {}
+
+    /// The largest scale at which lines and labels fit into a box of this size; then their own size.
+    void fit(double width, double height) {
+        widest_ = width;
+        double low = 1e-120, high = 1e120;
+        for (int i = 0; i < 600 && high > 1.001 * low; ++i) {
+            scale_ = std::sqrt(low) * std::sqrt(high);
+            const Bounds bounds = bounds_of_all();
+            (bounds.width() <= width && bounds.height() <= height ? low : high) = scale_;
+        }
+        scale_ = low > 1e119 ? 1 : low;   // a single point fits at any scale
+        bounds_ = bounds_of_all();
+    }
+
+    double height() const { return bounds_.height(); }
+
+    /// In the middle of `frame`.
+    std::string svg(const Box& frame) {
+        if (bounds_.width() <= 0) return text_element(middle_of(frame), "middle", "no data");
+        shift_ = {0.5 * (frame.left + frame.right - bounds_.box.left - bounds_.box.right),
+                  0.5 * (frame.top + frame.bottom - bounds_.box.top - bounds_.box.bottom)};
+        std::string svg;
+        for (const Diagram::Path& path : panel_.paths) svg += drawn(path);
+        for (const Diagram::Label& label : panel_.labels) svg += dot(label);
+        for (const Diagram::Label& label : panel_.labels) svg += words(label);
+        return svg;
+    }
+
+private:
+    static Point middle_of(const Box& box) { return {0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)}; }
+
+    Point at(double x, double y) const { return {shift_.x + scale_ * x, shift_.y - scale_ * y}; }
+
+    Box box_of(const Diagram::Label& label) const {
+        const Point p = at(label.x, label.y), towards = direction_of(label.side);
+        const double width = std::min(text_width(label.words), widest_), distance = label_distance + (label.dot ? dot_radius - 1 : 0);
+        const double near = towards.x != 0 && towards.y != 0 ? 0.6 * distance : distance;   // at a corner of its box
+        const double left = p.x + towards.x * near - 0.5 * (1 - towards.x) * width;
+        const double top = p.y + towards.y * near - 0.5 * (1 - towards.y) * line_height;
+        return {left, top, left + width, top + line_height};
+    }
+
+    Bounds bounds_of_all() const {
+        Bounds bounds;
+        const auto add_point = [&](double x, double y, double margin) {
+            const Point p = at(x, y);
+            if (is_shown(x, y)) bounds.add({p.x - margin, p.y - margin, p.x + margin, p.y + margin});
+        };
+        for (const Diagram::Path& path : panel_.paths) {
+            for (std::size_t i = 0; i < std::min(path.x.size(), path.y.size()); ++i) add_point(path.x[i], path.y[i], line_margin);
+        }
+        for (const Diagram::Label& label : panel_.labels) {
+            if (label.dot) add_point(label.x, label.y, dot_radius + 1);
+            if (is_shown(label.x, label.y) && !label.words.empty()) bounds.add(box_of(label));
+        }
+        return bounds;
+    }
+
+    static std::string attributes_of(Diagram::Style style) {
+        const std::string stroke = "\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke=", accent = accent_color;
+        switch (style) {
+            case Diagram::Style::thin:
+                return stroke + "\"var(--plot-line, #6b7280)\" stroke-width=\"1\"";
+            case Diagram::Style::dashed:
+                return stroke + "\"var(--plot-line, #6b7280)\" stroke-width=\"1.3\" stroke-dasharray=\"5 4\"";
+            case Diagram::Style::area:
+                return "\" fill=\"currentColor\" fill-opacity=\"0.1\"";
+            case Diagram::Style::accent:
+                return stroke + "\"" + accent + "\" stroke-width=\"2.6\"";
+            case Diagram::Style::accent_area:
+                return "\" fill=\"" + accent + "\" fill-opacity=\"0.28\"";
+            default:
+                return stroke + "\"currentColor\" stroke-width=\"1.5\"";
+        }
+    }
+
+    std::string drawn(const Diagram::Path& path) const {
+        std::string d;
+        std::vector<Point> run;
+        const auto end_run = [&] {
+            if (path.closed && run.size() > 2) d += "Z";
+            run.clear();
+        };
+        Point last, before;
+        for (std::size_t i = 0; i < std::min(path.x.size(), path.y.size()); ++i) {
+            if (!is_shown(path.x[i], path.y[i])) {
+                end_run();
+                continue;
+            }
+            const Point p = at(path.x[i], path.y[i]);
+            d += (run.empty() ? "M" : "L") + px(p.x) + " " + px(p.y);
+            before = run.empty() ? p : run.back();
+            last = p;
+            run.push_back(p);
+        }
+        end_run();
+        if (d.empty()) return "";
+        return "<path d=\"" + d + attributes_of(path.style) + "/>\n" + (path.arrow ? head(before, last, path.style) : "");
+    }
+
+    /// Of an arrow from `before` that ends in `tip`.
+    static std::string head(Point before, Point tip, Diagram::Style style) {
+        const double length = std::hypot(tip.x - before.x, tip.y - before.y);
+        if (length < 1e-3) return "";
+        const Point along{(tip.x - before.x) / length, (tip.y - before.y) / length};
+        const auto corner = [&](double back, double aside) {
+            return px(tip.x - back * along.x - aside * along.y) + " " + px(tip.y - back * along.y + aside * along.x);
+        };
+        const std::string color = style == Diagram::Style::accent ? accent_color : "currentColor";
+        return "<path d=\"M" + corner(-2, 0) + "L" + corner(8, 4) + "L" + corner(8, -4) + "Z\" fill=\"" + color + "\"/>\n";
+    }
+
+    static std::string fill_of(const Diagram::Label& label) { return label.accent ? accent_color : "currentColor"; }
+
+    std::string dot(const Diagram::Label& label) const {
+        if (!label.dot || !is_shown(label.x, label.y)) return "";
+        const Point p = at(label.x, label.y);
+        return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"" + px(dot_radius) + "\" fill=\"" + fill_of(label) +
+               "\" stroke=\"var(--plot-ground, #ffffff)\" stroke-width=\"1.2\"/>\n";
+    }
+
+    std::string words(const Diagram::Label& label) const {
+        if (label.words.empty() || !is_shown(label.x, label.y)) return "";
+        const Box box = box_of(label);
+        const double aside = direction_of(label.side).x;
+        const char* anchor = aside < 0 ? "end" : aside > 0 ? "start" : "middle";
+        return text_element({0.5 * ((1 - aside) * box.right + (1 + aside) * box.left), box.bottom - 4.5}, anchor, label.words,
+                            " fill=\"" + fill_of(label) + "\" paint-order=\"stroke\" stroke=\"var(--plot-ground, #ffffff)\" " +
+                                "stroke-width=\"3\" stroke-linejoin=\"round\"");
+    }
+
+    const Diagram::Panel& panel_;
+    double scale_ = 1, widest_ = 0;
+    Point shift_;
+    Bounds bounds_;
+};
+
+}   // namespace
+
+std::string svg_of(const Diagram& diagram) {
+    const auto count = static_cast<double>(std::max<std::size_t>(diagram.panels.size(), 1));
+    const double width = (drawing_width - panel_gap * (count - 1)) / count;
+    std::vector<DiagramPanel> panels;
+    double title_rows = 0, height = 0;
+    for (const Diagram::Panel& panel : diagram.panels) {
+        panels.emplace_back(panel).fit(width, highest_panel);
+        height = std::max(height, panels.back().height());
+        if (!panel.title.empty()) title_rows = std::max(title_rows, double(wrapped(safe_text(panel.title), width).size()));
+    }
+    const double top = 4 + title_rows * line_height + (title_rows > 0 ? 4 : 0), bottom = top + std::max(height, line_height);
+    std::string subject, body;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const double left = double(i) * (width + panel_gap);
+        const std::string& title = diagram.panels[i].title;
+        subject += (subject.empty() || title.empty() ? "" : ", ") + title;
+        double y = 4;
+        for (const std::string& line : title.empty() ? std::vector<std::string>{} : wrapped(safe_text(title), width)) {
+            y += line_height;
+            body += text_element({left + 0.5 * width, y - 4.5}, "middle", line, " font-weight=\"600\"");
+        }
+        body += panels[i].svg({left, top, left + width, bottom});
+    }
+    return svg_head(diagram.id, subject.empty() ? "Diagram" : subject, diagram.alt, drawing_width, bottom + 4) + body + "</svg>\n";
+}
+
+std::string svg_file_of(const Diagram& diagram) { return svg_on_white(svg_of(diagram)); }
+
+}   // namespace meshfolio::report
