@@ -123,7 +123,7 @@ Command report_command(CLI::App& parent) {
     app.text("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
     app.text("--threads", flags->threads, "at most so many threads; default: all");
     app.text("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
-    app.text("--pdf", flags->pdf, "report.pdf: auto, where an engine is there (the default); require; or off");
+    app.text("--pdf", flags->pdf, "report.pdf and appendix.pdf: auto, where an engine is there (the default); require; or off");
     app.text("--pdf-browser", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
     app.text("--templates", flags->templates, "folder of templates that replace those of the same name");
     app.flag("--quick", flags->quick, "small settings for a first look");

@@ -43,8 +43,8 @@ Command submit_command(CLI::App& parent) {
     CommandOptions app(parent, "submit", "submission.zip from a built report, checked");
     app.text("--out", options->out, "folder of the report; the archive is put into it");
     app.text("--author", options->submission.author, "whose work it is; default: the author the report names");
-    app.flag("--without-pdf", options->without_pdf, "hand in without report.pdf");
-    app.flag("--without-images", options->without_images, "leave out images/ and report.md: a smaller archive, the page is still whole");
+    app.flag("--without-pdf", options->without_pdf, "hand in without report.pdf and appendix.pdf");
+    app.flag("--without-images", options->without_images, "leave out images/ and the Markdown: a smaller archive, the pages are still whole");
     app.footer(
         "Refuses, and changes nothing, when a question is missing, a citation does not resolve, the report is of another version,\n"
         "something in its folder was changed, or a program is among its files.\n"

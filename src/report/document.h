@@ -80,12 +80,15 @@ struct Series {
     /// Which of the colours, and which of the dashes and shapes of points; −1: those of the series' place in its plot. Given where a series
     /// is to look as in another plot, or series are to be told apart by two properties.
     int color = -1, pattern = -1;
+    /// Series of one panel share a small plot of that name, beside the others on common axes: for more than five series. Empty: one plot.
+    std::string panel = {};
     bool operator==(const Series&) const = default;
 };
 
 struct Marker {
     double x = 0, y = 0;
-    std::string label;   // "minimum, iteration 17"
+    std::string label;        // "minimum, iteration 17"
+    std::string panel = {};   // of the series it is on
     bool operator==(const Marker&) const = default;
 };
 
@@ -197,13 +200,6 @@ Score score_of(const std::vector<Check>& checks);
 /// "456 of 458 checks passed, 1 failed, 1 undecided".
 std::string words_of(const Score& score);
 
-/// A result worth the first page.
-struct Finding {
-    Text text;
-    int weight = 0;   // larger first; the page shows the first five
-    bool operator==(const Finding&) const = default;
-};
-
 struct Input {
     std::string role;        // "armadillo"
     std::string asked;       // path of the assignment, "decompose/armadillo.obj"; empty for meshes no one asked for
@@ -245,7 +241,6 @@ struct Section {
     /// Of a question: the blocks from here on, its long tables and further figures, are in the appendix. −1: none are.
     int appendix_from = -1;
     std::vector<Check> checks;
-    std::vector<Finding> findings;
     std::vector<std::string> warnings;
     std::vector<std::string> output_meshes;   // "meshes/q4_armadillo_k5.ply"
     std::vector<Timing> timings;

@@ -46,12 +46,17 @@ std::string write_csv(const Table& table) {
 }
 
 std::string write_csv(const Plot& plot) {
-    bool with_band = false;
-    for (const Series& series : plot.series) with_band = with_band || !series.y_low.empty();
-    std::string csv = "series," + field(plot.x_label) + "," + field(plot.y_label) + (with_band ? ",low,high\n" : "\n");
+    bool with_band = false, with_panels = false;
+    for (const Series& series : plot.series) {
+        with_band = with_band || !series.y_low.empty();
+        with_panels = with_panels || !series.panel.empty();
+    }
+    std::string csv = std::string(with_panels ? "panel," : "") + "series," + field(plot.x_label) + "," + field(plot.y_label) +
+                      (with_band ? ",low,high\n" : "\n");
     for (const Series& series : plot.series) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
-            csv += field(series.name) + "," + exact_text(series.x[i]) + "," + value_at(series.y, i);
+            csv += (with_panels ? field(series.panel) + "," : "") + field(series.name) + "," + exact_text(series.x[i]) + "," +
+                   value_at(series.y, i);
             if (with_band) csv += "," + value_at(series.y_low, i) + "," + value_at(series.y_high, i);
             csv += '\n';
         }

@@ -115,16 +115,18 @@ ReportFacts facts_of(const json& results, const std::string& asked_author) {
 ReportFacts require_ready(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options) {
     const std::string file = name_in(report, "results.json");
     const std::string& text = required_file(report, "results.json", renew);
-    required_file(report, "index.html", renew);
+    for (const char* page : {"index.html", "appendix.html"}) required_file(report, page, renew);
     if (required_file(report, "src.txt", renew) != listing.text())
         throw InputError({name_in(report, "src.txt"), 0}, "is not the source of this program: the report is of another version", renew);
     try {
         const json results = json::parse(text);
         require_questions(results, file, options.questions);
         require_citations(results, file, listing);
-        if (options.pdf && !required_file(report, "report.pdf", "print it with meshfolio report --pdf require, or take --without-pdf")
-                                .starts_with("%PDF-"))
-            throw InputError({name_in(report, "report.pdf"), 0}, "is no PDF", renew);
+        for (const char* paper : {"report.pdf", "appendix.pdf"}) {
+            if (options.pdf && !required_file(report, paper, "print it with meshfolio report --pdf require, or take --without-pdf")
+                                    .starts_with("%PDF-"))
+                throw InputError({name_in(report, paper), 0}, "is no PDF", renew);
+        }
         return facts_of(results, options.author);
     } catch (const json::exception& error) {
         throw InputError({file, 0}, std::string("is not what a report leaves (") + error.what() + ")", renew);

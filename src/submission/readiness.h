@@ -12,8 +12,8 @@ namespace meshfolio::submission {
 
 struct SubmissionOptions {
     std::string author;                   // empty: the one the report names
-    bool pdf = true;                      // report.pdf is required and packed
-    bool images = true;                   // images/ is packed, and report.md, which shows them
+    bool pdf = true;                      // report.pdf and appendix.pdf are required and packed
+    bool images = true;                   // images/ is packed, and the Markdown, which shows them
     std::vector<std::string> questions;   // ids that must be answered
 };
 

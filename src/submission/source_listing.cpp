@@ -1,11 +1,8 @@
 #include "submission/source_listing.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 
 #include "embedded_data.h"
 #include "embedded_reports.h"
@@ -15,51 +12,6 @@
 namespace meshfolio::submission {
 
 namespace {
-
-// ---- the order an examiner reads in ----------------------------------------------------------------------------------------
-
-struct Part {
-    std::string_view title;
-    std::vector<std::string_view> beginnings;   // of the paths in it; the first part that has one of them takes a file
-};
-
-const std::vector<Part>& parts() {
-    static const std::vector<Part> list{
-        {"The questions", {"src/questions/q"}},
-        {"The mathematics", {"src/geometry/"}},
-        {"Meshes and their files", {"src/mesh/"}},
-        {"What questions share, and the sections that support them", {"src/questions/"}},
-        {"The report and its writers", {"src/report/"}},
-        {"Drawing and publishing", {"src/output/"}},
-        {"The submission", {"src/submission/"}},
-        {"The command line", {"src/main.cpp", "src/cli/", "src/run/"}},
-        {"The base of all", {"src/"}},
-        {"The renderer", {"render/"}},
-        {"Templates", {"templates/"}},
-        {"Settings", {"data/"}},
-        {"Tests", {"tests/"}},
-        {"Building", {""}},
-    };
-    return list;
-}
-
-std::size_t part_of(std::string_view path) {
-    const auto begins = [&](std::string_view beginning) { return path.starts_with(beginning); };
-    const auto holds = [&](const Part& part) { return std::any_of(part.beginnings.begin(), part.beginnings.end(), begins); };
-    return static_cast<std::size_t>(std::find_if(parts().begin(), parts().end(), holds) - parts().begin());
-}
-
-std::string_view ending_of(std::string_view path) {
-    const std::string_view name = path.substr(path.rfind('/') + 1);
-    const std::size_t dot = name.rfind('.');
-    return dot == std::string_view::npos || dot == 0 ? std::string_view() : name.substr(dot);
-}
-
-/// Within a part: by module, a header before what implements it.
-auto place_of(std::size_t part, const std::string& path) {
-    const std::string_view ending = ending_of(path);
-    return std::tuple(part, path.substr(0, path.size() - ending.size()), ending != ".h", path);
-}
 
 // ---- the text --------------------------------------------------------------------------------------------------------------
 
@@ -81,7 +33,8 @@ std::string left(const std::string& text, std::size_t width) {
 }
 std::string right(int number, std::size_t width) { return right(std::to_string(number), width); }
 
-constexpr int banner_lines = 4;   // a blank line, a rule, the path, a rule
+constexpr int banner_lines = 4;       // a blank line, a rule, the path, a rule
+constexpr int most_head_lines = 80;   // without the index of the sections and the lines of the files
 const std::string rule(100, '=');
 
 class NumberedText {
@@ -102,22 +55,16 @@ private:
 }   // namespace
 
 bool SourceListing::is_source(std::string_view path) {
-    constexpr std::array endings{".cpp", ".h", ".html", ".css", ".js", ".mjs", ".ts", ".toml", ".cmake", ".sh", ".py", ".yml"};
-    constexpr std::array names{"CMakeLists.txt", "CMakePresets.json", "package.json",  "build-report",
-                               "run-tests",      ".ci/run",           ".clang-format", ".clang-tidy"};
-    const auto ends = [&](std::string_view ending) { return path.ends_with(ending); };
-    if (ends("formulas.json") || ends("package-lock.json")) return false;   // made: MathML by pandoc, the lock by npm
-    if (path.starts_with("templates/")) return !ends(".png");
-    return std::any_of(endings.begin(), endings.end(), ends) || std::any_of(names.begin(), names.end(), ends);
+    return (path.starts_with("src/") || path.starts_with("render/")) && (path.ends_with(".cpp") || path.ends_with(".h"));
 }
 
 std::vector<std::string> SourceListing::head(const std::string& title) const {
     std::vector<std::string> lines{
         title,
         "",
-        "Every line begins with its number: L420 in the report is line 420 here. Listed are the project's own program, templates,",
-        "settings, tests and build files, as they were when the program was built. Meshes, pictures, tables of numbers and prose are",
-        "in the source archive. Nothing of others is in either.",
+        "Every line begins with its number: L420 in the report is line 420 here. Listed is the project's own program, as it was when it",
+        "was built: first what the answers are computed by, then the rest of it, and its renderer. Templates, settings, tests and build",
+        "files are in the source archive beside it. Nothing of others is in either.",
         "",
         "WHERE EACH QUESTION IS ANSWERED: line, function or class, file, purpose",
     };
@@ -130,22 +77,39 @@ std::vector<std::string> SourceListing::head(const std::string& title) const {
                             (purpose.empty() ? code.file : left(code.file, 46) + purpose));
         }
     }
-    lines.insert(lines.end(), {"", "FILES: first line, number of lines, path"});
+    lines.insert(lines.end(), {"", "FILES: first line, number of lines, path; of what the answers do not need, the parts alone"});
     for (std::size_t i = 0; i < files_.size(); ++i) {
         const Listed& listed = files_[i];
-        if (i == 0 || files_[i - 1].part != listed.part) lines.insert(lines.end(), {"", std::string(parts()[listed.part].title)});
-        lines.push_back("  " + left("L" + std::to_string(listed.first), 8) + right(listed.lines, 5) + "  " + listed.file.path);
+        const std::size_t part = listed.place.part;
+        const bool begins = i == 0 || files_[i - 1].place.part != part;
+        const std::string line = "  " + left("L" + std::to_string(listed.first), 8);
+        if (begins && answers(part)) lines.insert(lines.end(), {"", std::string(title_of_part(part))});
+        if (begins && !answers(part) && i > 0 && answers(files_[i - 1].place.part)) lines.emplace_back();
+        if (answers(part)) {
+            lines.push_back(line + right(listed.lines, 5) + "  " + listed.file.path);
+        } else if (begins) {
+            lines.push_back(line + std::string(title_of_part(part)));
+        }
     }
     return lines;
 }
 
 SourceListing::SourceListing(const std::string& title, const std::vector<SourceFile>& files, std::vector<CitingSection> index)
     : index_(std::move(index)) {
-    for (const SourceFile& file : files) {
-        if (is_source(file.path)) files_.push_back({file, part_of(file.path), static_cast<int>(lines_of(file.bytes).size())});
+    std::vector<std::string> cited;   // by questions
+    int index_lines = 0;
+    for (const CitingSection& section : index_) {
+        index_lines += 2 + static_cast<int>(section.code.size());
+        for (const report::CodeReference& code : section.code)
+            if (section.label.starts_with('Q')) cited.push_back(code.file);
     }
-    std::sort(files_.begin(), files_.end(),
-              [](const Listed& a, const Listed& b) { return place_of(a.part, a.file.path) < place_of(b.part, b.file.path); });
+    const std::set<std::string> answering =
+        answering_files(files, cited, most_answer_lines - index_lines - most_head_lines, banner_lines + 1);
+    for (const SourceFile& file : files) {
+        if (!is_source(file.path)) continue;
+        files_.push_back({file, reading_place(file.path, answering.contains(file.path)), static_cast<int>(lines_of(file.bytes).size())});
+    }
+    std::ranges::sort(files_, {}, &Listed::place);
 
     int line = static_cast<int>(head(title).size());   // as long whatever the numbers in it
     for (Listed& listed : files_) {

@@ -1,5 +1,6 @@
 /// @file
-/// src.txt: all source of our own in one text, every line numbered, with an index from questions to lines at its head.
+/// src.txt: all source of our own in one text, every line numbered, what the answers are computed by first, with an index from questions
+/// to lines at its head.
 #pragma once
 
 #include <string>
@@ -7,13 +8,9 @@
 #include <vector>
 
 #include "report/document.h"
+#include "submission/reading_order.h"
 
 namespace meshfolio::submission {
-
-struct SourceFile {
-    std::string path;         // "src/main.cpp"
-    std::string_view bytes;   // compiled in
-};
 
 /// All of them, sorted by path: what git holds, meshes and pictures too.
 std::vector<SourceFile> source_tree();
@@ -43,13 +40,16 @@ public:
 
     const std::vector<CitingSection>& index() const { return index_; }   // with lines
 
-    /// Written by hand and to be read: no meshes, pictures, tables of numbers, prose, and nothing made from other files.
+    /// The head and what the answers are computed by are together at most this long: what a marker reads.
+    static constexpr int most_answer_lines = 15'000;
+
+    /// Of the program and its renderer. Tests, templates, settings and build files are in the source archive alone.
     static bool is_source(std::string_view path);
 
 private:
     struct Listed {
         SourceFile file;
-        std::size_t part = 0;   // of the listing: questions, geometry, …
+        ReadingPlace place;
         int lines = 0, first = 0;
     };
     std::vector<Listed> files_;

@@ -130,8 +130,8 @@ using Contents = std::map<std::string, std::string_view>;
 
 bool is_packed(const std::string& path, const SubmissionOptions& options) {
     if (path == archive_file) return false;   // of an earlier submission
-    if (path == "report.pdf") return options.pdf;
-    if (path == "report.md" || path.starts_with("images/")) return options.images;
+    if (path == "report.pdf" || path == "appendix.pdf") return options.pdf;
+    if (path == "report.md" || path == "appendix.md" || path.starts_with("images/")) return options.images;
     return true;
 }
 

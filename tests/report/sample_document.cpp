@@ -229,7 +229,7 @@ Document hostile_document() {
     s.output_meshes = {"meshes/" + hostile};
     s.timings = d.timings = {{hostile, 1}};
     for (Check& check : s.checks) check.name = check.note = hostile;
-    s.findings = {{text(hostile, strong(hostile)), 9}};
+    s.answer = text(hostile, strong(hostile));
     s.blocks.push_back(Heading{hostile});
     s.blocks.push_back(Paragraph{text(hostile, strong(hostile), emphasis(hostile), code(hostile), math(hostile))});
     s.blocks.push_back(BulletList{{text(hostile)}});

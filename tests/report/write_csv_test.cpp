@@ -77,6 +77,13 @@ TEST(WriteCsv, PlotHasOneRowAPoint) {
     EXPECT_EQ(rows[3], (std::vector<std::string>{"two", "5", "6", "", ""}));
 }
 
+TEST(WriteCsv, ASeriesSaysItsPanel) {
+    Plot plot{.x_label = "k", .y_label = "error"};
+    plot.series = {{"one", {1}, {3}, {}, {}}, {"two", {5}, {6}, {}, {}}};
+    plot.series[0].panel = "sphere, fine";
+    EXPECT_EQ(write_csv(plot), "panel,series,k,error\n\"sphere, fine\",one,1,3\n,two,5,6\n");
+}
+
 TEST(WriteCsv, MapHasOneRowACellAndThenItsLines) {
     Map map;
     map.x_label = "λ, relative";

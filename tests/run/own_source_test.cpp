@@ -41,6 +41,26 @@ TEST(OwnSource, EveryCitationOfEverySectionIsTheLineOfADefinition) {
     }
 }
 
+/// Of the first file of a part, by its title in the list of files.
+std::size_t first_line_of(const std::vector<std::string>& lines, const std::string& title) {
+    const auto at = std::ranges::find_if(lines, [&](const std::string& line) { return line.ends_with(title); });
+    EXPECT_NE(at, lines.end()) << title;
+    return std::stoul(at->substr(at->find('L', 6) + 1));
+}
+
+TEST(OwnSource, WhatTheAnswersAreComputedByIsWithinItsFirstFifteenThousandLines) {
+    const submission::SourceListing& listing = run::own_source();
+    const auto lines = lines_of(listing.text());
+    const std::size_t end = first_line_of(lines, "The rest of the mathematics");
+    EXPECT_LE(end, 15'000u);
+    EXPECT_GT(end, 10'000u);
+    for (const auto& section : listing.index()) {
+        if (!section.label.starts_with('Q')) continue;
+        for (const report::CodeReference& code : section.code)
+            EXPECT_LT(std::size_t(code.line), end) << section.label << " cites " << code.function << " of " << code.file;
+    }
+}
+
 TEST(OwnSource, EveryQuestionCitesItsOwnFile) {
     for (const Chapter* chapter : chapter_list()) {
         const std::string folder = "src/questions/" + std::string(chapter->id) + "_";

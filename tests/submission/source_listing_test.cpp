@@ -19,6 +19,8 @@ const std::vector<SourceFile> tree = {
     {"src/questions/tools.cpp", "int tools() {\n}\n"},
     {"src/geometry/area.cpp", "double area(double);\n\n\ndouble area(double r) { return r; }"},
     {"src/geometry/area.h", "double area(double);\n"},
+    {"src/geometry/volume.cpp", ""},
+    {"render/ray.cpp", "struct Ray {\n};\n"},
     {"README.md", "words for people\n"},
     {"data/cube.obj", "v 0 0 0\n"},
     {"templates/report.md", "{{title}}\n"},
@@ -96,11 +98,11 @@ TEST(SourceListing, FindsDefinitionsByTheirLines) {
     EXPECT_TRUE(named->starts_with("  L" + std::to_string(line) + " ")) << *named;
 }
 
-TEST(SourceListing, QuestionsComeFirstAndHeadersBeforeWhatTheyDeclare) {
-    const std::string text = SourceListing("own", tree, {}).text();
+TEST(SourceListing, WhatTheAnswersNeedComesFirstAndHeadersBeforeWhatTheyDeclare) {
+    const std::string text = SourceListing("own", tree, index).text();
     std::size_t at = 0;
-    for (const char* path : {"src/questions/q1_areas.cpp   (", "src/geometry/area.h   (", "src/geometry/area.cpp   (",
-                             "src/questions/tools.cpp   (", "templates/report.md   (", "tests/empty_test.cpp   (", "run-tests   ("}) {
+    for (const char* path : {"src/geometry/area.h   (", "src/geometry/area.cpp   (", "src/questions/q1_areas.cpp   (",
+                             "src/geometry/volume.cpp   (", "src/questions/tools.cpp   (", "render/ray.cpp   ("}) {
         const std::size_t found = text.find(path);
         ASSERT_NE(found, text.npos) << path;
         EXPECT_GT(found, at) << path;
@@ -108,11 +110,35 @@ TEST(SourceListing, QuestionsComeFirstAndHeadersBeforeWhatTheyDeclare) {
     }
     EXPECT_EQ(text.find("words for people"), text.npos);
     EXPECT_EQ(text.find("v 0 0 0"), text.npos);
+    for (const char* path : {"templates/report.md   (", "tests/empty_test.cpp   (", "run-tests   ("}) EXPECT_EQ(text.find(path), text.npos);
 }
 
 TEST(SourceListing, TheOrderOfTheFilesDoesNotMatter) {
     std::vector<SourceFile> reversed(tree.rbegin(), tree.rend());
     EXPECT_EQ(SourceListing("own", tree, index).text(), SourceListing("own", reversed, index).text());
+}
+
+// The nearest to the questions first, a module whole or not at all.
+TEST(ReadingOrder, WhatAnswersIsWhatTheQuestionsIncludeAndCiteWithinTheLines) {
+    const std::vector<SourceFile> files{
+        {"src/questions/q1_areas/chapter.cpp", "#include \"geometry/area.h\"\n#include \"report/document.h\"\n"},
+        {"src/geometry/area.h", "\n"},
+        {"src/geometry/area.cpp", "#include \"geometry/area.h\"\n#include \"geometry/far.h\"\n"},
+        {"src/geometry/far.h", "#include \"mesh/io/reader.h\"\n"},
+        {"src/geometry/cited.cpp", "\n"},
+        {"src/geometry/unused.cpp", "\n"},
+        {"src/mesh/io/reader.h", "\n"},
+        {"src/report/document.h", "\n"}};
+    const std::vector<std::string> cited{"src/geometry/cited.cpp", "src/geometry/gone.cpp"};
+    const std::set<std::string> near{"src/questions/q1_areas/chapter.cpp", "src/geometry/area.h", "src/geometry/area.cpp",
+                                     "src/geometry/cited.cpp"};
+    std::set<std::string> all = near;
+    all.insert("src/geometry/far.h");
+    EXPECT_EQ(answering_files(files, cited, 1000, 0), all);
+    EXPECT_EQ(answering_files(files, cited, 7, 0), all);
+    EXPECT_EQ(answering_files(files, cited, 6, 0), near);
+    EXPECT_EQ(answering_files(files, cited, 2, 0), (std::set<std::string>{"src/questions/q1_areas/chapter.cpp"}));
+    EXPECT_EQ(answering_files(files, cited, 3, 1), (std::set<std::string>{"src/questions/q1_areas/chapter.cpp"}));
 }
 
 TEST(SourceTree, HoldsEachFileOnceAndTheMeshesToo) {

@@ -139,6 +139,7 @@ Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, doubl
 
 NegativeWeights negative_weights(const SparseMatrix& C, const MeshTopology& topology) {
     NegativeWeights found;
+    found.smallest = std::numeric_limits<double>::infinity();
     for (const Edge& edge : topology.edges) {
         const double weight = C.coeff(edge.a, edge.b);
         found.smallest = std::min(found.smallest, weight);

@@ -55,7 +55,7 @@ BenchMesh random_ellipsoid(const Vector3& half_axes, int points, std::uint64_t s
 Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, double amount, std::uint64_t seed,
                    const std::function<Vector3(const Vector3&)>& projected);
 
-/// Edges with a negative weight in C, and the smallest weight.
+/// Edges with a negative weight in C, and the smallest weight of all, whatever its sign; infinite without edges.
 struct NegativeWeights {
     int inside = 0, boundary = 0;
     double smallest = 0;

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "geometry/operators/uniform_laplacian.h"
@@ -60,21 +59,6 @@ double largest_magnitude(const Vector& values) {
     return largest_magnitude(values, [](int) { return true; });
 }
 
-std::vector<output::Panel> equally_weighted(const std::vector<output::Panel>& panels) {
-    constexpr Eigen::Index quantiles = 1000;
-    std::vector<output::Panel> weighted = panels;
-    for (output::Panel& panel : weighted) {
-        std::vector<double> finite;
-        std::copy_if(panel.values.begin(), panel.values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
-        std::sort(finite.begin(), finite.end());
-        panel.values.resize(finite.empty() ? 0 : quantiles);
-        for (Eigen::Index q = 0; q < panel.values.size(); ++q) {
-            panel.values[q] = finite[static_cast<std::size_t>(q) * (finite.size() - 1) / (quantiles - 1)];
-        }
-    }
-    return weighted;
-}
-
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels) {
     output::ColorRange range = shared;
     double below = 0, above = 0, finite = 0;
@@ -90,9 +74,12 @@ output::ColorRange range_for(const output::ColorRange& shared, const std::vector
     return range;
 }
 
-std::string undefined_words(const CurvatureSubject& subject) {
-    const int masked = subject.source->prepared->preflight.vertices_in_use - subject.interior;
-    return masked == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = masked);
+int undefined_vertices(const CurvatureSubject& subject) {
+    return subject.source->prepared->preflight.vertices_in_use - subject.interior;
+}
+
+std::string undefined_words(int vertices) {
+    return vertices == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = vertices);
 }
 
 output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor) {

@@ -46,16 +46,16 @@ double largest_magnitude(const Vector& values, Predicate chosen) {
 }
 double largest_magnitude(const Vector& values);
 
-/// A thousand quantiles of each panel's finite values: in a range over them every mesh weighs the same, however many vertices it has.
-std::vector<output::Panel> equally_weighted(const std::vector<output::Panel>& panels);
-
-/// `shared` with the clipped shares of these panels alone: several figures have one range, each says what it clips.
+/// `shared` with the clipped shares of these panels.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
 
 /// Robust range of unsigned values, from 0 on, with the clipped shares of the panels.
 output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor);
 
-/// " 12 vertices on the boundary … are drawn in the colour for undefined values.", or nothing: for captions.
-std::string undefined_words(const CurvatureSubject& subject);
+/// Vertices in use without curvature: on the boundary, or not manifold.
+int undefined_vertices(const CurvatureSubject& subject);
+/// A space and a sentence that says what their colour is, or nothing where there are none: for captions.
+std::string undefined_words(int vertices);
+inline std::string undefined_words(const CurvatureSubject& subject) { return undefined_words(undefined_vertices(subject)); }
 
 }   // namespace meshfolio

@@ -18,19 +18,40 @@ struct EdgeAngle {
     double degrees;
 };
 
-/// Of every edge with two faces, in order; triangles without a normal have none.
+/// How far the faces at an edge are from going on straight, the worst of them with the best of the others: by their directions away from
+/// the edge, so that orientation does not count. A fin on a flat sheet: 90°. [°]
+double angle_of_fan(const TriangleMesh& mesh, const Edge& edge, const std::vector<int>& faces) {
+    const Vector3 a = mesh.X.row(edge.a), along = (Vector3(mesh.X.row(edge.b)) - a).normalized();
+    std::vector<Vector3> away;
+    for (const int f : faces) {
+        const int opposite = mesh.F.row(f).sum() - edge.a - edge.b;
+        const Vector3 d = Vector3(mesh.X.row(opposite)) - a;
+        away.push_back(d - d.dot(along) * along);
+    }
+    double worst = 0;
+    for (std::size_t i = 0; i < away.size(); ++i) {
+        double best = 180;
+        for (std::size_t j = 0; j < away.size(); ++j)
+            if (i != j) best = std::min(best, 180 / pi * std::atan2(away[i].cross(away[j]).norm(), -away[i].dot(away[j])));
+        worst = std::max(worst, best);
+    }
+    return worst;
+}
+
+/// Of every edge with two faces or more, in order; triangles without a normal have none.
 std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Positions N = face_normals(mesh);
+    const auto has_area = [&](int f) { return !N.row(f).isZero(0); };
     std::vector<EdgeAngle> angles;
     std::vector<int> faces;
     for (const Edge& edge : topology.edges) {
         faces.clear();
         std::set_intersection(topology.vertex_faces.begin(edge.a), topology.vertex_faces.end(edge.a), topology.vertex_faces.begin(edge.b),
                               topology.vertex_faces.end(edge.b), std::back_inserter(faces));
-        if (faces.size() != 2) continue;
+        if (faces.size() < 2 || !std::ranges::all_of(faces, has_area)) continue;
         const Vector3 n = N.row(faces[0]), m = N.row(faces[1]);
-        if (n.isZero(0) || m.isZero(0)) continue;
-        angles.push_back({edge.a, edge.b, 180 / pi * std::atan2(n.cross(m).norm(), n.dot(m))});
+        angles.push_back(
+            {edge.a, edge.b, faces.size() > 2 ? angle_of_fan(mesh, edge, faces) : 180 / pi * std::atan2(n.cross(m).norm(), n.dot(m))});
     }
     return angles;
 }

@@ -172,7 +172,12 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
 }
 
+std::string share_left(double share) {
+    return share < 1e-12 ? smoothing_words.line("left.nothing") : readable_percent(share, 2);
+}
+
 std::string energy_fall(double left) {
+    if (std::abs(1 - left) < 1e-12) return smoothing_words.line("fall.not");
     if (left < 1e-9) return smoothing_words.line("fall.to_nothing");
     return left < 0.99 ? smoothing_words.line("fall.to", "left"_a = readable_percent(left))
                        : smoothing_words.line("fall.by", "lost"_a = readable_percent(1 - left, 2));

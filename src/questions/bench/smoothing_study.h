@@ -98,7 +98,11 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
 /// figures are coloured by. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 
-/// What an energy falls by when this share of it is left: "to 87 %"; "by 0.036 %" where the share left would read as all of it.
+/// What is left of a size: "93 %"; "less than 10⁻¹²" where it is rounding.
+std::string share_left(double share);
+
+/// What an energy falls by when this share of it is left: "to 87 %"; "by 0.036 %" where the share left would read as all of it,
+/// "by less than 10⁻¹²" where it is rounding.
 std::string energy_fall(double left);
 
 /// λ over λ_crit for people: "0.5".

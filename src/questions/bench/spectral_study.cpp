@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 
+#include "geometry/linear/special_values.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/value_lists.h"
@@ -66,15 +67,28 @@ int smallest_k_below(const SpectralStudy& study, double share) {
     return 0;
 }
 
-double falling_power(const SpectralStudy& study, int a, int b) {
+double PowerLaw::at(double k) const { return factor * std::pow(k, -power); }
+
+PowerLaw power_law(const SpectralStudy& study, int a, int b) {
     const Vector log_k = Vector::LinSpaced(b - a + 1, a, b).array().log(), log_rms = study.rms.segment(a, b - a + 1).array().log();
     const Vector dk = log_k.array() - log_k.mean();
-    return -dk.dot(log_rms) / dk.squaredNorm();
+    const double power = -dk.dot(log_rms) / dk.squaredNorm();
+    return {a, b, std::exp(log_rms.mean() + power * log_k.mean()), power};
 }
 
-double support_of_mode(const SpectralStudy& study, int mode) {
-    const Vector mass = study.laplacian.M.array() * study.spectrum.eigenvectors.col(mode - 1).array().square();
-    return mass.sum() * mass.sum() / mass.squaredNorm();
+std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study) {
+    const int first = std::max(2, study.reconstructions.front().k);
+    int last = std::min(study.modes(), study.vertices() / 2);
+    while (last > first && !(study.rms[last] > 1e-9 * study.diagonal)) --last;
+    if (last < first + 4) return {};
+    return power_law(study, first, last);
+}
+
+int zero_modes(const SpectralStudy& study) { return static_cast<int>((study.spectrum.eigenvalues.array() == 0).count()); }
+
+double wavelength(const SpectralStudy& study, int mode) {
+    const double mu = study.spectrum.eigenvalues[mode - 1];
+    return mu > 0 ? 2 * pi / std::sqrt(mu) : infinity;
 }
 
 double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,11 +45,22 @@ SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const Qu
 /// Smallest k whose error is at most `share` of the box diagonal; 0 when no k that was computed reaches it.
 int smallest_k_below(const SpectralStudy& study, double share);
 
-/// p of the power law error ≈ c·k^−p over k = a … b, a < b: least squares over all of them, in logarithms.
-double falling_power(const SpectralStudy& study, int a, int b);
+/// error ≈ factor·k^−power over k = first … last: least squares over all of them, in logarithms.
+struct PowerLaw {
+    int first = 0, last = 0;
+    double factor = 0, power = 0;   // factor [length]
+    double at(double k) const;
+};
+/// @param a, b  a < b
+PowerLaw power_law(const SpectralStudy& study, int a, int b);
+/// From the first k asked for on; not over the last modes of all, behind which nothing is left, nor over errors that are rounding. None
+/// where that leaves fewer than five k.
+std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study);
 
-/// (Σ Mφ²)²/Σ(Mφ²)² of a mode, counted from 1: how many vertices it spreads over.
-double support_of_mode(const SpectralStudy& study, int mode);
+/// Modes of eigenvalue 0: they say where each component is, and nothing of its shape.
+int zero_modes(const SpectralStudy& study);
+/// Wavelength 2π/√μ of a mode, counted from 1; infinite for a zero mode. [length]
+double wavelength(const SpectralStudy& study, int mode);
 
 /// How far from the centroid the worst-placed 5 % of the vertices are, over how far an average vertex is.
 double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r);

@@ -1,5 +1,4 @@
 // The section "claims": what earlier reports and papers say, measured again and judged, each by its rule.
-#include <map>
 #include <set>
 
 #include "questions/claims/parts.h"
@@ -12,22 +11,6 @@ int count_of(const std::vector<JudgedClaim>& judged, Verdict verdict) {
     return static_cast<int>(std::ranges::count_if(judged, [&](const JudgedClaim& j) { return j.decision.verdict == verdict; }));
 }
 
-/// By source: "S0: holds 5, refuted 2 and …".
-report::Text by_source(const std::vector<JudgedClaim>& judged) {
-    std::map<std::string, std::map<Verdict, int>> counts;
-    for (const JudgedClaim& j : judged) {
-        const Source& source = j.claim->source();
-        ++counts[source.citation.empty() ? std::string(source.name) : words.line("papers")][j.decision.verdict];
-    }
-    report::Text t;
-    for (const auto& [source, verdicts] : counts) {
-        std::vector<std::string> parts;
-        for (const auto& [verdict, n] : verdicts) parts.push_back(word_of(verdict) + " " + std::to_string(n));
-        report::extend(t, t.empty() ? "" : " ", words.say("by_source", "source"_a = source, "verdicts"_a = listed(parts)));
-    }
-    return t;
-}
-
 void add_claims_with(report::Section& section, const std::vector<JudgedClaim>& judged, Verdict verdict, std::string_view key) {
     report::Text claims;
     for (const JudgedClaim& j : judged) {
@@ -38,55 +21,30 @@ void add_claims_with(report::Section& section, const std::vector<JudgedClaim>& j
     if (!claims.empty()) add_words(section, words, key, "claims"_a = claims);
 }
 
-/// The refuted claim whose percentage is farthest from its threshold, as a ratio; other units do not compare.
-const JudgedClaim* most_refuted(const std::vector<JudgedClaim>& judged) {
-    const auto off = [](const JudgedClaim& j) { return std::abs(std::log(std::abs(j.deciding_value() / j.claim->rule.threshold))); };
-    const JudgedClaim* most = nullptr;
-    for (const JudgedClaim& j : judged) {
-        if (j.decision.verdict != Verdict::refuted || j.claim->rule.unit != "%" || !std::isfinite(off(j))) continue;
-        if (most == nullptr || off(j) > off(*most)) most = &j;
-    }
-    return most;
-}
-
-/// What is said of it, as facts.
-report::Facts facts_of(const JudgedClaim& refuted) {
-    const Claim& claim = *refuted.claim;
-    return {"id"_a = claim.id,
-            "claim"_a = claim.said(),
-            "source"_a = claim.source().name,
-            "quantity_is"_a = beginning_of(claim.rule),
-            "value"_a = with_unit(refuted.deciding_value(), claim.rule),
-            "bound"_a = words_of(claim.rule)};
-}
-
 void add_discussion(report::Section& section, const std::vector<JudgedClaim>& judged) {
     add_words(section, words, "discussion", "summary"_a = ledger_summary(judged));
-    add_paragraph(section, by_source(judged));
     add_claims_with(section, judged, Verdict::refuted, "discussion.refuted");
     add_claims_with(section, judged, Verdict::conditional, "discussion.conditional");
-    if (const JudgedClaim* most = most_refuted(judged)) add_words(section, words, "discussion.farthest", facts_of(*most));
     add_words(section, words, "discussion.rules");
 }
 
 }   // namespace
 
 std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged) {
-    const report::Table table = ledger_table(judged), cases = measurement_table(judged);
+    const report::Table table = ledger_table(judged);
     std::ptrdiff_t counted_again = 0;
     for (const Verdict verdict : {Verdict::holds, Verdict::conditional, Verdict::refuted, Verdict::undecidable})
         counted_again +=
             std::ranges::count_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[4]) == shown(verdict); });
-    // What the table says of the cases must lead to the same verdicts.
-    std::map<std::string, std::set<std::string>, std::less<>> sides;
-    for (const auto& row : cases.rows)
-        if (const auto* side = std::get_if<std::string>(&row[6])) sides[std::get<std::string>(row[0])].insert(*side);
-    const auto differs = [&](const JudgedClaim& j) {
-        const auto side = sides.find(j.claim->id);
-        const Verdict again = side == sides.end()            ? Verdict::undecidable
-                              : side->second.size() == 2     ? Verdict::conditional
-                              : side->second.contains("yes") ? Verdict::holds
-                                                             : Verdict::refuted;
+    const auto differs = [](const JudgedClaim& j) {
+        std::set<bool> sides;   // of the threshold
+        if (j.measurement.undecidable.empty())
+            for (const Case& c : j.measurement.cases)
+                if (std::isfinite(c.value)) sides.insert(j.claim->rule.satisfied_by(c.value));
+        const Verdict again = sides.empty()          ? Verdict::undecidable
+                              : sides.size() == 2    ? Verdict::conditional
+                              : sides.contains(true) ? Verdict::holds
+                                                     : Verdict::refuted;
         return again != j.decision.verdict;
     };
     return {report::check_near(words.line("check.counted"), double(judged.size()), double(counted_again), 0),
@@ -119,15 +77,12 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (report::Plot& plot : bench.plots) add(section, std::move(plot));
     add_words(section, words, "every_claim");
     add(section, ledger_entries(ledger));
-    add(section, measurement_table(ledger));
     add_discussion(section, ledger);
     append_checks(section, ledger_checks(ledger));
 
     section.parameters = {{"rules", words.line("parameter.rules")}, {"noise", words.line("parameter.noise", "seed"_a = settings.seed)}};
     section.extent = report::plain(ledger_summary(ledger));
-    report::Text finding = ledger_summary(ledger);
-    if (const JudgedClaim* most = most_refuted(ledger)) go_on(finding, words.say("finding", facts_of(*most)));
-    section.findings.push_back({std::move(finding), 82});
+    section.answer = words.say("answer", "claims"_a = ledger.size(), "holds"_a = count_of(ledger, Verdict::holds));
     return answer;
 }
 

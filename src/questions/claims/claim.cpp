@@ -9,8 +9,6 @@ namespace meshfolio::claims {
 
 namespace {
 
-constexpr std::size_t cases_in_words = 5;   // more are summed up; all are in the table
-
 constexpr std::array sources{Source{"s0", "S0"},
                              Source{"s1", "S1"},
                              Source{"s2", "S2"},
@@ -37,19 +35,14 @@ std::string with_unit_of(const Rule& rule, const std::string& number) {
     return number + (unit.empty() ? "" : "\u202f" + unit);
 }
 
-/// "random triangles (27.3 %) and …"; beyond a handful "7 cases, from 3 % (…) to 8 % (…)".
+/// "27.3 % (random triangles) and …".
 std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>& chosen) {
-    const auto case_at = [&](std::size_t i) -> const Case& { return judged.measurement.cases[i]; };
-    const auto value = [&](const Case& c) { return with_unit(c.value, judged.claim->rule); };
-    if (chosen.size() <= cases_in_words) {
-        std::vector<std::string> values;
-        for (const std::size_t i : chosen) values.push_back(value(case_at(i)) + " (" + case_at(i).condition + ")");
-        return listed(values);
+    std::vector<std::string> values;
+    for (const std::size_t i : chosen) {
+        const auto& [condition, value] = judged.measurement.cases[i];
+        values.push_back(with_unit(value, judged.claim->rule) + " (" + condition + ")");
     }
-    const auto [lowest, highest] = std::ranges::minmax_element(chosen, {}, [&](std::size_t i) { return case_at(i).value; });
-    const Case &low = case_at(*lowest), &high = case_at(*highest);
-    return words.line(low.value == high.value ? "values.all" : "values.range", "cases"_a = chosen.size(), "low"_a = value(low),
-                      "where_low"_a = low.condition, "high"_a = value(high), "where_high"_a = high.condition);
+    return listed(values);
 }
 
 std::string_view key_of(Verdict verdict) {
@@ -126,12 +119,6 @@ std::string words_of(const Rule& rule) {
 
 std::string quantity_of(const Rule& rule) { return words.line("quantity." + std::string(rule.quantity)); }
 
-std::string beginning_of(const Rule& rule) {
-    const std::string quantity = quantity_of(rule);
-    const bool closes_with_comma = quantity.find(", ") != std::string::npos;
-    return words.line(closes_with_comma ? "quantity_is.comma" : "quantity_is", "quantity"_a = quantity);
-}
-
 Decision decide(const Rule& rule, const Measurement& measurement) {
     Decision decision;
     decision.why = measurement.undecidable;
@@ -151,7 +138,7 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
 
 report::Text rule_text(const JudgedClaim& judged) {
     const Rule& rule = judged.claim->rule;
-    return words.say(judged.measurement.cases.size() > 1 ? "rule.cases" : "rule", "quantity_is"_a = beginning_of(rule),
+    return words.say(judged.measurement.cases.size() > 1 ? "rule.cases" : "rule", "quantity"_a = quantity_of(rule),
                      "bound"_a = words_of(rule));
 }
 
@@ -165,6 +152,7 @@ report::Text verdict_text(const JudgedClaim& judged) {
         verdict == Verdict::conditional
             ? words.say("judged.conditional", shown, "within"_a = values_of(judged, within), "beyond"_a = values_of(judged, beyond))
             : words.say("judged", shown, "values"_a = values_of(judged, verdict == Verdict::holds ? within : beyond));
+    if (!judged.measurement.figure.empty()) go_on(t, words.say("shown_in", "figure"_a = judged.measurement.figure));
     if (!judged.measurement.remark.empty()) go_on(t, judged.measurement.remark);
     if (!judged.measurement.meshes.empty()) go_on(t, words.say("measured_on", "meshes"_a = judged.measurement.meshes));
     return t;

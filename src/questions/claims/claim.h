@@ -36,11 +36,9 @@ struct Rule {
 
     bool satisfied_by(double value) const { return relation == Relation::at_most ? value <= threshold : value >= threshold; }
 };
-/// "at most 5 %".
+/// "≤ 5 %".
 std::string words_of(const Rule& rule);
 std::string quantity_of(const Rule& rule);
-/// "gap between the two results, of how far they moved, is": what a value or words_of() the rule follows.
-std::string beginning_of(const Rule& rule);
 
 /// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
 struct Case {
@@ -77,7 +75,7 @@ struct Measurement {
     std::string undecidable = {};   // why nothing can be decided here: then the cases do not count
     report::Text remark = {};       // what explains the numbers
     std::string meshes = {};        // measured on: "creature, in place of bunny.off"; empty: none of the library
-    std::string figure = {};        // id of the plot that shows it; empty: the table of all measurements
+    std::string figure = {};        // id of the plot that shows it; empty: none
 };
 
 /// The verdict is a function of the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else on
@@ -111,7 +109,7 @@ struct Claim {
     Measurement (*measure)(ClaimBench& bench, const MeshNames& meshes) = nullptr;
     Effort effort = Effort::quick;
 
-    /// The claim in our own words.
+    /// The claim, paraphrased.
     std::string said() const;
     const Source& source() const;
 };

@@ -128,12 +128,12 @@ Measurement largest_stable_is_best(ClaimBench& bench, const MeshNames& meshes) {
         const SmoothingSubject& s = bench.subject(name);
         const double start = roughness(s, s.mesh().X);
         for (const int t : {10, 100}) {
-            report::Series series{.name = s.name() + ", " + counted(t, "iteration"), .style = report::Series::Style::line_and_points};
+            report::Series series{.name = s.name(), .style = report::Series::Style::line_and_points, .panel = counted(t, "iteration")};
             for (const double share : {0.25, 0.5, 0.75, 0.9, 0.99}) {
                 series.x.push_back(share);
                 series.y.push_back(roughness(s, bench.run(name, {explicit_euler, share * s.critical, t}).X) / start);
             }
-            m.cases.push_back({series.name, series.y.back() / std::ranges::min(series.y)});
+            m.cases.push_back({series.name + ", " + series.panel, series.y.back() / std::ranges::min(series.y)});
             plot.series.push_back(std::move(series));
         }
     }
@@ -202,7 +202,7 @@ extern const std::vector<Claim> explicit_claims{
     {"claims_s0_limits_differ", "q5", {{"bunny", "cube", "cow"}, {}, any_mesh, 2}, {"limits", "", at_least, 2}, limits_differ},
     {"claims_s2_small_steps", "q5", {{"bunny"}}, {"large_over_small", "", at_least, 1.05}, small_uniform_steps, full},
     {"claims_s1_largest_stable", "q5", {{"bunny", "cow", "plane_ns"}}, {"over_least_roughness", "", at_most, 1.05}, largest_stable_is_best},
-    {"claims_s1_line", "q5", {{"bunny", "cow"}}, {"second_extent", "%", at_most, 1}, collapses_to_a_line},
+    {"claims_s1_line", "q5", {{"bunny", "cow"}}, {"second_extent", "%", at_most, 5}, collapses_to_a_line},
     {"claims_s2_unstable", "q5", {{"bunny"}}, {"step_over_limit", "", at_least, 1}, unstable_at_15, full},
     {"claims_s2_good_step", "q5", {{"bunny"}, {}, itself}, {"step_over_limit", "", at_most, 1}, good_at_0005},
     {"claims_s3_beyond_one", "q5", {{"fandisk_ns"}}, {"step_over_limit", "", at_least, 1}, distorts_beyond_one, full}};

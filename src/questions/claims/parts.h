@@ -17,7 +17,6 @@
 namespace meshfolio::claims {
 
 inline constexpr report::Words words("claims");
-inline constexpr std::string_view measurements = "claims_measurements";   // the table of all cases
 
 using enum Rule::Relation;
 using enum Property;
@@ -49,11 +48,9 @@ inline std::string sampled(MeshKind kind, std::string_view surface) {
 std::string shown(Verdict verdict);
 
 report::Table ledger_table(const std::vector<JudgedClaim>& judged);
-/// Every case of every claim: what the verdicts follow from.
-report::Table measurement_table(const std::vector<JudgedClaim>& judged);
 report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged);
 
-/// The verdicts of the table counted again and held against the claims, and the rule applied again to the table of measurements.
+/// The verdicts of the table counted again and held against the claims, and the rule applied again case by case.
 std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged);
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged);
 

@@ -100,14 +100,14 @@ Measurement hands_and_feet(ClaimBench& bench, const MeshNames&) {
 Measurement normalised_by_edges(ClaimBench& bench, const MeshNames&) {
     Measurement m{.remark = words.say("claims_s3_edge_areas.remark")};
     const SpectralStudy& study = bench.spectrum("armadillo");
-    for (const MistakeErrors& e : mistake_study(study, !bench.settings().laboratory).errors)
+    for (const MistakeErrors& e : mistake_study(study, !bench.settings().laboratory))
         if (e.right > 1e-9 * study.diagonal) m.cases.push_back({k_text(e.k), e.edge_normalised / e.right});
     return m;
 }
 
 Measurement projection_needs_areas(ClaimBench& bench, const MeshNames&) {
     Measurement m;
-    for (const MistakeErrors& e : mistake_study(bench.spectrum("armadillo"), true).errors) {
+    for (const MistakeErrors& e : mistake_study(bench.spectrum("armadillo"), true)) {
         if (e.k != 15 && e.k != 5) continue;
         m.cases.push_back({words.line("claims_vallet_projection.case.unmapped", "k"_a = e.k), e.unmapped / e.right});
         m.cases.push_back({words.line("claims_vallet_projection.case.unweighted", "k"_a = e.k), e.unweighted / e.right});

@@ -13,11 +13,6 @@ auto if_decided(CellOf cell_of) {
     return [cell_of](const JudgedClaim& j) { return decided(j) ? detail::cell(cell_of(j)) : report::Cell(); };
 }
 
-const std::vector<Case>& deciding_cases(const JudgedClaim& judged) {
-    static const std::vector<Case> none;
-    return decided(judged) ? judged.measurement.cases : none;
-}
-
 }   // namespace
 
 report::Table ledger_table(const std::vector<JudgedClaim>& judged) {
@@ -29,25 +24,7 @@ report::Table ledger_table(const std::vector<JudgedClaim>& judged) {
         .column("verdict", {.filter = true}, [](auto& j) { return shown(j.decision.verdict); })
         .column("deciding number", if_decided([](auto& j) { return cell_of(j.deciding_value()); }))
         .column("unit", if_decided([](auto& j) { return j.claim->rule.unit; }))
-        .column("true if", [](auto& j) { return words_of(j.claim->rule); })
-        .column("decided by", {.reference = true},
-                if_decided([](auto& j) { return j.measurement.figure.empty() ? std::string(measurements) : j.measurement.figure; }))
-        .sortable();
-}
-
-report::Table measurement_table(const std::vector<JudgedClaim>& judged) {
-    const auto side = [](auto& row) {
-        if (!std::isfinite(row.part.value)) return report::Cell();
-        return report::Cell(row.whole.claim->rule.satisfied_by(row.part.value) ? "yes" : "no");
-    };
-    return table(std::string(measurements), words.line("measurements"), parts_within(judged, deciding_cases))
-        .column("claim", {.filter = true, .reference = true}, [](auto& row) { return row.whole.claim->id; })
-        .column("quantity", [](auto& row) { return quantity_of(row.whole.claim->rule); })
-        .column("case", [](auto& row) { return row.part.condition; })
-        .column("measured", {.digits = 4}, [](auto& row) { return cell_of(row.part.value); })
-        .column("unit", [](auto& row) { return row.whole.claim->rule.unit; })
-        .column("true if", [](auto& row) { return words_of(row.whole.claim->rule); })
-        .column("on that side", {.filter = true}, side)
+        .column("required", [](auto& j) { return words_of(j.claim->rule); })
         .sortable();
 }
 

@@ -41,6 +41,7 @@ void add_figure(Answer& answer, SixViewFigure figure) {
     answer.figures.push_back({std::move(figure.id), std::move(figure.title), std::move(figure.subtitle), std::move(figure.panels),
                               std::move(figure.range), figure.edges, figure.frame_panel});
     answer.figures.back().turnable = figure.turnable;
+    answer.figures.back().view_files = figure.view_files;
 }
 
 std::string subtitle_of(const LibraryMesh& mesh) {

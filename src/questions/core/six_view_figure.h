@@ -16,8 +16,9 @@ struct SixViewFigure {
     std::vector<output::Panel> panels = {};   // one: a 2 × 3 sheet; several share camera, scale and range
     std::optional<output::ColorRange> range = {};
     bool edges = false;
-    int frame_panel = 0;     // −1: frame on all panels
-    bool turnable = false;   // readers of the page can turn the first panel in three dimensions
+    int frame_panel = 0;       // −1: frame on all panels
+    bool turnable = false;     // readers of the page can turn the first panel in three dimensions
+    bool view_files = false;   // the assignment asks for these pictures: each view is a file as well
 };
 
 /// Appends the figure to the section, with an alternative text made from the data, and asks for its pictures.

@@ -30,22 +30,6 @@ void add_pictures(Answer& answer, const SmoothingMaps& maps) {
     answer.figures.push_back(std::move(request));
 }
 
-/// Of the explicit runs within the limit, how many there are and how many blew up.
-struct WithinLimit {
-    int runs = 0, lost = 0;
-};
-WithinLimit within_limit(const Studies& studies) {
-    WithinLimit within;
-    for (const SmoothingMaps& maps : studies) {
-        for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
-            if (maps.lambdas[step] > maps.subject.critical) continue;
-            ++within.runs;
-            within.lost += maps.explicit_map.blow_up[step] > 0 ? 1 : 0;
-        }
-    }
-    return within;
-}
-
 void add_checks(report::Section& section, const SmoothingMaps& maps) {
     const auto name = [&](std::string_view key) { return words.line(key, "mesh"_a = maps.name()); };
     const int last = maps.iterations.back();
@@ -101,8 +85,12 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
                        "last"_a = readable(maps.relative(maps.lambdas.size() - 1)));
     section.extent =
         words.line("extent", "steps"_a = first.lambdas.size(), "counts"_a = counts.size(), "meshes"_a = listed(names_of(studies)));
-    const auto [runs, lost] = within_limit(studies);
-    section.findings = {{words.say("finding", "mesh"_a = first.name(), "lost"_a = none_or(lost), "runs"_a = runs), 40}};
+    const BlowUps blow_ups = blow_ups_of(studies);
+    section.answer = words.say(blow_ups.faults() > 0 ? "answer.fault"
+                               : blow_ups.sharp()    ? "answer.sharp"
+                                                     : "answer.late",
+                               "lost"_a = blow_ups.faults() > 0 ? blow_ups.faults() : blow_ups.beyond_lost, "beyond"_a = blow_ups.beyond,
+                               "mesh"_a = first.name());
     return answer;
 }
 

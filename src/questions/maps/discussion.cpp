@@ -15,24 +15,13 @@ std::string cell_words(const SmoothingMaps& maps, std::size_t i) {
 }
 
 report::Text about_limit(const Studies& studies) {
-    int within = 0, beyond = 0, within_lost = 0, beyond_lost = 0, implicit_lost = 0;
-    double widest = 0;   // of measured over predicted from the best prediction at hand, where both are there
-    for (const SmoothingMaps& maps : studies) {
-        for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
-            const int measured = maps.explicit_map.blow_up[step], lost = measured > 0 ? 1 : 0;
-            const bool stable = maps.lambdas[step] <= maps.subject.critical;
-            (stable ? within : beyond) += 1;
-            (stable ? within_lost : beyond_lost) += lost;
-            implicit_lost += maps.implicit_map.blow_up[step] > 0 ? 1 : 0;
-            const double predicted = maps.known_modes().blow_up(maps.lambdas[step]);
-            if (lost > 0 && predicted > 0) widest = std::max(widest, std::abs(measured - std::ceil(predicted)));
-        }
-    }
-    report::Text t = words.say("limit", "within"_a = within, "within_lost"_a = none_or(within_lost), "beyond"_a = beyond,
-                               "beyond_lost"_a = beyond_lost == beyond && beyond > 0 ? words.line("all") : std::to_string(beyond_lost),
-                               "implicit"_a = within + beyond, "implicit_lost"_a = none_or(implicit_lost));
-    report::extend(t, " ");
-    if (beyond_lost > 0) report::extend(t, words.say(widest < 0.5 ? "limit.met" : "limit.missed", "off"_a = std::lround(widest)));
+    const BlowUps found = blow_ups_of(studies);
+    report::Text t =
+        words.say(found.sharp() ? "limit.sharp" : "limit", "mesh"_a = studies.front().name(), "within"_a = found.within,
+                  "within_lost"_a = none_or(found.within_lost), "beyond"_a = found.beyond, "beyond_lost"_a = none_or(found.beyond_lost),
+                  "implicit"_a = found.within + found.beyond, "implicit_lost"_a = none_or(found.implicit_lost));
+    if (found.beyond_lost > 0)
+        report::extend(t, " ", words.say(found.off < 0.5 ? "limit.met" : "limit.missed", "off"_a = std::lround(found.off)));
     return t;
 }
 
@@ -95,8 +84,8 @@ report::Text about_best(const SmoothingMaps& maps) {
                      "implicit_at"_a = best_place(maps, maps.implicit_map, *by_implicit), "verdict"_a = verdict);
 }
 
-/// "in 96 of the 113 cells of the explicit plane that can be measured, at most 61.7 % of the triangles".
-std::string turned_words(const SchemeMap& map) {
+/// "Triangles turn over in 96 of the 113 measurable cells of the explicit plane, at most 61.7 % of them."
+report::Text about_turned(const SmoothingMaps& maps, const SchemeMap& map) {
     int measured = 0, turned = 0;
     double most = 0;
     for (const double share : map.inverted) {
@@ -106,22 +95,37 @@ std::string turned_words(const SchemeMap& map) {
         most = std::max(most, share);
     }
     const bool all = measured == static_cast<int>(map.inverted.size());
-    return words.line(all ? "turned.in" : "turned.in_measured", "turned"_a = none_or(turned), "cells"_a = measured, "scheme"_a = map.name(),
-                      "most"_a = turned == 0 ? "" : words.line("turned.most", "share"_a = readable_percent(most)));
+    return words.say(all ? "turned.in" : "turned.in_measured", "mesh"_a = maps.name(), "turned"_a = none_or(turned), "cells"_a = measured,
+                     "scheme"_a = map.name(), "most"_a = turned == 0 ? "" : words.line("turned.most", "share"_a = readable_percent(most)));
 }
 
 report::Text about_health(const SmoothingMaps& maps) {
     double least = infinity;
     for (const double size : maps.implicit_map.size) least = std::min(least, size);   // NaN is left out
-    report::Text t = words.say("turned", "mesh"_a = maps.name(), "explicit"_a = turned_words(maps.explicit_map),
-                               "implicit"_a = turned_words(maps.implicit_map));
-    report::extend(t, " ",
+    report::Text t = about_turned(maps, maps.explicit_map);
+    report::extend(t, " ", about_turned(maps, maps.implicit_map), " ",
                    words.say(maps.closed ? "kept.volume" : "kept.area",
                              "least"_a = least < 1e-6 ? words.line("nothing") : readable_percent(least, 2)));
     return t;
 }
 
 }   // namespace
+
+BlowUps blow_ups_of(const Studies& studies) {
+    BlowUps found;
+    for (const SmoothingMaps& maps : studies) {
+        for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
+            const int measured = maps.explicit_map.blow_up[step], lost = measured > 0 ? 1 : 0;
+            const bool stable = maps.lambdas[step] <= maps.subject.critical;
+            (stable ? found.within : found.beyond) += 1;
+            (stable ? found.within_lost : found.beyond_lost) += lost;
+            found.implicit_lost += maps.implicit_map.blow_up[step] > 0 ? 1 : 0;
+            const double predicted = maps.known_modes().blow_up(maps.lambdas[step]);
+            if (lost > 0 && predicted > 0) found.off = std::max(found.off, std::abs(measured - std::ceil(predicted)));
+        }
+    }
+    return found;
+}
 
 std::string none_or(int count) { return count == 0 ? words.line("none") : std::to_string(count); }
 

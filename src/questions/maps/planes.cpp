@@ -82,7 +82,7 @@ report::Map plane_of(const SmoothingMaps& maps, const std::string& id, const std
                      double unit, const std::string& input = "") {
     report::Map map{.id = id_of("maps", maps.name(), id),
                     .caption = words.line(key + ".caption", "mesh"_a = maps.name(), "input"_a = input,
-                                          "critical"_a = readable(maps.subject.critical, 4), "places"_a = words_of(maps.places)),
+                                          "critical"_a = readable(maps.subject.critical, 4)),
                     .x_label = "step λ/λ_crit",
                     .y_label = "iterations t",
                     .value_label = words.line(key),
@@ -131,14 +131,6 @@ report::Map size_map(const SmoothingMaps& maps) {
     return map;
 }
 
-report::Map angle_map(const SmoothingMaps& maps) {
-    report::Map map =
-        plane_of(maps, "angle", "angle", &SchemeMap::angle, 180 / pi, readable(180 / pi * smallest_angle(maps.subject.mesh())));
-    const ValueSummary all = summary_of_plane(map.panels.front().values);
-    map.range = report::Map::Range{0, all.count > 0 && all.maximum < 20 ? 20.0 : 60.0};
-    return map;
-}
-
 report::Map inverted_map(const SmoothingMaps& maps) {
     report::Map map = plane_of(maps, "inverted", "inverted", &SchemeMap::inverted, 100);
     map.range = report::Map::Range{0, 50};
@@ -155,7 +147,7 @@ std::string words_of(const std::vector<MapPlace>& places) {
 }
 
 std::vector<report::Map> maps_of(const SmoothingMaps& maps) {
-    return {error_map(maps), size_map(maps), angle_map(maps), inverted_map(maps)};
+    return {error_map(maps), size_map(maps), inverted_map(maps)};
 }
 
 }   // namespace meshfolio::maps

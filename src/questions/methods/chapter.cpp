@@ -1,8 +1,10 @@
 // The denoising laboratory: kinds of noise, levels and methods against each other, each method at its best within the same budget.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/number_text.h"
+#include "geometry/denoising/component_size.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/study_list.h"
 #include "questions/core/table.h"
@@ -68,6 +70,13 @@ double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) 
     return std::sqrt(2 / n);
 }
 
+/// Has a component of the result a volume of the other sign than the noise left it? Noise as large as a component turns it inside out, and
+/// no scale takes it back.
+bool turned_inside_out(const DenoisingSubject& subject, const NoiseTrial& trial, const SearchResult& result) {
+    const auto volumes = [&](const Positions& X) { return component_sizes(moved_to(subject.mesh, X), subject.topology).volume; };
+    return (volumes(trial.noisy).array() * volumes(result.X).array() <= 0).any();
+}
+
 void add_checks(report::Section& section, const DenoisingLaboratory& laboratory) {
     double strength = 0, volume = 0, area = 0, unspent = 0;
     bool any_volume = false;
@@ -78,7 +87,7 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
             if (r.defined && r.failed == 0) unspent = std::max(unspent, std::abs(double(r.steps - laboratory.budget.total())));
             if (r.method == DenoisingMethod::conformal_flow)
                 area = std::max(area, std::abs(r.difference.area_ratio / trial.spoilt.area_ratio - 1));
-            if (r.method != DenoisingMethod::volume_rescaled || !r.defined) continue;
+            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || turned_inside_out(mesh.subject, trial, r)) continue;
             volume = std::max(volume, std::abs(r.difference.volume_ratio / trial.spoilt.volume_ratio - 1));
             any_volume = true;
         }
@@ -89,15 +98,15 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     section.checks.push_back(check_at_most(words.line("check.area"), 0, area, 1e-9));
 }
 
-report::Text finding(const DenoisingLaboratory& laboratory) {
+report::Text answer_of(const DenoisingLaboratory& laboratory) {
+    std::map<int, std::vector<std::string>> won;   // classes, by the method that is best on them
+    for (const ClassResult& c : class_results(laboratory))
+        if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
     std::vector<std::string> winners;
-    for (const ClassResult& c : class_results(laboratory)) {
-        const int best = c.best();
-        if (winners.size() < 3 && best >= 0)
-            winners.push_back(
-                words.line("finding.winner", "method"_a = method_title(best), "class"_a = c.title, "gain"_a = readable(c.gain[best], 2)));
-    }
-    return words.say("finding", "winners"_a = winners.empty() ? words.line("finding.none") : listed(winners));
+    for (const auto& [method, classes] : won)
+        winners.push_back(
+            words.line("answer.winner", "method"_a = method_title(static_cast<std::size_t>(method)), "classes"_a = listed(classes)));
+    return winners.empty() ? words.say("answer.none") : words.say("answer", "winners"_a = listed(winners));
 }
 
 }   // namespace
@@ -124,7 +133,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         if (trial.s1_level && settings.laboratory) add_method_figure(answer, first, trial);
     add_discussion(section, laboratory);
     add_checks(section, laboratory);
-    section.findings.push_back({finding(laboratory), 70});
+    section.answer = answer_of(laboratory);
 
     const int steps = laboratory.budget.total();
     section.parameters = {{words.line("parameter.steps"), std::to_string(steps)},

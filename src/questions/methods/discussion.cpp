@@ -55,7 +55,7 @@ report::Text about_winners(const DenoisingLaboratory& laboratory) {
         report::extend(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials), " ");
     };
     count("filters.sharp", sharp);
-    count("filters.other", other);
+    count(sharp.trials > 0 ? "filters.other" : "filters.other_alone", other);
     const char* verdict = 3 * differ > compared ? "agreement.rare" : differ > 0 ? "agreement.frequent" : "agreement.always";
     if (compared > 0)
         report::extend(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
@@ -77,23 +77,31 @@ report::Text about_places(const DenoisingLaboratory& laboratory) {
     return words.say(shape > 1.5 * places ? "places.less" : "places", "places"_a = readable(places), "shape"_a = readable(shape));
 }
 
-/// The methods whose gain in shape is as large in a trial: "none", "explicit and guided normals".
-std::string those_with(const NoiseTrial& trial, double gain) {
+/// The methods whose gain in shape is as large in a trial: "no method", "explicit and guided normals"; and as how many the verb takes them.
+struct Those {
+    std::string named;
+    std::size_t count = 1;
+};
+Those those_with(const NoiseTrial& trial, double gain) {
     std::vector<std::string> titles;
     for (const SearchResult& r : trial.results)
         if (r.gain() >= gain) titles.push_back(method_title(r));
-    if (titles.empty()) return "none";
-    return std::ranges::ssize(titles) == std::ranges::count_if(trial.results, &SearchResult::defined) ? "every method" : listed(titles);
+    if (titles.empty()) return {words.line("limits.none")};
+    if (std::ranges::ssize(titles) == std::ranges::count_if(trial.results, &SearchResult::defined)) return {words.line("limits.every")};
+    return {listed(titles), titles.size()};
 }
 
 /// From where and up to where, on one mesh.
 report::Text about_limits(const DenoisingTrials& mesh) {
     const auto levels = mesh.of_kind(NoiseKind::gaussian);
     const NoiseTrial &low = *levels.front(), &high = *levels.back();
-    const std::string edges = readable(low.edges, 2), lowering = those_with(low, helps);
-    if (levels.size() == 1) return words.say("limits.one_level", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering);
-    report::Text t = words.say("limits", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering,
-                               "high"_a = readable(high.edges, 2), "halving"_a = those_with(high, works));
+    const std::string edges = readable(low.edges, 2);
+    const Those lowering = those_with(low, helps), halving = those_with(high, works);
+    if (levels.size() == 1)
+        return words.say("limits.one_level", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering.named,
+                         "count"_a = lowering.count);
+    report::Text t = words.say("limits", "mesh"_a = mesh.name(), "low"_a = edges, "lowering"_a = lowering.named, "count"_a = lowering.count,
+                               "high"_a = readable(high.edges, 2), "halving"_a = halving.named, "halving_count"_a = halving.count);
     const SearchResult* best = winner(high, &SearchResult::gain);
     const double angle = best == nullptr ? 0 : degrees * best->difference.mean_normal_angle;
     go_on(t, best == nullptr
@@ -103,70 +111,95 @@ report::Text about_limits(const DenoisingTrials& mesh) {
     return t;
 }
 
-/// What the noise of the pictures does to the limit of explicit steps and to the area, and what follows.
-report::Text about_spoilt_triangles(const DenoisingLaboratory& laboratory) {
-    std::vector<std::string> limits, areas;
-    double largest_limit = 0, smallest_area = infinity;
-    for (const DenoisingTrials& mesh : laboratory.meshes) {
-        const NoiseTrial& trial = mesh.pictured_trial();
-        const double limit = mesh.subject.largest_eigenvalue / trial.largest_eigenvalue;
-        largest_limit = std::max(largest_limit, limit);
-        smallest_area = std::min(smallest_area, trial.spoilt.area_ratio);
-        limits.push_back(readable_percent(limit, 2) + " on " + mesh.name());
-        areas.push_back(readable(trial.spoilt.area_ratio) + " on " + mesh.name());
-    }
-    return report::text(words.say(largest_limit < 1 ? "spoilt.limit_lower" : "spoilt.limit", "limits"_a = listed(limits)), " ",
-                        words.say(smallest_area > 1.02 ? "spoilt.area_larger" : "spoilt.area", "areas"_a = listed(areas)));
+/// "20 % to 27 %", or "20 %" where both are told alike.
+std::string range_of(const std::vector<double>& values, const auto& told) {
+    const auto [least, most] = std::ranges::minmax(values);
+    const std::string low = told(least), high = told(most);
+    return low == high ? low : words.line("range", "low"_a = low, "high"_a = high);
 }
 
-/// The kinds of noise at the level of the picture, the best gain against each.
+/// What the noise of the pictures does to the limit of explicit steps and to the area, and what follows.
+report::Text about_spoilt_triangles(const DenoisingLaboratory& laboratory) {
+    std::vector<double> limits, areas;
+    for (const DenoisingTrials& mesh : laboratory.meshes) {
+        const NoiseTrial& trial = mesh.pictured_trial();
+        limits.push_back(mesh.subject.largest_eigenvalue / trial.largest_eigenvalue);
+        areas.push_back(trial.spoilt.area_ratio);
+    }
+    return report::text(words.say(std::ranges::max(limits) < 1 ? "spoilt.limit_lower" : "spoilt.limit",
+                                  "limits"_a = range_of(limits, [](double x) { return readable_percent(x, 2); })),
+                        " ",
+                        words.say(std::ranges::min(areas) > 1.02 ? "spoilt.area_larger" : "spoilt.area",
+                                  "areas"_a = range_of(areas, [](double x) { return readable(x, 3); })));
+}
+
+/// Which kind of noise of the level of the picture is easily removed, and which hardly.
 report::Text about_kinds(const DenoisingTrials& mesh) {
     const double edges = mesh.pictured_trial().edges;
-    std::vector<std::string> told;
+    int kinds = 0;
     double least_gain = infinity, most_gain = 0;
     std::string_view least, most;
     for (const NoiseTrial& trial : mesh.trials) {
         if (trial.edges != edges) continue;
+        ++kinds;
         const std::string_view title = noise_entry(trial.kind).title;
         const SearchResult* best = winner(trial, &SearchResult::gain);
         const double gain = best != nullptr ? best->gain() : 1;
-        told.push_back(std::string(title) + " " + readable(gain) + (best != nullptr ? " (" + method_title(*best) + ")" : ""));
         if (gain < least_gain) least_gain = gain, least = title;
         if (gain > most_gain) most_gain = gain, most = title;
     }
-    if (told.size() < 2) return {};
-    report::Text t = words.say("kinds", "edges"_a = readable(edges, 2), "mesh"_a = mesh.name(), "gains"_a = listed(told));
-    if (most_gain > 1.1 * least_gain) go_on(t, words.say("kinds.differ", "most"_a = most, "least"_a = least));
-    return t;
+    if (kinds < 2) return {};
+    return words.say(most_gain > 1.1 * least_gain ? "kinds.differ" : "kinds.alike", "edges"_a = readable(edges, 2), "mesh"_a = mesh.name(),
+                     "most"_a = most, "most_gain"_a = readable(most_gain, 2), "least"_a = least, "least_gain"_a = readable(least_gain, 2));
 }
 
 /// What 20 % of the box leaves.
 report::Text about_box_level(const DenoisingLaboratory& laboratory) {
-    std::vector<std::string> told;
+    std::vector<double> gains, angles;
+    std::vector<std::string> helpless;
     for (const auto& [mesh, trial] : all_trials(laboratory)) {
         if (!trial.s1_level) continue;
         const SearchResult* best = winner(trial, &SearchResult::gain);
-        told.push_back(best == nullptr ? words.line("box.nothing", "mesh"_a = mesh.name())
-                                       : words.line("box.best", "mesh"_a = mesh.name(), "method"_a = method_title(*best),
-                                                    "gain"_a = readable(best->gain(), 2),
-                                                    "error"_a = readable_percent(best->by_shape.shape / mesh.subject.diagonal, 2),
-                                                    "angle"_a = readable(degrees * best->difference.mean_normal_angle, 2)));
+        if (best == nullptr) {
+            helpless.push_back(mesh.name());
+            continue;
+        }
+        gains.push_back(best->gain());
+        angles.push_back(degrees * best->difference.mean_normal_angle);
     }
-    return told.empty() ? report::Text() : words.say("box", "meshes"_a = in_a_row(told));
+    report::Text t;
+    if (!helpless.empty()) report::extend(t, words.say("box.nothing", "meshes"_a = listed(helpless)), " ");
+    if (!gains.empty())
+        report::extend(t, words.say("box", "gain"_a = range_of(gains, [](double x) { return readable(x, 2); }),
+                                    "angle"_a = range_of(angles, [](double x) { return readable(x, 2) + "°"; }),
+                                    "mesh"_a = laboratory.meshes.front().name()));
+    return t;
 }
 
+/// Nothing is 0 %, whatever is left of it in rounding.
+std::string share_kept(const SearchResult& result) {
+    const double kept = result.difference.volume_ratio;
+    return readable_percent(std::abs(kept) < 1e-9 ? 0 : kept);
+}
+
+/// Of each closed mesh, which method keeps least of the volume and which most.
 report::Text about_volumes(const DenoisingLaboratory& laboratory) {
-    std::vector<std::string> told;
+    report::Text t;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         if (!mesh.subject.encloses_volume) continue;
-        const NoiseTrial& trial = mesh.pictured_trial();
-        std::vector<std::string> methods;
-        for (const SearchResult& r : trial.results)
-            if (r.defined) methods.push_back(method_title(r) + " " + readable(r.difference.volume_ratio));
-        told.push_back(words.line("volumes.mesh", "mesh"_a = mesh.name(), "noise"_a = trial.title(),
-                                  "noisy"_a = readable(trial.spoilt.volume_ratio), "methods"_a = listed(methods)));
+        const SearchResult *least = nullptr, *most = nullptr;
+        for (const SearchResult& r : mesh.pictured_trial().results) {
+            const double kept = r.difference.volume_ratio;
+            if (!r.defined || !std::isfinite(kept)) continue;
+            if (least == nullptr || kept < least->difference.volume_ratio) least = &r;
+            if (most == nullptr || kept > most->difference.volume_ratio) most = &r;
+        }
+        if (least == nullptr) continue;
+        report::extend(t, t.empty() ? "" : " ",
+                       words.say("volumes.mesh", "mesh"_a = mesh.name(), "least_method"_a = method_title(*least),
+                                 "least"_a = share_kept(*least), "most_method"_a = method_title(*most), "most"_a = share_kept(*most)));
     }
-    return told.empty() ? report::Text() : words.say("volumes", "meshes"_a = in_a_row(told));
+    return t;
 }
 
 report::Text about_failures(const DenoisingLaboratory& laboratory) {

@@ -26,7 +26,7 @@ report::Table subject_table(const DenoisingLaboratory& laboratory);
 enum class Measure { shape, places, normals };
 /// Gains of every method, one row a noisy mesh.
 report::Table gain_table(const DenoisingTrials& mesh, Measure measure);
-/// Every method at its best on every noisy mesh, in all measures.
+/// Every method at its best on the noisy mesh of the picture, in all measures.
 report::Table result_table(const DenoisingTrials& mesh);
 report::Table winner_table(const std::vector<ClassResult>& classes);
 report::Table limit_table(const DenoisingLaboratory& laboratory);

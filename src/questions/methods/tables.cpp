@@ -10,19 +10,6 @@ namespace meshfolio::methods {
 
 namespace {
 
-/// A table about noisy meshes: what noise each row has. @param trial_of  from an element of `rows` to its trial
-template <class Rows, class TrialOf>
-auto noise_table(std::string id, std::string caption, const DenoisingTrials& mesh, Rows&& rows, const TrialOf& trial_of) {
-    auto begun = table(std::move(id), std::move(caption), std::forward<Rows>(rows));
-    begun.column("noise", [&](auto& row) {
-        const NoiseTrial& trial = trial_of(row);
-        return trial.s1_level ? words.line("noise.box_level") : std::string(noise_entry(trial.kind).title);
-    });
-    begun.column("σ", {.unit = "mean edges", .digits = 2}, [&](auto& row) { return trial_of(row).edges; });
-    begun.column("σ", {.unit = "% of box", .digits = 2}, [&](auto& row) { return 100 * trial_of(row).sigma / mesh.subject.diagonal; });
-    return begun;
-}
-
 /// "λ = 0.16 h̄², step 5"; empty for the noisy mesh.
 report::Cell where(const SearchResult& r, const SearchState& state) {
     if (!r.defined || state.step == 0) return {};
@@ -61,9 +48,11 @@ report::Table gain_table(const DenoisingTrials& mesh, Measure measure) {
     const auto& judged = judged_by[static_cast<std::size_t>(measure)];
     const bool angle = measure == Measure::normals;
     const double unit = angle ? degrees : 100 / mesh.subject.diagonal;
-    auto gains = noise_table(id_of("methods", mesh.name(), judged.id),
-                             words.line("gains", "mesh"_a = mesh.name(), "measure"_a = words.line(judged.key)), mesh, mesh.trials,
-                             [](auto& trial) -> const NoiseTrial& { return trial; });
+    auto gains = table(id_of("methods", mesh.name(), judged.id),
+                       words.line("gains", "mesh"_a = mesh.name(), "measure"_a = words.line(judged.key)), mesh.trials);
+    gains.column("noise", [](auto& t) { return t.s1_level ? words.line("noise.box_level") : std::string(noise_entry(t.kind).title); });
+    gains.column("σ", {.unit = "mean edges", .digits = 2}, [](auto& t) { return t.edges; });
+    gains.column("σ", {.unit = "% of box", .digits = 2}, [&](auto& t) { return 100 * t.sigma / mesh.subject.diagonal; });
     gains.column(judged.noisy, {.unit = angle ? "°" : "% of box"}, [&](auto& t) { return unit * (t.results.front().noisy.*judged.of); });
     for (std::size_t i = 0; i < denoising_list().size(); ++i)
         gains.column(method_title(i), {.unit = "×", .heat = report::Column::Heat{1, 8}},
@@ -72,25 +61,26 @@ report::Table gain_table(const DenoisingTrials& mesh, Measure measure) {
 }
 
 report::Table result_table(const DenoisingTrials& mesh) {
+    const NoiseTrial& trial = mesh.pictured_trial();
     const double percent = 100 / mesh.subject.diagonal;
-    const auto defined = [](auto value_of) { return [=](auto& row) { return cell_of(value_of(row.part), row.part.defined); }; };
-    return noise_table(id_of("methods", mesh.name(), "results"), words.line("at_their_best", "mesh"_a = mesh.name()), mesh,
-                       parts_within(mesh.trials, &NoiseTrial::results), [](auto& row) -> const NoiseTrial& { return row.whole; })
-        .column("method", [](auto& row) { return method_title(row.part); })
-        .column("best with", [](auto& row) { return where(row.part, row.part.by_shape); })
+    const auto defined = [](auto value_of) { return [=](auto& r) { return cell_of(value_of(r), r.defined); }; };
+    return table(id_of("methods", mesh.name(), "results"), words.line("at_their_best", "mesh"_a = mesh.name(), "noise"_a = trial.title()),
+                 trial.results)
+        .column("method", [](auto& r) { return method_title(r); })
+        .column("best with", [](auto& r) { return where(r, r.by_shape); })
         .column("error of shape", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.by_shape.shape; }))
-        .column("gain", {.unit = "×"}, [](auto& row) { return cell_of(row.part.gain()); })
+        .column("gain", {.unit = "×"}, [](auto& r) { return cell_of(r.gain()); })
         .column("rms error", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.difference.rms; }))
         .column("Hausdorff", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.difference.hausdorff; }))
         .column("normal angle", {.unit = "°"}, defined([](auto& r) { return degrees * r.difference.mean_normal_angle; }))
         .column("squared normal angle", {.unit = "°²"},
                 defined([](auto& r) { return degrees * degrees * r.difference.mean_squared_normal_angle; }))
         .column("volume", {.unit = "×", .digits = 4},
-                [&](auto& row) { return cell_of(row.part.difference.volume_ratio, row.part.defined && mesh.subject.encloses_volume); })
+                [&](auto& r) { return cell_of(r.difference.volume_ratio, r.defined && mesh.subject.encloses_volume); })
         .column("least rms error", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.by_rms.rms; }))
-        .column("with", [](auto& row) { return where(row.part, row.part.by_rms); })
+        .column("with", [](auto& r) { return where(r, r.by_rms); })
         .column("least normal angle", {.unit = "°"}, defined([](auto& r) { return degrees * r.by_angle.angle; }))
-        .column("with", [](auto& row) { return where(row.part, row.part.by_angle); });
+        .column("with", [](auto& r) { return where(r, r.by_angle); });
 }
 
 report::Table winner_table(const std::vector<ClassResult>& classes) {
@@ -141,11 +131,14 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
                       .log_y = true};
     std::vector<std::string> ends;
     for (int i = 0; i < int(denoising_list().size()); ++i) {
-        const bool filter = filters_normals(denoising_list()[i].method);
-        report::Series series{.name = method_title(i),
-                              .style = filter ? report::Series::Style::dashed : report::Series::Style::line_and_points,
-                              .color = i,   // as on the other meshes, also where a method before it has no gain
-                              .pattern = i};
+        const DenoisingMethod method = denoising_list()[i].method;
+        const bool filter = filters_normals(method);
+        report::Series series{
+            .name = method_title(i),
+            .style = filter ? report::Series::Style::dashed : report::Series::Style::line_and_points,
+            .color = i,   // as on the other meshes, also where a method before it has no gain
+            .pattern = i,
+            .panel = words.line(filter || method == DenoisingMethod::conformal_flow ? "gain_plot.others" : "gain_plot.laplacian")};
         for (const NoiseTrial* trial : mesh.of_kind(NoiseKind::gaussian)) {
             series.x.push_back(trial->edges);
             series.y.push_back(trial->results[i].gain());

@@ -34,16 +34,17 @@ void add_checks(report::Section& section, const ModeStudy& study) {
         ++runs;
     }
     section.checks.push_back(
-        check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()), 1e-9, damping));
+        check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()), law_tolerance, damping));
     if (gaps > 0) section.checks.push_back(check_at_most(words.line("check.gap", "mesh"_a = study.name()), 1e-6, gap));
     if (runs > 0)
         section.checks.push_back(check_at_most(words.line("check.energy", "runs"_a = runs, "mesh"_a = study.name()), 1e-6, energy));
 }
 
-report::Finding finding(const ModeStudy& study) {
-    const char* key = study.cheaper_nowhere(0) ? "finding.nowhere" : study.cheaper_everywhere(0) ? "finding.everywhere" : "finding.below";
+report::Text answer_of(const ModeStudy& study) {
+    const char* key = study.cheaper_nowhere(0) ? "answer.nowhere" : study.cheaper_everywhere(0) ? "answer.everywhere" : "answer.below";
     const double energy = study.crossings[0] ? study.crossings[0]->energy : 0;
-    return {words.say(key, "mesh"_a = study.name(), "energy"_a = readable_percent(energy, 2)), 60};
+    return words.say(key, "mesh"_a = study.name(), "energy"_a = readable_percent(energy, 2),
+                     "least"_a = readable_percent(study.curve.back().energy, 2));
 }
 
 }   // namespace
@@ -65,7 +66,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const ModeStudy& study : studies) {
         add(section, cost_plot(study));
         add(section, truth_plot(study));
-        add(section, cost_table(study));
         add_timings(section, study);
     }
     add(section, crossing_table(studies));
@@ -81,7 +81,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
             words.line(damped.empty() ? "extent.modes" : "extent.more", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()));
     section.extent =
         words.line("extent", "modes"_a = listed(damped), "targets"_a = first.targets.size(), "meshes"_a = listed(names_of(studies)));
-    section.findings = {finding(first)};
+    section.answer = answer_of(first);
     return answer;
 }
 

@@ -20,8 +20,9 @@ report::Text about_laws(const Studies& studies) {
         for (const ModeDamping& d : study.dampings) worst = std::max(worst, d.deviation(study.eigenvalues));
     }
     const ModeDamping& close = studies.front().dampings[1];
-    return words.say("laws", "modes"_a = modes, "worst"_a = readable(worst, 2), "steps"_a = close.steps,
-                     "left"_a = readable_percent(std::abs(close.law(studies.front().subject.top.value)), 2));
+    return report::text(words.say(worst < law_tolerance ? "laws" : "laws.off", "modes"_a = modes, "worst"_a = readable(worst, 2)), " ",
+                        words.say("laws.limit", "steps"_a = close.steps,
+                                  "left"_a = readable_percent(std::abs(close.law(studies.front().subject.top.value)), 2)));
 }
 
 /// What a distance is in a picture of a thousand pixels.
@@ -73,7 +74,6 @@ report::Text about_costs(const ModeStudy& study) {
         t, " ",
         words.say(
             "not_the_same", "least"_a = least, "one"_a = error(last.implicit_ways.front()),
-            "ten"_a = error(last.implicit_ways[std::size(implicit_steps) - 1]),
             "explicit"_a = last.explicit_way.steps > 0 ? words.line("not_the_same.explicit", "error"_a = error(last.explicit_way)) : ""),
         " ",
         words.say("true_enough", "accuracy"_a = readable_percent(implicit_accuracy, 1), "accurate"_a = where_cheaper(study, accurate),

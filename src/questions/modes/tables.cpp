@@ -22,7 +22,7 @@ std::string relative_step(const ModeStudy& study, double lambda) { return plain_
 double visible(double factor) { return std::abs(factor) > invisible ? std::abs(factor) : undefined; }
 
 report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
-    report::Series line{.name = relative_step(study, damping.lambda)};
+    report::Series line{.name = words.line("factors.law"), .panel = relative_step(study, damping.lambda)};
     constexpr int points = 240;
     for (int i = 0; i <= points; ++i) {
         line.x.push_back(double(i) / points);
@@ -32,12 +32,8 @@ report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
 }
 
 /// Some of the modes, evenly through them, the last included.
-/// @param law  the line they are to lie on
-report::Series measured_points(const ModeStudy& study, const ModeDamping& damping, int law) {
-    report::Series points{.name = words.line("factors.measured", "step"_a = relative_step(study, damping.lambda)),
-                          .style = Style::points,
-                          .color = law,
-                          .pattern = law};
+report::Series measured_points(const ModeStudy& study, const ModeDamping& damping) {
+    report::Series points{.name = words.line("factors.measured"), .style = Style::points, .panel = relative_step(study, damping.lambda)};
     const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
     for (Eigen::Index k = 0; k < shown; ++k) {
         const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
@@ -50,7 +46,8 @@ report::Series measured_points(const ModeStudy& study, const ModeDamping& dampin
 double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
 double error_of(const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; }
 
-/// One value of the explicit way and of the first implicit ones over the energies of the curve.
+/// One value of the explicit way and of the first implicit ones over the energies of the curve. Those of a number of steps and those of an
+/// error, where they are there, have a panel each.
 report::Plot target_plot(const ModeStudy& study, const std::string& key, std::size_t implicit_ways, double (*value)(const SmoothingWay&)) {
     report::Plot plot{.id = id_of("modes", study.name(), key),
                       .caption = words.line(key, "mesh"_a = study.name()),
@@ -58,33 +55,23 @@ report::Plot target_plot(const ModeStudy& study, const std::string& key, std::si
                       .y_label = words.line(key + ".y"),
                       .log_x = true,
                       .log_y = true};
-    plot.series.push_back({.name = words.line("way.explicit")});
-    for (const SmoothingTarget& target : study.curve) plot.series.front().y.push_back(value(target.explicit_way));
+    const auto add = [&](const std::string& name, std::size_t panel, const auto& way_of) {
+        const std::string title =
+            implicit_ways > std::size(implicit_steps) ? words.line(panel == 0 ? "targets.steps" : "targets.error") : "";
+        report::Series series{.name = name, .panel = title};
+        for (const SmoothingTarget& target : study.curve) {
+            series.x.push_back(100 * target.energy);
+            series.y.push_back(value(way_of(target)));
+        }
+        plot.series.push_back(std::move(series));
+    };
     for (std::size_t which = 0; which < implicit_ways; ++which) {
-        plot.series.push_back({.name = implicit_way_names()[which]});
-        for (const SmoothingTarget& target : study.curve) plot.series.back().y.push_back(value(target.implicit_ways[which]));
+        const std::size_t panel = which < std::size(implicit_steps) ? 0 : 1;
+        if (which == 0 || which == std::size(implicit_steps))
+            add(words.line("way.explicit"), panel, [](const SmoothingTarget& t) { return t.explicit_way; });
+        add(implicit_way_names()[which], panel, [&](const SmoothingTarget& t) { return t.implicit_ways[which]; });
     }
-    for (report::Series& series : plot.series)
-        for (const SmoothingTarget& target : study.curve) series.x.push_back(100 * target.energy);
     return plot;
-}
-
-struct WayRow {
-    const SmoothingTarget& target;
-    std::string name;
-    const SmoothingWay& way;
-
-    bool there() const { return way.steps > 0; }
-    bool both() const { return there() && target.explicit_way.steps > 0; }
-};
-std::vector<WayRow> way_rows(const ModeStudy& study) {
-    std::vector<WayRow> rows;
-    for (const SmoothingTarget& target : study.targets) {
-        rows.push_back({target, "explicit", target.explicit_way});
-        for (std::size_t which = 0; which < target.implicit_ways.size(); ++which)
-            rows.push_back({target, implicit_way_names()[which], target.implicit_ways[which]});
-    }
-    return rows;
 }
 
 /// An implicit way, and the target from which on it is the cheaper one.
@@ -131,15 +118,13 @@ report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme) {
                       .x_label = words.line("factors.x"),
                       .y_label = words.line("factors.y"),
                       .log_y = true};
-    std::vector<report::Series> points;
     std::vector<std::string> shares;
     for (const ModeDamping& d : study.dampings) {
         if (d.scheme != scheme) continue;
         plot.series.push_back(law_line(study, d));
-        points.push_back(measured_points(study, d, static_cast<int>(points.size())));
+        plot.series.push_back(measured_points(study, d));
         shares.push_back(relative_step(study, d.lambda));
     }
-    std::ranges::move(points, std::back_inserter(plot.series));
     plot.alt = words.line(key + ".alt", "modes"_a = study.eigenvalues.size(), "shares"_a = listed(shares));
     return plot;
 }
@@ -158,28 +143,16 @@ report::Table gap_table(const Studies& studies) {
         .column("gap / motion", {.unit = "%"}, [](auto& r) { return cell_of(100 * r.part.measured / r.part.motion); });
 }
 
-report::Table cost_table(const ModeStudy& study) {
-    const double critical = study.subject.critical;
-    return table(id_of("modes", study.name(), "cost"),
-                 words.line("cost", "mesh"_a = study.name(), "accuracy"_a = readable_percent(implicit_accuracy, 1),
-                            "factorisation"_a = readable(study.factor.factorisation)),
-                 way_rows(study))
-        .column("energy left", {.unit = "% of input"}, [](auto& r) { return 100 * r.target.energy; })
-        .column("way", &WayRow::name)
-        .column("λ/λ_crit", [&](auto& r) { return cell_of(r.way.lambda / critical, r.way.lambda > 0); })
-        .column("steps", {.digits = 7}, [](auto& r) { return cell_of(r.way.steps, r.there()); })
-        .column("error", {.unit = "%"}, [](auto& r) { return cell_of(100 * r.way.error, r.there()); })
-        .column("operations", {.unit = "multiply–adds"}, [](auto& r) { return cell_of(r.way.operations, r.there()); })
-        .column("over explicit", [](auto& r) { return cell_of(r.way.operations / r.target.explicit_way.operations, r.both()); });
-}
-
 report::Plot cost_plot(const ModeStudy& study) {
     report::Plot plot = target_plot(study, "operations", study.crossings.size(), operations_of);
     std::vector<std::string> crossings;
     for (std::size_t which = 0; which < study.crossings.size(); ++which) {
         if (study.cheaper_nowhere(which)) continue;
         const SmoothingTarget& at = *study.crossings[which];
-        if (!study.cheaper_everywhere(which)) plot.markers.push_back({100 * at.energy, operations_of(at.implicit_ways[which]), ""});
+        if (!study.cheaper_everywhere(which)) {
+            const std::string panel = words.line(which < std::size(implicit_steps) ? "targets.steps" : "targets.error");
+            plot.markers.push_back({100 * at.energy, operations_of(at.implicit_ways[which]), "", panel});
+        }
         crossings.push_back(
             words.line("operations.alt.crossing", "way"_a = implicit_way_names()[which], "energy"_a = readable_percent(at.energy, 2)));
     }

@@ -13,26 +13,31 @@ namespace {
 constexpr double precise_below = 1e-8;   // |H| × mean edge of the flat square
 
 report::Text about_precision(const KnownTrials& known) {
-    std::vector<std::string> kept, lost;
+    std::vector<std::string> lost;
     for (const KnownTrial& t : known) {
-        if (t.plane < precise_below) kept.push_back(quoted(t.made_by.title()));
         if (t.plane >= precise_below)
             lost.push_back(words.line("precision.lost", "operator"_a = t.made_by.title(), "H"_a = readable(t.plane)));
     }
-    return words.say("precision", "kept"_a = listed(kept), "lost"_a = listed(lost));
+    return words.say("precision", "kept"_a = known.size() - lost.size(), "all"_a = known.size(), "lost"_a = listed(lost));
 }
 
-std::string about_cotangent_weights(const LaboratoryMesh& lab) {
-    const OperatorScores &cotan = lab.trial(OperatorKind::cotan).scores, &idt = lab.trial(OperatorKind::idt).scores;
-    const double share = double(cotan.negative_inside + cotan.negative_boundary) / std::max(1, cotan.weights);
-    return words.line("weights.cotangent", "share"_a = readable_percent(share), "mesh"_a = lab.name(),
-                      "smallest"_a = readable(cotan.smallest_weight), "flips"_a = lab.flips, "inside"_a = idt.negative_inside,
-                      "boundary"_a = idt.negative_boundary);
+/// On the mesh with most of them.
+report::Text about_negative_weights(const Labs& labs, const std::vector<std::string>& clean) {
+    const auto share_of = [](const LaboratoryMesh& lab) {
+        const OperatorScores& cotan = lab.trial(OperatorKind::cotan).scores;
+        return double(cotan.negative_inside + cotan.negative_boundary) / std::max(1, cotan.weights);
+    };
+    const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, share_of);
+    const OperatorScores& idt = lab.trial(OperatorKind::idt).scores;
+    const double share = share_of(lab);
+    if (share == 0) return words.say("weights.no_cotangent");
+    return words.say("weights", "share"_a = readable_percent(share, 2), "mesh"_a = lab.name(), "flips"_a = lab.flips,
+                     "left"_a = idt.negative_inside + idt.negative_boundary, "clean"_a = listed(clean));
 }
 
 /// Which operators have no negative weight on any mesh, what the default has, and which are indefinite.
 report::Text about_weights(const Labs& labs) {
-    std::vector<std::string> clean, indefinite, open, cotangent;
+    std::vector<std::string> clean, indefinite, open;
     bool any_negative = false;
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i) {
         const std::string title = quoted(laboratory_operators()[i].title());
@@ -49,8 +54,7 @@ report::Text about_weights(const Labs& labs) {
         if (none_negative) clean.push_back(title);
         any_negative = any_negative || !none_negative;
     }
-    for (const LaboratoryMesh& lab : labs) cotangent.push_back(about_cotangent_weights(lab));
-    return report::text(words.say("weights", "cotangent"_a = listed(cotangent), "clean"_a = listed(clean)), " ",
+    return report::text(about_negative_weights(labs, clean), " ",
                         !indefinite.empty() ? words.say("weights.indefinite", "operators"_a = listed(indefinite))
                         : !open.empty()     ? words.say("weights.open", "operators"_a = listed(open))
                                             : words.say(any_negative ? "weights.harmless" : "weights.none_negative"));
@@ -96,12 +100,12 @@ report::Text about_areas(const Labs& labs) {
     return without.empty() ? report::Text() : words.say("areas", "where"_a = listed(without));
 }
 
-report::Text finding(const Labs& labs) {
+report::Text answer_of(const Labs& labs) {
     const auto own_areas = [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt_original_mass).critical_ratio; };
     const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, own_areas);
     const double ratio = own_areas(lab);
-    return ratio > 1 + 1e-9 ? words.say("finding.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio))
-                            : words.say("finding.no_longer", "meshes"_a = listed(names_of(labs)));
+    return ratio >= 1.01 ? words.say("answer.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio, 2))
+                         : words.say("answer.no_longer", "meshes"_a = listed(names_of(labs)));
 }
 
 }   // namespace
@@ -109,7 +113,7 @@ report::Text finding(const Labs& labs) {
 void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known) {
     add_words(section, words, "discussion");
     add_paragraphs(section, {about_precision(known), about_weights(labs), about_steps(labs), about_curvature(known), about_areas(labs)});
-    section.findings.push_back({finding(labs), 6});
+    section.answer = answer_of(labs);
 }
 
 }   // namespace meshfolio::operators

@@ -20,7 +20,7 @@ report::Table known_table(const KnownTrials& trials);
 /// One small picture an operator, all in the colours that suit the default.
 void add_figure_of(Answer& answer, const LaboratoryMesh& lab);
 
-/// What the numbers say, in words that follow them, and a finding.
+/// What the numbers say, in words that follow them, and the answer.
 void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known);
 
 /// “cotangent”

@@ -32,18 +32,14 @@ void add_checks(report::Section& section, const Studies& studies) {
     }
 }
 
-report::Text finding(const Studies& studies) {
-    double off = 0, regret = -1;
-    for (const auto& [study, level] : levels_of(studies)) {
-        const OperatorStudy &clean = level.of(FlowOperator::clean), &own = level.of(FlowOperator::noisy);
-        off = std::max(off, deviation(clean.formula(), clean.measured));
-        const RuleOutcome* rule = own.rule(by_stein_estimated);
-        if (rule != nullptr && own.minimum_reached()) regret = std::max(regret, rule->mean_regret());
-    }
-    report::Text t =
-        words.say("finding", "off"_a = readable_percent(off, 2), "seeds"_a = studies.front().seeds, "cases"_a = levels_of(studies).size());
-    if (regret >= 0) go_on(t, words.say("finding.rule", "regret"_a = readable_percent(regret, 2)));
-    return t;
+report::Text answer_of(const Studies& studies) {
+    const auto off = [&](FlowOperator kind) {
+        double most = 0;
+        for (const auto& [study, level] : levels_of(studies))
+            most = std::max(most, deviation(level.of(kind).formula(), level.of(kind).measured));
+        return readable_percent(most, 2);
+    };
+    return words.say("answer", "off"_a = off(FlowOperator::clean), "own"_a = off(FlowOperator::noisy));
 }
 
 LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
@@ -74,7 +70,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, rule_table(studies));
     add_discussion(section, studies);
     add_checks(section, studies);
-    section.findings.push_back({finding(studies), 77});
+    section.answer = answer_of(studies);
 
     const PredictionStudy& first = studies.front();
     std::vector<std::string> levels;

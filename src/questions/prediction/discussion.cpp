@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
@@ -48,8 +49,9 @@ report::Text about_foreseen_error(const Studies& studies) {
         regret = std::max(regret, clean.regret_of_formula);
     }
     std::string iterations;
-    for (const PredictionStudy& study : studies) iterations += (iterations.empty() ? "" : "; ") + best_iterations(study);
-    report::Text t = words.say("foreseen", "off"_a = readable_percent(off, 2), "off_by_area"_a = readable_percent(off_by_area, 2),
+    for (const PredictionStudy& study : studies) iterations += (iterations.empty() ? "" : ", ") + best_iterations(study);
+    const double most = std::max(off, off_by_area);
+    report::Text t = words.say(most < 0.1 ? "foreseen" : "foreseen.off", "off"_a = readable_percent(most, 2),
                                "errors"_a = readable(errors, 2), "seeds"_a = studies.front().seeds, "iterations"_a = iterations);
     go_on(t, regret < 5e-5 ? words.say("foreseen.no_loss") : words.say("foreseen.loss", "regret"_a = readable_percent(regret, 2)));
     return t;
@@ -73,7 +75,7 @@ std::string reach_of(const Studies& studies, FlowOperator kind, std::string_view
     const std::string most = readable_percent(off.high, 2);
     if (!std::isfinite(bad)) return words.line("reach.everywhere", "off"_a = most);
     if (off.low == off.high) return words.line("reach.one_level", "off"_a = most);
-    return words.line(good > 0 ? "reach.up_to" : "reach.nowhere", "edges"_a = readable(good > 0 ? good : bad, 2),
+    return words.line(good > 0 ? "reach.up_to" : "reach.nowhere", "edges"_a = readable(good, 2),
                       "off"_a = off.high > deviation_shown ? "more than " + readable_percent(deviation_shown, 4) : "up to " + most);
 }
 
@@ -100,7 +102,7 @@ report::Text about_own_operator(const Studies& studies) {
 }
 
 /// Why the formula breaks, at the level where it is farthest off.
-report::Text about_failure(const Studies& studies) {
+std::pair<report::Text, report::Text> about_failure(const Studies& studies) {
     const auto off = [](const auto& each) {
         const OperatorStudy& own = each.part.of(FlowOperator::noisy);
         return deviation(own.formula(), own.measured);
@@ -112,13 +114,13 @@ report::Text about_failure(const Studies& studies) {
     if (account.iteration == 0 || off(*worst) < 0.05) return {};   // nothing has been smoothed yet, or nothing breaks
     const auto percent = [](double share) { return readable_percent(share, 2); };
     const auto signed_percent = [](double share) { return (share < 0 ? "−" : "+") + readable_percent(std::abs(share), 2); };
-    return words.say("breaks", "mesh"_a = study.name(), "sigma"_a = percent(level.sigma), "iteration"_a = account.iteration,
-                     "measured"_a = percent(account.measured), "formula"_a = percent(account.formula),
-                     "area"_a = readable(level.facts.area, 3), "negative"_a = percent(level.facts.negative_weights),
-                     "negative_before"_a = percent(study.clean_facts.negative_weights), "numbers"_a = signed_percent(account.numbers),
-                     "knowledge"_a = signed_percent(account.knowledge), "along_own"_a = percent(account.along_own),
-                     "across_own"_a = percent(account.across_own), "along_clean"_a = percent(account.along_clean),
-                     "across_clean"_a = percent(account.across_clean));
+    return {words.say("breaks", "mesh"_a = study.name(), "sigma"_a = percent(level.sigma), "iteration"_a = account.iteration,
+                      "measured"_a = percent(account.measured), "formula"_a = percent(account.formula),
+                      "numbers"_a = signed_percent(account.numbers), "knowledge"_a = signed_percent(account.knowledge)),
+            words.say("breaks.how", "area"_a = readable(level.facts.area, 2), "negative"_a = percent(level.facts.negative_weights),
+                      "negative_before"_a = percent(study.clean_facts.negative_weights), "along_own"_a = percent(account.along_own),
+                      "across_own"_a = percent(account.across_own), "along_clean"_a = percent(account.along_clean),
+                      "across_clean"_a = percent(account.across_clean))};
 }
 
 report::Text about_divergence(const Studies& studies) {
@@ -131,7 +133,7 @@ report::Text about_divergence(const Studies& studies) {
         if (const PredictedCurve* stein = tried.prediction(by_stein)) off.take(deviation(*stein, tried.measured));
     }
     const int steps = std::min(5, own.measured.iterations());
-    return words.say("stein", "steps"_a = steps, "mesh"_a = studies.front().name(), "sigma"_a = readable_percent(level.sigma, 2),
+    return words.say("stein", "steps"_a = steps, "mesh"_a = studies.front().name(),
                      "divergence"_a = readable_percent(own.divergence[steps], 2),
                      "held"_a = readable_percent(own.divergence_held[steps], 2), "off"_a = off.percent());
 }
@@ -168,8 +170,7 @@ report::Text about_estimate(const Studies& studies) {
     report::Text t = words.say("estimate", "within"_a = within, "cases"_a = cases, "ratios"_a = ratios);
     go_on(t, high->mean_sigma_ratio() > 1.05
                  ? words.say(high->kept < 0.9 ? "estimate.largest_at_detail" : "estimate.largest", "mesh"_a = high_study->name(),
-                             "sigma"_a = readable_percent(high->sigma, 2), "edges"_a = readable(high->sigma_edges, 2),
-                             "kept"_a = readable_percent(high->kept, 2))
+                             "sigma"_a = readable_percent(high->sigma, 2), "kept"_a = readable_percent(high->kept, 2))
                  : words.say("estimate.close"));
     return t;
 }
@@ -203,7 +204,8 @@ report::Text about_stopping(const Studies& studies) {
 
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    add_paragraphs(section, {about_foreseen_error(studies), about_own_operator(studies), about_failure(studies), about_divergence(studies),
+    const auto [why, how] = about_failure(studies);
+    add_paragraphs(section, {about_foreseen_error(studies), about_own_operator(studies), why, how, about_divergence(studies),
                              about_rebuilt_operator(studies), about_estimate(studies), about_stopping(studies)});
 }
 

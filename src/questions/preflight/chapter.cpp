@@ -50,17 +50,11 @@ void add_checks(report::Section& section, const Inspected& mesh) {
                                            words.line("check.moved.note")));
 }
 
-report::Finding finding(const std::vector<Inspected>& meshes, std::size_t kinds) {
-    int manifold = 0, exact = 0;
-    for (const Inspected& mesh : meshes) {
-        if (!mesh.counts().manifold()) continue;
-        ++manifold;
-        exact += mesh.gauss_bonnet_holds() ? 1 : 0;
-    }
-    const std::string surface = words.line(manifold == 0 ? "finding.not_manifold" : "finding.gauss_bonnet", "exact"_a = exact,
-                                           "manifold"_a = manifold),
-                      found = words.line(kinds == 0 ? "finding.nothing" : "finding.kinds", "kinds"_a = kinds);
-    return {words.say("finding", "meshes"_a = meshes.size(), "surface"_a = surface, "found"_a = found), 5};
+report::Text answer_of(const std::vector<Inspected>& meshes) {
+    const auto sound = std::ranges::count_if(meshes, [](const Inspected& mesh) { return defects_of(mesh.facts).empty(); });
+    if (sound == std::ranges::ssize(meshes)) return words.say("answer.sound", "meshes"_a = meshes.size());
+    if (sound == 0) return words.say("answer.found_on_all", "all"_a = meshes.size());
+    return words.say("answer.found", "meshes"_a = std::ranges::ssize(meshes) - sound, "all"_a = meshes.size());
 }
 
 }   // namespace
@@ -103,7 +97,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, search_table(meshes, occurrences));
     for (const Inspected& mesh : meshes) add_checks(section, mesh);
     add_discussion(section, meshes, found);
-    section.findings.push_back(finding(meshes, found.size()));
+    section.answer = answer_of(meshes);
     section.extent = words.line("extent", "meshes"_a = meshes.size(), "kinds"_a = occurrences.size());
     return answer;
 }

@@ -23,7 +23,11 @@ report::Text about_meshes(const std::vector<Inspected>& meshes) {
     }
     report::Text t;
     if (!clean.empty()) report::extend(t, words.say("clean", "meshes"_a = listed(clean)), " ");
-    report::extend(t, repaired.empty() ? words.say("not_repaired") : words.say("repaired", "meshes"_a = listed(repaired)), " ");
+    report::extend(t,
+                   repaired.empty()
+                       ? words.say("not_repaired")
+                       : words.say(repaired.size() < meshes.size() ? "repaired" : "repaired.all", "meshes"_a = listed(repaired)),
+                   " ");
     if (!open.empty()) report::extend(t, words.say("open", "meshes"_a = listed(open)));
     return t;
 }
@@ -41,8 +45,10 @@ std::vector<std::string> kept_of(const std::vector<Occurrence>& found) {
 report::Text about_smallest_angle(const std::vector<Inspected>& meshes) {
     const Inspected& worst = *std::ranges::min_element(meshes, {}, [](const Inspected& m) { return m.facts.smallest_angle; });
     const double degrees = worst.facts.smallest_angle * 180 / pi;
-    return words.say(degrees < thin_below ? "angle.thin" : "angle.even", "angle"_a = readable(degrees), "mesh"_a = worst.name(),
-                     "stretch"_a = readable(worst.facts.longest_edge / worst.facts.shortest_edge), "limit"_a = readable(thin_below, 2));
+    return words.say(!(degrees > 0)         ? "angle.none"
+                     : degrees < thin_below ? "angle.thin"
+                                            : "angle.even",
+                     "angle"_a = readable(degrees, 2), "mesh"_a = worst.name());
 }
 
 }   // namespace

@@ -34,17 +34,6 @@ void add_checks(report::Section& section, const AngleSums& sums, const std::vect
     }
 }
 
-void add_findings(report::Section& section, const BenchRuns& runs, const AngleSums& sums) {
-    const auto error = [&](MeshKind kind, std::string_view estimator) {
-        return readable_percent(run_on(runs, "torus", kind).finest().error(estimator).l2);
-    };
-    using enum MeshKind;
-    section.findings = {{words.say("finding.torus", "H_regular"_a = error(regular, uniform_H), "K_regular"_a = error(regular, deficit_K),
-                                   "H_jittered"_a = error(jittered, uniform_H), "K_jittered"_a = error(jittered, deficit_K)),
-                         70},
-                        {words.say("finding.gauss_bonnet", "gap"_a = readable(euler_gap(sums), 2)), 30}};
-}
-
 }   // namespace
 
 int without_K(const BenchRuns& runs, AreaForm form) {
@@ -65,9 +54,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     section = section_of("q1");
     const auto sources = meshes_for(library, settings, {"plane", "lilium", "bumpy_cube", "sphere"}, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
     Meshes meshes;
     std::vector<std::string> names;
     for (const auto& source : sources) {
@@ -75,22 +61,34 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         meshes.push_back(curvature_of(source));
         names.push_back(source->name);
     }
-    add_figures(answer, meshes);
-    add(section, statistics_table(meshes));
+    const std::optional<Drifting> drifting = most_drifting(meshes);
     const BenchRuns runs = question_runs(settings, progress);
-    add(section, error_table(runs));
-    add(section, area_table(runs, &EstimateError::l2, "l2", "L2"));
-    add(section, area_table(runs, &EstimateError::linf, "linf", "L∞"));
-    add(section, convergence_plot(runs, uniform_H));
-    add(section, convergence_plot(runs, deficit_K));
     const AngleSums sums = angle_sums(meshes, runs);
-    add(section, gauss_bonnet_table(sums));
     std::vector<FlatMesh> flat;
     for (const MeshCurvature& c : meshes)
         if (c.subject.plane_normal) flat.push_back(flat_mesh(c));
+
+    section.answer = answer_of(runs);
+    add_paragraph(section, lead_of(runs, drifting));
+    add_words(section, words, "method.laplacian");
+    add(section, ring_diagram());
+    add_words(section, words, "method.deficit");
+    add_words(section, words, "results");
+    add_figures(answer, meshes);
+    if (drifting) add_tangential_figure(answer, *drifting->mesh, drifting->part, settings.colormap);
+    add(section, error_table(runs));
+    add_discussion(section, {meshes, runs, sums, flat, panel_runs(settings.seed, settings.quick, progress), drifting});
     add_checks(section, sums, flat, runs);
-    add_discussion(section, meshes, runs, sums, flat, panel_runs(settings.seed, settings.quick, progress));
-    add_findings(section, runs, sums);
+
+    begin_appendix(section);
+    add_words(section, words, "appendix");
+    add(section, statistics_table(meshes));
+    add(section, convergence_plot(runs, uniform_H));
+    add(section, convergence_plot(runs, deficit_K));
+    add(section, area_table(runs, &EstimateError::l2, "l2", "L2"));
+    add(section, area_table(runs, &EstimateError::linf, "linf", "L∞"));
+    add(section, gauss_bonnet_table(sums));
+    add_flat_boundaries(section, flat);
 
     const std::size_t levels = runs.front().levels.size();
     section.parameters = {{"area form", "barycentric"},

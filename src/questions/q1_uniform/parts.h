@@ -2,6 +2,7 @@
 /// The parts of question 1.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,34 @@ report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& ke
 report::Table gauss_bonnet_table(const AngleSums& sums);
 report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator);
 
-/// H and K on every mesh, one colour range a quantity.
+/// Δx and its parts, the angle deficit, and the three areas, each of a real ring.
+report::Diagram ring_diagram();
+
+/// H and K, one figure each of all meshes.
 void add_figures(Answer& answer, const Meshes& meshes);
-/// What the numbers say, in words that follow them.
-void add_discussion(report::Section& section, const Meshes& meshes, const BenchRuns& runs, const AngleSums& sums,
-                    const std::vector<FlatMesh>& flat, const BenchRuns& panel);
+/// Where on a mesh Δx lies along the surface.
+void add_tangential_figure(Answer& answer, const MeshCurvature& c, const TangentialPart& part, const std::string& colormap);
+
+/// Of the curved meshes that whose ‖Δx‖² lies along the surface most, if there is one.
+struct Drifting {
+    const MeshCurvature* mesh;
+    TangentialPart part;
+};
+std::optional<Drifting> most_drifting(const Meshes& meshes);
+
+// What the numbers and pictures say, in words that follow them.
+struct Findings {
+    const Meshes& meshes;
+    const BenchRuns& runs;
+    const AngleSums& sums;
+    const std::vector<FlatMesh>& flat;
+    const BenchRuns& panel;
+    const std::optional<Drifting>& drifting;
+};
+report::Text answer_of(const BenchRuns& runs);
+report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drifting);
+void add_discussion(report::Section& section, const Findings& found);
+/// What is said in the appendix: the boundary of flat meshes.
+void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& flat);
 
 }   // namespace meshfolio::q1_uniform

@@ -8,8 +8,55 @@
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/triangle_measures.h"
+#include "questions/bench/tangential_share.h"
 
 namespace meshfolio::q1_uniform {
+
+namespace {
+
+/// Longest over shortest edge of each ring.
+Vector ring_unevenness(const TriangleMesh& mesh, const MeshTopology& topology) {
+    Vector longest = Vector::Zero(mesh.vertex_count()), shortest = Vector::Constant(mesh.vertex_count(), INFINITY);
+    for (const Edge& edge : topology.edges) {
+        const double length = (mesh.X.row(edge.a) - mesh.X.row(edge.b)).norm();
+        for (const int v : {edge.a, edge.b}) {
+            longest[v] = std::max(longest[v], length);
+            shortest[v] = std::min(shortest[v], length);
+        }
+    }
+    return longest.cwiseQuotient(shortest);
+}
+
+/// rms difference between the ends of edges, over the rms; 0 where all values are 0.
+double relative_jump(const Vector& values, const MeshTopology& topology) {
+    double jumps = 0, squares = 0;
+    int edges = 0, vertices = 0;
+    for (const Edge& edge : topology.edges) {
+        const double jump = values[edge.a] - values[edge.b];
+        if (!std::isfinite(jump)) continue;
+        ++edges;
+        jumps += jump * jump;
+    }
+    for (const double v : values) {
+        if (!std::isfinite(v)) continue;
+        ++vertices;
+        squares += v * v;
+    }
+    return edges > 0 && squares > 0 ? std::sqrt(jumps / edges / (squares / vertices)) : 0;
+}
+
+/// 98th over 2nd percentile of the magnitudes; 0 where there is more than one sign, or none.
+double spread_of(const Vector& values) {
+    std::vector<double> sorted;
+    for (const double v : values)
+        if (std::isfinite(v)) sorted.push_back(v);
+    std::ranges::sort(sorted);
+    if (sorted.empty() || !(sorted.front() * sorted.back() > 0)) return 0;
+    const double low = sorted[sorted.size() / 50], high = sorted[sorted.size() - 1 - sorted.size() / 50];
+    return std::max(high / low, low / high);
+}
+
+}   // namespace
 
 double MeshCurvature::euler_from_angles() const { return deficit.sum() / (2 * pi); }
 
@@ -22,36 +69,76 @@ MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
     c.H = uniform_mean_curvature_scaled(mesh, topology);
     c.areas = vertex_areas(mesh, AreaForm::barycentric);
     c.K = gaussian_curvature(mesh, topology, c.areas);
+    c.cotangent = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
     c.deficit = angle_deficit(mesh, topology);
     return c;
+}
+
+Contrast contrast(const Vector& values, const Vector& by) {
+    std::vector<int> order;
+    for (int i = 0; i < values.size(); ++i)
+        if (std::isfinite(values[i]) && std::isfinite(by[i])) order.push_back(i);
+    if (order.size() < 8) return {undefined, undefined};
+    std::ranges::stable_sort(order, {}, [&](int i) { return by[i]; });
+    const auto median = [&](auto first, auto last) {
+        std::vector<double> chosen;
+        for (auto i = first; i != last; ++i) chosen.push_back(values[*i]);
+        std::ranges::sort(chosen);
+        return chosen[chosen.size() / 2];
+    };
+    const auto quarter = static_cast<std::ptrdiff_t>(order.size() / 4);
+    return {median(order.begin(), order.begin() + quarter), median(order.end() - quarter, order.end())};
 }
 
 TangentialPart tangential_part(const MeshCurvature& c) {
     const CurvatureSubject& s = c.subject;
     const Vector along = s.uniform.cwiseProduct(vertex_normals(s.mesh())).rowwise().sum();   // Δx · n
     const Vector scale = mean_squared_ring_edge(s.mesh(), s.topology());
-    const Vector cotangent = cotangent_mean_curvature(s.mesh(), s.topology(), laplace_beltrami(s.mesh()));
+    TangentialPart part;
+    part.shares = tangential_shares(s.mesh(), s.topology());
     double whole = 0, normal = 0, truth = 0, gap = 0, normal_gap = 0;
+    int vertices = 0, dark = 0;
     for (int i = 0; i < s.mesh().vertex_count(); ++i) {
-        if (!std::isfinite(c.H[i]) || !std::isfinite(cotangent[i])) continue;
+        if (!std::isfinite(c.H[i]) || !std::isfinite(c.cotangent[i])) continue;
         whole += s.uniform.row(i).squaredNorm();
         normal += along[i] * along[i];
-        truth += cotangent[i] * cotangent[i];
-        gap += std::pow(c.H[i] - cotangent[i], 2);
-        normal_gap += std::pow(-2 * along[i] / scale[i] - cotangent[i], 2);
+        truth += c.cotangent[i] * c.cotangent[i];
+        gap += std::pow(c.H[i] - c.cotangent[i], 2);
+        normal_gap += std::pow(-2 * along[i] / scale[i] - c.cotangent[i], 2);
+        ++vertices;
+        dark += part.shares[i] > 0.9 ? 1 : 0;
     }
-    return {1 - normal / whole, std::sqrt(gap / truth), std::sqrt(normal_gap / truth)};
+    if (whole > 0) part.share = 1 - normal / whole;
+    part.dark = vertices > 0 ? double(dark) / vertices : 0;
+    part.gap = std::sqrt(gap / truth);
+    part.normal_gap = std::sqrt(normal_gap / truth);
+    part.unevenness = contrast(part.shares, ring_unevenness(s.mesh(), s.topology()));
+    part.bending = contrast(part.shares, c.cotangent.cwiseAbs());
+    return part;
 }
 
-JitterFactors jitter_factors(const BenchRuns& runs, std::string_view estimator) {
-    JitterFactors factors;
-    for (const BenchRun& jittered : of_kind(runs, MeshKind::jittered)) {
-        const BenchRun& regular = run_on(runs, jittered.surface, MeshKind::regular);
-        const double factor = jittered.finest().error(estimator).l2 / regular.finest().error(estimator).l2;
-        factors.least = std::min(factors.least, factor);
-        factors.most = std::max(factors.most, factor);
+Picture picture_of(const MeshCurvature& c) {
+    const MeshTopology& topology = c.subject.topology();
+    return {relative_jump(c.length, topology), relative_jump(c.cotangent, topology), spread_of(c.length), spread_of(c.cotangent)};
+}
+
+IrregularVertices irregular_vertices(const MeshCurvature& c) {
+    const ValueSummary K = summary_of(c.K);
+    if (K.count == 0 || !(K.minimum * K.maximum > 0)) return {};
+    const CurvatureSubject& s = c.subject;
+    const Vector with_voronoi = gaussian_curvature(s.mesh(), s.topology(), vertex_areas(s.mesh(), AreaForm::voronoi));
+    IrregularVertices found;
+    const auto off = [&](double k) { return std::abs(k / K.median - 1); };
+    for (int i = 0; i < c.K.size(); ++i) {
+        if (!std::isfinite(c.K[i])) continue;
+        const bool irregular = s.topology().neighbours.size(i) != 6;
+        double& most = irregular ? found.off : found.off_elsewhere;
+        most = std::max(most, off(c.K[i]));
+        if (!irregular) continue;
+        ++found.count;
+        found.off_with_voronoi = std::max(found.off_with_voronoi, std::isfinite(with_voronoi[i]) ? off(with_voronoi[i]) : INFINITY);
     }
-    return factors;
+    return 20 * found.count <= K.count ? found : IrregularVertices{};
 }
 
 std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const BenchRuns& runs) {

@@ -19,30 +19,58 @@ inline constexpr std::string_view uniform_H = "H.uniform", deficit_K = "K.baryce
 
 struct MeshCurvature {
     CurvatureSubject subject;
-    Vector length;    // ½‖Δ_uniform x‖, signed [length]
-    Vector H;         // the same times 4/h² [1/length]
-    Vector K;         // barycentric areas [1/length²]
-    Vector areas;     // barycentric [length²]
-    Vector deficit;   // [rad]
+    Vector length;      // ½‖Δ_uniform x‖, signed [length]
+    Vector H;           // the same times 4/h² [1/length]
+    Vector K;           // barycentric areas [1/length²]
+    Vector cotangent;   // H of question 3, to compare with [1/length]
+    Vector areas;       // barycentric [length²]
+    Vector deficit;     // [rad]
     double euler_from_angles() const;
 };
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source);
 
+/// Medians of values in the quarter of the vertices where something else is smallest, and in that where it is largest.
+struct Contrast {
+    double least = 0, most = 0;   // NaN with fewer than eight vertices
+};
+Contrast contrast(const Vector& values, const Vector& by);
+
 /// What of Δx inside a curved mesh is no curvature: differences are rms, over the rms of cotangent H.
 struct TangentialPart {
-    double share = 0;        // of ‖Δx‖², along the surface
+    Vector shares;           // of ‖Δx‖² at each vertex, along the surface
+    double share = 0;        // of Σ ‖Δx‖²
+    double dark = 0;         // of the vertices, where the share is above 0.9
     double gap = 0;          // of ½‖Δx‖ · 4/h² to cotangent H
     double normal_gap = 0;   // of −½Δx·n · 4/h² to it
+    Contrast unevenness;     // of the shares: rings whose longest and shortest edge are alike, and rings where they are not
+    Contrast bending;        // of the shares: where |cotangent H| is small, and where it is large
+
+    bool explains() const { return share > 1e-3 && normal_gap < 0.9 * gap; }
 };
 TangentialPart tangential_part(const MeshCurvature& c);
 
-/// Over the surfaces: how many times as large the L2 error at the finest level is with jittered vertices as with regular ones.
-struct JitterFactors {
-    double least = INFINITY, most = 0;
-    bool matter() const { return least < 0.5 || most > 2; }
+/// What the picture of uniform H shows beside that of cotangent H.
+struct Picture {
+    double jump = 0, cotangent_jump = 0;       // rms difference between neighbours, over the rms of the values
+    double spread = 0, cotangent_spread = 0;   // 98th over 2nd percentile where there is one sign; 0 where there are two
+
+    bool speckled() const { return jump > 1.5 * cotangent_jump; }
+    bool has_one_sign() const { return spread > 0 && cotangent_spread > 0; }
 };
-JitterFactors jitter_factors(const BenchRuns& runs, std::string_view estimator);
+Picture picture_of(const MeshCurvature& c);
+
+/// K at the vertices of valence other than six, where there are few of them: how far it is from the median at most, there and elsewhere,
+/// over the median; and there with Voronoi areas.
+struct IrregularVertices {
+    int count = 0;
+    double off = 0, off_elsewhere = 0, off_with_voronoi = 0;
+
+    bool stand_out() const { return count > 0 && off > 5 * off_elsewhere; }
+    bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
+};
+/// Where K has one sign, and at most a twentieth of the vertices are irregular; else none.
+IrregularVertices irregular_vertices(const MeshCurvature& c);
 
 struct AngleSum {
     std::string mesh;

@@ -44,15 +44,13 @@ report::Table error_table(const BenchRuns& runs) {
     return table("q1_errors", words.line("errors"), runs)
         .column("surface", &BenchRun::surface)
         .column("triangulation", [](auto& run) { return name_of(run.kind); })
-        .column("vertices", [](auto& run) { return run.finest().vertices; })
         .column("smallest angle", {.unit = "°"}, [](auto& run) { return run.finest().smallest_angle * 180 / pi; })
-        .column("H, L2", {.unit = "%"}, error(uniform_H))
-        .column("H, L∞", {.unit = "%"}, error(uniform_H, &EstimateError::linf))
-        .column("H, order of L2", order(uniform_H))
-        .column("H normal part, L2", {.unit = "%", .digits = 2}, error("H.uniform_n"))
-        .column("K, L2", {.unit = "%"}, error(deficit_K))
-        .column("K, L∞", {.unit = "%"}, error(deficit_K, &EstimateError::linf))
-        .column("K, order of L2", order(deficit_K));
+        .column("uniform H", {.unit = "%"}, error(uniform_H))
+        .column("order", order(uniform_H))
+        .column("normal part", {.unit = "%", .digits = 2}, error("H.uniform_n"))
+        .column("K", {.unit = "%"}, error(deficit_K))
+        .column("order", order(deficit_K))
+        .column("K at one vertex", {.unit = "%"}, error(deficit_K, &EstimateError::linf));
 }
 
 report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
@@ -82,7 +80,9 @@ report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator)
     for (const BenchRun& run : runs) {
         using enum report::Series::Style;
         const ErrorHistory errors = run.errors(estimator);
-        plot.series.push_back(error_series(run.title(), errors, run.kind == MeshKind::regular ? line_and_points : dashed));
+        plot.series.push_back(
+            error_series(std::string(name_of(run.kind)), errors, run.kind == MeshKind::regular ? line_and_points : dashed));
+        plot.series.back().panel = run.surface;
         plot.alt += " " + words.line("convergence.alt.series", "series"_a = run.title(), "trend"_a = trend(errors));
     }
     return plot;

@@ -24,6 +24,13 @@ void check_tip(report::Section& section, const Tip& tip) {
                             check_at_most(name("check.tip.parameters"), 0, tip.worst_parameters, 1e-12)});
 }
 
+/// On a sphere κ_n is 1/r in every direction.
+void check_sphere(report::Section& section, double r) {
+    const Tip tip = tip_of({r, r, r});
+    append_checks(section, {check_near(words.line("check.sphere.smaller"), 1 / r, tip.principal.minimum, 1e-12),
+                            check_near(words.line("check.sphere.larger"), 1 / r, tip.principal.maximum, 1e-12)});
+}
+
 void check_oracles(report::Section& section, const OracleErrors& e) {
     const auto name = [&](const char* key) { return words.line(key, "axes"_a = axes_text(e.ellipsoid)); };
     append_checks(section,
@@ -34,6 +41,7 @@ void check_oracles(report::Section& section, const OracleErrors& e) {
 void add_checks(report::Section& section, const std::vector<Tip>& tips, const Oracles& oracles, const PoleSteps& pole,
                 const DiscreteTips& discrete) {
     for (const Tip& tip : tips) check_tip(section, tip);
+    check_sphere(section, 0.8);
     for (const OracleErrors& e : oracles) check_oracles(section, e);
     const double limit = pole_limit(tips.front().ellipsoid);
     append_checks(
@@ -57,36 +65,38 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("q2");
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
     progress("fundamental forms of the ellipsoid");
     const std::vector<Tip> tips{tip_of(flat_ellipsoid), tip_of(tall_ellipsoid)};
     const Tip& tip = tips.front();
-    add(section, forms_table(flat_ellipsoid));
-    add(section, tip_table(tips));
-    add(section, tip_plot(tips[0], "q2_tip_b_above_c"));
-    add(section, tip_plot(tips[1], "q2_tip_b_below_c"));
     const Oracles oracles = all_oracle_errors(settings);
-    add(section, oracle_table(oracles));
     const PoleSteps pole = towards_the_pole(flat_ellipsoid);
-    add(section, pole_table(flat_ellipsoid, pole));
     progress("curvature of an ellipsoid mesh at its tip");
     const DiscreteTips discrete = discrete_tips(flat_ellipsoid, settings.quick);
-    add(section, discrete_table(tip, discrete));
-    add_ellipsoid_figure(answer, flat_ellipsoid, settings.quick, settings.colormap);
+
+    section.answer = words.say("answer");
+    add_paragraph(section, lead_of(tip));
+    add_words(section, words, "method");
+    add(section, angle_diagram(tip));
+    add_words(section, words, "method.tip");
+    add_words(section, words, "results");
+    add(section, tip_table(tips));
+    add(section, tip_plot(tips[0], "q2_tip_b_above_c"));
+    add_discussion(section, tip, oracles, pole, discrete);
     add_checks(section, tips, oracles, pole, discrete);
-    add_discussion(section, tips, oracles, pole, discrete);
+
+    begin_appendix(section);
+    add_words(section, words, "appendix");
+    add(section, forms_table(flat_ellipsoid));
+    add_ellipsoid_figure(answer, flat_ellipsoid, settings.quick, settings.colormap);
+    add(section, tip_plot(tips[1], "q2_tip_b_below_c"));
+    add_remarks(section, tips[1], tip);
+    add(section, oracle_table(oracles));
+    add(section, pole_table(flat_ellipsoid, pole));
+    add(section, discrete_table(tip, discrete));
 
     section.parameters = {{"ellipsoids", axes_text(flat_ellipsoid) + "; " + axes_text(tall_ellipsoid)},
                           {"random points", words.line("parameter.points", "points"_a = oracles.front().points, "seed"_a = settings.seed)}};
     section.extent = words.line("extent", "points"_a = total_points(oracles), "ellipsoids"_a = oracles.size());
-    const DiscreteTip& finest = discrete.grid.back();
-    section.findings = {{words.say("finding.tip", "axes"_a = axes_text(tip.ellipsoid), "least"_a = readable(tip.principal.minimum, 4),
-                                   "largest"_a = readable(tip.principal.maximum, 4), "angle"_a = readable(tip.at_45_angle),
-                                   "parameters"_a = readable(tip.at_45_parameters)),
-                         60},
-                        {words.say("finding.mesh", "vertices"_a = finest.vertices, "error"_a = readable_percent(finest.H_error, 2)), 25}};
     return answer;
 }
 

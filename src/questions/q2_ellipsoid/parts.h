@@ -41,9 +41,13 @@ report::Table oracle_table(const Oracles& oracles);
 report::Table pole_table(const Ellipsoid& ellipsoid, const PoleSteps& steps);
 report::Table discrete_table(const Tip& exact, const DiscreteTips& tips);
 
+/// θ in the tangent plane, and the normal sections along y and z.
+report::Diagram angle_diagram(const Tip& tip);
 void add_ellipsoid_figure(Answer& answer, const Ellipsoid& ellipsoid, bool quick, const std::string& colormap);
-/// What the numbers say, in words that follow them.
-void add_discussion(report::Section& section, const std::vector<Tip>& tips, const Oracles& oracles, const PoleSteps& pole,
-                    const DiscreteTips& discrete);
+// What the numbers and pictures say, in words that follow them.
+report::Text lead_of(const Tip& tip);
+void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete);
+/// Of the other ellipsoid, and what is easily taken for the tip.
+void add_remarks(report::Section& section, const Tip& other, const Tip& tip);
 
 }   // namespace meshfolio::q2_ellipsoid

@@ -27,24 +27,6 @@ void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest
     }
 }
 
-void add_findings(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane) {
-    const BenchLevel& regular = run_on(runs, "torus", MeshKind::regular).finest();
-    const BenchRun& jittered = run_on(runs, "torus", MeshKind::jittered);
-    section.findings = {{words.say("finding.torus", "cotangent"_a = readable_percent(regular.error("H.mixed").l2),
-                                   "uniform"_a = readable_percent(regular.error("H.uniform").l2)),
-                         80},
-                        {words.say("finding.jittered", "trend"_a = trend(jittered.errors("H.mixed"))), 72},
-                        {words.say("finding.square", "cotangent"_a = readable(plane.cotangent, 2), "uniform"_a = readable(plane.uniform, 2),
-                                   "clamped"_a = readable(plane.clamped, 2)),
-                         45}};
-    const auto curved = std::ranges::find_if(
-        meshes, [](const CotangentComparison& c) { return !c.subject.plane_normal && c.jump_uniform > 0 && c.jump_cotangent > 0; });
-    if (curved == meshes.end()) return;
-    section.findings.push_back({words.say("finding.smoother", "mesh"_a = curved->subject.name(),
-                                          "cotangent"_a = readable(curved->jump_cotangent), "uniform"_a = readable(curved->jump_uniform)),
-                                55});
-}
-
 report::Text about_trials(const std::vector<IndicatorTrial>& trials) {
     double off = 0, found = 1;
     int large = 0;
@@ -95,30 +77,36 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     section = section_of("q3");
     const auto sources = meshes_for(library, settings, {"lilium", "plane"}, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
     Comparisons meshes;
     std::vector<std::string> names;
     for (const auto& source : sources) {
         progress("cotangent curvature of " + source->name);
         meshes.push_back(compare_operators(source));
         names.push_back(source->name);
-        add_comparison_figure(answer, meshes.back());
     }
-    add(section, difference_table(meshes));
-    add(section, variant_table(meshes));
     const BenchRuns runs = question_runs(settings, progress);
     const PlaneTest plane = irregular_plane(settings.seed);
-    add_plane_figure(answer, plane, settings.colormap);
+
+    section.answer = answer_of(runs);
+    add_paragraph(section, lead_of(runs, plane));
+    add_words(section, words, "method");
+    add(section, weight_diagram());
+    add_words(section, words, "results");
+    for (const CotangentComparison& c : meshes) add_comparison_figure(answer, c);
     add(section, error_table(runs, &EstimateError::l2, "l2", "L2"));
+    add(section, convergence_plot(runs));
+    add_discussion(section, meshes, runs, plane, panel_runs(settings.seed, settings.quick, progress));
+    add_checks(section, runs, plane, meshes);
+
+    begin_appendix(section);
+    add_words(section, words, "appendix");
     add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"));
     add(section, order_table(runs));
-    for (const MeshKind kind : question_kinds) add(section, convergence_plot(runs, kind));
+    add(section, difference_table(meshes));
+    add(section, variant_table(meshes));
+    add_plane_figure(answer, plane, settings.colormap);
+    add_limits(section, meshes, runs);
     add_error_indicator(answer, meshes, runs, settings);
-    add_checks(section, runs, plane, meshes);
-    add_discussion(section, meshes, runs, plane, panel_runs(settings.seed, settings.quick, progress));
-    add_findings(section, meshes, runs, plane);
 
     const std::size_t levels = runs.front().levels.size();
     int most_vertices = 0;

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "questions/core/study_list.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
@@ -11,100 +10,6 @@ namespace {
 
 double cotangent_error(const BenchRun& run, AreaForm form) { return run.finest().error(H_with(form)).l2; }
 double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform").l2; }
-
-std::string times_smaller(double factor) {
-    if (factor > 1000) return words.line("times.over_1000");
-    return factor >= 1 ? words.line("times.smaller", "factor"_a = readable(factor, 2))
-                       : words.line("times.larger", "factor"_a = readable(1 / factor, 2));
-}
-
-/// Of every surface the best error of the cotangent operator beside that of the uniform one.
-std::string gains(const BenchRuns& runs, MeshKind kind) {
-    std::string told;
-    for (const BenchRun& run : of_kind(runs, kind)) {
-        const AreaForm best = std::ranges::min(area_forms, {}, [&](AreaForm form) { return cotangent_error(run, form); });
-        const double error = cotangent_error(run, best), uniform = uniform_error(run);
-        told += (told.empty() ? "" : "; ") + words.line("gains.surface", "surface"_a = run.surface, "error"_a = readable_percent(error),
-                                                        "areas"_a = area_name(best), "uniform"_a = readable_percent(uniform),
-                                                        "times"_a = times_smaller(uniform / error));
-    }
-    return told;
-}
-
-/// Which area forms converge on one surface.
-report::Text refined(const BenchRun& run) {
-    std::vector<std::string> trends;
-    for (const AreaForm form : area_forms)
-        trends.push_back(words.line("refined.areas", "areas"_a = area_name(form), "trend"_a = trend(run.errors(H_with(form)))));
-    return words.say("refined", "triangulation"_a = name_of(run.kind), "surface"_a = run.surface, "trends"_a = listed(trends));
-}
-
-report::Text about_sphere(const BenchRun& regular, const BenchRun& jittered) {
-    const BenchLevel& coarse = regular.levels.front();
-    const BenchLevel& fine = regular.finest();
-    report::Text t =
-        words.say("sphere", "coarse"_a = readable_percent(coarse.error("H.barycentric").linf, 4), "coarse_vertices"_a = coarse.vertices,
-                  "fine"_a = readable_percent(fine.error("H.barycentric").linf, 4), "fine_vertices"_a = fine.vertices,
-                  "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.error("H.mixed").linf, 2));
-    const double identity = cotangent_error(jittered, AreaForm::voronoi);
-    if (identity < 0.1 * cotangent_error(jittered, AreaForm::barycentric))
-        go_on(t, words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
-    return t;
-}
-
-report::Text about_square(const PlaneTest& plane) {
-    const bool costs = plane.clamped > 1e3 * plane.cotangent;
-    return words.say(costs ? "square.clamping_costs" : "square.clamping_free", "vertices"_a = plane.mesh.vertex_count(),
-                     "negative"_a = readable_percent(plane.negative_weights, 2), "cotangent"_a = readable(plane.cotangent, 2),
-                     "uniform"_a = readable(plane.uniform), "clamped"_a = readable(plane.clamped, costs ? 3 : 2));
-}
-
-report::Text about_flat(const CotangentComparison& c) {
-    report::Text t = words.say("flat", "mesh"_a = c.subject.name());
-    if (c.subject.interior == 0) {
-        go_on(t, words.say("flat.no_inside"));
-        return t;
-    }
-    const auto at_most = [](double x) {
-        return x == 0 ? words.line("flat.exactly") : words.line("flat.at_most", "value"_a = readable(x, 2));
-    };
-    std::string verdict = ".";
-    if (std::max(c.drift, c.precision) < 1e-4)   // what six digits of the coordinates leave
-        verdict = words.line("flat.regular");
-    else if (c.drift > 10 * c.precision)
-        verdict = words.line("flat.improved", "times"_a = readable(c.drift / std::max(c.precision, 1e-300), 2));
-    go_on(t, words.say("flat.inside", "precision"_a = at_most(c.precision), "drift"_a = at_most(c.drift), "verdict"_a = verdict));
-    go_on(t, words.say("flat.boundary", "half_sum"_a = readable(c.variants[0].boundary),
-                       "opposite_mean"_a = readable(c.variants[1].boundary)));
-    return t;
-}
-
-report::Text about_negative_weights(const CotangentComparison& c) {
-    const OperatorVariant& used = c.variants[0];
-    const double change = c.variants[2].change;
-    const int negative = used.negative_inside + used.negative_boundary;
-    if (negative == 0) return words.say("curved.no_negative", "edges"_a = c.subject.topology().edges.size());
-    return words.say("curved.negative", "negative"_a = negative, "edges"_a = c.subject.topology().edges.size(),
-                     "on_boundary"_a = used.negative_boundary, "smallest"_a = readable(used.smallest_weight),
-                     "clamped"_a = std::isfinite(change) ? words.line("curved.clamped", "change"_a = readable_percent(change, 2)) : "");
-}
-
-report::Text about_curved(const CotangentComparison& c) {
-    const CurvatureSubject& s = c.subject;
-    if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = s.name());
-    report::Text t = words.say("curved", "mesh"_a = s.name(), "difference"_a = readable_percent(c.rms_difference / c.rms_uniform),
-                               "sign"_a = readable_percent(c.sign_change, 2));
-    if (c.jump_uniform > 0 && c.jump_cotangent > 0) {
-        const double ratio = c.jump_uniform / c.jump_cotangent;
-        go_on(t, words.say(ratio >= 1 ? "curved.smoother" : "curved.rougher", "cotangent"_a = readable(c.jump_cotangent),
-                           "uniform"_a = readable(c.jump_uniform), "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
-    }
-    go_on(t, about_negative_weights(c));
-    if (!s.source->prepared->preflight.closed())
-        go_on(t, words.say("curved.boundary", "boundary"_a = readable(c.variants[0].boundary),
-                           "opposite_mean"_a = readable(c.variants[1].boundary), "inside"_a = readable(c.variants[0].inside)));
-    return t;
-}
 
 /// How often cotangent H with mixed areas is the better one and converges, and its worst error, on one kind of triangulation.
 struct Tally {
@@ -123,15 +28,78 @@ Tally tally(const BenchRuns& runs, MeshKind kind) {
     return tally;
 }
 
-report::Text verdict(const BenchRuns& runs, const PlaneTest& plane) {
-    const Tally regular = tally(runs, MeshKind::regular), jittered = tally(runs, MeshKind::jittered);
-    const bool converges = jittered.converging == regular.surfaces;
-    return words.say(
-        "verdict", "regular_wins"_a = regular.wins, "surfaces"_a = regular.surfaces, "regular_converging"_a = regular.converging,
-        "worst_regular"_a = readable_percent(regular.worst), "regular_grade"_a = grade(regular.worst), "jittered_wins"_a = jittered.wins,
-        "jittered_converging"_a = jittered.converging, "worst_jittered"_a = readable_percent(jittered.worst),
-        "jittered_grade"_a = grade(jittered.worst), "verdict"_a = words.line(converges ? "verdict.converging" : "verdict.not_converging"),
-        "uniform"_a = readable(plane.uniform, 2), "cotangent"_a = readable(plane.cotangent, 2));
+// ---- what the pictures show
+
+report::Text flat_picture(const CotangentComparison& c) {
+    const std::string& mesh = c.subject.name();
+    if (c.subject.interior == 0) return words.say("flat.no_inside", "mesh"_a = mesh);
+    const bool regular = std::max(c.drift, c.precision) < 1e-4;   // what six digits of the coordinates leave
+    const bool improved = !regular && c.drift > 10 * c.precision;
+    return words.say(regular    ? "flat.regular"
+                     : improved ? "flat.improved"
+                                : "flat.as_bad",
+                     "mesh"_a = mesh, "drift"_a = readable(c.drift, 2), "precision"_a = readable(c.precision, 2));
+}
+
+report::Text curved_picture(const CotangentComparison& c) {
+    const std::string& mesh = c.subject.name();
+    if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = mesh);
+    const double beyond = beyond_range(c.subject.mean_edge * c.uniform, cotangent_range(c));
+    report::Text t =
+        words.say(beyond > 0.05 ? "curved.beyond" : "curved.within", "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2));
+    if (c.jump_uniform > 0 && c.jump_cotangent > 0) {
+        const double ratio = c.jump_uniform / c.jump_cotangent;
+        const char* key = ratio > 1.2 ? "curved.smoother" : ratio < 1 / 1.2 ? "curved.rougher" : "curved.as_smooth";
+        go_on(t, words.say(key, "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
+    }
+    if (c.sign_change > 0.005) go_on(t, words.say("curved.sign", "sign"_a = readable_percent(c.sign_change, 2)));
+    return t;
+}
+
+// ---- what the errors say
+
+std::string times_smaller(double factor) {
+    if (factor > 1000) return words.line("times.over_1000");
+    return factor >= 1 ? words.line("times.smaller", "factor"_a = readable(factor, 2))
+                       : words.line("times.larger", "factor"_a = readable(1 / factor, 2));
+}
+
+/// Over the surfaces of one kind, where the gain of mixed areas over uniform weights is smallest.
+report::Text smallest_gain(const BenchRuns& runs, MeshKind kind, const char* key) {
+    const BenchRun* least = nullptr;
+    const auto gain = [](const BenchRun& run) { return uniform_error(run) / cotangent_error(run, AreaForm::mixed); };
+    for (const BenchRun& run : of_kind(runs, kind))
+        if (!least || gain(run) < gain(*least)) least = &run;
+    return words.say(key, "surface"_a = least->surface, "error"_a = readable_percent(cotangent_error(*least, AreaForm::mixed), 2),
+                     "uniform"_a = readable_percent(uniform_error(*least), 2), "times"_a = times_smaller(gain(*least)));
+}
+
+report::Text about_errors(const BenchRuns& runs) {
+    const Tally jittered = tally(runs, MeshKind::jittered);
+    report::Text t = smallest_gain(runs, MeshKind::regular, "errors.regular");
+    go_on(t, smallest_gain(runs, MeshKind::jittered, "errors.jittered"));
+    go_on(t, words.say(jittered.converging == 0                   ? "errors.stall"
+                       : jittered.converging == jittered.surfaces ? "errors.converge"
+                                                                  : "errors.stall.partly",
+                       "converging"_a = jittered.converging, "surfaces"_a = jittered.surfaces));
+    return t;
+}
+
+report::Text about_negative_weights(const CotangentComparison& c) {
+    const OperatorVariant& used = c.variants[0];
+    const double change = c.variants[2].change;
+    const int negative = used.negative_inside + used.negative_boundary;
+    if (negative == 0) return words.say("negative.none", "mesh"_a = c.subject.name());
+    report::Text t = words.say("negative", "mesh"_a = c.subject.name(), "negative"_a = negative,
+                               "edges"_a = c.subject.topology().edges.size(), "smallest"_a = readable(used.smallest_weight, 2));
+    if (std::isfinite(change)) go_on(t, words.say("negative.clamped", "change"_a = readable_percent(change, 2)));
+    return t;
+}
+
+report::Text about_square(const PlaneTest& plane) {
+    const bool costs = plane.clamped > 1e3 * plane.cotangent;
+    return words.say(costs ? "square.clamping_costs" : "square.clamping_free", "cotangent"_a = readable(plane.cotangent, 2),
+                     "clamped"_a = readable(plane.clamped, 2));
 }
 
 /// Cotangent against uniform over every sequence of meshes of the ground-truth panel, and who does better still.
@@ -139,25 +107,67 @@ report::Text about_panel(const BenchRuns& panel) {
     const auto nearer = [&](const char* one, const char* other) {
         return std::ranges::count_if(panel, [&](const BenchRun& run) { return run.finest().error(one).l2 < run.finest().error(other).l2; });
     };
-    const auto error = [&](const char* key) { return error_and_order(run_on(panel, "ellipsoid", MeshKind::random).errors(key)); };
+    const auto error = [&](const char* key) {
+        return readable_percent(run_on(panel, "ellipsoid", MeshKind::random).finest().error(key).l2, 2);
+    };
     return words.say("panel", "runs"_a = panel.size(), "better_than_uniform"_a = nearer("H.mixed", "H.uniform"),
-                     "jet_better"_a = nearer("H.jet", "H.mixed"), "mixed"_a = error("H.mixed"), "jet"_a = error("H.jet"));
+                     "mixed"_a = error("H.mixed"), "jet"_a = error("H.jet"));
+}
+
+// ---- appendix
+
+report::Text about_boundary(const CotangentComparison& c) {
+    return words.say("boundary", "mesh"_a = c.subject.name(), "half_sum"_a = readable(c.variants[0].boundary, 2),
+                     "opposite_mean"_a = readable(c.variants[1].boundary, 2), "inside"_a = readable(c.variants[0].inside, 2));
+}
+
+report::Text about_sphere(const BenchRun& regular, const BenchRun& jittered) {
+    const BenchLevel& coarse = regular.levels.front();
+    const BenchLevel& fine = regular.finest();
+    report::Text t =
+        words.say("sphere", "coarse"_a = readable_percent(coarse.error("H.barycentric").linf, 4), "coarse_vertices"_a = coarse.vertices,
+                  "fine"_a = readable_percent(fine.error("H.barycentric").linf, 4), "fine_vertices"_a = fine.vertices,
+                  "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.error("H.mixed").linf, 2));
+    const double identity = cotangent_error(jittered, AreaForm::voronoi);
+    if (identity < 0.1 * cotangent_error(jittered, AreaForm::barycentric))
+        go_on(t, words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
+    return t;
 }
 
 }   // namespace
 
+report::Text answer_of(const BenchRuns& runs) {
+    const Tally regular = tally(runs, MeshKind::regular), jittered = tally(runs, MeshKind::jittered);
+    const int wins = regular.wins + jittered.wins, meshes = regular.surfaces + jittered.surfaces;
+    const bool converges = jittered.converging == jittered.surfaces;
+    const char* key = 2 * wins <= meshes ? "answer.no" : converges ? "answer.yes" : "answer.yes_but";
+    return words.say(key, "wins"_a = wins == meshes ? words.line("answer.all", "meshes"_a = meshes)
+                                                    : words.line("answer.some", "wins"_a = wins, "meshes"_a = meshes));
+}
+
+report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane) {
+    const Tally regular = tally(runs, MeshKind::regular), jittered = tally(runs, MeshKind::jittered);
+    return words.say("lead", "regular"_a = readable_percent(regular.worst, 2), "regular_grade"_a = grade(regular.worst),
+                     "jittered"_a = readable_percent(jittered.worst, 2), "jittered_grade"_a = grade(jittered.worst),
+                     "uniform"_a = readable(plane.uniform, 2));
+}
+
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel) {
     add_words(section, words, "discussion");
-    add_paragraph(section, verdict(runs, plane));
-    add_paragraph(section,
-                  words.say("gains", "regular"_a = gains(runs, MeshKind::regular), "jittered"_a = gains(runs, MeshKind::jittered)));
-    for (const MeshKind kind : question_kinds)
-        for (const char* surface : {"ellipsoid", "torus"}) add_paragraph(section, refined(run_on(runs, surface, kind)));
-    add_paragraph(section, about_sphere(run_on(runs, "sphere", MeshKind::regular), run_on(runs, "sphere", MeshKind::jittered)));
-    add_paragraph(section, about_square(plane));
-    for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? about_flat(c) : about_curved(c));
+    for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? flat_picture(c) : curved_picture(c));
+    add_paragraph(section, about_errors(runs));
+    report::Text clamping = about_square(plane);
+    for (const CotangentComparison& c : meshes)
+        if (!c.subject.plane_normal && summary_of(c.difference).count > 0) go_on(clamping, about_negative_weights(c));
+    add_paragraph(section, clamping);
     add_paragraph(section, about_panel(panel));
+}
+
+void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs) {
+    add_paragraph(section, about_sphere(run_on(runs, "sphere", MeshKind::regular), run_on(runs, "sphere", MeshKind::jittered)));
+    for (const CotangentComparison& c : meshes)
+        if (!c.subject.source->prepared->preflight.closed()) add_paragraph(section, about_boundary(c));
 }
 
 }   // namespace meshfolio::q3_cotangent

@@ -1,23 +1,40 @@
+#include <cmath>
+
 #include "base/number_text.h"
 #include "questions/core/six_view_figure.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
 
+double beyond_range(const Vector& values, const output::ColorRange& range) {
+    int beyond = 0, finite = 0;
+    for (const double v : values) {
+        finite += std::isfinite(v) ? 1 : 0;
+        beyond += v < range.low || v > range.high ? 1 : 0;
+    }
+    return finite > 0 ? double(beyond) / finite : 0;
+}
+
+output::ColorRange cotangent_range(const CotangentComparison& c) {
+    output::Panel panel;
+    panel.values = c.subject.mean_edge * c.cotangent;
+    return output::robust_range({panel}, "diverging", "H × mean edge", "", 0.01);
+}
+
 void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
     const CurvatureSubject& s = c.subject;
     const std::string id = "q3_" + s.name() + "_h";
+    const output::ColorRange range = cotangent_range(c);
+    const double beyond = beyond_range(s.mean_edge * c.uniform, range);
     SixViewFigure figure{.id = id,
                          .title = words.line("comparison.title"),
                          .subtitle = subtitle_of(*s.source),
-                         .caption = words.line("comparison.caption", "mesh"_a = s.name(), "mean_edge"_a = readable(s.mean_edge),
-                                               "undefined"_a = undefined_words(s)),
-                         .panels = {panel_of(*s.source, id + "_uniform", "uniform, × 4/h²", s.mean_edge * c.uniform),
-                                    panel_of(*s.source, id + "_cotangent", "cotangent", s.mean_edge * c.cotangent),
-                                    panel_of(*s.source, id + "_difference", "cotangent − uniform", s.mean_edge * c.difference)},
-                         .turnable = true};
-    // The two estimates set the range; the difference is drawn in it, so that its colours weigh the same.
-    const auto range = output::robust_range({figure.panels[0], figure.panels[1]}, "diverging", "H × mean edge", "", 0.01, 0.03);
+                         .caption = words.line(beyond > 0.05 ? "comparison.caption.beyond" : "comparison.caption", "mesh"_a = s.name(),
+                                               "beyond"_a = readable_percent(beyond, 2), "undefined"_a = undefined_words(s)),
+                         .panels = {panel_of(*s.source, id + "_uniform", words.line("comparison.uniform"), s.mean_edge * c.uniform),
+                                    panel_of(*s.source, id + "_cotangent", words.line("comparison.cotangent"), s.mean_edge * c.cotangent)},
+                         .turnable = true,
+                         .view_files = true};
     figure.range = range_for(range, figure.panels);
     add_figure(answer, std::move(figure));
 }

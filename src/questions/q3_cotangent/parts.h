@@ -18,6 +18,9 @@ inline constexpr report::Words words("q3");
 using Comparisons = std::vector<CotangentComparison>;
 
 // Figures.
+/// What cotangent H sets the colours of a mesh to, and the share of the values beyond a range.
+output::ColorRange cotangent_range(const CotangentComparison& comparison);
+double beyond_range(const Vector& values, const output::ColorRange& range);
 void add_comparison_figure(Answer& answer, const CotangentComparison& comparison);
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap);
 void add_disagreement_figure(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement,
@@ -30,12 +33,18 @@ report::Table variant_table(const Comparisons& meshes);
 report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
 report::Table order_table(const BenchRuns& runs);
 report::Table indicator_table(const std::vector<IndicatorTrial>& trials);
-report::Plot convergence_plot(const BenchRuns& runs, MeshKind kind);
+report::Plot convergence_plot(const BenchRuns& runs);
+/// The opposite angles, the pull of uniform weights, and why that of cotangents vanishes.
+report::Diagram weight_diagram();
 
 /// What the indicator is worth, and where it doubts H on the meshes.
 void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchRuns& runs, const QuestionSettings& settings);
-/// What the numbers say, in words that follow them.
+// What the numbers and pictures say, in words that follow them.
+report::Text answer_of(const BenchRuns& runs);
+report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane);
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel);
+/// What is said in the appendix: boundaries, the twelve pentagons of the icosphere, Voronoi areas on spheres.
+void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs);
 
 }   // namespace meshfolio::q3_cotangent

@@ -88,23 +88,23 @@ report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
         .column("worst tenth found", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.found; });
 }
 
-report::Plot convergence_plot(const BenchRuns& runs, MeshKind kind) {
-    const std::string name(name_of(kind));
-    report::Plot plot = error_plot("q3_convergence_" + name, words.line("convergence", "triangulation"_a = name),
-                                   words.line("convergence.alt", "triangulation"_a = name));
-    int surface = 0;
-    for (const BenchRun& run : of_kind(runs, kind)) {
-        const auto add = [&](const std::string& estimator, const ErrorHistory& errors, report::Series::Style style, std::size_t pattern) {
-            plot.series.push_back(error_series(run.surface + ", " + estimator, errors, style));
-            plot.series.back().color = surface;
-            plot.series.back().pattern = static_cast<int>(pattern);
-            plot.alt += " " + words.line("convergence.alt.series", "series"_a = plot.series.back().name, "trend"_a = trend(errors));
-        };
-        using enum report::Series::Style;
-        for (const AreaForm form : area_forms)
-            add(area_name(form), run.errors(H_with(form)), line_and_points, static_cast<std::size_t>(form));
-        add("uniform", run.errors("H.uniform"), dashed, area_forms.size());
-        ++surface;
+report::Plot convergence_plot(const BenchRuns& runs) {
+    report::Plot plot = error_plot("q3_convergence", words.line("convergence"), words.line("convergence.alt"));
+    for (const KnownSurface& surface : question_surfaces()) {
+        int color = 0;
+        for (const std::string_view estimator : {std::string_view("H.uniform"), std::string_view("H.mixed")}) {
+            for (const MeshKind kind : question_kinds) {
+                using enum report::Series::Style;
+                const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
+                const std::string name = words.line(estimator == "H.uniform" ? "convergence.uniform" : "convergence.cotangent",
+                                                    "triangulation"_a = name_of(kind));
+                plot.series.push_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
+                plot.series.back().color = color;
+                plot.series.back().panel = surface.name;
+                plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
+            }
+            ++color;
+        }
     }
     return plot;
 }

@@ -3,12 +3,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/bench/spectral_uses.h"
 #include "questions/core/chapter.h"
 #include "questions/core/study_list.h"
@@ -20,54 +18,57 @@ inline constexpr report::Words words("q4");
 /// Of the box diagonal: errors whose smallest k is told.
 inline constexpr std::array target_shares{0.1, 0.01, 0.001};
 
-/// A target that is reached.
-struct Threshold {
-    double share = 0;          // of the box diagonal
-    int k = 0;                 // the smallest
-    double measured_rms = 0;   // area-weighted, of the mesh rebuilt with that k [length]
+/// One mesh: its reconstructions, and why its thin parts suffer.
+struct Subject {
+    SpectralStudy study;
+    LimbStudy limbs;
+    double factor_entries = 0;   // of a Cholesky factor of −C + σM
+    bool chosen_k = true;        // by the question, not by the settings
+
+    const std::string& name() const { return study.name(); }
 };
-std::vector<Threshold> thresholds_of(const SpectralStudy& study);
+Subject subject_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& settings);
+
+/// The reconstructions that the answer is about: the first two k and the largest.
+std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study);
+/// The modes that are drawn, counted from 1: the first four that are not constant on every component, the 10th and the 15th.
+std::vector<int> drawn_modes(const SpectralStudy& study);
+/// How many of 100 vertices lie nearer to the centroid than the one where the mode is largest.
+double remoteness_of_peak(const SpectralStudy& study, int mode);
+/// Is the error of k modes rounding?
+bool is_exact(const SpectralStudy& study, int k);
 
 inline std::string id_of(const SpectralStudy& study, const std::string& what) { return meshfolio::id_of("q4", study.name(), what); }
 /// Of a length, times this: in % of the box diagonal.
 inline double percent_of(const SpectralStudy& study) { return 100 / study.diagonal; }
 /// "1.23 %" of the box diagonal.
-inline std::string percent_of_box(const SpectralStudy& study, double length, int digits = 3) {
+inline std::string percent_of_box(const SpectralStudy& study, double length, int digits = 2) {
     return readable_percent(length / study.diagonal, digits);
 }
-/// @param mode  counted from 1
-inline double wavelength(const SpectralStudy& study, int mode) { return 2 * pi / std::sqrt(study.spectrum.eigenvalues[mode - 1]); }
 
 // Tables and plots.
 report::Table error_table(const SpectralStudy& study);
 report::Plot error_plot(const SpectralStudy& study);
-report::Table threshold_table(const SpectralStudy& study, const std::vector<Threshold>& thresholds);
 report::Table eigenvalue_table(const SpectralStudy& study);
 report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs);
 report::Table cost_table(const SpectralStudy& study, double factor_entries);
-report::Table band_table(const SpectralStudy& study, const BandStudy& bands);
-report::Table filter_table(const SpectralStudy& study, const BandStudy& bands);
-report::Table low_pass_table(const SpectralStudy& study, const LowPassStudy& low_pass);
-report::Plot low_pass_plot(const SpectralStudy& study, const LowPassStudy& low_pass);
-report::Table mistake_table(const SpectralStudy& study, const MistakeStudy& mistakes);
 
 // Figures.
+/// The original and the reconstructions that are told.
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study);
-/// The original against the reconstruction in the middle: coarser ones are blobs, finer ones show nothing.
-void add_before_after(Answer& answer, const SpectralStudy& study, const std::string& colormap);
-/// φ₁ … with their nodal lines, from one view.
-void add_eigenfunction_gallery(Answer& answer, const SpectralStudy& study, bool quick);
-void add_band_figure(Answer& answer, const SpectralStudy& study, const BandStudy& bands, const std::string& colormap);
-void add_mistake_figure(Answer& answer, const SpectralStudy& study, const MistakeStudy& mistakes, const std::string& colormap);
+/// Those between; nothing where there are none.
+void add_further_figure(Answer& answer, const SpectralStudy& study);
+/// The modes that are drawn, with their nodal lines, from one view.
+void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);
 
-/// What the numbers say.
-/// @param uses  one for each study
-void add_discussion(report::Section& section, const std::vector<SpectralStudy>& studies, const std::vector<SpectralUses>& uses);
-// Its paragraphs about the uses; empty where there is nothing to say.
-report::Text cost_of_large_k(const SpectralStudy& study, const SpectralUses& uses);
+// What the numbers say.
+/// Does a larger k give better reconstructions? In one sentence.
+report::Text answer_in_short(const std::vector<Subject>& subjects);
+/// What follows it.
+report::Text lead(const std::vector<Subject>& subjects);
+void add_discussion(report::Section& section, const std::vector<Subject>& subjects);
+// Its paragraphs; empty where there is nothing to say.
 report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs);
-report::Text what_bands_do(const SpectralStudy& study, const BandStudy& bands);
-report::Text low_pass_without_modes(const SpectralStudy& study, const SpectralUses& uses);
-report::Text cost_of_mistakes(const SpectralStudy& study, const MistakeStudy& mistakes);
+report::Text what_modes_look_like(const SpectralStudy& study);
 
 }   // namespace meshfolio::q4_spectral

@@ -1,4 +1,8 @@
-#include "geometry/spectrum/spectral_reconstruction.h"
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/linear/special_values.h"
+#include "questions/core/section_tools.h"
 #include "questions/core/table.h"
 #include "questions/q4_spectral/parts.h"
 
@@ -20,30 +24,17 @@ void add_point(report::Series& series, double x, double y) {
 
 }   // namespace
 
-std::vector<Threshold> thresholds_of(const SpectralStudy& study) {
-    const Vector& M = study.laplacian.M;
-    std::vector<Threshold> reached;
-    for (const double share : target_shares) {
-        const int k = smallest_k_below(study, share);
-        if (k == 0) continue;
-        const Positions off = reconstruct(study.spectrum, M, study.mesh().X, k) - study.mesh().X;
-        reached.push_back({share, k, std::sqrt(M.dot(off.rowwise().squaredNorm()) / M.sum())});
-    }
-    return reached;
-}
-
 report::Table error_table(const SpectralStudy& study) {
     const report::Column share{.unit = "% of box", .best = smallest};
-    return table(id_of(study, "errors"), words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal, 4)),
+    return table(id_of(study, "errors"), words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal)),
                  study.reconstructions)
         .column("k", {.digits = count_digits}, &Reconstruction::k)
-        .column("μ_k", {.unit = "1/length²", .digits = 4}, [&](auto& r) { return study.spectrum.eigenvalues[r.k - 1]; })
-        .column("rms", {.unit = "length"}, [](auto& r) { return r.difference.rms; })
+        .column("share of all modes", {.unit = "%"}, [&](auto& r) { return 100.0 * r.k / study.vertices(); })
         .column("rms", share, of_box(study, [](auto& r) { return r.difference.rms; }))
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
         .column("Hausdorff", share, of_box(study, [](auto& r) { return r.difference.hausdorff; }))
         .column("mean normal angle", {.unit = "°", .best = smallest}, [](auto& r) { return r.difference.mean_normal_angle * 180 / pi; })
-        .column("volume", {.unit = "% of original", .digits = 4}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });
+        .column("volume", {.unit = "% of original"}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });
 }
 
 report::Plot error_plot(const SpectralStudy& study) {
@@ -62,23 +53,17 @@ report::Plot error_plot(const SpectralStudy& study) {
                       .log_x = true,
                       .log_y = true,
                       .series = {std::move(predicted), std::move(measured)}};
+    if (const auto law = fall_of_the_error(study)) {
+        report::Series fitted{.name = words.line("error_versus_k.fitted", "power"_a = readable(law->power, 2)),
+                              .style = report::Series::Style::dashed};
+        for (const int k : {law->first, law->last}) add_point(fitted, k, percent * law->at(k));
+        plot.series.push_back(std::move(fitted));
+        plot.caption += " " + words.line("error_versus_k.fit", "first"_a = law->first, "last"_a = law->last);
+    }
     for (const double share : target_shares)
         if (const int k = smallest_k_below(study, share); k > 0)
             plot.markers.push_back({double(k), percent * study.rms[k], readable_percent(share, 1) + ": k = " + std::to_string(k)});
     return plot;
-}
-
-report::Table threshold_table(const SpectralStudy& study, const std::vector<Threshold>& thresholds) {
-    const auto edges = [&](const Threshold& t) {
-        return cell_of(wavelength(study, t.k) / study.source->prepared->preflight.mean_edge, study.spectrum.eigenvalues[t.k - 1] > 0);
-    };
-    return table(id_of(study, "thresholds"), words.line("thresholds", "mesh"_a = study.name()), thresholds)
-        .column("target", {.unit = "% of box"}, [](auto& t) { return 100 * t.share; })
-        .column("smallest k", {.digits = count_digits}, &Threshold::k)
-        .column("share of all modes", {.unit = "%"}, [&](auto& t) { return 100.0 * t.k / study.vertices(); })
-        .column("predicted rms", {.unit = "% of box", .digits = 5}, of_box(study, [&](auto& t) { return study.rms[t.k]; }))
-        .column("measured rms", {.unit = "% of box", .digits = 5}, of_box(study, &Threshold::measured_rms))
-        .column("wavelength", {.unit = "mean edges"}, edges);
 }
 
 report::Table eigenvalue_table(const SpectralStudy& study) {
@@ -119,69 +104,6 @@ report::Table cost_table(const SpectralStudy& study, double factor_entries) {
         .column("orthogonalisation", {.unit = "Mflop"}, [](auto& cost) { return 1e-6 * cost.orthogonalise_operations; })
         .column("rebuilding", {.unit = "Mflop"}, [](auto& cost) { return 1e-6 * cost.rebuild_operations; })
         .column("Φ", {.unit = "MiB"}, &ModeCost::megabytes);
-}
-
-report::Table band_table(const SpectralStudy& study, const BandStudy& bands) {
-    return table(id_of(study, "band_energies"), words.line("band_energies", "mesh"_a = study.name()), bands.bands)
-        .column("band", &Band::name)
-        .column("first mode", {.digits = count_digits}, &Band::first)
-        .column("last mode", {.digits = count_digits}, &Band::last)
-        .column("longest wavelength", {.unit = "% of box"}, of_box(study, [&](auto& band) { return wavelength(study, band.first); }))
-        .column("shortest wavelength", {.unit = "% of box"}, of_box(study, [&](auto& band) { return wavelength(study, band.last); }))
-        .column("energy", {.unit = "%"}, [](auto& band) { return 100 * band.energy_share; });
-}
-
-report::Table filter_table(const SpectralStudy& study, const BandStudy& bands) {
-    return table(id_of(study, "filters"), words.line("filters", "mesh"_a = study.name()), bands.meshes)
-        .column("filter", &EqualisedMesh::label)
-        .column("predicted", {.unit = "% of box", .digits = 5}, of_box(study, &EqualisedMesh::predicted_rms))
-        .column("measured", {.unit = "% of box", .digits = 5}, of_box(study, &EqualisedMesh::measured_rms))
-        .column("largest", {.unit = "% of box"}, of_box(study, [](auto& state) { return state.distance.maxCoeff(); }));
-}
-
-report::Table low_pass_table(const SpectralStudy& study, const LowPassStudy& low_pass) {
-    return table(id_of(study, "low_pass"),
-                 words.line("low_pass", "mesh"_a = study.name(), "cutoff"_a = readable(low_pass.cutoff, 4), "k"_a = low_pass.k,
-                            "bound"_a = readable(low_pass.bound, 4)),
-                 low_pass.errors)
-        .column(words.line("low_pass.degree"), {.digits = count_digits}, &LowPassError::degree)
-        .column("work", {.unit = "Mflop"}, [](auto& row) { return 1e-6 * row.operations; })
-        .column("step: error", {.unit = "% of box", .best = smallest}, of_box(study, &LowPassError::ideal))
-        .column(words.line("low_pass.predicted"), {.unit = "% of box"}, of_box(study, &LowPassError::ideal_from_response))
-        .column("smooth: error", {.unit = "% of box", .best = smallest}, of_box(study, &LowPassError::smooth));
-}
-
-report::Plot low_pass_plot(const SpectralStudy& study, const LowPassStudy& low_pass) {
-    const double percent = percent_of(study);
-    constexpr auto style = report::Series::Style::line_and_points;
-    report::Series step{.name = words.line("low_pass_error.step", "k"_a = low_pass.k), .style = style};
-    report::Series smooth{.name = words.line("low_pass_error.smooth"), .style = style};
-    for (const LowPassError& row : low_pass.errors) {
-        add_point(step, row.degree, percent * row.ideal);
-        add_point(smooth, row.degree, row.smooth > 0 ? percent * row.smooth : undefined);
-    }
-    const LowPassError &first = low_pass.errors.front(), &last = low_pass.errors.back();
-    report::Plot plot{
-        .id = id_of(study, "low_pass_error"),
-        .caption = words.line("low_pass_error", "mesh"_a = study.name(), "first"_a = first.degree, "last"_a = last.degree,
-                              "step_first"_a = readable(percent * first.ideal), "step_last"_a = readable(percent * last.ideal),
-                              "smooth_first"_a = readable(percent * first.smooth), "smooth_last"_a = readable(percent * last.smooth)),
-        .x_label = "degree of the polynomial",
-        .y_label = words.line("low_pass_error.y"),
-        .log_x = true,
-        .log_y = true,
-        .series = {std::move(step), std::move(smooth)}};
-    plot.alt = plot.caption;
-    return plot;
-}
-
-report::Table mistake_table(const SpectralStudy& study, const MistakeStudy& mistakes) {
-    return table(id_of(study, "errors_mistaken"), words.line("errors_mistaken", "mesh"_a = study.name()), mistakes.errors)
-        .column("k", {.digits = count_digits}, &MistakeErrors::k)
-        .column("Φ ΦᵀMX", {.unit = "% of box"}, of_box(study, &MistakeErrors::right))
-        .column("Ψ ΨᵀX", {.unit = "% of box"}, of_box(study, &MistakeErrors::unmapped))
-        .column("Φ ΦᵀX", {.unit = "% of box"}, of_box(study, &MistakeErrors::unweighted))
-        .column("edge-normalised", {.unit = "% of box"}, of_box(study, &MistakeErrors::edge_normalised));
 }
 
 }   // namespace meshfolio::q4_spectral

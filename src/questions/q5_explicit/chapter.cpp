@@ -48,11 +48,27 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
     }
 }
 
-report::Finding finding(const ExplicitStudy& study) {
-    const Amplification& far = study.amplification.back();
-    return {words.say("finding", "mesh"_a = study.name(), "critical"_a = readable(study.subject.critical, 4),
-                      "off"_a = readable_percent(std::abs(far.measured / far.predicted - 1), 1)),
-            75};
+/// How far it was done, and with which settings.
+void add_record(report::Section& section, const Studies& studies) {
+    for (const ExplicitStudy& study : studies)
+        section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = plain_text(study.subject.critical, 6);
+    section.parameters["iterations"] = std::to_string(studies.front().runs.front().iterations);
+    section.parameters["operator"] = smoothing_words.line("parameter.operator");
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)));
+}
+
+void add_appendix(Answer& answer, const Studies& studies) {
+    report::Section& section = answer.section;
+    begin_appendix(section);
+    add(section, bounds_table(studies));
+    add_faces_without_area(section, studies);
+    for (const ExplicitStudy& study : studies) {
+        if (&study != &telling(studies)) {
+            add_frames_figure(answer, study);
+            add(section, energy_plot(study));
+        }
+        add(section, sweep_table(study));
+    }
 }
 
 }   // namespace
@@ -62,26 +78,23 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     section = section_of("q5");
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns"}, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
     const auto studies = studies_of(meshes, "explicit smoothing", settings, progress, section, explicit_study);
+    section.answer = answer_in_short(studies);
+    add_paragraphs(section, {lead(studies)});
+    add_words(section, words, "method");
+    add(section, damping_plot());
+    add_words(section, words, "results");
     add(section, limit_table(studies));
-    add_faces_without_area(section, studies);
     for (const ExplicitStudy& study : studies) {
-        add_sweep_figure(answer, study);
-        add_before_after(answer, study, settings.colormap);
-        add(section, sweep_table(study));
-        add(section, energy_plot(study));
+        add_recommended_figure(answer, study);
         add_checks(section, study);
-        section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = plain_text(study.subject.critical, 6);
     }
+    add_frames_figure(answer, telling(studies));
+    add(section, steps_table(studies));
+    add(section, energy_plot(telling(studies)));
     add_discussion(section, studies);
-
-    section.parameters["iterations"] = std::to_string(studies.front().runs.front().iterations);
-    section.parameters["operator"] = smoothing_words.line("parameter.operator");
-    section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)));
-    section.findings.push_back(finding(studies.back()));
+    add_appendix(answer, studies);
+    add_record(section, studies);
     return answer;
 }
 

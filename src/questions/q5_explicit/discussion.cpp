@@ -26,159 +26,181 @@ Extent extent_of_top_mode(const ExplicitStudy& study) {
     return support < 0.1 * vertices ? Extent::region : Extent::whole;
 }
 
-/// The meshes on which it has this extent, with the vertex where there is one to name.
-Names places(const Studies& studies, Extent extent) {
-    Names places;
-    for (const ExplicitStudy& study : studies) {
-        if (extent_of_top_mode(study) != extent) continue;
-        const LargestEigenvalue& top = study.subject.top;
-        places.push_back(words.line(extent == Extent::whole ? "limit.place" : "limit.place.around", "mesh"_a = study.name(),
-                                    "support"_a = readable(std::max(1.0, top.support), 2), "vertices"_a = vertices_of(study),
-                                    "vertex"_a = top.vertex));
-    }
-    return places;
+report::Text places(const Studies& studies, Extent extent, const char* key) {
+    Names names;
+    for (const ExplicitStudy& study : studies)
+        if (extent_of_top_mode(study) == extent) names.push_back(study.name());
+    return said_of(names, words, key);
 }
 
 report::Text how_large(const Studies& studies) {
-    Names limits;
-    for (const ExplicitStudy& study : studies)
-        limits.push_back(words.line("limit.mesh", "mesh"_a = study.name(), "critical"_a = readable(study.subject.critical, 2),
-                                    "edges"_a = readable(study.critical_in_edges(), 2)));
-    const auto worst = std::ranges::min_element(studies, {}, &ExplicitStudy::critical_in_edges);
-    const double lowest = worst->critical_in_edges();
+    const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
     // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
     static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
-    return paragraph_of({words.say("limit", "limits"_a = listed(limits)),
-                         words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", "grid"_a = readable(grid, 2),
-                                   "mesh"_a = worst->name(), "meshes"_a = studies.size(), "times"_a = readable(grid / lowest, 2)),
-                         said_of(places(studies, Extent::whole), words, "limit.whole"),
-                         said_of(places(studies, Extent::region), words, "limit.region"),
-                         said_of(places(studies, Extent::spot), words, "limit.spot")});
+    const double lowest = low->critical_in_edges();
+    const report::Facts facts{
+        "low"_a = readable(lowest, 2), "low_mesh"_a = low->name(),   "high"_a = readable(high->critical_in_edges(), 2),
+        "high_mesh"_a = high->name(),  "grid"_a = readable(grid, 2), "times"_a = readable(grid / lowest, 2),
+        "meshes"_a = studies.size()};
+    return paragraph_of({words.say(studies.size() > 1 ? "limit.several" : "limit.one", facts),
+                         words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
+                         places(studies, Extent::whole, "limit.whole"), places(studies, Extent::region, "limit.region"),
+                         places(studies, Extent::spot, "limit.spot")});
 }
 
 // ---- which one to take
 
-/// What smoothing with the recommended step does to energy, volume and faces, and what going on would cost.
-report::Text effect_of(const ExplicitStudy& study) {
-    const SmoothingRun &run = study.recommended->stopped, &all = study.runs[study.recommended->run];
-    const int turned = run.moved.inverted_faces;
-    return paragraph_of(
-        {words.say("good.mesh", "mesh"_a = study.name(), "step"_a = step_label(study.subject, run.lambda), "iterations"_a = run.iterations,
-                   "fall"_a = energy_fall(run.energy.back()),
-                   "volume"_a = words.line("good.mesh.volume", "volume"_a = readable_percent(run.size.back()))),
-         run.iterations < all.iterations
-             ? words.say("good.mesh.stopped", "iterations"_a = all.iterations, "volume"_a = readable_percent(all.size.back(), 2))
-             : words.say("good.mesh.all"),
-         turned > 0 ? words.say("good.mesh.turned", "turned"_a = turned, "faces"_a = study.subject.mesh().face_count()) : report::Text()});
+/// The largest stable step beyond half the limit that was tried; as many as there are: none.
+std::size_t largest_that_flips(const ExplicitStudy& study) {
+    const std::size_t i = study.first_beyond();
+    return i > 0 && !keeps_signs(study.subject, study.runs[i - 1].lambda) ? i - 1 : study.runs.size();
 }
 
-report::Text good_step(const Studies& studies) {
+/// Why half the limit and not the largest stable step: what is left of the top mode, and what the larger step takes with it.
+report::Text why_half(const Studies& studies) {
+    const bool all_half = std::ranges::all_of(
+        studies, [](const ExplicitStudy& s) { return !s.recommended || keeps_signs(s.subject, s.recommended->stopped.lambda); });
+    report::Text t = words.say(all_half ? "good.keeps_signs" : "good.changes_signs");
+    if (!all_half) return t;
+    for (const ExplicitStudy& study : studies) {
+        const std::size_t larger = largest_that_flips(study);
+        if (larger == study.runs.size() || !study.recommended) continue;
+        const SmoothingRun &run = study.runs[larger], &half = study.runs[study.recommended->run];
+        go_on(t, words.say("good.flips", "limits"_a = in_limits(study.subject, run.lambda),
+                           "left"_a = share_left(study.amplification[larger].measured)));
+        if (run.energy.back() < half.energy.back() && run.size.back() < half.size.back())
+            go_on(t, words.say("good.farther", "mesh"_a = study.name(), "iterations"_a = run.iterations,
+                               "limits"_a = in_limits(study.subject, run.lambda), "energy"_a = share_left(run.energy.back()),
+                               "half_energy"_a = share_left(half.energy.back()), "size"_a = share_left(run.size.back()),
+                               "half_size"_a = share_left(half.size.back())));
+        break;   // the first mesh shows it
+    }
+    return t;
+}
+
+// ---- when to stop
+
+/// What the recommended step does to one mesh, as its figure shows.
+report::Text effect_of(const ExplicitStudy& study) {
+    const Recommendation& best = *study.recommended;
+    const SmoothingRun& run = best.stopped;
+    const report::Facts facts{"mesh"_a = study.name(),
+                              "iterations"_a = run.iterations,
+                              "size"_a = share_left(run.size.back()),
+                              "before"_a = readable(best.roughness_before, 2),
+                              "after"_a = readable(best.roughness_after, 2),
+                              "features"_a = readable(best.on_features, 2),
+                              "boundary"_a = readable(best.on_boundary, 2),
+                              "turned"_a = run.moved.inverted_faces,
+                              "faces"_a = study.subject.mesh().face_count()};
+    const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
+    return paragraph_of({words.say(best.all_kept ? "stop.kept" : "stop.mesh", facts),
+                         if_so(best.roughness_before > 5 && best.roughness_after < 0.8 * best.roughness_before, "stop.roughness"),
+                         if_so(best.on_features > 1.5, "stop.features"), if_so(best.on_boundary > 1.5, "stop.boundary"),
+                         if_so(run.moved.inverted_faces > 0, "stop.turned")});
+}
+
+report::Text when_to_stop(const Studies& studies) {
     Names none;
     report::Text effects;
-    bool all_keep_signs = true;
     for (const ExplicitStudy& study : studies) {
-        if (!study.recommended) {
+        if (study.recommended)
+            effects = paragraph_of({effects, effect_of(study)});
+        else
             none.push_back(study.name());
-            continue;
-        }
-        all_keep_signs = all_keep_signs && keeps_signs(study.subject, study.recommended->stopped.lambda);
-        effects = paragraph_of({effects, effect_of(study)});
     }
-    const report::Text which = effects.empty() ? effects : words.say(all_keep_signs ? "good.keeps_signs" : "good.changes_signs");
-    return paragraph_of({which, effects, said_of(none, words, "good.none")});
+    return paragraph_of({effects.empty() ? effects : words.say("stop"), effects, said_of(none, words, "good.none")});
 }
 
 // ---- and beyond
 
 using StudyPointers = std::vector<const ExplicitStudy*>;
 
-/// The first run beyond the limit; as many as there are: there is none.
-std::size_t first_beyond(const ExplicitStudy& study) {
-    std::size_t i = 0;
-    while (i < study.runs.size() && study.stable(i)) ++i;
-    return i;
+/// The run just beyond the limit: how fast its top mode grows, by theory and as measured.
+report::Text growth_of_the_top_mode(const ExplicitStudy& study) {
+    const std::size_t i = study.first_beyond();
+    const double factor = 1 - study.runs[i].lambda * study.subject.top.value;
+    return words.say("beyond", "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, study.runs[i].lambda),
+                     "step"_a = readable(factor, 3), "measured"_a = readable(study.amplification[i].measured, 2),
+                     "predicted"_a = readable(study.amplification[i].predicted, 2));
 }
 
-std::string step_and_iterations(const ExplicitStudy& study, const SmoothingRun& run) {
-    return words.line("beyond.run", "at_step"_a = at_step(study.subject, run.lambda), "iterations"_a = run.result.iterations);
-}
-
-report::Text growth_of_the_top_mode(const StudyPointers& beyond) {
-    std::vector<Observed> grown;
-    for (const ExplicitStudy* study : beyond) {
-        const std::size_t i = first_beyond(*study);
-        const double lambda = study->runs[i].lambda;
-        const Amplification& growth = study->amplification[i];
-        grown.push_back(
-            {words.line("beyond.grown", "factor"_a = readable(growth.measured, 3), "mesh"_a = study->name()),
-             words.line("beyond.predicted", "factor"_a = readable(growth.predicted, 3),
-                        "step"_a = readable(1 - lambda * study->subject.top.value, 3), "at_step"_a = at_step(study->subject, lambda))});
-    }
-    return said_of(grown, words, "beyond");
-}
-
-/// "fandisk_ns", "cube (one of 12 alike)": where the top mode is largest at the vertex that breaks away; empty where it is not.
-std::string broken_at_top(const ExplicitStudy& study) {
-    const int vertex = study.runs.back().result.blow_up_vertex;
-    if (std::ranges::find(study.peaks, vertex) == study.peaks.end()) return "";
-    return study.peaks.size() == 1 ? study.name()
-                                   : words.line("beyond.at_top.tie", "mesh"_a = study.name(), "vertices"_a = study.peaks.size());
+/// Where the top mode is largest at the vertex that breaks away first.
+bool broken_at_top(const ExplicitStudy& study) {
+    return std::ranges::find(study.peaks, study.runs.back().result.blow_up_vertex) != study.peaks.end();
 }
 
 /// Where the largest step tried ends, and whether it breaks at the vertex that sets the limit.
 report::Text where_it_breaks(const StudyPointers& beyond) {
-    std::vector<Observed> blown, turned;
-    Names at_top;
+    std::vector<int> iterations;
+    Names blown, at_top, turned;
+    std::string limits;
     for (const ExplicitStudy* study : beyond) {
         const SmoothingRun& last = study->runs.back();
-        const report::Fact mesh = "mesh"_a = study->name();
         if (last.result.blew_up) {
-            blown.push_back({words.line("beyond.blown.mesh", mesh, "iteration"_a = last.result.blow_up_iteration,
-                                        "vertex"_a = last.result.blow_up_vertex),
-                             at_step(study->subject, last.lambda)});
-            if (std::string place = broken_at_top(*study); !place.empty()) at_top.push_back(std::move(place));
+            limits = in_limits(study->subject, last.lambda);
+            iterations.push_back(last.result.blow_up_iteration);
+            blown.push_back(study->name());
+            if (broken_at_top(*study)) at_top.push_back(study->name());
         } else if (last.moved.inverted_faces > 0) {
-            turned.push_back({words.line("beyond.turned.mesh", mesh, "turned"_a = last.moved.inverted_faces,
-                                         "faces"_a = study->subject.mesh().face_count()),
-                              step_and_iterations(*study, last)});
+            turned.push_back(words.line("beyond.turned.mesh", "mesh"_a = study->name(), "turned"_a = last.moved.inverted_faces,
+                                        "faces"_a = study->subject.mesh().face_count()));
         }
     }
-    return paragraph_of(
-        {said_of(blown, words, "beyond.blown"), said_of(at_top, words, "beyond.at_top"), said_of(turned, words, "beyond.turned")});
+    report::Text torn;
+    if (!blown.empty()) {
+        const auto [first, last] = std::ranges::minmax(iterations);
+        torn = words.say(first == last ? "beyond.blown" : "beyond.blown.range", "limits"_a = limits, "meshes"_a = listed(blown),
+                         "first"_a = first, "last"_a = last);
+    }
+    return paragraph_of({torn, said_of(at_top, words, "beyond.at_top"), said_of(turned, words, "beyond.turned")});
 }
 
-/// Just beyond the limit the energy may still fall; the faces that turn over show the growth.
-report::Text what_energy_hides(const StudyPointers& beyond) {
-    std::vector<Observed> hidden;
-    Names turned;
-    std::string table;   // where the first of them stands
+/// Where the pictures show the growth: all over the surface, or at one place.
+report::Text where_it_shows(const StudyPointers& beyond) {
+    Names whole, spot;
+    std::string frames;
     for (const ExplicitStudy* study : beyond) {
-        const std::size_t first = first_beyond(*study);
-        const SmoothingRun& run = study->runs[first];
-        if (run.energy.back() >= run.energy.front()) continue;
-        hidden.push_back({words.line("beyond.hidden.mesh", "fall"_a = energy_fall(run.energy.back()), "mesh"_a = study->name()),
-                          step_and_iterations(*study, run)});
-        const int now = run.moved.inverted_faces, before = first > 0 ? study->runs[first - 1].moved.inverted_faces : 0;
-        if (now < 2 * before + 5) continue;   // faces turn over below the limit too
-        if (table.empty()) table = id_of("q5", study->name(), "sweep_table");
-        turned.push_back(words.line("beyond.hidden.faces", "mesh"_a = study->name(), "turned"_a = now, "before"_a = before));
+        if (!study->runs.back().result.blew_up) continue;
+        const Extent extent = extent_of_top_mode(*study);
+        if (extent == Extent::whole) whole.push_back(study->name());
+        if (extent != Extent::spot) continue;
+        spot.push_back(study->name());
+        if (frames.empty()) frames = id_of("q5", study->name(), "frames");
     }
-    return paragraph_of(
-        {said_of(hidden, words, "beyond.hidden"),
-         turned.empty() ? report::Text() : words.say("beyond.hidden.turned", "meshes"_a = listed(turned), "table"_a = table)});
+    return paragraph_of({said_of(whole, words, "beyond.everywhere"),
+                         spot.empty() ? report::Text() : words.say("beyond.one_place", "meshes"_a = listed(spot), "frames"_a = frames)});
+}
+
+/// Just beyond the limit the energy may still fall, although the top mode grows.
+report::Text what_energy_hides(const StudyPointers& beyond) {
+    Names hidden;
+    for (const ExplicitStudy* study : beyond) {
+        const SmoothingRun& run = study->runs[study->first_beyond()];
+        if (!run.result.blew_up && run.energy.back() < run.energy.front()) hidden.push_back(study->name());
+    }
+    return said_of(hidden, words, "beyond.hidden");
+}
+
+StudyPointers tried_beyond(const Studies& studies) {
+    StudyPointers beyond;
+    for (const ExplicitStudy& study : studies)
+        if (study.first_beyond() < study.runs.size()) beyond.push_back(&study);
+    return beyond;
 }
 
 report::Text too_large(const Studies& studies) {
-    StudyPointers beyond;
+    const StudyPointers beyond = tried_beyond(studies);
     Names within;
-    for (const ExplicitStudy& study : studies) {
-        if (first_beyond(study) < study.runs.size())
-            beyond.push_back(&study);
-        else
-            within.push_back(study.name());
+    for (const ExplicitStudy& study : studies)
+        if (study.first_beyond() == study.runs.size()) within.push_back(study.name());
+    report::Text growth;
+    if (!beyond.empty()) {
+        const ExplicitStudy& shown = telling(studies);
+        growth = growth_of_the_top_mode(shown.first_beyond() < shown.runs.size() ? shown : *beyond.front());
     }
     return paragraph_of(
-        {growth_of_the_top_mode(beyond), where_it_breaks(beyond), what_energy_hides(beyond), said_of(within, words, "beyond.none")});
+        {growth, where_it_breaks(beyond), where_it_shows(beyond), what_energy_hides(beyond), said_of(within, words, "beyond.none")});
 }
 
 // ---- what a number for λ means
@@ -191,15 +213,35 @@ report::Text units_of_lambda(const Studies& studies) {
     const bool several = studies.size() > 1, known = uniform(*uniform_low) > 1 && uniform(*uniform_high) < 1.5;
     const std::string from = readable(uniform(*uniform_low), 3), to = readable(uniform(*uniform_high), 3);
     return paragraph_of({words.say(several ? "units.several" : "units.one", "times"_a = readable(limit(*high) / limit(*low), 2)),
-                         words.say("units", "limit"_a = several ? words.line("units.range", "low"_a = from, "high"_a = to) : from,
-                                   "known"_a = known ? words.line("units.known") : ".")});
+                         words.say(known ? "units.known" : "units.uniform",
+                                   "limit"_a = from != to ? words.line("units.range", "low"_a = from, "high"_a = to) : from)});
 }
 
 }   // namespace
 
+const ExplicitStudy& telling(const Studies& studies) {
+    return *std::ranges::max_element(studies, {}, [](const ExplicitStudy& study) {
+        const std::size_t i = study.first_beyond();
+        return i < study.runs.size() && !study.runs[i].result.blew_up ? study.runs[i].energy.back() : 0;
+    });
+}
+
+report::Text answer_in_short(const Studies& studies) {
+    const bool any = std::ranges::any_of(studies, [](const ExplicitStudy& s) { return s.recommended.has_value(); });
+    return words.say(any ? "answer" : "answer.none");
+}
+
+report::Text lead(const Studies& studies) {
+    Names stops;
+    for (const ExplicitStudy& study : studies)
+        if (study.recommended)
+            stops.push_back(words.line("lead.stop", "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name()));
+    return paragraph_of({words.say("lead"), stops.empty() ? report::Text() : words.say("lead.stops", "stops"_a = listed(stops))});
+}
+
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    add_paragraphs(section, {how_large(studies), good_step(studies), too_large(studies), units_of_lambda(studies)});
+    add_paragraphs(section, {how_large(studies), why_half(studies), when_to_stop(studies), too_large(studies), units_of_lambda(studies)});
 }
 
 }   // namespace meshfolio::q5_explicit

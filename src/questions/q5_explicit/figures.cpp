@@ -1,8 +1,5 @@
-#include <cmath>
-
 #include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/comparison_figure.h"
+#include "questions/core/section_tools.h"
 #include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
 
@@ -10,45 +7,57 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-output::Panel sweep_panel(const ExplicitStudy& study, const SmoothingRun& run) {
-    const bool whole = run.in_view_iteration == run.result.iterations;
-    return smoothing_panel(study.subject, whole ? run.result.X : run.in_view, id_of("q5", study.name(), step_name(run.lambda)),
-                           words.line(whole ? "sweep.step" : "sweep.step.in_view", "step"_a = step_label(study.subject, run.lambda),
-                                      "iteration"_a = run.in_view_iteration));
+/// Few enough triangles to be drawn with their edges.
+bool shows_edges(const ExplicitStudy& study) { return study.subject.mesh().face_count() < 3000; }
+
+/// The state of a run in one of its frames; an empty cell once it is blown up.
+output::Panel frame_of(const ExplicitStudy& study, const Strip& strip, std::size_t column) {
+    const SmoothingRun& run = study.runs[strip.run];
+    const int t = study.frame_times[column];
+    const std::string name = id_of("q5", study.name(), "frame_" + step_name(run.lambda) + "_t" + std::to_string(t));
+    if (column >= strip.frames.size()) return {name, words.line("frames.blew_up", "iteration"_a = run.result.blow_up_iteration), nullptr};
+    return panel_of(moved_to(study.subject.mesh(), strip.frames[column]), name,
+                    words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t));
 }
 
 }   // namespace
 
-void add_sweep_figure(Answer& answer, const ExplicitStudy& study) {
-    const report::Facts facts{"mesh"_a = study.name(), "critical"_a = readable(study.subject.critical, 4),
-                              "iterations"_a = study.runs.front().iterations};
-    SixViewFigure figure{.id = id_of("q5", study.name(), "sweep"),
-                         .title = words.line("sweep.title", facts),
-                         .subtitle = words.line("sweep.subtitle", facts),
-                         .caption = words.line("sweep.caption", facts)};
-    for (const SmoothingRun& run : study.runs) figure.panels.push_back(sweep_panel(study, run));
-    add_smoothing_figure(answer, study.subject, id_of("q5", study.name(), "before"), std::move(figure));
-}
-
-void add_before_after(Answer& answer, const ExplicitStudy& study, const std::string& colormap) {
+void add_recommended_figure(Answer& answer, const ExplicitStudy& study) {
     if (!study.recommended) return;
     const SmoothingRun& run = study.recommended->stopped;
-    const report::Facts facts{"mesh"_a = study.name(),
-                              "iterations"_a = run.result.iterations,
-                              "step"_a = step_label(study.subject, run.lambda),
-                              "fall"_a = energy_fall(run.energy.back()),
-                              "turn"_a = readable(run.moved.mean_normal_angle * 180 / pi),
-                              "volume"_a = words.line("before_after.volume", "volume"_a = readable_percent(run.size.back()))};
-    const std::string id = id_of("q5", study.name(), "before_after");
-    add_comparison(
-        answer, {.id = id,
-                 .title = words.line("before_after.title", facts),
-                 .subtitle = words.line("before_after.subtitle", facts),
-                 .caption = words.line("before_after.caption", facts),
-                 .before = panel_of(*study.subject.source, id + "_input", "before"),
-                 .after = panel_of(moved_to(study.subject.mesh(), run.result.X), id + "_smoothed", words.line("before_after.after", facts)),
-                 .diagonal = study.subject.diagonal,
-                 .colormap = colormap});
+    const report::Facts facts{"mesh"_a = study.name(), "iterations"_a = run.result.iterations,
+                              "limits"_a = in_limits(study.subject, run.lambda)};
+    const std::string id = id_of("q5", study.name(), "recommended");
+    SixViewFigure figure{.id = id,
+                         .title = words.line("recommended.title", facts),
+                         .subtitle = subtitle_of(*study.subject.source),
+                         .caption = words.line("recommended.caption", facts),
+                         .edges = shows_edges(study),
+                         .turnable = true};
+    figure.panels = {panel_of(*study.subject.source, id + "_input", "input"),
+                     panel_of(moved_to(study.subject.mesh(), run.result.X), id + "_smoothed", words.line("recommended.after", facts))};
+    figure.panels.front().directions = false;
+    add_figure(answer, std::move(figure));
+}
+
+void add_frames_figure(Answer& answer, const ExplicitStudy& study) {
+    output::FigureRequest request;
+    request.id = id_of("q5", study.name(), "frames");
+    request.title = words.line("frames.title", "mesh"_a = study.name());
+    request.subtitle = subtitle_of(*study.subject.source);
+    request.layout = output::Layout::one_frame;
+    request.edges = shows_edges(study);
+    for (const int t : study.frame_times) request.columns.push_back("t = " + std::to_string(t));
+    for (const Strip& strip : study.strips) {
+        request.rows.push_back(words.line("frames.row", "limits"_a = in_limits(study.subject, study.runs[strip.run].lambda)));
+        for (std::size_t column = 0; column < study.frame_times.size(); ++column) request.panels.push_back(frame_of(study, strip, column));
+    }
+    const std::string caption = words.line("frames.caption", "mesh"_a = study.name());
+    std::string alt = caption;
+    for (const output::Panel& panel : request.panels)
+        if (!panel.mesh) alt += " " + panel.label + ".";
+    add(answer.section, report::Figure{request.id, caption, alt});
+    answer.figures.push_back(std::move(request));
 }
 
 }   // namespace meshfolio::q5_explicit

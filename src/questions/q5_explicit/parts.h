@@ -12,18 +12,31 @@ inline constexpr report::Words words("q5");
 
 using Studies = std::vector<ExplicitStudy>;
 
+/// The one in which the growth just beyond the limit shows most: its frames and energies are in the report, the others' in the appendix.
+const ExplicitStudy& telling(const Studies& studies);
+
 // Figures.
-/// The input and every step tried.
-void add_sweep_figure(Answer& answer, const ExplicitStudy& study);
-/// What the recommended step does to the mesh.
-void add_before_after(Answer& answer, const ExplicitStudy& study, const std::string& colormap);
+/// The input beside what the recommended step makes of it; nothing where none is recommended.
+void add_recommended_figure(Answer& answer, const ExplicitStudy& study);
+/// Frames of a stable step, of one just beyond the limit, and of one far beyond.
+void add_frames_figure(Answer& answer, const ExplicitStudy& study);
 
 // Tables and plots.
+/// What a step multiplies a mode by, explicit and implicit.
+report::Plot damping_plot();
+/// The limit of each mesh, and the step to take.
 report::Table limit_table(const Studies& studies);
-report::Table sweep_table(const ExplicitStudy& study);
+/// Every step tried on every mesh.
+report::Table steps_table(const Studies& studies);
 report::Plot energy_plot(const ExplicitStudy& study);
+report::Table bounds_table(const Studies& studies);
+report::Table sweep_table(const ExplicitStudy& study);
 
-/// What the numbers say, in words that follow them.
+// What the numbers say, in words that follow them.
+/// A good step, and what a larger one does, in one sentence.
+report::Text answer_in_short(const Studies& studies);
+/// What follows it.
+report::Text lead(const Studies& studies);
 void add_discussion(report::Section& section, const Studies& studies);
 
 }   // namespace meshfolio::q5_explicit

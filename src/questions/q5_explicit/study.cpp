@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
+#include "mesh/triangle_measures.h"
+#include "questions/bench/mesh_class.h"
 #include "questions/core/value_lists.h"
 
 namespace meshfolio::q5_explicit {
@@ -15,27 +18,110 @@ UniformLimit uniform_limit(const LibraryMesh& mesh) {
     return {top, 2 / top};
 }
 
+// ---- the step to take
+
+/// rms displacement of the flagged vertices over that of the others; 0 where there are none, or the others stay.
+double moved_ratio(const Positions& before, const Positions& after, const std::vector<char>& flagged) {
+    const Vector squares = (after - before).rowwise().squaredNorm();
+    double sum[2] = {0, 0}, count[2] = {0, 0};
+    for (std::size_t v = 0; v < flagged.size(); ++v) {
+        sum[flagged[v] != 0] += squares[static_cast<Eigen::Index>(v)];
+        ++count[flagged[v] != 0];
+    }
+    if (count[0] == 0 || count[1] == 0 || !(sum[0] > 0)) return 0;
+    return std::sqrt(sum[1] / count[1] / (sum[0] / count[0]));
+}
+
+/// What it does to the surface.
+void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
+    const MeshTopology& topology = subject.source->prepared->topology;
+    const TriangleMesh smoothed = moved_to(subject.mesh(), recommendation.stopped.result.X);
+    const MeshCharacter before = mesh_character(subject.mesh(), topology);
+    recommendation.roughness_before = before.typical_angle;
+    recommendation.roughness_after = mesh_character(smoothed, topology).typical_angle;
+    if (before.kind() == MeshClass::sharp_edged)
+        recommendation.on_features = moved_ratio(subject.mesh().X, smoothed.X, feature_vertices(subject.mesh(), topology));
+    if (before.open) recommendation.on_boundary = moved_ratio(subject.mesh().X, smoothed.X, topology.on_boundary);
+}
+
+/// The run that goes on for as long as enough of the size is left.
+Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, int kept) {
+    const SmoothingRun& run = study.runs[index];
+    Recommendation recommendation{.run = index, .stopped = {}};
+    if (kept < 0) {
+        recommendation.stopped = run_smoothing(study.subject, run.scheme, run.lambda, 2 * run.iterations);
+        kept = iterations_keeping_size(recommendation.stopped);
+        recommendation.all_kept = kept < 0;
+    }
+    if (!recommendation.all_kept) recommendation.stopped = run_smoothing(study.subject, run.scheme, run.lambda, kept);
+    look_at(recommendation, study.subject);
+    return recommendation;
+}
+
 std::optional<Recommendation> recommended(const ExplicitStudy& study) {
     for (const double limit : {0.5, 1.0}) {
         for (std::size_t i = study.runs.size(); i-- > 0;) {
             const SmoothingRun& run = study.runs[i];
             const int kept = iterations_keeping_size(run);
             if (run.lambda > limit * study.subject.critical * (1 + 1e-12) || kept == 0) continue;
-            return Recommendation{i, kept < 0 ? run : run_smoothing(study.subject, run.scheme, run.lambda, kept)};
+            return stopped_in_time(study, i, kept);
         }
     }
     return {};
 }
 
+// ---- frames
+
+/// Early ones, while a step far beyond the limit tears the mesh apart, and later ones, in which one just beyond it shows.
+std::vector<int> frame_times(int iterations) {
+    std::vector<int> times{0};
+    for (const int t : {2, 5, 10, 25})
+        if (t < iterations) times.push_back(t);
+    if (iterations > 0) times.push_back(iterations);
+    return times;
+}
+
+/// The steps whose frames are kept.
+std::vector<double> told_steps(const std::vector<double>& steps, const SmoothingSubject& subject) {
+    std::vector<double> told;
+    for (const double limit : {0.5, 1.0}) {   // the largest that keeps signs, else the largest stable one
+        if (!told.empty()) break;
+        for (const double step : steps)
+            if (step <= limit * subject.critical * (1 + 1e-12)) told = {step};
+    }
+    const auto beyond = std::ranges::find_if(steps, [&](double step) { return step > subject.critical; });
+    if (beyond != steps.end()) told.push_back(*beyond);
+    if (told.empty() || told.back() != steps.back()) told.push_back(steps.back());
+    return told;
+}
+
 }   // namespace
+
+std::size_t ExplicitStudy::first_beyond() const {
+    std::size_t i = 0;
+    while (i < runs.size() && stable(i)) ++i;
+    return i;
+}
 
 ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.uniform = uniform_limit(*study.subject.source);
     const int iterations = last_or(settings.iterations, settings.quick ? 20 : 50);
-    for (const double lambda : steps_of(settings, study.subject, {0.05, 0.5, 0.95, 1.05, 2.0})) {
-        study.runs.push_back(run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, iterations));
+    const std::vector<double> steps = steps_of(settings, study.subject, {0.05, 0.5, 0.95, 1.05, 2.0});
+    const std::vector<double> told = told_steps(steps, study.subject);
+    study.frame_times = frame_times(iterations);
+    for (const double lambda : steps) {
+        const bool framed = std::ranges::find(told, lambda) != told.end();
+        SmoothingRun run = run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, iterations,
+                                         framed ? study.frame_times : std::vector<int>());
+        if (framed) {
+            Strip strip{study.runs.size(), {study.subject.mesh().X}};
+            std::ranges::move(run.snapshots, std::back_inserter(strip.frames));
+            run.snapshots.clear();
+            study.strips.push_back(std::move(strip));
+        }
+        study.runs.push_back(std::move(run));
         study.amplification.push_back(top_mode_amplification(study.subject, lambda, 20));
     }
     study.peaks = peaks_of(study.subject.top.mode);
@@ -44,6 +130,22 @@ ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
 }
 
 bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda <= 0.5 * subject.critical * (1 + 1e-12); }
+
+int earliest_blow_up(const SmoothingSubject& subject, double lambda) {
+    const double growth = std::abs(1 - lambda * subject.top.value);
+    if (!(growth > 1)) return std::numeric_limits<int>::max();
+    // √m_v |x_v − c| ≤ ‖X − c‖_M ≤ growth^t ‖X_0 − c‖_M
+    const Vector& M = subject.laplacian.M;
+    const Eigen::RowVector3d centre = bounding_box(subject.mesh()).centre().transpose();
+    double whole = 0, lightest = infinity;
+    for (Eigen::Index v = 0; v < M.size(); ++v) {
+        if (!(M[v] > 0)) continue;
+        whole += M[v] * ((subject.mesh().X.row(v) - centre) / subject.diagonal).squaredNorm();
+        lightest = std::min(lightest, M[v]);
+    }
+    const double steps = std::log(SmoothingOptions{}.blow_up_at * std::sqrt(lightest / whole)) / std::log(growth);
+    return std::max(1, static_cast<int>(std::ceil(steps * (1 - 1e-12))));
+}
 
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X) {
     const Vector& M = subject.laplacian.M;

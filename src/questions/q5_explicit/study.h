@@ -18,10 +18,19 @@ struct UniformLimit {
 };
 
 /// The step to take, and when to stop: the largest in which no mode changes its sign, else the largest stable one, of those that leave 95 %
-/// of the size for one iteration at least; and as many iterations as do.
+/// of the size for one iteration at least; and as many iterations as do, up to twice those of the other runs.
 struct Recommendation {
     std::size_t run = 0;   // of the study, with all iterations
     SmoothingRun stopped;
+    bool all_kept = false;                              // 95 % would be left after more iterations too
+    double roughness_before = 0, roughness_after = 0;   // median angle between neighbouring faces, off feature edges [°]
+    double on_features = 0, on_boundary = 0;            // how far these vertices moved, rms, over how far the others did; 0: there are none
+};
+
+/// A run frame by frame.
+struct Strip {
+    std::size_t run = 0;             // of the study
+    std::vector<Positions> frames;   // one for each of frame_times, from the input on; fewer when the mesh blew up before
 };
 
 struct ExplicitStudy {
@@ -31,10 +40,14 @@ struct ExplicitStudy {
     UniformLimit uniform;
     std::vector<int> peaks;                      // vertices where the top mode is as large as anywhere, to a thousandth
     std::optional<Recommendation> recommended;   // none: no step tried is stable
+    std::vector<int> frame_times;                // iterations, ascending from 0
+    std::vector<Strip> strips;                   // of the largest step that keeps signs, the first beyond the limit, and the largest
 
     const std::string& name() const { return subject.name(); }
     double critical_in_edges() const { return subject.critical / (subject.mean_edge * subject.mean_edge); }
     bool stable(std::size_t run) const { return runs[run].lambda <= subject.critical; }
+    /// As many as there are: there is none.
+    std::size_t first_beyond() const;
 };
 
 /// With the steps of the settings, else five in units of the limit: two that never overshoot, one that overshoots but is stable, one
@@ -43,6 +56,9 @@ ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
 
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
 bool keeps_signs(const SmoothingSubject& subject, double lambda);
+
+/// No vertex is blown up in an earlier iteration than this: modes grow by |1 − λμ_max| a step at most, all coordinates together.
+int earliest_blow_up(const SmoothingSubject& subject, double lambda);
 
 /// How far the barycentre of `X` is from that of the input, over the box diagonal.
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X);

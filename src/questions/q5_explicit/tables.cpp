@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <cmath>
+
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
+#include "questions/core/section_tools.h"
 #include "questions/core/study_list.h"
 #include "questions/core/table.h"
 #include "questions/q5_explicit/parts.h"
@@ -11,27 +15,28 @@ namespace {
 /// The top mode starts a thousandth of an edge high: factors below 10⁻⁸ are rounding and count as 0.
 double above_rounding(double factor) { return factor < 1e-8 ? 0 : factor; }
 
-/// A row of the table of a sweep.
+/// What is left of an energy or a size; below 10⁻¹² it is rounding and counts as 0. Where the mesh blew up nothing is told.
+report::Cell left_of(const SmoothingRun& run, double share) { return cell_of(std::abs(share) < 1e-12 ? 0 : share, !run.result.blew_up); }
+
+/// A row of the table of steps.
 struct Trial {
+    const ExplicitStudy& study;
     const SmoothingRun& run;
     const Amplification& growth;
     std::string outcome;
 };
 
-std::vector<Trial> trials_of(const ExplicitStudy& study) {
-    std::vector<Trial> trials;
-    for (std::size_t i = 0; i < study.runs.size(); ++i) {
-        const SmoothingRun& run = study.runs[i];
-        const bool best = study.recommended && study.recommended->run == i;
-        const int stop = best ? study.recommended->stopped.iterations : 0;
-        const char* outcome = run.result.blew_up       ? "outcome.blew_up"
-                              : !study.stable(i)       ? "outcome.growing"
-                              : !best                  ? "outcome.stable"
-                              : stop == run.iterations ? "outcome.recommended"
-                                                       : "outcome.recommended.stopped";
-        trials.push_back({run, study.amplification[i], words.line(outcome, "iteration"_a = run.result.blow_up_iteration, "stop"_a = stop)});
-    }
-    return trials;
+std::string outcome_of(const ExplicitStudy& study, std::size_t i) {
+    const SmoothingRun& run = study.runs[i];
+    if (run.result.blew_up) return words.line("outcome.blew_up", "iteration"_a = run.result.blow_up_iteration);
+    if (!study.stable(i)) return words.line("outcome.growing");
+    if (!study.recommended || study.recommended->run != i) return words.line("outcome.stable");
+    return words.line("outcome.recommended", "stop"_a = study.recommended->stopped.iterations);
+}
+
+void append_trials(std::vector<Trial>& trials, const ExplicitStudy& study) {
+    for (std::size_t i = 0; i < study.runs.size(); ++i)
+        trials.push_back({study, study.runs[i], study.amplification[i], outcome_of(study, i)});
 }
 
 /// The energy over the iterations. Beyond twenty the curve has made its point and would flatten all others.
@@ -44,56 +49,98 @@ report::Series energy_series(const ExplicitStudy& study, const SmoothingRun& run
     return series;
 }
 
+/// Five at most, evenly through their order, with the smallest step and the largest.
+std::vector<const SmoothingRun*> shown_runs(const ExplicitStudy& study) {
+    const std::size_t count = study.runs.size(), most = 5;
+    std::vector<const SmoothingRun*> shown;
+    for (std::size_t i = 0; i < std::min(count, most); ++i) shown.push_back(&study.runs[count <= most ? i : i * (count - 1) / (most - 1)]);
+    return shown;
+}
+
 }   // namespace
 
+report::Plot damping_plot() {
+    constexpr double end = 2.4;
+    report::Series explicit_factor{.name = "1 − λμ"}, implicit_factor{.name = "1/(1 + λμ)"};
+    for (int i = 0; i <= 48; ++i) {
+        const double x = end * i / 48;
+        explicit_factor.x.push_back(x);
+        explicit_factor.y.push_back(1 - x);
+        implicit_factor.x.push_back(x);
+        implicit_factor.y.push_back(1 / (1 + x));
+    }
+    return {.id = "q5_damping",
+            .caption = words.line("damping"),
+            .alt = words.line("damping"),
+            .x_label = "λμ",
+            .y_label = words.line("damping.axis"),
+            .series = {std::move(explicit_factor), std::move(implicit_factor)},
+            .vertical_lines = {{1, "½ λ_crit"}, {2, "λ_crit"}}};
+}
+
 report::Table limit_table(const Studies& studies) {
+    const auto stopped = [](const ExplicitStudy& s) { return s.recommended ? &s.recommended->stopped : nullptr; };
     return table("q5_limits", words.line("limits"), studies)
         .column("mesh", &ExplicitStudy::name)
+        .column("λ_crit", {.unit = "length²"}, [](auto& s) { return s.subject.critical; })
+        .column("λ_crit/h̄²", &ExplicitStudy::critical_in_edges)
+        .column("vertices sharing the top mode", {.digits = 2}, [](auto& s) { return s.subject.top.support; })
+        .column("recommended λ/λ_crit", [&](auto& s) { return cell_of(stopped(s) ? stopped(s)->lambda / s.subject.critical : undefined); })
+        .column("iterations", {.digits = 6}, [&](auto& s) { return cell_of(stopped(s) ? stopped(s)->iterations : undefined); })
+        .column("energy", {.unit = "% of input"},
+                [&](auto& s) { return cell_of(stopped(s) ? 100 * stopped(s)->energy.back() : undefined); })
+        .column("size", {.unit = "% of input"}, [&](auto& s) { return cell_of(stopped(s) ? 100 * stopped(s)->size.back() : undefined); });
+}
+
+report::Table steps_table(const Studies& studies) {
+    std::vector<Trial> trials;
+    for (const ExplicitStudy& study : studies) append_trials(trials, study);
+    return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials)
+        .column("mesh", [](auto& t) { return t.study.name(); })
+        .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
+        .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
+        .column("top mode ×, measured", [](auto& t) { return above_rounding(t.growth.measured); })
+        .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
+        .column("volume", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.volume_ratio); })
+        .column("faces turned over", {.digits = 6}, [](auto& t) { return cell_of(t.run.moved.inverted_faces, !t.run.result.blew_up); })
+        .column("outcome", &Trial::outcome);
+}
+
+report::Table bounds_table(const Studies& studies) {
+    return table("q5_bounds", words.line("bounds"), studies)
+        .column("mesh", &ExplicitStudy::name)
         .column("μ_max", {.unit = "1/length²", .digits = 4}, [](auto& s) { return s.subject.top.value; })
-        .column("λ_crit", {.unit = "length²", .digits = 4}, [](auto& s) { return s.subject.critical; })
         .column("safe λ (Gershgorin)", {.unit = "length²", .digits = 4, .rounding = report::Column::Rounding::down},
                 [](auto& s) { return s.subject.safe(); })
-        .column("λ_crit/h̄²", &ExplicitStudy::critical_in_edges)
         .column("vertex", {.digits = 8}, [](auto& s) { return s.subject.top.vertex; })
         .column("vertices as large", [](auto& s) { return s.peaks.size(); })
-        .column("vertices sharing the mode", {.digits = 2}, [](auto& s) { return s.subject.top.support; })
         .column("uniform μ_max", {.digits = 4}, [](auto& s) { return s.uniform.top; })
         .column("uniform λ_crit", {.digits = 4}, [](auto& s) { return s.uniform.critical; });
 }
 
 report::Table sweep_table(const ExplicitStudy& study) {
     const SmoothingSubject& s = study.subject;
-    const bool closed = s.source->prepared->preflight.closed();
-    const std::string caption = words.line("sweep", "mesh"_a = study.name()) + (closed ? "" : " " + words.line("sweep.open"));
-    return table(id_of("q5", study.name(), "sweep_table"), caption, trials_of(study))
+    std::vector<Trial> trials;
+    append_trials(trials, study);
+    return table(id_of("q5", study.name(), "sweep_table"), words.line("sweep", "mesh"_a = study.name()), trials)
         .column("λ", {.unit = "length²"}, [](auto& t) { return t.run.lambda; })
         .column("λ/λ_crit", [&](auto& t) { return t.run.lambda / s.critical; })
         .column("λ/h̄²", [&](auto& t) { return t.run.lambda / (s.mean_edge * s.mean_edge); })
-        .column("iterations", {.digits = 4}, [](auto& t) { return t.run.result.iterations; })
-        .column("top mode ×, predicted", {.digits = 4}, [](auto& t) { return above_rounding(t.growth.predicted); })
-        .column("top mode ×, measured", {.digits = 4}, [](auto& t) { return above_rounding(t.growth.measured); })
-        .column("energy", {.unit = "of input"}, [](auto& t) { return t.run.energy.back(); })
-        .column("rms moved", {.unit = "% of box"}, [&](auto& t) { return 100 * t.run.moved.rms / s.diagonal; })
-        .column("volume", {.unit = "% of input", .digits = 4}, [](auto& t) { return cell_of(100 * t.run.volume_ratio); })
-        .column("smallest angle", {.unit = "°"}, [](auto& t) { return t.run.smallest_angle * 180 / pi; })
-        .column("inverted faces", {.digits = 6}, [](auto& t) { return t.run.moved.inverted_faces; })
-        .column("outcome", &Trial::outcome);
+        .column("iterations", {.digits = 6}, [](auto& t) { return t.run.result.iterations; })
+        .column("rms moved", {.unit = "% of box"},
+                [&](auto& t) { return cell_of(100 * t.run.moved.rms / s.diagonal, !t.run.result.blew_up); })
+        .column("smallest angle", {.unit = "°"}, [](auto& t) { return cell_of(t.run.smallest_angle * 180 / pi, !t.run.result.blew_up); });
 }
 
 report::Plot energy_plot(const ExplicitStudy& study) {
     report::Plot plot{
         .id = id_of("q5", study.name(), "energy"), .x_label = "iteration", .y_label = words.line("energy.axis"), .log_y = true};
-    std::vector<std::string> falling, rising, cut;
-    for (const SmoothingRun& run : study.runs) {
-        const std::string limits = in_limits(study.subject, run.lambda);
-        plot.series.push_back(energy_series(study, run));
-        if (plot.series.back().y.size() < run.energy.size()) cut.push_back(limits);
-        (run.energy.back() < 1 ? falling : rising).push_back(limits);
+    std::vector<std::string> cut;
+    for (const SmoothingRun* run : shown_runs(study)) {
+        plot.series.push_back(energy_series(study, *run));
+        if (plot.series.back().y.size() < run->energy.size()) cut.push_back(in_limits(study.subject, run->lambda));
     }
-    plot.caption = words.line(rising.empty()    ? "energy.falling"
-                              : falling.empty() ? "energy.rising"
-                                                : "energy.both",
-                              "mesh"_a = study.name(), "falling"_a = listed(falling), "rising"_a = listed(rising));
+    plot.caption = words.line("energy", "mesh"_a = study.name());
     if (!cut.empty()) plot.caption += " " + words.line("energy.cut", "cut"_a = listed(cut));
     plot.alt = plot.caption;
     return plot;

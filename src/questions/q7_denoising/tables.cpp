@@ -38,13 +38,13 @@ bool is_unended(const Judged& row) {
                             (best.value == row.grid.lambdas.front() && best.step == 1));
 }
 
-/// From the noisy mesh, t = 0, on, over 1 + t, so that it has a place on the logarithmic axis. [% of the box diagonal]
+/// From the noisy mesh, t = 0, on. [% of the box diagonal]
 report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) {
     report::Series series{
-        .name = "σ = " + readable_percent(trial.relative, 2), .x = {1}, .y = {100 / grid.diagonal * trial.found.noisy.shape}};
+        .name = "σ = " + readable_percent(trial.relative, 2), .x = {0}, .y = {100 / grid.diagonal * trial.found.noisy.shape}};
     for (const SearchState& state : trial.states) {
         if (state.value != grid.middle_lambda()) continue;
-        series.x.push_back(1.0 + state.step);
+        series.x.push_back(state.step);
         series.y.push_back(100 / grid.diagonal * state.shape);
     }
     return series;
@@ -113,7 +113,7 @@ report::Plot error_plot(const DenoisingGrid& grid) {
     report::Plot plot{.id = id_of("q7", grid.name(), "error_versus_iteration"),
                       .caption = caption,
                       .alt = caption,
-                      .x_label = "1 + iteration t",
+                      .x_label = "iteration t",
                       .y_label = words.line("errors.axis"),
                       .log_x = true,
                       .log_y = true};
@@ -121,12 +121,12 @@ report::Plot error_plot(const DenoisingGrid& grid) {
         report::Series series = error_series(grid, trial);
         const auto least = std::ranges::min_element(series.y);
         const double x = series.x[static_cast<std::size_t>(least - series.y.begin())];
-        plot.markers.push_back({x, *least, words.line("errors.minimum", "best"_a = std::lround(x) - 1)});
+        plot.markers.push_back({x, *least, words.line("errors.minimum", "best"_a = std::lround(x))});
         plot.series.push_back(std::move(series));
     }
     report::Series clean{.name = "without noise", .style = report::Series::Style::dashed};
     for (std::size_t t = 1; t < grid.without_noise.size(); ++t) {
-        clean.x.push_back(1 + static_cast<double>(t));
+        clean.x.push_back(static_cast<double>(t));
         clean.y.push_back(100 / grid.diagonal * grid.without_noise[t]);
     }
     plot.series.push_back(std::move(clean));

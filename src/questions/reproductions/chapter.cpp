@@ -82,11 +82,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = settings.experiments.size(),
                                 "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows.size());
     constexpr int all = limits::last_row - limits::first_row + 1;
-    const auto covered = [](const std::vector<Experiment>& by) { return all - static_cast<int>(uncovered_rows(by).size()); };
-    section.findings.push_back(
-        {words.say("finding", "all"_a = all, "here"_a = covered(settings.experiments), "bundled"_a = settings.bundled_experiments.size(),
-                   "by_bundled"_a = covered(settings.bundled_experiments)),
-         20});
+    const int here = all - static_cast<int>(uncovered_rows(settings.experiments).size());
+    section.answer = words.say(here == all ? "answer.all" : "answer", "all"_a = all, "here"_a = here);
     return answer;
 }
 

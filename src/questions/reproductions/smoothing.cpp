@@ -225,7 +225,9 @@ report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, st
     const Runs beyond = chosen([&](auto& run) { return frozen(run) && run.share() > 1; });
     tell_runs(text, beyond, "runs.beyond_limit");
     tell_hidden_growth(text, beyond);
-    tell_runs(text, chosen([](auto& run) { return is_explicit(run) && run.method.rebuild; }), "runs.rebuilt");
+    const Runs rebuilt = chosen([](auto& run) { return is_explicit(run) && run.method.rebuild; });
+    tell_runs(text, rebuilt, "runs.rebuilt");
+    if (!rebuilt.empty()) report::extend(text, words.say("runs.rebuilt_chaos"), " ");
     tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::implicit_euler; }), "runs.implicit");
     tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::taubin; }), "runs.taubin");
     tell_pairs(text, done, m);

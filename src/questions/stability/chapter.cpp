@@ -78,10 +78,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.parameters[words.line("parameter.steps")] = std::to_string(studies.front().cotangent.beyond.steps());
     section.parameters["operator"] = words.line("parameter.operators");
     section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)));
-    const StabilityCertificate& proved = last.cotangent.certificate;
-    section.findings = {{words.say("finding", "mesh"_a = last.name(), "limit"_a = readable(rounded_down(proved.lambda_low(), 5), 5),
-                                   "width"_a = readable(proved.relative_width(), 1), "vertex"_a = last.limiting.vertex),
-                         76}};
+    section.answer = answer_of(studies);
     return answer;
 }
 

@@ -9,38 +9,52 @@ namespace meshfolio::stability {
 
 namespace {
 
-report::Text what_is_proved(const Studies& studies) {
+/// Of the limits of all operators on all meshes.
+struct Proofs {
     double widest = 0, rounding = 0, below = 0;
-    int refuted = 0, proved = 0, semidefinite = 0;
+    int refuted = 0, limits = 0, semidefinite = 0;
+
+    bool all() const { return semidefinite == limits; }
+    std::string named() const { return limits == 2 ? words.line("proved.both") : words.line("proved.all", "limits"_a = limits); }
+};
+Proofs proofs_of(const Studies& studies) {
+    Proofs proofs;
     for (const StabilityStudy& study : studies) {
         for (const OperatorLimit* limit : study.operators()) {
             const StabilityCertificate& c = limit->certificate;
-            widest = std::max(widest, c.relative_width());
-            rounding = std::max(rounding, c.rounding);
-            below = std::max(below, -c.bottom.mu_low / c.mu_high);
-            refuted += c.refuted() ? 1 : 0;
-            semidefinite += c.bottom.semidefinite() ? 1 : 0;
-            ++proved;
+            proofs.widest = std::max(proofs.widest, c.relative_width());
+            proofs.rounding = std::max(proofs.rounding, c.rounding);
+            proofs.below = std::max(proofs.below, -c.bottom.mu_low / c.mu_high);
+            proofs.refuted += c.refuted() ? 1 : 0;
+            proofs.semidefinite += c.bottom.semidefinite() ? 1 : 0;
+            ++proofs.limits;
         }
     }
-    const std::string width = readable(widest, 2);
-    if (semidefinite < proved)
-        return words.say("proved.not_all", "operators"_a = proved, "semidefinite"_a = semidefinite, "width"_a = width);
-    report::Text t =
-        words.say("proved", "limits"_a = proved == 2 ? words.line("proved.both") : words.line("proved.all", "limits"_a = proved),
-                  "width"_a = width, "rounding"_a = readable(rounding, 2));
-    report::extend(t, " ", refuted == 0 ? words.say("proved.at_once") : words.say("proved.after_breakdown", "cases"_a = refuted), " ",
-                   words.say("proved.semidefinite", "below"_a = readable(below, 2)));
+    return proofs;
+}
+
+report::Text what_is_proved(const Studies& studies) {
+    const Proofs proofs = proofs_of(studies);
+    const std::string width = readable(proofs.widest, 2);
+    if (!proofs.all())
+        return words.say("proved.not_all", "operators"_a = proofs.limits, "semidefinite"_a = proofs.semidefinite, "width"_a = width);
+    report::Text t = words.say("proved", "limits"_a = proofs.named(), "width"_a = width, "rounding"_a = readable(proofs.rounding, 2));
+    report::extend(t, " ",
+                   proofs.refuted == 0 ? words.say("proved.at_once") : words.say("proved.after_breakdown", "cases"_a = proofs.refuted), " ",
+                   words.say("proved.semidefinite", "below"_a = readable(proofs.below, 2)));
     return t;
 }
 
 /// What makes that vertex fast: its rate is weights over area, and each takes its part of it on a logarithmic scale.
 std::string why(const LimitingVertex& v) {
-    if (v.on_boundary && v.area_share < 0.8) return words.line("vertex.boundary", "rate"_a = readable(v.rate(), 2));
-    if (v.rate() < 1.5) return words.line("vertex.usual");
     const double by_area = -std::log(v.area_share) / std::log(v.rate());
-    const char* key = by_area > 0.75 ? "vertex.small_area" : by_area < 0.25 ? "vertex.large_weights" : "vertex.both";
-    return words.line(key, "rate"_a = readable(v.rate(), 2));
+    const char* key = v.on_boundary && v.area_share < 0.8 ? "vertex.boundary"
+                      : v.rate() < 1.5                    ? "vertex.usual"
+                      : by_area > 0.75                    ? "vertex.small_area"
+                      : by_area < 0.25                    ? "vertex.large_weights"
+                                                          : "vertex.both";
+    return words.line(key, "rate"_a = readable(v.rate(), 2), "area"_a = readable(v.area_share, 2),
+                      "weights"_a = readable(v.stiffness_share, 2));
 }
 
 report::Text where_and_why(const StabilityStudy& study) {
@@ -49,8 +63,8 @@ report::Text where_and_why(const StabilityStudy& study) {
     const double sharing = std::max(1.0, study.cotangent.certificate.top.support);
     return words.say(sharing > std::max(8.0, 0.1 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
                      "alike"_a = study.peaks.size() > 1 ? words.line("vertex.alike", "others"_a = study.peaks.size() - 1) : "",
-                     "sharing"_a = readable(sharing, 2), "vertices"_a = vertices, "area"_a = readable(v.area_share, 2),
-                     "weights"_a = readable(v.stiffness_share, 2), "why"_a = why(v));
+                     "sharing"_a = readable(sharing, 2), "of_all"_a = words.line("vertex.of_all", "vertices"_a = vertices),
+                     "why"_a = why(v));
 }
 
 report::Text on_both_sides(const Studies& studies) {
@@ -63,8 +77,8 @@ report::Text on_both_sides(const Studies& studies) {
     }
     const OperatorLimit& first = studies.front().cotangent;
     const int steps = first.beyond.steps();
-    return words.say("both_sides", "steps"_a = steps, "growth"_a = readable(first.beyond.predicted(steps), 5), "off"_a = readable(off, 2),
-                     "left"_a = readable(highest, 2), "predicted"_a = readable(first.below.predicted(steps), 4));
+    return words.say("both_sides", "steps"_a = steps, "growth"_a = readable(first.beyond.predicted(steps), 2), "off"_a = readable(off, 2),
+                     "left"_a = readable(highest, 2), "predicted"_a = readable(first.below.predicted(steps), 2));
 }
 
 report::Text about_uniform(const Studies& studies) {
@@ -132,6 +146,12 @@ report::Text about_frozen(const RebuiltFlow& flow) {
 }
 
 }   // namespace
+
+report::Text answer_of(const Studies& studies) {
+    const Proofs proofs = proofs_of(studies);
+    return words.say(proofs.all() ? "answer" : "answer.not_all", "limits"_a = proofs.named(), "width"_a = readable(proofs.widest, 1),
+                     "operators"_a = proofs.limits, "semidefinite"_a = proofs.semidefinite);
+}
 
 void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow) {
     add_words(section, words, "discussion");

@@ -81,8 +81,8 @@ void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const s
         whole.panels.back().marked_vertices = {v.vertex};
         near.panels.push_back(panel_of(patch.mesh, id_of("stability", study.name(), "patch"), label, height(patch.original)));
         near.panels.back().marked_vertices = {patch.vertex};
-        caption += " " + words.line("close_ups.caption.mesh", "mesh"_a = study.name(), "area"_a = readable(v.area_share, 2),
-                                    "weights"_a = readable(v.stiffness_share, 2), "angle"_a = readable(v.smallest_angle * 180 / pi, 2));
+        caption +=
+            " " + words.line("close_ups.caption.mesh", "mesh"_a = study.name(), "angle"_a = readable(v.smallest_angle * 180 / pi, 2));
     }
     add_multiples(answer, std::move(whole), words.line("top_modes.caption"), colormap, "|φ| / max |φ|", 0);
     // With its sign the mode is drawn on white where it is 0: edges stay visible.

@@ -38,6 +38,8 @@ struct Neighbourhood {
 Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings);
 
 /// What the numbers say. Appends its heading and its paragraphs.
+/// The verdict in one sentence.
+report::Text answer_of(const Studies& studies);
 void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow);
 
 }   // namespace meshfolio::stability

@@ -35,8 +35,8 @@ struct UnitRow {
 
 /// |1 − λμ|ᵗ or what was measured of it, at some fifteen steps of the run.
 /// @param first  step to begin with: runs that obey one law would hide each other, so their points alternate
-report::Series curve(const std::string& name, const ModeGrowth& growth, bool measured, double first = 0) {
-    report::Series series{.name = name, .style = measured ? Style::points : Style::dashed};
+report::Series curve(const std::string& name, const std::string& step, const ModeGrowth& growth, bool measured, double first = 0) {
+    report::Series series{.name = name, .style = measured ? Style::points : Style::dashed, .panel = step};
     const int stride = std::max(2, growth.steps() / 15);
     for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride) {
         series.x.push_back(t);
@@ -107,22 +107,21 @@ report::Table growth_table(const Studies& studies) {
 
 report::Plot growth_plot(const StabilityStudy& study) {
     const auto end = [](const ModeGrowth& growth, int digits) { return readable(growth.factor.back(), digits); };
-    report::Plot plot{
-        .id = id_of("stability", study.name(), "growth"),
-        .caption = words.line("growth", "mesh"_a = study.name(), "steps"_a = study.cotangent.beyond.steps(),
-                              "cotangent_beyond"_a = end(study.cotangent.beyond, 4), "uniform_beyond"_a = end(study.uniform.beyond, 4),
-                              "cotangent_below"_a = end(study.cotangent.below, 3), "uniform_below"_a = end(study.uniform.below, 3)),
-        .x_label = "step",
-        .y_label = words.line("growth.y"),
-        .log_y = true};
-    plot.alt = plot.caption;
+    report::Plot plot{.id = id_of("stability", study.name(), "growth"),
+                      .caption = words.line("growth", "mesh"_a = study.name(), "steps"_a = study.cotangent.beyond.steps()),
+                      .x_label = "step",
+                      .y_label = words.line("growth.y"),
+                      .log_y = true};
+    plot.alt = words.line("growth.alt", "caption"_a = plot.caption, "cotangent_beyond"_a = end(study.cotangent.beyond, 4),
+                          "uniform_beyond"_a = end(study.uniform.beyond, 4), "cotangent_below"_a = end(study.cotangent.below, 3),
+                          "uniform_below"_a = end(study.uniform.below, 3));
     for (const OperatorLimit* limit : study.operators()) {
         const double first = limit == &study.cotangent ? 0 : 0.5;
-        plot.series.push_back(curve(limit->name + ", 1.01 λ_crit", limit->beyond, true, first));
-        plot.series.push_back(curve(limit->name + ", 0.99 λ_crit", limit->below, true, first));
+        plot.series.push_back(curve(limit->name, "1.01 λ_crit", limit->beyond, true, first));
+        plot.series.push_back(curve(limit->name, "0.99 λ_crit", limit->below, true, first));
     }
-    plot.series.push_back(curve("predicted, 1.01 λ_crit", study.cotangent.beyond, false));
-    plot.series.push_back(curve("predicted, 0.99 λ_crit", study.cotangent.below, false));
+    plot.series.push_back(curve("predicted", "1.01 λ_crit", study.cotangent.beyond, false));
+    plot.series.push_back(curve("predicted", "0.99 λ_crit", study.cotangent.below, false));
     return plot;
 }
 

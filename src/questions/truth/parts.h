@@ -35,12 +35,8 @@ void add_discussion(report::Section& section, const GroundTruth& truth);
 
 // Tables and plots: one row an estimator.
 report::Table overview(const GroundTruth& truth);
-struct NamedNorm {
-    Norm of;
-    std::string key, name;
-};
-report::Table error_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm);
-report::Table order_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm);
+report::Table error_table(const GroundTruth& truth, MeshKind kind);
+report::Table order_table(const GroundTruth& truth, MeshKind kind);
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity);
 
 /// One row an estimate on every mesh, with everything that was measured: for files.

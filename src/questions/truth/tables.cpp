@@ -58,28 +58,27 @@ report::Table overview(const GroundTruth& truth) {
     return behaviours;
 }
 
-report::Table error_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
+report::Table error_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
-    auto errors = table_of_estimators("truth_errors_" + name + "_" + norm.key, words.line("errors", "norm"_a = norm.name, "kind"_a = name));
+    auto errors = table_of_estimators("truth_errors_" + name + "_l2", words.line("errors", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
         errors.column(run.surface, {.unit = "%", .heat = report::Column::Heat{0.1, 30}},
-                      [&](auto* e) { return cell_of(100 * run.finest().error(e->key).*norm.of); });
+                      [&](auto* e) { return cell_of(100 * run.finest().error(e->key).l2); });
     return errors;
 }
 
-report::Table order_table(const GroundTruth& truth, MeshKind kind, const NamedNorm& norm) {
+report::Table order_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
-    auto orders = table_of_estimators("truth_orders_" + name + "_" + norm.key, words.line("orders", "norm"_a = norm.name, "kind"_a = name));
+    auto orders = table_of_estimators("truth_orders_" + name + "_l2", words.line("orders", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
-        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key, norm.of).order()); });
+        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key).order()); });
     return orders;
 }
 
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity) {
     static const std::vector<std::string> shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
     const BenchRun& run = truth.run("ellipsoid", kind);
-    const std::string caption =
-        words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind), "dimensions"_a = run.dimensions);
+    const std::string caption = words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind));
     report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);
     for (const Estimator* e : panel_estimators(quantity)) {
         const auto place = std::ranges::find(shown, e->key.substr(2));   // behind "H."
@@ -88,6 +87,7 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
         const ErrorHistory errors = run.errors(e->key);
         plot.series.push_back(error_series(e->name(), errors, *place == "corrected_exact" ? dashed : line_and_points));
         plot.series.back().color = plot.series.back().pattern = int(place - shown.begin());   // the same in the plots of H and of K
+        plot.series.back().panel = words.line(place - shown.begin() < 4 ? "convergence.operators" : "convergence.fits");
         plot.alt += " " + words.line("convergence.alt.series", "estimator"_a = e->name(), "error"_a = readable_percent(errors.last(), 2),
                                      "order"_a = words_of(errors.order()));
     }

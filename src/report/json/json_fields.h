@@ -129,6 +129,7 @@ void describe(Fields& fields, part_of<Series> auto& series) {
     fields.optional("style", series.style, Series::Style::line);
     fields.optional("color", series.color, -1, {"which of six; absent: that of its place", 0});
     fields.optional("pattern", series.pattern, -1, {"which of seven dashes and shapes of points; absent: that of its place", 0});
+    fields.optional("panel", series.panel, {}, "those of one panel share a small plot; absent: one plot for all");
     fields("x", series.x);
     fields("y", series.y);
     fields.optional("y_low", series.y_low, {});
@@ -140,6 +141,7 @@ void describe(Fields& fields, part_of<Marker> auto& marker) {
     fields("x", marker.x);
     fields("y", marker.y);
     fields("label", marker.label);
+    fields.optional("panel", marker.panel, {});
 }
 
 template <class Fields>
@@ -332,13 +334,6 @@ void describe(Fields& fields, part_of<Check> auto& check) {
 }
 
 template <class Fields>
-void describe(Fields& fields, part_of<Finding> auto& finding) {
-    fields("runs", finding.text);
-    fields.derived("text", [&] { return plain(finding.text); });
-    fields("weight", finding.weight);
-}
-
-template <class Fields>
 void describe(Fields& fields, part_of<Input> auto& input) {
     fields("role", input.role);
     fields("asked", input.asked, "the assignment's path; empty: no one asked for this mesh");
@@ -391,7 +386,6 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
         "checks", section.checks,
         "near: |measured - expected| <= tolerance; at_most: measured <= expected + tolerance; at_least: measured >= expected - tolerance; "
         "undecided: the number says nothing about what is checked, for the reason in the note, and is no failure");
-    fields("findings", section.findings);
     fields("warnings", section.warnings);
     fields.files("output_meshes", section.output_meshes);
     fields.if_there("timings", section.timings, entry.with_timings, timings_note);

@@ -68,7 +68,7 @@ std::vector<Tick> logarithmic_ticks(double low, double high) {
 
 }   // namespace
 
-Axis::Axis(const std::vector<double>& values, bool logarithmic) : logarithmic_(logarithmic) {
+Axis::Axis(const std::vector<double>& values, bool logarithmic, bool with_zero) : logarithmic_(logarithmic) {
     double low = INFINITY, high = -INFINITY;
     for (const double value : values) {
         if (!shows(value)) continue;
@@ -92,6 +92,8 @@ Axis::Axis(const std::vector<double>& values, bool logarithmic) : logarithmic_(l
         high_ = high <= 0 && high >= 0.3 * low && low < 0 ? 0 : high + margin;
     }
     ticks_ = logarithmic ? logarithmic_ticks(low_, high_) : linear_ticks(low_, high_);
+    zero_apart_ = with_zero && logarithmic && low <= high && std::find(values.begin(), values.end(), 0) != values.end();
+    if (zero_apart_) ticks_.insert(ticks_.begin(), {0, "0"});
 }
 
 Axis Axis::exactly(double low, double high, bool logarithmic) {
@@ -103,10 +105,16 @@ Axis Axis::exactly(double low, double high, bool logarithmic) {
     return axis;
 }
 
-bool Axis::shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0) && std::abs(value) < 1e300; }
+bool Axis::shows(double value) const {
+    return std::isfinite(value) && (!logarithmic_ || value > 0 || (zero_apart_ && value == 0)) && std::abs(value) < 1e300;
+}
 
 double Axis::position(double value) const {
-    if (logarithmic_) return (std::log(value) - std::log(low_)) / (std::log(high_) - std::log(low_));
+    if (logarithmic_) {
+        if (value == 0) return 0.2 * zero_share;
+        const double share = (std::log(value) - std::log(low_)) / (std::log(high_) - std::log(low_));
+        return zero_apart_ ? zero_share + (1 - zero_share) * share : share;
+    }
     return (value - low_) / (high_ - low_);
 }
 

@@ -15,7 +15,8 @@ struct Tick {
 class Axis {
 public:
     /// Covers the finite `values` (on a logarithmic axis the positive ones) with a margin; a single value and no value give a range too.
-    Axis(const std::vector<double>& values, bool logarithmic);
+    /// @param with_zero  a zero among the values of a logarithmic axis has a tick of its own at the low end, apart from the others
+    Axis(const std::vector<double>& values, bool logarithmic, bool with_zero = false);
     /// From `low` to `high` without a margin. Where the axis cannot show both, or they are not in this order, as without any values.
     static Axis exactly(double low, double high, bool logarithmic);
 
@@ -26,11 +27,13 @@ public:
 
     double low() const { return low_; }
     double high() const { return high_; }
+    bool zero_apart() const { return zero_apart_; }
+    static constexpr double zero_share = 0.1;   // of the axis, for a zero that is apart
     const std::vector<Tick>& ticks() const { return ticks_; }
 
 private:
     explicit Axis(bool logarithmic) : logarithmic_(logarithmic) {}
-    bool logarithmic_;
+    bool logarithmic_, zero_apart_ = false;
     double low_ = 0, high_ = 1;
     std::vector<Tick> ticks_;
 };

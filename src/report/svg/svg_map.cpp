@@ -170,7 +170,7 @@ private:
             const Point p{std::clamp(at_cell.x, frame.left + 9, frame.right - 9), std::clamp(at_cell.y, frame.top + 9, frame.bottom - 9)};
             svg += "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) +
                    "\" r=\"8.2\" fill=\"#ffffff\" stroke=\"#1b1b1f\" stroke-width=\"1.2\"/>\n";
-            svg += text_element({p.x, p.y + 4}, "middle", marker.label, " font-size=\"11.5\" font-weight=\"700\" fill=\"#1b1b1f\"");
+            svg += text_element({p.x, p.y + 4}, "middle", marker.label, " font-size=\"12\" font-weight=\"700\" fill=\"#1b1b1f\"");
         }
         return svg;
     }

@@ -61,10 +61,31 @@ TEST(SpectralStudy, PowersOfAKnownFall) {
     SpectralStudy study;
     study.rms = Vector(65);
     for (int k = 0; k < 65; ++k) study.rms[k] = 3 * std::pow(k + 1e-300, -1.5);
-    EXPECT_NEAR(falling_power(study, 2, 64), 1.5, 1e-12);
-    EXPECT_NEAR(falling_power(study, 8, 9), 1.5, 1e-12);
+    for (const PowerLaw& law : {power_law(study, 2, 64), power_law(study, 8, 9)}) {
+        EXPECT_NEAR(law.power, 1.5, 1e-12);
+        EXPECT_NEAR(law.factor, 3, 1e-10);
+        EXPECT_NEAR(law.at(16), study.rms[16], 1e-12);
+    }
     study.rms[64] *= 3;   // one end point off: the fit over all k hardly notices
-    EXPECT_NEAR(falling_power(study, 2, 64), 1.5, 0.1);
+    EXPECT_NEAR(power_law(study, 2, 64).power, 1.5, 0.1);
+}
+
+TEST(SpectralStudy, TheFallIsFittedWhereThereIsError) {
+    const SpectralStudy all = spectral_study_on(torus_mesh(16, 8, 1, 0.4), "torus_fall", {5, 128});
+    const auto law = fall_of_the_error(all);
+    ASSERT_TRUE(law);
+    EXPECT_EQ(law->first, 5);
+    EXPECT_LE(law->last, 64) << "behind the last of all modes nothing is left";
+    EXPECT_GT(all.rms[law->last], 1e-9 * all.diagonal);
+    EXPECT_FALSE(fall_of_the_error(spectral_study_on(cube_mesh(1), "cube_fall", {3, 8})));
+}
+
+TEST(SpectralStudy, WavelengthsOfTheSphere) {
+    const SpectralStudy study = spectral_study_on(icosphere(3), "ball_wavelengths", {9});
+    EXPECT_EQ(zero_modes(study), 1);
+    EXPECT_TRUE(std::isinf(wavelength(study, 1)));
+    EXPECT_NEAR(wavelength(study, 2), 2 * M_PI / std::sqrt(2), 0.02);   // μ = l(l + 1)
+    EXPECT_NEAR(wavelength(study, 9), 2 * M_PI / std::sqrt(6), 0.02);
 }
 
 TEST(SpectralStudy, RemotenessIsAboveOneWhereTheErrorIsFarOut) {

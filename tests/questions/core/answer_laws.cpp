@@ -7,7 +7,7 @@
 #include <set>
 
 #include "mesh/io/mesh_files.h"
-#include "report/svg/svg_elements.h"
+#include "report/svg/plot_panel.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::testing_tools {
@@ -31,7 +31,7 @@ std::string prose_of(const report::Section& section) {
             }
         }
     }
-    for (const report::Finding& finding : section.findings) prose += "\n" + report::plain(finding.text);
+    prose += "\n" + report::plain(section.answer);
     return prose;
 }
 
@@ -52,17 +52,23 @@ bool is_of_another_section(const std::string& id, const std::string& own) {
     return section != own && std::find(all.begin(), all.end(), section) != all.end();
 }
 
-/// No two curves of a plot have the same colour, the same dashes (or no line) and the same shape of points (or none).
-void expect_looks_differ(const report::Plot& plot) {
-    using Style = report::Series::Style;
-    std::set<std::string> looks;
-    for (std::size_t i = 0; i < plot.series.size(); ++i) {
-        const Style style = plot.series[i].style;
-        const report::Look look = report::look_of(plot.series[i], i);
-        const std::string line = style == Style::points ? "none" : look.dashes;
-        const bool with_points = style == Style::points || style == Style::line_and_points;
-        EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + (with_points ? std::to_string(look.pattern) : "")).second)
-            << plot.id << ": " << plot.series[i].name << " looks like another";
+/// No panel of a plot has more than five curves, no two of them of the same colour, the same dashes (or no line) and the same shape of
+/// points (or none).
+void expect_few_and_different(const report::Plot& plot) {
+    for (const std::string& panel : report::panel_names(plot)) {
+        std::set<std::string> looks;
+        const report::Axis axis({}, false);
+        for (const report::PlotCurve& curve : report::PlotPanel(plot, panel, axis, axis).curves()) {
+            const report::Look& look = curve.look;
+            const std::string line = look.has_line ? look.dashes : "none", points = look.has_points ? std::to_string(look.pattern) : "";
+            EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + points).second)
+                << plot.id << ": " << curve.series->name << " looks like another";
+        }
+        EXPECT_LE(looks.size(), 5u) << plot.id << " " << panel;
+    }
+    for (const report::Marker& marker : plot.markers) {
+        const auto is_its_panel = [&](const report::Series& series) { return series.panel == marker.panel; };
+        EXPECT_TRUE(std::ranges::any_of(plot.series, is_its_panel)) << plot.id << " has no panel " << marker.panel;
     }
 }
 
@@ -91,7 +97,7 @@ void expect_well_formed(const Answer& answer) {
         if (const auto* plot = std::get_if<report::Plot>(&block)) {
             enter(plot->id);
             for (const report::Series& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << plot->id;
-            expect_looks_differ(*plot);
+            expect_few_and_different(*plot);
         }
         if (const auto* map = std::get_if<report::Map>(&block)) {
             enter(map->id);
@@ -143,7 +149,7 @@ void expect_well_formed(const Answer& answer) {
         EXPECT_TRUE(ids.contains(reference) || std::regex_match(reference, cited_work) || is_of_another_section(reference, section.id))
             << "leads nowhere: " << reference;
     EXPECT_FALSE(std::regex_search(prose_of(section), not_a_number)) << prose_of(section);
-    EXPECT_FALSE(section.findings.empty() && section.answer.empty());
+    EXPECT_FALSE(section.answer.empty());
     EXPECT_FALSE(section.extent.empty());
 }
 

@@ -148,7 +148,7 @@ TEST(WordsOfQuestions, NoPluralIsWrittenByHand) {
         "\\{\\{\\w+\\}\\}\\s+(?:explicit |implicit |random |such |open )?(?:vertices|triangles|faces|edges|meshes|modes|iterations|steps|"
         "operators|surfaces|estimators|refinements|rings|checks|components|eigenvalues|kinds|points|methods|seeds|runs|claims)\\b");
     static const std::set<std::string> adjectives{"{{kind}} meshes", "{{triangulation}} meshes", "{{triangles}} triangles",
-                                                  "{{counts}} iterations"};
+                                                  "{{counts}} iterations", "{{classes}} meshes"};
     for (const auto& [file, messages] : all_messages()) {
         for (const report::Message& message : messages) {
             for (const std::string& paragraph : message.paragraphs) {

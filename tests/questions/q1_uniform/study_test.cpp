@@ -9,27 +9,6 @@
 namespace meshfolio::q1_uniform {
 using namespace testing_tools;
 
-// The worst of each kind may lie on different surfaces: their ratio is that of no surface.
-TEST(Q1, JitterIsJudgedSurfaceBySurface) {
-    BenchRuns runs;
-    const auto add = [&](MeshKind kind, const char* surface, double H, double K) {
-        BenchLevel level;
-        level.errors[uniform_H].l2 = H;
-        level.errors[deficit_K].l2 = K;
-        runs.push_back({surface, "", kind, {BenchLevel{}, level}});
-    };
-    add(MeshKind::regular, "sphere", 0.2, 0.01);
-    add(MeshKind::regular, "torus", 0.01, 0.5);
-    add(MeshKind::jittered, "sphere", 0.6, 0.01);
-    add(MeshKind::jittered, "torus", 0.5, 0.25);
-    EXPECT_DOUBLE_EQ(jitter_factors(runs, uniform_H).least, 3);
-    EXPECT_DOUBLE_EQ(jitter_factors(runs, uniform_H).most, 50);
-    EXPECT_TRUE(jitter_factors(runs, uniform_H).matter());
-    EXPECT_DOUBLE_EQ(jitter_factors(runs, deficit_K).least, 0.5);
-    EXPECT_DOUBLE_EQ(jitter_factors(runs, deficit_K).most, 1);
-    EXPECT_FALSE(jitter_factors(runs, deficit_K).matter());
-}
-
 TEST(UniformStudy, TheNormalPartOfAJitteredSphereIsItsCurvature) {
     TriangleMesh ball = icosphere(3);
     ball.X = jittered(ball, topology_of(ball), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
@@ -41,6 +20,39 @@ TEST(UniformStudy, TheNormalPartOfAJitteredSphereIsItsCurvature) {
     const TangentialPart large = tangential_part(curvature_of(library_mesh(ball, "large_ball")));
     EXPECT_NEAR(large.share, part.share, 1e-12);
     EXPECT_NEAR(large.gap, part.gap, 1e-9);
+}
+
+TEST(UniformStudy, AContrastIsOfQuarters) {
+    Vector values(12), by(12);
+    for (int i = 0; i < 12; ++i) {
+        values[i] = i;
+        by[i] = -i;
+    }
+    EXPECT_EQ(contrast(values, by).least, 10);   // of 11, 10 and 9
+    EXPECT_EQ(contrast(values, by).most, 1);
+    values.tail(6).setConstant(std::nan(""));
+    EXPECT_TRUE(std::isnan(contrast(values, by).least));   // too few are left
+}
+
+TEST(UniformStudy, OnAnIcosphereTheTwelveIrregularVerticesStandOutByTheirAreas) {
+    const IrregularVertices odd = irregular_vertices(curvature_of(library_mesh(icosphere(3), "icosphere1")));
+    EXPECT_EQ(odd.count, 12);
+    EXPECT_TRUE(odd.stand_out());
+    EXPECT_TRUE(odd.area_is_why());
+    const IrregularVertices none = irregular_vertices(curvature_of(library_mesh(torus_mesh(24, 12, 1, 0.4), "torus1")));
+    EXPECT_EQ(none.count, 0);   // K has both signs
+}
+
+TEST(UniformStudy, AJitteredSpheresPictureFollowsItsMesh) {
+    TriangleMesh ball = icosphere(3);
+    ball.X = jittered(ball, topology_of(ball), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
+    const Picture picture = picture_of(curvature_of(library_mesh(ball, "picture1")));
+    EXPECT_TRUE(picture.has_one_sign());
+    EXPECT_TRUE(picture.speckled());
+    EXPECT_LT(picture.cotangent_spread, 1.5);
+    EXPECT_GT(picture.spread, 2);
+    ball.X *= 50;   // a picture does not know the unit of length
+    EXPECT_NEAR(picture_of(curvature_of(library_mesh(ball, "large_picture1"))).jump, picture.jump, 1e-9);
 }
 
 }   // namespace meshfolio::q1_uniform

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/number_text.h"
 #include "questions/core/answer_laws.h"
+#include "questions/q2_ellipsoid/parts.h"
 
 namespace meshfolio::q2_ellipsoid {
 using namespace testing_tools;
@@ -75,6 +77,26 @@ TEST(Q2, ThePrincipalCurvaturesAtTheTipAreThoseOfTheClosedForm) {
         return;
     }
     FAIL() << "no table q2_tip";
+}
+
+// The circles of the diagram have the radii 1/κ_n, and touch the ellipse at its tip without crossing it nearby.
+TEST(Q2, TheDiagramsCirclesOsculate) {
+    const Tip tip = tip_of(flat_ellipsoid);
+    const auto [a, b, c] = tip.ellipsoid;
+    const report::Diagram diagram = angle_diagram(tip);
+    ASSERT_EQ(diagram.panels.size(), 3u);
+    for (const auto& [panel, half_height] : {std::pair{1u, b}, std::pair{2u, c}}) {
+        const auto& paths = diagram.panels[panel].paths;
+        const auto circle = std::ranges::find_if(paths, [](auto& path) { return path.style == report::Diagram::Style::accent; });
+        ASSERT_NE(circle, paths.end());
+        const auto [left, right] = std::ranges::minmax(circle->x);
+        EXPECT_NEAR(right, a, 1e-9);
+        EXPECT_NEAR((right - left) / 2, half_height * half_height / a, 1e-3);
+        for (std::size_t i = 0; i < circle->x.size(); ++i) {
+            const double inside = std::pow(circle->x[i] / a, 2) + std::pow(circle->y[i] / half_height, 2);
+            EXPECT_LE(inside, 1 + 1e-9);   // at the end of the longer axis the circle lies within
+        }
+    }
 }
 
 TEST(Q2, OtherSeedsTryOtherPoints) {

@@ -12,16 +12,24 @@ TEST(SpectralUseDiscussion, TheTextFollowsTheData) {
     LimbStudy limbs = limb_study(study);
     limbs.errors[1] = {30, 0.3, 0.1, 0.5, -1};
     limbs.modes_needed = 0;
-    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("collapse to lines, with 3.0 times"), std::string::npos);
+    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("threads along their axes"), std::string::npos);
     limbs.errors[1].thin = 0.05;
-    EXPECT_EQ(report::plain(thin_parts(study, limbs)).find("collapse"), std::string::npos);
+    EXPECT_EQ(report::plain(thin_parts(study, limbs)).find("threads"), std::string::npos);
     limbs.errors[1].thin = 0.3;
     limbs.modes_needed = 7;
     EXPECT_NE(report::plain(thin_parts(study, limbs)).find("such modes are in use"), std::string::npos);
     EXPECT_TRUE(thin_parts(study, LimbStudy()).empty());
-    EXPECT_TRUE(what_bands_do(study, BandStudy()).empty());
-    EXPECT_TRUE(low_pass_without_modes(study, SpectralUses()).empty());
-    EXPECT_TRUE(cost_of_mistakes(study, MistakeStudy()).empty());
+}
+
+TEST(SpectralUseDiscussion, LowModesPeakFarOutOnlyWhereTheyDo) {
+    const SpectralStudy cigar = spectral_study_on(ellipsoid_mesh(3, {4, 1, 1}), "cigar_modes", {5});
+    EXPECT_EQ(drawn_modes(cigar), (std::vector{2, 3, 4, 5}));
+    EXPECT_GT(remoteness_of_peak(cigar, 2), 95) << "the first mode runs from tip to tip";
+    const SpectralStudy ball = spectral_study_on(icosphere(2), "ball_modes", {20});
+    EXPECT_EQ(drawn_modes(ball), (std::vector{2, 3, 4, 5, 10, 15}));
+    EXPECT_EQ(remoteness_of_peak(ball, 2), 0) << "all vertices are as far";
+    EXPECT_NE(report::plain(what_modes_look_like(ball)).find("long nodal lines"), std::string::npos);
+    EXPECT_TRUE(what_modes_look_like(spectral_study_on(ball.mesh(), "ball_one", {1})).empty());
 }
 
 }   // namespace meshfolio::q4_spectral

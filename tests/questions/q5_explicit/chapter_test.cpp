@@ -16,6 +16,8 @@ TEST(Q5, BundledMeshesPassTheirOwnChecks) {
     expect_checks_pass(answer.section);
     // Beyond the limit something must be told about growth.
     EXPECT_NE(prose_of(answer.section).find("Too large a step amplifies"), std::string::npos);
+    EXPECT_FALSE(answer.section.answer.empty());
+    EXPECT_GT(answer.section.appendix_from, 0);
 }
 
 TEST(Q5, OnlyStepsBelowTheLimitAreRecommended) {
@@ -30,54 +32,106 @@ TEST(Q5, TheTablesAreTheStudy) {
     const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const Answer answer = chapter_of_id("q5").answer(library_of(mesh, "egg5"), quick_settings(), no_progress);
     const ExplicitStudy study = explicit_study(library_mesh(mesh, "egg5"), quick_settings());
-    const report::Table& table = table_named(answer.section, "q5_egg5_sweep_table");
+    const report::Table &steps = table_named(answer.section, "q5_steps"), &sweep = table_named(answer.section, "q5_egg5_sweep_table");
     const SmoothingSubject& subject = study.subject;
     const double h = subject.mean_edge;
     std::vector<double> tau, in_edges, energy, moved, volume, angle, inverted, predicted;
     for (const SmoothingRun& run : study.runs) {
         tau.push_back(run.lambda / subject.critical);
         in_edges.push_back(run.lambda / (h * h));
+        const double factor = std::pow(std::abs(1 - run.lambda * subject.top.value), 20);
+        predicted.push_back(factor < 1e-8 ? 0 : factor);
+        if (run.result.blew_up) continue;
         energy.push_back(run.energy.back());
         moved.push_back(100 * vertex_rms(subject.mesh().X, run.result.X) / bounding_box(subject.mesh()).diagonal());
         volume.push_back(100 * signed_volume(moved_to(subject.mesh(), run.result.X)) / signed_volume(subject.mesh()));
         angle.push_back(corner_angles(moved_to(subject.mesh(), run.result.X)).minCoeff() * 180 / M_PI);
         inverted.push_back(run.moved.inverted_faces);
-        const double factor = std::pow(std::abs(1 - run.lambda * subject.top.value), 20);
-        predicted.push_back(factor < 1e-8 ? 0 : factor);
     }
-    expect_near(numbers(table, "λ/λ_crit"), tau);
-    expect_near(numbers(table, "λ/h̄²"), in_edges);
-    expect_near(numbers(table, "energy"), energy);
-    expect_near(numbers(table, "rms moved"), moved);
-    expect_near(numbers(table, "volume"), volume, 1e-9);
-    expect_near(numbers(table, "smallest angle"), angle, 1e-9);
-    expect_near(numbers(table, "inverted faces"), inverted);
-    expect_near(numbers(table, "top mode ×, predicted"), predicted, 1e-9);
-    EXPECT_EQ(numbers(table, "iterations"), (std::vector<double>{20, 20, 20, 20, double(study.runs.back().result.iterations)}));
+    expect_near(numbers(steps, "λ/λ_crit"), tau);
+    expect_near(numbers(sweep, "λ/λ_crit"), tau);
+    expect_near(numbers(sweep, "λ/h̄²"), in_edges);
+    expect_near(numbers(steps, "top mode ×, predicted"), predicted, 1e-9);
+    EXPECT_EQ(numbers(sweep, "iterations"), (std::vector<double>{20, 20, 20, 20, double(study.runs.back().result.iterations)}));
+    // Of what blew up nothing is told but when.
+    EXPECT_TRUE(study.runs.back().result.blew_up);
+    expect_near(finite_numbers(steps, "energy"), energy);
+    expect_near(finite_numbers(steps, "volume"), volume, 1e-9);
+    expect_near(finite_numbers(steps, "faces turned over"), inverted);
+    expect_near(finite_numbers(sweep, "rms moved"), moved);
+    expect_near(finite_numbers(sweep, "smallest angle"), angle, 1e-9);
     std::vector<std::string> outcomes;
-    for (const report::Cell& cell : cells(table, "outcome")) outcomes.push_back(std::get<std::string>(cell));
+    for (const report::Cell& cell : cells(steps, "outcome")) outcomes.push_back(std::get<std::string>(cell));
     EXPECT_EQ(outcomes[0], "stable");
     EXPECT_TRUE(outcomes[1].starts_with("recommended")) << outcomes[1];
     EXPECT_EQ(outcomes[2], "stable");
     EXPECT_EQ(outcomes[3], "growing");
+    EXPECT_TRUE(outcomes[4].starts_with("blew up")) << outcomes[4];
     const report::Table& limits = table_named(answer.section, "q5_limits");
     expect_near(numbers(limits, "λ_crit"), {2 / subject.top.value});
     expect_near(numbers(limits, "λ_crit/h̄²"), {subject.critical / (h * h)});
-    EXPECT_LE(numbers(limits, "safe λ (Gershgorin)")[0], subject.critical);
+    expect_near(numbers(limits, "recommended λ/λ_crit"), {0.5});
+    EXPECT_EQ(numbers(limits, "iterations")[0], study.recommended->stopped.iterations);
+    EXPECT_GE(numbers(limits, "size")[0], 95);
+    EXPECT_LE(numbers(table_named(answer.section, "q5_bounds"), "safe λ (Gershgorin)")[0], subject.critical);
 }
 
-TEST(Q5, PanelsAreTheInputAndEveryStepInOrder) {
-    const TriangleMesh mesh = cube_mesh(4);
+TEST(Q5, TheInputStandsBesideTheRecommendedResult) {
+    const TriangleMesh mesh = cube_mesh(10);
     const Answer answer = chapter_of_id("q5").answer(library_of(mesh, "cube5"), quick_settings(), no_progress);
     const ExplicitStudy study = explicit_study(library_mesh(mesh, "cube5"), quick_settings());
-    const std::vector<output::Panel>& panels = answer.figures.front().panels;
-    ASSERT_EQ(panels.size(), study.runs.size() + 1);
-    EXPECT_EQ(panels[0].label, "before");
-    EXPECT_EQ(panels[0].mesh->X, study.subject.mesh().X);
-    for (std::size_t i = 0; i < study.runs.size(); ++i) {
-        EXPECT_EQ(panels[i + 1].mesh->X, study.runs[i].in_view);
-        EXPECT_EQ(panels[i + 1].label.rfind("λ = " + step_label(study.subject, study.runs[i].lambda), 0), 0u);
+    const output::FigureRequest& figure = figure_named(answer, "q5_cube5_recommended");
+    ASSERT_EQ(figure.panels.size(), 2u);
+    EXPECT_EQ(figure.layout, output::Layout::six_views);
+    EXPECT_EQ(figure.panels[0].mesh->X, study.subject.mesh().X);
+    EXPECT_EQ(figure.panels[1].mesh->X, study.recommended->stopped.result.X);
+}
+
+TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyOnceItBlewUp) {
+    const TriangleMesh mesh = cube_mesh(4);
+    const Answer answer = chapter_of_id("q5").answer(library_of(mesh, "cube_frames"), quick_settings(), no_progress);
+    const SmoothingSubject subject = smoothing_subject(library_mesh(mesh, "cube_frames"));
+    const output::FigureRequest& figure = figure_named(answer, "q5_cube_frames_frames");
+    const std::vector<int> times{0, 2, 5, 10, 20};
+    const std::vector<double> limits{0.5, 1.05, 2};
+    ASSERT_EQ(figure.columns.size(), times.size());
+    ASSERT_EQ(figure.rows.size(), limits.size());
+    ASSERT_EQ(figure.panels.size(), times.size() * limits.size());
+    int empty = 0;
+    for (std::size_t row = 0; row < limits.size(); ++row) {
+        const double lambda = limits[row] * subject.critical;
+        for (std::size_t column = 0; column < times.size(); ++column) {
+            const output::Panel& panel = figure.panels[row * times.size() + column];
+            const SmoothingRun run = run_smoothing(subject, SmoothingScheme::explicit_euler, lambda, times[column]);
+            EXPECT_EQ(panel.mesh == nullptr, run.result.blew_up) << panel.label;
+            if (panel.mesh) {
+                EXPECT_EQ(panel.mesh->X, run.result.X) << panel.label;
+                continue;
+            }
+            ++empty;
+            EXPECT_EQ(panel.label, "blew up, t = " + std::to_string(run.result.blow_up_iteration));
+            EXPECT_GE(run.result.blow_up_iteration, earliest_blow_up(subject, lambda));
+        }
     }
+    EXPECT_GT(empty, 0) << "nothing blew up: nothing was seen";
+}
+
+TEST(Q5, AtMostFiveCurvesAPlot) {
+    const TriangleMesh mesh = icosphere(2);
+    QuestionSettings settings = quick_settings();
+    const double critical = smoothing_subject(library_mesh(mesh, "ball_many")).critical;
+    for (int i = 1; i <= 9; ++i) settings.lambda.push_back(0.1 * i * critical);
+    const Answer answer = chapter_of_id("q5").answer(library_of(mesh, "ball_many"), settings, no_progress);
+    int plots = 0;
+    for (const report::Block& block : answer.section.blocks) {
+        const auto* plot = std::get_if<report::Plot>(&block);
+        if (plot == nullptr || plot->id != "q5_ball_many_energy") continue;
+        ++plots;
+        ASSERT_EQ(plot->series.size(), 5u);
+        EXPECT_EQ(plot->series.front().name, "0.1 λ_crit");
+        EXPECT_EQ(plot->series.back().name, "0.9 λ_crit");
+    }
+    EXPECT_EQ(plots, 1);
 }
 
 TEST(Q5, TheTextFollowsTheData) {

@@ -80,6 +80,54 @@ TEST(ExplicitStudy, TheRecommendedRunStopsBeforeAFewPercentOfTheSizeAreLost) {
     EXPECT_FALSE(explicit_study_on(tetrahedron(), "tetrahedron_stop").recommended) << "one step takes more";
 }
 
+TEST(ExplicitStudy, WhereEnoughIsLeftItGoesOnToTwiceTheIterations) {
+    QuestionSettings settings = quick_settings();
+    settings.iterations = {2};
+    const ExplicitStudy ball = explicit_study(library_mesh(icosphere(4), "ball_on"), settings);   // two steps are nothing on a fine ball
+    EXPECT_TRUE(ball.recommended->all_kept);
+    EXPECT_EQ(ball.recommended->stopped.iterations, 4);
+    EXPECT_GE(ball.recommended->stopped.size.back(), 0.95);
+    settings.iterations = {4};
+    const ExplicitStudy cube = explicit_study(library_mesh(cube_mesh(12), "cube_on"), settings);
+    EXPECT_FALSE(cube.recommended->all_kept);
+    EXPECT_LT(cube.recommended->stopped.iterations, 8);
+}
+
+TEST(ExplicitStudy, EdgesAndBoundariesMoveFarthest) {
+    const Recommendation cube = *explicit_study_on(cube_mesh(12), "cube_edges").recommended;
+    EXPECT_GT(cube.on_features, 2) << "flat faces hardly move";
+    EXPECT_EQ(cube.on_boundary, 0) << "it has none";
+    const Recommendation ball = *explicit_study_on(icosphere(3), "ball_edges").recommended;
+    EXPECT_EQ(ball.on_features, 0) << "it has none";
+    TriangleMesh rough = grid_mesh(20, 20, 1, 1);
+    for (Eigen::Index v = 0; v < rough.X.rows(); ++v) rough.X(v, 2) += 0.01 * std::sin(3.0 * static_cast<double>(v * v));
+    const Recommendation sheet = *explicit_study_on(rough, "rough_sheet").recommended;
+    EXPECT_GT(sheet.on_boundary, 0);
+    EXPECT_LT(sheet.roughness_after, 0.8 * sheet.roughness_before);
+}
+
+TEST(ExplicitStudy, StripsAreOfASignKeepingStepAndOfThoseBeyond) {
+    const ExplicitStudy study = explicit_study_on(cube_mesh(4), "cube_strips");
+    ASSERT_EQ(study.strips.size(), 3u);
+    EXPECT_EQ(study.strips[0].run, 1u);
+    EXPECT_EQ(study.strips[1].run, 3u);
+    EXPECT_EQ(study.strips[2].run, 4u);
+    const double critical = study.subject.critical;
+    EXPECT_EQ(explicit_study_on(cube_mesh(4), "cube_stable", {0.1 * critical, 0.9 * critical}).strips.size(), 2u);
+    EXPECT_EQ(explicit_study_on(cube_mesh(4), "cube_one", {0.1 * critical}).strips.size(), 1u);
+}
+
+TEST(ExplicitStudy, NothingBlowsUpBeforeItCan) {
+    for (const TriangleMesh& mesh : {cube_mesh(4), icosphere(2), grid_mesh(6, 5, 2, 1)}) {
+        const SmoothingSubject subject = smoothing_subject(library_mesh(mesh, "early"));
+        for (const double limits : {1.5, 2.0, 5.0, 100.0}) {
+            const SmoothingRun run = run_smoothing(subject, SmoothingScheme::explicit_euler, limits * subject.critical, 60);
+            ASSERT_TRUE(!run.result.blew_up || run.result.blow_up_iteration >= earliest_blow_up(subject, limits * subject.critical));
+        }
+        EXPECT_GT(earliest_blow_up(subject, 0.9 * subject.critical), 1000000) << "never";
+    }
+}
+
 TEST(ExplicitStudy, VerticesThatTieAreAllPeaks) {
     const std::vector<int> tied = explicit_study_on(tetrahedron(), "tetrahedron_peaks").peaks;
     EXPECT_GE(tied.size(), 1u);

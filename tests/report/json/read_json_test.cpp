@@ -85,6 +85,7 @@ Document rich_document() {
             plot->series[0].style = Series::Style::points;
             plot->series[0].y[1] = -INFINITY;
             plot->markers[0].y = INFINITY;
+            plot->series[1].panel = plot->markers[0].panel = "sphere";
         }
     }
     section.checks[0].measured = -INFINITY;

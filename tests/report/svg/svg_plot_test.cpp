@@ -4,6 +4,7 @@
 
 #include "report/sample_document.h"
 #include "report/svg/plot_axis.h"
+#include "report/svg/plot_ends.h"
 #include "report/svg/plot_labels.h"
 #include "report/svg/svg_elements.h"
 #include "report/test_tools.h"
@@ -184,8 +185,8 @@ TEST(SvgPlot, HigherValuesAreHigherUp) {
     Plot plot = plot_of({1, 2}, {1, 2});
     plot.series[0].style = Series::Style::points;
     const auto y = matches(svg_of(plot), "<circle cx=\"[^\"]*\" cy=\"([^\"]*)\"");
-    ASSERT_EQ(y.size(), 3u);   // the first is the legend's
-    EXPECT_GT(std::stod(y[1]), std::stod(y[2]));
+    ASSERT_EQ(y.size(), 3u);   // the last is the sample beside its name
+    EXPECT_GT(std::stod(y[0]), std::stod(y[1]));
 }
 
 TEST(SvgPlot, SeriesDifferWithoutColour) {
@@ -224,6 +225,107 @@ TEST(SvgPlot, ASeriesLooksTheSameWhereverItsColourAndPatternAreGiven) {
     const auto both = matches(svg_of(plot), "<path d=\"[^\"]*\" fill=\"none\" (stroke=[^/]*)/>");
     EXPECT_NE(both.at(0), path);
     EXPECT_EQ(both.at(1), path);
+}
+
+// ---- names and panels -------------------------------------------------------------------------------------------------------
+
+TEST(PlotEnds, NamesThatFitDoNotOverlapAndStayNearTheirCurves) {
+    for (const std::vector<double>& wanted : std::vector<std::vector<double>>{{}, {50}, {50, 50, 50}, {10, 90, 11, 89, 12}, {-5, 300}}) {
+        const std::vector<double> heights(wanted.size(), 16), middles = spread_apart(wanted, heights, 0, 200);
+        ASSERT_EQ(middles.size(), wanted.size());
+        for (std::size_t i = 0; i < middles.size(); ++i) {
+            EXPECT_GE(middles[i], 8);
+            EXPECT_LE(middles[i], 192);
+            for (std::size_t k = 0; k < i; ++k) {
+                EXPECT_GE(std::abs(middles[i] - middles[k]), 16 - 1e-9);
+                EXPECT_EQ(middles[i] < middles[k], wanted[i] < wanted[k] || (wanted[i] == wanted[k] && i < k));
+            }
+        }
+    }
+    EXPECT_EQ(spread_apart({20, 100, 180}, {16, 16, 16}, 0, 200), (std::vector<double>{20, 100, 180}));
+    EXPECT_EQ(spread_apart({50, 50}, {20, 10}, 0, 200), (std::vector<double>{42.5, 57.5}));
+    EXPECT_EQ(spread_apart({5, 5, 5}, {10, 10, 10}, 0, 12), (std::vector<double>{5, 15, 25}));   // they do not fit
+}
+
+/// Three meshes, two methods each.
+Plot plot_of_panels() {
+    Plot plot = plot_of({}, {});
+    plot.series.clear();
+    for (const double mesh : {1.0, 2.0, 3.0}) {
+        for (const char* method : {"first", "second"}) {
+            Series series{method, {1, 2, 3}, {mesh, mesh + 1, mesh * (method[0] == 'f' ? 1 : 3)}, {}, {}};
+            series.panel = "mesh " + std::to_string(int(mesh));
+            plot.series.push_back(series);
+        }
+    }
+    return plot;
+}
+
+TEST(SvgPlot, SmallPlotsShareAxesLooksAndNames) {
+    const Plot plot = plot_of_panels();
+    expect_sane(plot);
+    const std::string svg = svg_of(plot);
+    const auto curves = matches(svg, "<path d=\"M[^\"]*\" fill=\"none\" (stroke=[^/]*)/>");
+    ASSERT_EQ(curves.size(), 6u);
+    for (const std::size_t i : {2u, 3u, 4u, 5u}) EXPECT_EQ(curves[i], curves[i - 2]) << "a name has one look";
+    EXPECT_NE(curves[0], curves[1]);
+    EXPECT_EQ(count_of(svg, ">second</text>"), 1u) << "named once, at the ends of the last panel's";
+    for (const char* name : {"mesh 1", "mesh 2", "mesh 3"}) EXPECT_EQ(count_of(svg, std::string(">") + name + "</text>"), 1u);
+    Plot all_different = plot;
+    for (Series& series : all_different.series) series.name += " " + series.panel;
+    expect_sane(all_different);
+    for (const Series& series : all_different.series) EXPECT_EQ(count_of(svg_of(all_different), ">" + series.name + "</text>"), 1u);
+}
+
+TEST(SvgPlot, MarkersStandInTheirPanel) {
+    Plot plot = plot_of_panels();
+    plot.markers = {{2, 2, "here", "mesh 2"}, {2, 2, "nowhere", "mesh 4"}};
+    const std::string svg = svg_of(plot);
+    EXPECT_EQ(count_of(svg, ">here</text>"), 1u);
+    EXPECT_EQ(count_of(svg, ">nowhere</text>"), 0u);
+}
+
+// Names stand in the colours of their curves; the sample beside them tells them apart in grey.
+TEST(SvgPlot, CurvesAreNamedAtTheirEnds) {
+    Plot plot = plot_of({1, 2, 3}, {1, 2, 3});
+    plot.series.push_back({"falling", {1, 2, 3}, {3, 2, 1}, {}, {}});
+    plot.series.push_back({"scattered", {2, 1, 3}, {3, 2, 1}, {}, {}, Series::Style::points});
+    const std::string svg = svg_of(plot);
+    const double rising = std::stod(matches(svg, "translate\\([0-9.]+ ([0-9.]+)\\)").at(0)),
+                 falling = std::stod(matches(svg, "translate\\([0-9.]+ ([0-9.]+)\\)").at(1));
+    EXPECT_LT(rising, falling - 100);
+    EXPECT_NE(svg.find("fill=\"var(--plot-2, #c2410c)\">falling</text>"), std::string::npos);
+    EXPECT_EQ(count_of(svg, ">scattered</text>"), 1u) << "in the legend: it has no end";
+}
+
+TEST(SvgPlot, ZeroHasAPlaceOnALogarithmicAxisOfX) {
+    Plot plot = plot_of({0, 1, 10}, {1, 2, 3}, true);
+    const std::string svg = svg_of(plot);
+    EXPECT_EQ(count_of(svg, ">0</text>"), 1u);
+    EXPECT_EQ(count_of(matches(svg, "<path d=\"(M[^\"]*)\" fill=\"none\"").at(0), "L"), 2u) << "all three points are drawn";
+    const Axis axis({0, 1, 10}, true, true);
+    EXPECT_LT(axis.position(0), axis.position(1));
+    EXPECT_GE(axis.position(1), Axis::zero_share);
+    EXPECT_FALSE(Axis({1, 10}, true, true).shows(0));
+    EXPECT_FALSE(Axis({0, -1}, true, true).shows(0));
+}
+
+/// Words are 12 units high at least, and nothing is smaller than 7 points where the drawing is 160 mm wide.
+void expect_readable(const std::string& svg) {
+    const double points_a_unit = 160 / 25.4 * 72 / std::stod(matches(svg, "viewBox=\"0 0 ([0-9.]+) ").at(0));   // on paper
+    EXPECT_NEAR(std::stod(matches(svg, "viewBox=\"0 0 ([0-9.]+) ").at(0)), 640, 1e-9) << "what the page shows it at, at least";
+    for (const std::string& size : matches(svg, "<(?:svg|text|g)[^>]* font-size=\"([0-9.]+)\"")) EXPECT_GE(std::stod(size), 12) << svg;
+    for (const std::string& size : matches(svg, "font-size=\"([0-9.]+)\"")) EXPECT_GE(std::stod(size) * points_a_unit, 7) << svg;
+}
+
+TEST(Svg, WordsAreLargeEnoughOnThePageAndOnPaper) {
+    expect_readable(svg_of(plot_of_panels()));
+    const Document sample = sample_document();
+    for (const Block& block : sample.sections[0].blocks) {
+        if (const auto* plot = std::get_if<Plot>(&block)) expect_readable(svg_of(*plot));
+        if (const auto* map = std::get_if<Map>(&block)) expect_readable(svg_of(*map));
+        if (const auto* diagram = std::get_if<Diagram>(&block)) expect_readable(svg_of(*diagram));
+    }
 }
 
 TEST(SvgPlot, SaysWhatIsToBeSeen) {

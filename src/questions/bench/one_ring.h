@@ -1,0 +1,50 @@
+/// @file
+/// The triangles around a vertex laid into a plane, as diagrams draw them and as angle deficits and areas are about.
+#pragma once
+
+#include <vector>
+
+#include "geometry/operators/vertex_areas.h"
+#include "mesh/mesh_topology.h"
+#include "report/diagram.h"
+
+namespace meshfolio {
+
+/// Counter-clockwise neighbours of a vertex inside the surface, beginning with the smallest.
+std::vector<int> ring_in_order(const TriangleMesh& mesh, const MeshTopology& topology, int vertex);
+
+/// A one-ring cut open along its first edge and unfolded about the vertex, which lies at the origin: all lengths from it, and all angles at
+/// it, are those of the surface.
+struct FlatRing {
+    std::vector<report::DiagramPoint> corners;   // the neighbours; the first again at the end, turned by Σθ
+    std::vector<double> angles;                  // θ of each triangle [rad]
+    double gap() const;                          // 2π − Σθ
+
+    int triangles() const { return static_cast<int>(angles.size()); }
+};
+/// @param start  direction of the first edge [rad]
+FlatRing flat_ring(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, double start = 0);
+
+/// The part of the cell in triangle t: a polygon from the vertex over the middle of one edge to that of the other. Its signed area is the
+/// triangle's share of vertex_areas(), also where the circumcentre lies beyond the triangle.
+std::vector<report::DiagramPoint> cell_in_triangle(const FlatRing& ring, int t, AreaForm form);
+/// The cell of all triangles.
+std::vector<report::DiagramPoint> cell_of(const FlatRing& ring, AreaForm form);
+/// Is triangle t obtuse at the vertex, or at the corner before or behind it?
+bool is_obtuse(const FlatRing& ring, int t);
+
+// Rings that diagrams draw, of meshes made for them.
+
+struct SampleRing {
+    TriangleMesh mesh;
+    MeshTopology topology;
+    int vertex = 0;
+};
+/// On an icosahedron whose vertices were moved along the sphere, that with the largest tangential share of Δx.
+SampleRing ring_on_a_sphere();
+/// In a flat mesh of equilateral triangles whose vertices were moved within it: of the rings with one obtuse triangle, the most obtuse.
+SampleRing obtuse_ring_in_a_plane();
+/// In the same mesh: of the rings without obtuse triangle that whose mean is farthest from its vertex, in edges.
+SampleRing uneven_ring_in_a_plane();
+
+}   // namespace meshfolio
