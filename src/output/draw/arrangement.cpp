@@ -81,7 +81,8 @@ private:
 
     int views_height() const {
         int height = 0;
-        for (std::size_t i = 1; i < panels_[0].size(); ++i) height = std::max(height, panels_[0][i].height);
+        for (const PanelPictures& panel : panels_)
+            for (std::size_t i = 1; i < panel.size(); ++i) height = std::max(height, panel[i].height);
         return height + line_ + gap_;
     }
 
@@ -104,6 +105,7 @@ private:
 
     void rows_of_views(int top) {
         for (std::size_t p = 0; p < panels_.size(); ++p) {
+            if (panels_[p].size() < 2) continue;
             say(request_.panels[p].label, 0, top, 30 * line_, false);
             top = views(p, 0, top + line_, 1);
         }

@@ -150,7 +150,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
     options.height = large.height;
     options.frame = large.frame;
     pictures = render::draw_views(surface, hero, options);
-    if (job.six) {
+    if (job.six && panel.directions) {
         const PictureFrame whole = job.six->covering_all();
         options.width = whole.width;
         options.height = whole.height;
@@ -176,7 +176,7 @@ void set_legend(FigureJob& job, render::FigureSheet& sheet) {
 }
 
 std::size_t pictures_of(const FigureRequest& request, std::size_t panel) {
-    return !request.panels[panel].mesh ? 0 : has_six_views(request) ? 7 : 1;
+    return !request.panels[panel].mesh ? 0 : has_six_views(request) && request.panels[panel].directions ? 7 : 1;
 }
 
 /// Where the pictures are on the sheet.

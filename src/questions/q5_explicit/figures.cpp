@@ -36,6 +36,7 @@ void add_recommended_figure(Answer& answer, const ExplicitStudy& study) {
                          .turnable = true};
     figure.panels = {panel_of(*study.subject.source, id + "_input", "input"),
                      panel_of(moved_to(study.subject.mesh(), run.result.X), id + "_smoothed", words.line("recommended.after", facts))};
+    figure.panels.front().directions = false;
     add_figure(answer, std::move(figure));
 }
 

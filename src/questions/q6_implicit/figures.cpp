@@ -100,6 +100,7 @@ void add_views(Answer& answer, const ImplicitStudy& study) {
                          .panels = {panel_of(*study.subject.source, id + "_input", words.line("views.input"))},
                          .edges = shows_edges(study),
                          .turnable = true};
+    figure.panels.front().directions = good == nullptr;   // of a result
     report::Facts facts{"mesh"_a = study.name(), "good"_a = "", "much"_a = ""};
     if (good) {
         facts[1] = "good"_a = words.line("views.good", "cell"_a = title_of(study, *good), "fall"_a = energy_fall(good->implicit_energy),
@@ -111,6 +112,7 @@ void add_views(Answer& answer, const ImplicitStudy& study) {
         facts[2] = "much"_a = words.line("views.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2));
         figure.panels.push_back(
             panel_of_cell(study, much->implicit_X, "views", "much", words.line("views.much.label", "cell"_a = title_of(study, *much))));
+        figure.panels.back().directions = false;
     }
     figure.caption = words.line("views.caption", facts);
     add_figure(answer, std::move(figure));

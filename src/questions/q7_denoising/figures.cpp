@@ -86,6 +86,7 @@ void add_views(Answer& answer, const DenoisingGrid& grid) {
                          .frame_panel = -1,   // noise may reach beyond the clean box
                          .turnable = true};
     figure.panels.insert(figure.panels.end(), panels.begin(), panels.end());
+    for (output::Panel& panel : figure.panels) panel.directions = &panel == &figure.panels.back();   // of the result
     add_figure(answer, std::move(figure));
 }
 

@@ -14,7 +14,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_in_a_line = 4, gallery = 12, gallery_line = 6, views_in_a_group = 3;
-constexpr double highest_line = 0.46, highest_figure = 1.25;   // against the width of the text: 74 mm and 200 mm on paper
+// Against the width of the text: on paper 56, 45, 95 and 22 mm.
+constexpr double highest_lead = 0.35, highest_line = 0.28, highest_figure = 0.6, highest_row = 0.14;
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
 
@@ -60,6 +61,22 @@ json cell_view(const PictureOf& of, std::size_t p) {
                     {"has_label", "it has one", !panel.label.empty()}});
 }
 
+/// Tenths of the width that pictures so wide and so high together may take, so as not to be higher than a share of that width.
+int tenths(double width, double height, double highest) {
+    if (!(height > 0) || !(width > 0)) return 10;
+    return std::clamp(static_cast<int>(std::floor(10 * highest * width / height)), 2, 10);
+}
+
+/// Of the six views in a row.
+int tenths_of_row(const DrawnPanel& panel) {
+    double width = 0, height = 0;
+    for (std::size_t i = 1; i < panel.pictures.size(); ++i) {
+        width += panel.pictures[i].width;
+        height = std::max<double>(height, panel.pictures[i].height);
+    }
+    return tenths(width, height, highest_row);
+}
+
 /// The directions of a panel, three by three: beside each other where there is room.
 json views_view(const PictureOf& of, std::size_t p) {
     json groups = json::array();
@@ -70,6 +87,7 @@ json views_view(const PictureOf& of, std::size_t p) {
     }
     return view_of({{"label", "of the panel", prose_view(of.drawn.panels[p].label)},
                     {"has_label", "it has one", of.drawn.panels.size() > 1 && !of.drawn.panels[p].label.empty()},
+                    {"tenths", "of the width that the pictures take", std::to_string(tenths_of_row(of.drawn.panels[p]))},
                     {"groups", "its views, three by three", std::move(groups)}});
 }
 
@@ -100,10 +118,10 @@ json lines_view(const PictureOf& of) {
     return lines;
 }
 
-/// Tenths of the width that the pictures take, so that none is higher than is good to look at.
+/// Of everything but such rows.
 int tenths_of(const DrawnFigure& drawn) {
-    double width = 1, line = 0, lines = 1;
     if (drawn.panels.empty()) return 10;
+    double width = 1, line = 0, highest = highest_lead;
     const auto largest = [&](auto member) {
         int most = 0;
         for (const DrawnPanel& panel : drawn.panels)
@@ -123,11 +141,10 @@ int tenths_of(const DrawnFigure& drawn) {
         const std::size_t columns = columns_of(drawn);
         width = static_cast<double>(columns) * largest(&DrawnPicture::width);
         line = largest(&DrawnPicture::height);
-        lines = static_cast<double>((drawn.panels.size() + columns - 1) / columns);
+        const auto lines = static_cast<double>((drawn.panels.size() + columns - 1) / columns);
+        highest = std::min(highest_line, highest_figure / lines);
     }
-    const double highest = std::min(highest_line, highest_figure / lines);
-    if (!(line > 0) || !(width > 0)) return 10;
-    return std::clamp(static_cast<int>(std::floor(10 * highest * width / line)), 2, 10);
+    return tenths(width, line, highest);
 }
 
 }   // namespace
