@@ -11,9 +11,8 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-/// The maps "viridis" and "diverging" of the renderer, which this layer does not see.
-constexpr std::array<unsigned, 10> sequential{0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e,
-                                              0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b, 0xfde725};
+/// The maps "pale" and "diverging" of the renderer, which this layer does not see.
+constexpr std::array<unsigned, 9> sequential{0xf1eee4, 0xd4d7b6, 0x9bc6a5, 0x5eb1ab, 0x3397ac, 0x117da8, 0x09629c, 0x1e4983, 0x253261};
 constexpr std::array<unsigned, 13> diverging{0x004c9e, 0x0368c1, 0x4b88d6, 0x80a8e3, 0xadc5ea, 0xd5dfef, 0xeeeeee,
                                              0xefdad1, 0xe9b9a8, 0xde937f, 0xcc6a59, 0xb4413d, 0x93232b};
 

@@ -55,16 +55,17 @@ bool is_of_another_section(const std::string& id, const std::string& own) {
 /// No panel of a plot has more than five curves, no two of them of the same colour, the same dashes (or no line) and the same shape of
 /// points (or none).
 void expect_few_and_different(const report::Plot& plot) {
-    for (const std::string& panel : report::panel_names(plot)) {
+    const report::Axis axis({}, false);
+    for (const std::string& name : report::panel_names(plot)) {
         std::set<std::string> looks;
-        const report::Axis axis({}, false);
-        for (const report::PlotCurve& curve : report::PlotPanel(plot, panel, axis, axis).curves()) {
+        const report::PlotPanel panel(plot, name, axis, axis);
+        for (const report::PlotCurve& curve : panel.curves()) {
             const report::Look& look = curve.look;
             const std::string line = look.has_line ? look.dashes : "none", points = look.has_points ? std::to_string(look.pattern) : "";
             EXPECT_TRUE(looks.insert(look.color + "/" + line + "/" + points).second)
                 << plot.id << ": " << curve.series->name << " looks like another";
         }
-        EXPECT_LE(looks.size(), 5u) << plot.id << " " << panel;
+        EXPECT_LE(looks.size(), 5u) << plot.id << " " << name;
     }
     for (const report::Marker& marker : plot.markers) {
         const auto is_its_panel = [&](const report::Series& series) { return series.panel == marker.panel; };
