@@ -9,7 +9,7 @@
 
 namespace meshfolio::report {
 
-constexpr double font_size = 12.5, script_size = 10.5;   // 8.9 and 7.4 points where a drawing is 160 mm wide
+constexpr double font_size = 12.5, script_size = 11;   // 8.0 and 7.1 points where a drawing is 145 mm wide
 
 struct Point {
     double x = 0, y = 0;
