@@ -21,7 +21,7 @@ struct Definition {
 };
 
 /// viridis and magma: ten colours of the maps of van der Walt and Smith (2015, CC0); cividis: of Nuñez, Anderton and Renslow
-/// (2018). parula-like, diverging and grey: drawn up here in CIELAB, with equal steps of lightness. cyclic: a closed curve in CIELAB
+/// (2018). pale, parula-like, diverging and grey: drawn up here in CIELAB, with equal steps of lightness. cyclic: a closed curve in CIELAB
 /// (three harmonics) found by climbing towards equal steps of CIEDE2000, equal lightness of t and 1 − t, and the largest distance
 /// between any two places in normal and each kind of colour-blind sight.
 const std::vector<Definition>& definitions() {
@@ -30,6 +30,10 @@ const std::vector<Definition>& definitions() {
          "sequential",
          "dark violet, green, yellow; perceptually uniform, safe for colour-blind readers",
          {0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b, 0xfde725}},
+        {"pale",
+         "sequential",
+         "cream, green, blue, navy; for distances and errors: zero is pale, and the form of what is right stays visible",
+         {0xf1eee4, 0xd4d7b6, 0x9bc6a5, 0x5eb1ab, 0x3397ac, 0x117da8, 0x09629c, 0x1e4983, 0x253261}},
         {"parula-like",
          "sequential",
          "blue, teal, yellow; for comparison with earlier reports",

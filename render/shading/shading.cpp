@@ -112,7 +112,7 @@ HWY_INLINE FloatVector edge_ink(const Vector3& ab, const Vector3& ac, FloatVecto
     const FloatVector over_a = height(hn::Sub(ac.x, ab.x), hn::Sub(ac.y, ab.y)), over_b = height(ac.x, ac.y), over_c = height(ab.x, ab.y);
     const FloatVector nearest = hn::Min(hn::Mul(wa, over_a), hn::Min(hn::Mul(wb, over_b), hn::Mul(wc, over_c)));
     const FloatVector smallest = hn::Min(over_a, hn::Min(over_b, over_c));
-    return hn::Mul(line_ink(nearest), clamped(hn::Mul(smallest, set(1 / smallest_meshed))));
+    return hn::Mul(hn::Mul(set(edge_strength), line_ink(nearest)), clamped(hn::Mul(smallest, set(1 / smallest_meshed))));
 }
 
 /// Lines where map position · scale + offset is whole, as wide everywhere: the distance is measured in pixels through the gradient.
@@ -184,7 +184,7 @@ HWY_INLINE FloatVector light_on(const ShadingStyle& style, const Fragments& frag
         const FloatVector facing = hn::Add(dot(n, {set(towards.x), set(towards.y), set(towards.z)}), set(wrap));
         total = hn::Add(total, hn::Mul(set(light_strength[l] / (1 + wrap)), hn::Max(set(0), facing)));
     }
-    const FloatVector light = hn::Min(total, set(1));
+    const FloatVector light = hn::Min(style.has_values ? hn::Mul(set(exposure_of_values), total) : total, set(1));
     const FloatVector shown = style.has_values ? hn::Sub(set(1), hn::Mul(set(light_on_values), hn::Sub(set(1), light))) : light;
     const FloatVector fixed = hn::Load(f, fragments.fixed_light.data() + i);
     return hn::IfThenElse(hn::Gt(fixed, set(0)), fixed, shown);
@@ -209,7 +209,7 @@ HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size
     Vector3 color = base_color(style, fragments, i);
     if (style.options.shading) {
         const FloatVector strength = light_on(style, fragments, i), back = hn::Load(f, fragments.back.data() + i);
-        const glm::vec3 darkening = !style.options.backface_tint ? glm::vec3(1) : style.has_values ? glm::vec3(back_darkening) : back_tint;
+        const glm::vec3 darkening = style.options.backface_tint && !style.has_values ? back_tint : glm::vec3(1);
         const auto tinted = [&](FloatVector channel, float tint)
                                 HWY_ATTR { return hn::Mul(hn::Mul(channel, strength), hn::Sub(set(1), hn::Mul(back, set(1 - tint)))); };
         color = {tinted(color.x, darkening.r), tinted(color.y, darkening.g), tinted(color.z, darkening.b)};

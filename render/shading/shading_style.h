@@ -18,16 +18,17 @@ inline constexpr float ambient = 0.02F, wrap = 0.1F;
 /// Twice the area (square grid steps) from which on the rounded normal of a triangle can be trusted: an eighth of a pixel wide.
 inline constexpr float trusted_area = 32 * 32;
 
-/// Of values only this much of the lighting shows, so that dark and light parts can still be read off the colour bar. Where the light
-/// is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be seen.
-inline constexpr float light_on_values = 0.84F, sheen_on_values = 0.018F;
+/// Values are lit more, so that what faces the viewer is about as light as the colour bar, and only so much of the lighting shows on them.
+/// Where the light is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be
+/// seen.
+inline constexpr float exposure_of_values = 1.15F, light_on_values = 0.76F, sheen_on_values = 0.018F;
 
-/// The back of plain surfaces is ochre; values keep their hue there and only darken.
-inline constexpr glm::vec3 back_tint{0.86F, 0.62F, 0.40F};
-inline constexpr float back_darkening = 0.62F;
+/// The back of plain surfaces is a pale ochre. Values look the same on both sides: a colour stands for one value.
+inline constexpr glm::vec3 back_tint{0.94F, 0.82F, 0.66F};
 
 inline constexpr glm::vec3 ink_color{0.012F, 0.012F, 0.016F};
 inline constexpr float line_half_width = 0.45F;   // pixels on either side
+inline constexpr float edge_strength = 0.55F;     // of lines along edges: form and colours are what is looked at
 inline constexpr float smallest_meshed = 9;       // pixels; lines of smaller triangles fade, lest they blacken the surface
 /// Of the colour range, per pixel: parts flatter than this have no isolines, or rounding noise on a level would draw them.
 inline constexpr float flattest_isolines = 3e-5F;

@@ -22,7 +22,7 @@ describe("pictures in full size", () => {
     after(() => page.context().close());
 
     test("by keyboard: open, to the next figure and view, close, and back where one was", async () => {
-        const link = page.locator("#q1 figure.picture .plate > a").first();
+        const link = page.locator("#q1 figure.picture .files a.sheet").first();
         await link.focus();
         await page.keyboard.press("Enter");
         await loaded(page);
@@ -59,10 +59,19 @@ describe("pictures in full size", () => {
         assert.equal(await page.locator(".lightbox").evaluate((dialog) => dialog.open), false);
     });
 
+    test("a picture that is no file of its own opens the sheet it is part of", async () => {
+        const figure = page.locator("#q1 figure.picture").first();
+        await figure.locator(".large img").click();
+        await loaded(page);
+        assert.equal(await shown(page), await figure.locator(".files a.sheet").getAttribute("href"));
+        await page.keyboard.press("Escape");
+        assert.ok(await figure.locator(".files a.sheet").evaluate((element) => element === document.activeElement), "where one can go on");
+    });
+
     test("a link is still a link for whoever wants another window", async () => {
         const [other] = await Promise.all([
             page.context().waitForEvent("page"),
-            page.locator("#q1 figure.picture .plate > a").first().click({ modifiers: ["Control"] })]);
+            page.locator("#q1 figure.picture .files a.sheet").first().click({ modifiers: ["Control"] })]);
         await other.waitForURL(/_sheet\.png$/, { waitUntil: "commit" });   // it opens empty
         await other.close();
     });
@@ -71,7 +80,7 @@ describe("pictures in full size", () => {
         const folder = mkdtempSync(path.join(tmpdir(), "meshfolio-page-"));
         cpSync(path.join(reports.quick, "index.html"), path.join(folder, "index.html"));
         const alone = await open(browser, folder);
-        await alone.locator("#q1 figure.picture .plate > a").first().click();
+        await alone.locator("#q1 figure.picture .plate img").first().click();
         await alone.waitForFunction(() => document.querySelector(".lightbox .stage img").src.startsWith("data:image/jpeg"));
         await loaded(alone);
         assert.match(await alone.locator(".lightbox .where").textContent(), /only the preview/);

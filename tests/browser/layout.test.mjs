@@ -57,6 +57,51 @@ describe("no sideways scrolling and nothing cut off", () => {
     });
 });
 
+describe("figures of meshes", () => {
+    for (const width of [390, 1400]) {
+        test(`every word is text of at least 12 pixels, at ${width} pixels`, async () => {
+            const page = await open(browser, reports.quick, { viewport: { width, height: 900 } });
+            const small = await page.$$eval("figure.picture", (figures) => figures.flatMap((figure) =>
+                [...figure.querySelectorAll("p, figcaption, span, a, summary, svg text")].filter((element) => element.checkVisibility()).map((element) => {
+                    const scale = element.ownerSVGElement ? element.getScreenCTM().a : 1;
+                    return [scale * parseFloat(getComputedStyle(element).fontSize), `${figure.id}: ${element.textContent.slice(0, 30)}`];
+                })).filter(([size]) => size < 12));
+            assert.deepEqual(small.slice(0, 5), []);
+            await page.context().close();
+        });
+
+        test(`the six views of a mesh have one scale, at ${width} pixels`, async () => {
+            const page = await open(browser, reports.quick, { viewport: { width, height: 900 } });
+            const uneven = await page.$$eval(".directions", (all) => all.filter((directions) => {
+                const scales = [...directions.querySelectorAll("img")].filter((image) => image.width > 30).map((image) => image.getBoundingClientRect().width / Number(image.getAttribute("width")));
+                return scales.length > 0 && Math.max(...scales) > 1.06 * Math.min(...scales);
+            }).map((directions) => directions.closest("figure").id));
+            assert.deepEqual(uneven, []);
+            await page.context().close();
+        });
+    }
+
+    test("on a telephone the large picture has the whole width and the views are three in a line", async () => {
+        const page = await open(browser, reports.quick, { viewport: { width: 390, height: 900 } });
+        const lead = page.locator("#q1 .lead").first();
+        const [width, views] = await lead.evaluate((one) => [one.getBoundingClientRect().width,
+            [...one.querySelectorAll(".direction")].map((view) => Math.round(view.closest(".three").getBoundingClientRect().top))]);
+        assert.ok((await lead.locator(".large").boundingBox()).width > 0.95 * width);
+        assert.equal(views.length, 6);
+        assert.equal(new Set(views).size, 2);
+        await page.context().close();
+    });
+
+    test("pictures stand on white and the words beside them can be read, in the dark", async () => {
+        const page = await open(browser, reports.quick, { colorScheme: "dark" });
+        const [plate, words] = await page.$eval("figure.picture:has(svg.legend)", (figure) =>
+            [getComputedStyle(figure.querySelector(".plate")).backgroundColor, getComputedStyle(figure.querySelector("svg.legend text")).fill]);
+        assert.equal(plate, "rgb(255, 255, 255)");
+        assert.ok(words.match(/\d+/g).every((channel) => Number(channel) < 60), words);
+        await page.context().close();
+    });
+});
+
 test("on paper: light, complete, without what is only for the screen", async () => {
     const page = await open(browser, reports.quick, { viewport: { width: 680, height: 1000 }, colorScheme: "dark" });
     await page.locator("button.scheme").click();
@@ -92,7 +137,7 @@ describe("axe finds nothing, by WCAG 2.1 A and AA and by its best practices", ()
         });
         test(`in the ${colorScheme} scheme, a picture open in full size`, async () => {
             const page = await open(browser, reports.hostile, { colorScheme });
-            await page.locator("figure.picture .plate > a").first().click();
+            await page.locator("figure.picture .plate img").first().click();
             assert.deepEqual(await check(page), []);
             await page.context().close();
         });

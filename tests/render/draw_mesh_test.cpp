@@ -10,12 +10,14 @@
 #include <optional>
 #include <stdexcept>
 
+#include "color/cielab.h"
 #include "color/srgb.h"
 #include "render/picture_box.h"
 #include "render/shapes.h"
 #include "scene/outline.h"
 #include "scene/projection.h"
 #include "scene/scene.h"
+#include "shading/shading_style.h"
 
 namespace {
 
@@ -197,7 +199,7 @@ TEST(DrawViews, AnUndefinedValueColoursWhatIsNearestToItsVertex) {
     EXPECT_EQ(image.at(180, 100), render::color_at(*options.range.colormap, 0.5));
 }
 
-// Lights are neutral and never above 1: shading scales linear light and leaves its proportions alone.
+// Lights are neutral and never above 1, but for a little sheen: shading scales linear light and leaves its proportions alone.
 TEST(DrawViews, ShadingKeepsTheHueOfTheColours) {
     Mesh mesh = pebble();
     std::fill(mesh.values.begin(), mesh.values.end(), 0.4);
@@ -210,7 +212,7 @@ TEST(DrawViews, ShadingKeepsTheHueOfTheColours) {
                 const render::LinearColor c = render::linear_of(image.at(x, y));
                 if (image.at(x, y) == white || c.b < 0.05F) continue;
                 ASSERT_NEAR(c.r / c.b, base.r / base.b, 0.05F * base.r / base.b);
-                ASSERT_LE(c.r, base.r * 1.01F);
+                ASSERT_LE(c.r, 1.01F * (base.r + render::sheen_on_values));
                 ++shades;
             }
     EXPECT_GT(shades, 5000);
@@ -224,12 +226,28 @@ TEST(DrawViews, TheBackOfAnOpenSurfaceIsToldApart) {
     EXPECT_EQ(middle(4), middle(5));
 }
 
+// A colour stands for one value: nothing of the side it is seen from, and little of the light.
+TEST(DrawViews, ValuesLookTheSameOnBothSidesAndMuchLikeTheColourBar) {
+    for (const char* name : {"diverging", "pale"}) {
+        for (const double value : {0.0, 0.5, 1.0}) {
+            Mesh sheet = grid(3);
+            sheet.values.assign(sheet.positions.size(), value);
+            DrawOptions options{.width = 60, .height = 60};
+            options.range = {&render::colormap_named(name), 0, 1};
+            const auto pictures = six_pictures(sheet, options);
+            EXPECT_EQ(pictures[4].at(30, 30), pictures[5].at(30, 30)) << name << ' ' << value;
+            const glm::dvec3 bar = render::lab_of(render::color_at(render::colormap_named(name), value));
+            EXPECT_LT(render::delta_e_2000(render::lab_of(pictures[4].at(30, 30)), bar), 5) << name << ' ' << value;
+        }
+    }
+}
+
 TEST(DrawViews, EdgesDarkenOnlyTheNeighbourhoodOfEdges) {
     DrawOptions options{.width = 200, .height = 200};
     const Image without = six_pictures(grid(2), options)[4];
     options.edges = true;
     const Image with = six_pictures(grid(2), options)[4];
-    EXPECT_LT(with.at(100, 150).r, without.at(100, 150).r - 30);   // beside the line x = 0
+    EXPECT_LT(with.at(100, 150).r, without.at(100, 150).r - 15);   // beside the line x = 0
     EXPECT_EQ(with.at(130, 170), without.at(130, 170));            // inside a triangle
     for (std::size_t i = 0; i < with.pixels.size(); ++i) ASSERT_LE(with.pixels[i].r, without.pixels[i].r);
 }

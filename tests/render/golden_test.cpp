@@ -129,7 +129,7 @@ TEST_F(GoldenHarness, WhatIsSeenIsComplainedOfWithASheetToLookAt) {
     complaint_about(picture_, true);
     Image patch = picture_, darker = picture_;
     for (int y = 70; y < 78; ++y)
-        for (int x = 70; x < 78; ++x) patch.at(x, y).r = static_cast<std::uint8_t>(std::min(255, patch.at(x, y).r + 24));
+        for (int x = 70; x < 78; ++x) patch.at(x, y).r = static_cast<std::uint8_t>(std::max(0, patch.at(x, y).r - 24));
     for (render::Rgba& p : darker.pixels)
         p = {static_cast<std::uint8_t>(0.9 * p.r), static_cast<std::uint8_t>(0.9 * p.g), static_cast<std::uint8_t>(0.9 * p.b), p.a};
     for (const Image& image : {patch, darker}) {

@@ -191,19 +191,42 @@ Document sample_document() {
     return document;
 }
 
+namespace {
+
+DrawnPicture picture(std::string view, int left, int width, int height, std::string file, const std::string& bytes) {
+    return {std::move(view), left, 40, width, height, std::move(file), std::string("\xff\xd8\xff\0", 4) + bytes};
+}
+
+/// Seen from three quarters and along six axes, the latter as files of their own.
+DrawnPanel panel_with_views(const std::string& label, const std::string& name) {
+    DrawnPanel panel{label, {picture("", 20, 480, 400, "", name + " large")}};
+    for (const char* view : {"+x", "+y", "+z", "-x", "-y", "-z"})
+        panel.pictures.push_back(picture(view, 600, 300, 200, "images/" + name + "_" + view + ".png", name + view));
+    return panel;
+}
+
+}   // namespace
+
 DrawnFigures sample_figures() {
-    DrawnFigure drawn{"images/q1_plane_h_sheet.png", std::string("\xff\xd8\xff\0jpeg", 8), 1200, 800, {}};
-    for (const char* panel : {"λ = 0.1", "λ = 1"}) {
-        for (const char* view : {"+x", "-x"})
-            drawn.views.emplace_back(std::string(panel) + ", " + view, std::string("images/q1_plane_h_") + view + ".png");
-    }
-    const DrawnFigure cover{"images/cover_sheet.png", std::string("\xff\xd8\xff\0cover", 9), 900, 1000, {}};
-    DrawnFigure compared{"images/q1_before_after_sheet.png", std::string("\xff\xd8\xff\0sheet", 9), 1200, 500, {}};
-    for (const char* panel : {"before", "after", "moved"}) {
-        compared.comparison.push_back(
-            {panel, std::string("images/q1_") + panel + "_hero.png", std::string("\xff\xd8\xff\0", 4) + panel, 640, 640});
-    }
+    DrawnFigure drawn{.sheet = "images/q1_plane_h_sheet.png"};
+    drawn.panels = {panel_with_views("λ = 0.1", "q1_plane_h"), panel_with_views("λ = 1", "q1_plane_k")};
+    drawn.legend = Legend{"mean curvature H", "1/length", -2, 3, {"#004c9e", "#eeeeee", "#93232b"}, 0.02, 0, "#e1bee7", {0.25, 0.75}};
+    DrawnFigure cover{.sheet = "images/cover_sheet.png"};
+    cover.panels = {{"", {picture("", 20, 680, 700, "", "cover")}}};
+    DrawnFigure compared{.sheet = "images/q1_before_after_sheet.png", .layout = DrawnFigure::Layout::comparison};
+    for (const char* panel : {"before", "after", "moved"}) compared.panels.push_back({panel, {picture("", 20, 560, 500, "", panel)}});
     return {{"q1_plane_h", drawn}, {"q1_before_after", compared}, {"cover", cover}};
+}
+
+DrawnFigures sample_layouts() {
+    DrawnFigures figures = sample_figures();
+    figures["q1_plane_h"].panels.resize(1);
+    DrawnFigure& matrix = figures["q1_before_after"];
+    matrix.layout = DrawnFigure::Layout::matrix;
+    matrix.columns = {"explicit", "implicit"};
+    matrix.rows = {"λ = 0.1", "λ = 1"};
+    matrix.panels.push_back({"blew up", {}});
+    return figures;
 }
 
 DrawnFigures sample_models() {
@@ -264,7 +287,10 @@ Document hostile_document() {
 
 DrawnFigures hostile_figures() {
     DrawnFigures drawn = sample_figures();
-    drawn["q1_hostile"] = {"images/" + hostile, "", 0, 0, {{hostile, "images/" + hostile}}};
+    DrawnFigure& figure = drawn["q1_hostile"];
+    figure = {.sheet = "images/" + hostile, .layout = DrawnFigure::Layout::matrix, .columns = {hostile, hostile}, .rows = {hostile}};
+    figure.panels = {{hostile, {{hostile, 0, 0, 1, 1, "images/" + hostile, ""}}}, {hostile, {}}};
+    figure.legend = Legend{hostile, hostile, 0, 1, {hostile}, 1, 1, hostile, {1}};
     return drawn;
 }
 

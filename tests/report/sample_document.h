@@ -9,6 +9,8 @@ namespace meshfolio::report {
 /// One of everything: each kind of block, run, status, check, input and plot, with values that are undefined, huge and tiny.
 Document sample_document();
 DrawnFigures sample_figures();
+/// The same figures laid out otherwise: one mesh with its views, a matrix with heads and an empty cell.
+DrawnFigures sample_layouts();
 /// The same with one figure that can be turned, before and after.
 DrawnFigures sample_models();
 

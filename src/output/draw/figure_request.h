@@ -22,7 +22,7 @@ struct Panel {
 };
 
 struct ColorRange {
-    std::string colormap;   // "viridis"
+    std::string colormap;   // "pale"
     double low = 0, high = 1;
     std::string quantity, unit;                    // for the colour bar
     double clipped_below = 0, clipped_above = 0;   // share of the finite values outside
@@ -52,7 +52,8 @@ struct FigureRequest {
     bool view_files = false;   // each view is a file of full size as well, for what the assignment asks to be handed in
 };
 
-/// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, never
+/// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, from 0 on for the
+/// pale one where nothing is below, never
 /// narrower than `floor` (so that rounding noise is not stretched into colours); with the clipped shares and the sample filled in.
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip = 0.02);

@@ -59,6 +59,7 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
         range.high = percentile(values, 1 - clip);
     }
     const bool diverging = range.colormap == "diverging";
+    if (range.colormap == "pale" && range.low > 0) range.low = 0;
     if (diverging) {
         range.high = std::max(std::abs(range.low), std::abs(range.high));
         range.low = -range.high;

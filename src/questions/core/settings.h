@@ -24,7 +24,7 @@ struct QuestionSettings {
     std::uint64_t seed = 1;
     bool quick = false;                 // small settings for a first look
     bool laboratory = false;            // the whole grid where the report itself takes a part that fits its budget
-    std::string colormap = "viridis";   // for unsigned quantities
+    std::string colormap = "pale";   // for unsigned quantities
     /// Of earlier reports: those of the settings file, else the brief ones of the bundled files (quick: the first); and all of the bundled
     /// files.
     std::vector<Experiment> experiments, bundled_experiments;

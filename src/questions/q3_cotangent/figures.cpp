@@ -36,6 +36,7 @@ void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
                          .turnable = true,
                          .view_files = true};
     figure.range = range_for(range, figure.panels);
+    figure.panels.front().directions = false;   // question 1 shows it from there
     add_figure(answer, std::move(figure));
 }
 

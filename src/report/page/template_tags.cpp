@@ -33,6 +33,7 @@ Document specimen(const Templates& templates) {
                       table,
                       Plot{.id = "plot", .markers = {{.label = "marker"}}},
                       Figure{"figure", "", ""},
+                      Figure{"matrix", "", ""},
                       EntryList{"Entry", {{"entry", {}, {{}}}}}};
     Document document;
     document.provenance.libraries = document.provenance.settings = {{"", ""}};
@@ -46,11 +47,12 @@ nlohmann::json documented_model() {
     const KeptMeanings kept;
     const Templates templates;
     DrawnFigure drawn;
-    drawn.layout = DrawnFigure::Layout::matrix;
-    drawn.columns = drawn.rows = {""};
     drawn.panels = {{.label = "", .pictures = {{.view = ""}, {.view = "+x", .file = "x.png"}}}};
+    DrawnFigure matrix = drawn;
+    matrix.layout = DrawnFigure::Layout::matrix;
+    matrix.columns = matrix.rows = {""};
     drawn.models.emplace_back();
-    nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}}, templates, {.table_rows = rows_shown});
+    nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates, {.table_rows = rows_shown});
     add_design(model, templates, "report");
     return model;
 }

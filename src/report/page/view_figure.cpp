@@ -14,8 +14,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_in_a_line = 4, gallery = 12, gallery_line = 6, views_in_a_group = 3;
-// Against the width of the text: on paper 56, 45, 95 and 22 mm.
-constexpr double highest_lead = 0.35, highest_line = 0.28, highest_figure = 0.6, highest_row = 0.14;
+// Against the width of the text, on paper 56, 47, 80 and 22 mm.
+constexpr double highest_lead = 0.32, highest_line = 0.27, highest_figure = 0.46, highest_row = 0.13;
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
 
@@ -91,7 +91,7 @@ json views_view(const PictureOf& of, std::size_t p) {
                     {"groups", "its views, three by three", std::move(groups)}});
 }
 
-json head_view(const std::string& words) { return view_of({{"head", "of a column or a row of a matrix", prose_view(words)}}); }
+json head_view(const std::string& words) { return view_of({{"head", "of a column of a matrix", prose_view(words)}}); }
 
 /// Lines about equally full; many panels are small.
 std::size_t columns_of(const DrawnFigure& drawn) {
@@ -173,7 +173,7 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
                  {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
                  {"has_legend", "there are colours", drawn.legend.has_value()},
                  {"has_row_heads", "of a matrix", !drawn.rows.empty()}});
-    enter_list(view, "columns", "of a matrix, each with its head", std::move(columns));
+    enter_list(view, "heads", "of the columns of a matrix", std::move(columns));
     enter_list(view, "view_rows", "views of a panel each", std::move(rows));
 }
 

@@ -91,6 +91,7 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
         problems);
     if (!flags.data.empty()) settings.data.assign(flags.data.begin(), flags.data.end());
     settings.quick = flags.quick;
+    settings.view_files = settings.view_files || flags.view_files;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;
 }

@@ -36,7 +36,7 @@ private:
 struct ReportFlags {
     std::vector<std::string> meshes, data;
     std::string only, out, config, threads, size, templates, pdf, pdf_browser, from;
-    bool quick = false, fail_fast = false, no_timings = false, no_cache = false;
+    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false;
 };
 
 struct ViewSize {
@@ -66,6 +66,7 @@ struct ReportSettings {
     std::string pdf = "auto", pdf_browser;   // auto, require or off; the browser by name or path, empty: the first that is found
     std::string title, author, course, colormap;
     ViewSize size;
+    bool view_files = false;   // every view of every figure is a file of its own as well
     int threads = 0;   // 0: all
     std::uint64_t seed = 0;
     bool quick = false, laboratory = false, fail_fast = false, timings = true;

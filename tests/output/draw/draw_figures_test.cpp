@@ -10,6 +10,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "output/draw/finished_picture.h"
 #include "output/draw/surface_of.h"
+#include "png/png.h"
 #include "scene/camera.h"
 #include "temporary_folder.h"
 
@@ -43,9 +44,7 @@ DrawSettings small_pictures(int threads = 0) {
     DrawSettings settings;
     settings.width = 120;
     settings.height = 120;
-    settings.sheet_cell = 60;
-    settings.strip_cell = 40;
-    settings.preview_width = 200;
+    settings.view_files = true;
     settings.threads = threads;
     return settings;
 }
@@ -56,6 +55,12 @@ std::map<std::string, std::string> bytes_below(const fs::path& folder) {
         if (entry.is_regular_file()) files[entry.path().lexically_relative(folder).generic_string()] = read_file(entry.path());
     }
     return files;
+}
+
+std::vector<report::DrawnPicture> pictures_of(const report::DrawnFigure& figure) {
+    std::vector<report::DrawnPicture> all;
+    for (const report::DrawnPanel& panel : figure.panels) all.insert(all.end(), panel.pictures.begin(), panel.pictures.end());
+    return all;
 }
 
 int big_endian(const std::string& bytes, std::size_t at) {
@@ -82,7 +87,9 @@ TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
     std::set<std::string> named;
     for (const auto& [id, figure] : drawn) {
         named.insert(figure.sheet);
-        for (const auto& [label, path] : figure.views) named.insert(path);
+        for (const report::DrawnPicture& picture : pictures_of(figure)) {
+            if (!picture.file.empty()) named.insert(picture.file);
+        }
     }
     std::set<std::string> written;
     for (const auto& [name, bytes] : bytes_below(folder.path())) written.insert(name);
@@ -92,44 +99,55 @@ TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
     EXPECT_TRUE(written.contains("images/q5_cube_sheet.png"));
 }
 
-TEST(DrawFigures, PicturesHaveTheirSize) {
-    const TemporaryFolder folder;
-    const auto drawn = draw_figures(requests(), folder.path(), small_pictures());
-    for (const auto& [label, path] : drawn.at("q5_cube").views) {
-        const std::string png = read_file(folder.path() / path);
-        EXPECT_EQ(big_endian(png, 16), 120) << path;
-        EXPECT_EQ(big_endian(png, 20), 120) << path;
-    }
-    for (const auto& [id, figure] : drawn) {
-        EXPECT_GT(figure.width, 0);
-        EXPECT_LE(figure.width, 200);
-        EXPECT_GT(figure.height, 0);
-        EXPECT_TRUE(figure.preview_jpeg.starts_with("\xff\xd8\xff"));
-    }
-}
-
-TEST(DrawFigures, FiguresForPaperKeepTheSizeOfTheirSheet) {
+TEST(DrawFigures, SingleViewsAreFilesWhereTheyAreAskedForAlone) {
     const TemporaryFolder folder;
     DrawSettings settings = small_pictures();
-    settings.preview_width = 60;
-    settings.on_paper = {"q5_cube"};
-    const auto drawn = draw_figures(requests(), folder.path(), settings);
-    EXPECT_TRUE(drawn.at("q1_ball_h").print_jpeg.empty());
-    const report::DrawnFigure& figure = drawn.at("q5_cube");
-    const std::string png = read_file(folder.path() / figure.sheet);
-    const std::size_t frame = figure.print_jpeg.find("\xff\xc0");   // its header holds height and width in two bytes each
-    ASSERT_NE(frame, std::string::npos);
-    const int size = big_endian(figure.print_jpeg, frame + 5);
-    EXPECT_EQ(size >> 16, big_endian(png, 20));
-    EXPECT_EQ(size & 0xffff, big_endian(png, 16));
+    settings.view_files = false;
+    auto asked = requests();
+    asked[0].view_files = true;
+    const auto drawn = draw_figures(asked, folder.path(), settings);
+    EXPECT_EQ(bytes_below(folder.path()).size(), 2u + 6u);
+    for (const report::DrawnPicture& picture : pictures_of(drawn.at("q1_ball_h"))) {
+        if (picture.view.empty()) continue;
+        const std::string png = read_file(folder.path() / picture.file);
+        EXPECT_EQ(big_endian(png, 16), 120) << picture.file;
+        EXPECT_EQ(big_endian(png, 20), 120) << picture.file;
+    }
+    for (const report::DrawnPicture& picture : pictures_of(drawn.at("q5_cube"))) EXPECT_TRUE(picture.file.empty());
 }
 
-TEST(DrawFigures, LabelsSayPanelAndView) {
+// The page shows nothing that is not in the sheet: a report rendered from its files is the same.
+TEST(DrawFigures, PicturesAreCutOutOfTheSheet) {
     const TemporaryFolder folder;
-    const auto drawn = draw_figures(requests(), folder.path(), small_pictures());
-    EXPECT_EQ(drawn.at("q1_ball_h").views.front().first, "+x");
-    EXPECT_EQ(drawn.at("q5_cube").views.front().first, "q5_cube_a, +x");
-    EXPECT_EQ(drawn.at("q5_cube").views.size(), 12u);
+    for (auto& [id, figure] : draw_figures(requests(), folder.path(), small_pictures())) {
+        const auto sheet = render::decode_png(read_file(folder.path() / figure.sheet));
+        ASSERT_TRUE(sheet);
+        report::DrawnFigure again = figure;
+        for (report::DrawnPanel& panel : again.panels)
+            for (report::DrawnPicture& picture : panel.pictures) picture.jpeg.clear();
+        ASSERT_TRUE(cut_pictures(*sheet, again));
+        EXPECT_EQ(again, figure);
+        const report::DrawnPicture last = pictures_of(figure).back();
+        const std::size_t frame = last.jpeg.find("\xff\xc0");   // its header holds height and width in two bytes each
+        ASSERT_NE(frame, std::string::npos);
+        EXPECT_EQ(big_endian(last.jpeg, frame + 5), last.height << 16 | last.width);
+        again.panels.back().pictures.back().left = sheet->width - 1;
+        EXPECT_FALSE(cut_pictures(*sheet, again)) << "beyond the sheet";
+    }
+}
+
+TEST(DrawFigures, PicturesOfAFigureDoNotOverlap) {
+    const TemporaryFolder folder;
+    for (const auto& [id, figure] : draw_figures(requests(), folder.path(), small_pictures())) {
+        const std::vector<report::DrawnPicture> all = pictures_of(figure);
+        EXPECT_EQ(all.size(), 7 * figure.panels.size());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const bool apart = all[i].left >= all[j].left + all[j].width || all[j].left >= all[i].left + all[i].width ||
+                                   all[i].top >= all[j].top + all[j].height || all[j].top >= all[i].top + all[i].height;
+                EXPECT_TRUE(apart) << id << ' ' << i << ' ' << j;
+            }
+    }
 }
 
 TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
@@ -137,7 +155,7 @@ TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
     const auto first = draw_figures(requests(), one.path(), small_pictures(1));
     const auto second = draw_figures(requests(), two.path(), small_pictures(2));
     EXPECT_EQ(bytes_below(one.path()), bytes_below(two.path()));
-    for (const auto& [id, figure] : first) EXPECT_EQ(figure.preview_jpeg, second.at(id).preview_jpeg) << id;
+    EXPECT_EQ(first, second);
 }
 
 TEST(DrawFigures, ReportsProgress) {
@@ -191,45 +209,121 @@ FigureRequest balls(const std::vector<double>& radii, bool one_frame) {
     return request;
 }
 
-std::vector<std::string> pictures_of(const FigureRequest& request) {
+std::vector<std::string> files_of(const FigureRequest& request) {
     const TemporaryFolder folder;
     const auto drawn = draw_figures({&request, 1}, folder.path(), small_pictures());
     std::vector<std::string> pictures;
-    for (const auto& [label, path] : drawn.at(request.id).views) pictures.push_back(read_file(folder.path() / path));
+    for (const report::DrawnPicture& picture : pictures_of(drawn.at(request.id)))
+        pictures.push_back(read_file(folder.path() / picture.file));
     return pictures;
 }
 
 }   // namespace
 
 TEST(DrawFigures, SmallMultiplesInOneFrameKeepTheirSizes) {
-    const auto own = pictures_of(balls({1, 2}, false)), one = pictures_of(balls({1, 2}, true));
+    const auto own = files_of(balls({1, 2}, false)), one = files_of(balls({1, 2}, true));
     EXPECT_EQ(own[0], own[1]) << "each fills its own frame";
     EXPECT_NE(one[0], one[1]);
     EXPECT_EQ(one[1], own[1]) << "the larger ball fills the frame of both";
     FigureRequest first = balls({1, 2}, true);
     first.frame_panel = 0;
-    EXPECT_EQ(pictures_of(first)[0], own[0]) << "in the frame of the first the first fills it";
+    EXPECT_EQ(files_of(first)[0], own[0]) << "in the frame of the first the first fills it";
 }
 
 TEST(DrawFigures, IsolinesAreDrawnWhereTheyAreAskedFor) {
     FigureRequest with = balls({1}, false);
     with.isoline_spacing = 2;   // of values between −1 and 1: the line of 0
-    EXPECT_NE(pictures_of(with)[0], pictures_of(balls({1}, false))[0]);
+    EXPECT_NE(files_of(with)[0], files_of(balls({1}, false))[0]);
     with.isoline_spacing = 1e3;
     with.panels[0].values.array() += 10;   // no multiple is among the values
     with.range->low += 10;
     with.range->high += 10;
     FigureRequest without = with;
     without.isoline_spacing = 0;
-    EXPECT_EQ(pictures_of(with)[0], pictures_of(without)[0]);
+    EXPECT_EQ(files_of(with)[0], files_of(without)[0]);
 }
 
-TEST(DrawFigures, AGalleryIsDrawnAtHalfTheSize) {
-    const std::vector<double> twelve(12, 1.0), thirteen(13, 1.0);
-    EXPECT_EQ(big_endian(pictures_of(balls(twelve, true))[0], 16), 120);
-    const auto pictures = pictures_of(balls(thirteen, true));
-    ASSERT_EQ(pictures.size(), 13u);
-    EXPECT_EQ(big_endian(pictures[12], 16), 60);
+TEST(DrawFigures, AGalleryHasSmallPictures) {
+    const TemporaryFolder folder;
+    const auto drawn = draw_figures(std::vector{balls(std::vector<double>(12, 1.0), true)}, folder.path(), small_pictures());
+    const auto many = draw_figures(std::vector{balls(std::vector<double>(13, 1.0), true)}, folder.path(), small_pictures());
+    EXPECT_LT(many.at("q4_balls").panels[0].pictures[0].width, drawn.at("q4_balls").panels[0].pictures[0].width);
+}
+
+// ---- what is cut off -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The six views of one mesh, by name.
+std::map<std::string, report::DrawnPicture> views_of(TriangleMesh mesh) {
+    const TemporaryFolder folder;
+    const FigureRequest request{"q1_one", "", "", {panel_of(std::move(mesh), "q1_one_panel", false)}, {}};
+    std::map<std::string, report::DrawnPicture> views;
+    DrawSettings settings;
+    settings.width = settings.height = 400;
+    for (const report::DrawnPicture& picture : pictures_of(draw_figures(std::vector{request}, folder.path(), settings).at("q1_one")))
+        views[picture.view] = picture;
+    return views;
+}
+
+}   // namespace
+
+TEST(DrawFigures, ViewsAreCutToWhatIsSeenAtOneScale) {
+    TriangleMesh bar = cube_mesh(1);
+    bar.X.col(0) *= 4;   // 4 × 1 × 1
+    const auto views = views_of(bar);
+    const int side = views.at("+y").width;
+    EXPECT_EQ(views.at("+z").width, side);
+    EXPECT_EQ(views.at("+x").width, views.at("+x").height);
+    const double margin = 2 * 0.03 * side;
+    EXPECT_NEAR(views.at("+x").width, margin + (side - margin) / 4, 2);
+    for (const char* axis : {"x", "y", "z"}) {
+        const auto& front = views.at(std::string("+") + axis);
+        const auto& behind = views.at(std::string("-") + axis);
+        EXPECT_EQ(front.width, behind.width);
+        EXPECT_EQ(front.height, behind.height);
+    }
+}
+
+TEST(DrawFigures, AFlatMeshIsSlimFromTheSideAndStillAPicture) {
+    TriangleMesh plate = cube_mesh(1);
+    plate.X.col(2) *= 1e-9;
+    const auto views = views_of(plate);
+    EXPECT_EQ(views.at("+z").width, views.at("+z").height);
+    EXPECT_NEAR(views.at("+x").width, 0.12 * views.at("+x").height, 1);
+}
+
+// ---- matrices -------------------------------------------------------------------------------------------------------------
+
+TEST(DrawFigures, AnEmptyCellOfAMatrixHasALabelAndNoPicture) {
+    const TemporaryFolder folder;
+    FigureRequest request = balls({1, 2, 3}, true);
+    request.columns = {"a", "b"};
+    request.rows = {"c", "d"};
+    request.panels.insert(request.panels.begin() + 2, Panel{"", "blew up", nullptr, {}, {}});
+    const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q4_balls");
+    EXPECT_EQ(drawn.layout, report::DrawnFigure::Layout::matrix);
+    ASSERT_EQ(drawn.panels.size(), 4u);
+    EXPECT_TRUE(drawn.panels[2].pictures.empty());
+    EXPECT_EQ(drawn.panels[2].label, "blew up");
+    EXPECT_EQ(drawn.panels[1].pictures[0].top, drawn.panels[0].pictures[0].top);
+    EXPECT_EQ(drawn.panels[3].pictures[0].left, drawn.panels[1].pictures[0].left);
+    EXPECT_GT(drawn.panels[3].pictures[0].top, drawn.panels[1].pictures[0].top);
+}
+
+TEST(DrawFigures, RefusesHeadsThatDoNotFitAndCellsWithoutAMesh) {
+    const TemporaryFolder folder;
+    FigureRequest odd = balls({1, 2, 3}, true);
+    odd.columns = {"a", "b"};
+    EXPECT_THROW(draw_figures(std::vector{odd}, folder.path(), small_pictures()), std::logic_error);
+    FigureRequest empty = balls({1, 2, 3}, true);
+    empty.panels[1].mesh = nullptr;
+    EXPECT_THROW(draw_figures(std::vector{empty}, folder.path(), small_pictures()), std::logic_error);
+    FigureRequest framed = balls({1, 2}, true);
+    framed.columns = {"a", "b"};
+    framed.panels[0].mesh = nullptr;
+    framed.frame_panel = 0;
+    EXPECT_THROW(draw_figures(std::vector{framed}, folder.path(), small_pictures()), std::logic_error);
 }
 
 // ---- comparisons --------------------------------------------------------------------------------------------------------
@@ -253,32 +347,29 @@ FigureRequest shrunk_ball() {
 
 }   // namespace
 
-TEST(DrawFigures, AComparisonHasOnePreviewAPanelAllOfOneSize) {
+TEST(DrawFigures, PicturesOfAComparisonHaveOneSize) {
     const TemporaryFolder folder;
     const auto drawn = draw_figures(std::vector{shrunk_ball()}, folder.path(), small_pictures()).at("q5_pair");
-    ASSERT_EQ(drawn.comparison.size(), 3u);
-    for (const auto& panel : drawn.comparison) {
-        const std::string png = read_file(folder.path() / panel.file);
-        EXPECT_EQ(big_endian(png, 16), 120) << panel.file;
-        EXPECT_EQ(big_endian(png, 20), 120) << panel.file;
-        EXPECT_EQ(panel.width, 120) << "never enlarged";
-        EXPECT_EQ(panel.height, 120);
-        EXPECT_TRUE(panel.preview_jpeg.starts_with("\xff\xd8\xff"));
+    EXPECT_EQ(drawn.layout, report::DrawnFigure::Layout::comparison);
+    ASSERT_EQ(drawn.panels.size(), 3u);
+    for (const report::DrawnPanel& panel : drawn.panels) {
+        EXPECT_EQ(panel.pictures[0].width, drawn.panels[0].pictures[0].width);
+        EXPECT_EQ(panel.pictures[0].height, drawn.panels[0].pictures[0].height);
     }
-    EXPECT_EQ(drawn.comparison[0].label, "before");
-    EXPECT_EQ(drawn.comparison[0].file, "images/before_hero.png");
-    EXPECT_NE(drawn.comparison[0].preview_jpeg, drawn.comparison[1].preview_jpeg);
-    EXPECT_TRUE(draw_figures(requests(), folder.path(), small_pictures()).at("q5_cube").comparison.empty());
+    EXPECT_EQ(drawn.panels[0].label, "before");
+    EXPECT_NE(drawn.panels[0].pictures[0].jpeg, drawn.panels[1].pictures[0].jpeg);
+    EXPECT_EQ(drawn.legend->quantity, "displacement");
+    EXPECT_FALSE(draw_figures(std::vector{balls({1}, false)}, folder.path(), small_pictures()).at("q4_balls").legend->colours.empty());
 }
 
-TEST(DrawFigures, OnlyTheDifferenceOfAComparisonHasColoursAndTheirBar) {
-    const TemporaryFolder folder, other;
+TEST(DrawFigures, CoarseMeshesShowTheirTrianglesWhereShapesAreCompared) {
+    const TemporaryFolder folder;
     FigureRequest request = shrunk_ball();
     const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q5_pair");
-    request.range->quantity = "something else";
-    const auto named = draw_figures(std::vector{request}, other.path(), small_pictures()).at("q5_pair");
-    for (const std::size_t plain : {0u, 1u}) EXPECT_EQ(drawn.comparison[plain].preview_jpeg, named.comparison[plain].preview_jpeg);
-    EXPECT_NE(drawn.comparison[2].preview_jpeg, named.comparison[2].preview_jpeg) << "its bar names the quantity";
+    request.edges = true;
+    const auto with = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q5_pair");
+    for (const std::size_t plain : {0u, 1u}) EXPECT_EQ(drawn.panels[plain].pictures[0].jpeg, with.panels[plain].pictures[0].jpeg);
+    EXPECT_NE(drawn.panels[2].pictures[0].jpeg, with.panels[2].pictures[0].jpeg) << "colours are not drawn over unless it is asked for";
 }
 
 TEST(DrawFigures, RefusesAComparisonOfOnePanelOrInTwoFrames) {
@@ -286,14 +377,4 @@ TEST(DrawFigures, RefusesAComparisonOfOnePanelOrInTwoFrames) {
     FigureRequest alone = shrunk_ball();
     alone.panels.resize(1);
     EXPECT_THROW(draw_figures(std::vector{alone}, folder.path(), small_pictures()), std::logic_error);
-}
-
-TEST(PreviewOf, ShrinksButNeverEnlarges) {
-    render::Image picture(40, 20);
-    picture.at(3, 3) = {200, 10, 10, 255};
-    const Preview same = preview_of(picture, 40, 82), smaller = preview_of(picture, 10, 82), larger = preview_of(picture, 400, 82);
-    EXPECT_EQ(same.jpeg, larger.jpeg);
-    EXPECT_EQ(larger.width, 40);
-    EXPECT_EQ(smaller.width, 10);
-    EXPECT_EQ(smaller.height, 5);
 }

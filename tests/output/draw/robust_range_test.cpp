@@ -29,6 +29,13 @@ Panel ramp(int n) {
 
 }   // namespace
 
+TEST(RobustRange, ThePaleMapBeginsAtZeroUnlessSomethingIsBelow) {
+    EXPECT_EQ(robust_range({panel({3, 4, 5})}, "pale", "q", "u", 0, 0).low, 0);
+    EXPECT_EQ(robust_range({panel({3, 4, 5})}, "pale", "q", "u", 0, 0).high, 5);
+    EXPECT_EQ(robust_range({panel({-3, 4, 5})}, "pale", "q", "u", 0, 0).low, -3);
+    EXPECT_EQ(robust_range({panel({3, 4, 5})}, "viridis", "q", "u", 0, 0).low, 3);
+}
+
 TEST(RobustRange, WithoutClippingItIsMinimumAndMaximum) {
     const ColorRange range = robust_range({panel({3, -1, 2}), panel({7})}, "viridis", "q", "u", 0, 0);
     EXPECT_EQ(range.low, -1);

@@ -64,25 +64,32 @@ TEST(Cielab, Ciede2000AsPublished) {
 }
 
 TEST(Colormaps, TheOnesThatReportsNameAreThere) {
-    for (const char* name : {"viridis", "parula-like", "diverging", "magma", "cividis", "grey", "cyclic"})
+    for (const char* name : {"viridis", "pale", "parula-like", "diverging", "magma", "cividis", "grey", "cyclic"})
         EXPECT_EQ(render::colormap_named(name).name, name);
     EXPECT_EQ(render::colormap_named("diverging").kind, "diverging");
     EXPECT_THROW(render::colormap_named("jet"), std::invalid_argument);
 }
 
-TEST(Colormaps, SequentialOnesGrowEvenlyLighter) {
+// Lighter, or from pale on darker.
+TEST(Colormaps, SequentialOnesGrowEvenlyLighterOrDarker) {
     for (const Colormap& map : render::colormap_list()) {
         if (map.kind != "sequential") continue;
-        const double L0 = lab_of(color_at(map, 0)).x, L1 = lab_of(color_at(map, 1)).x;
-        EXPECT_GT(L1 - L0, 55) << map.name;
+        const double L0 = lab_of(color_at(map, 0)).x, L1 = lab_of(color_at(map, 1)).x, way = L1 > L0 ? 1 : -1;
+        EXPECT_GT(std::abs(L1 - L0), 55) << map.name;
         double previous = L0;
         for (int i = 1; i <= 32; ++i) {
             const double L = lab_of(color_at(map, i / 32.0)).x;
-            ASSERT_GT(L, previous) << map.name << " at " << i / 32.0;
+            ASSERT_GT(way * (L - previous), 0) << map.name << " at " << i / 32.0;
             ASSERT_NEAR(L, L0 + (L1 - L0) * i / 32, 6) << map.name << " at " << i / 32.0;
             previous = L;
         }
     }
+}
+
+TEST(Colormaps, PaleIsNearlyWhiteAtZero) {
+    const glm::dvec3 zero = lab_of(color_at(render::colormap_named("pale"), 0));
+    EXPECT_GT(zero.x, 92);
+    EXPECT_LT(std::hypot(zero.y, zero.z), 8);
 }
 
 TEST(Colormaps, DivergingOnesAreEquallyLightOnBothSidesOfANeutralMiddle) {

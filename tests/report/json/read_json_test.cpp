@@ -93,18 +93,15 @@ Document rich_document() {
 }
 
 DrawnFigures rich_figures() {
-    DrawnFigures figures = sample_figures();
-    figures["q1_plane_h"].comparison = {{"noisy", "images/a.png", "", 0, 0}, {"smoothed", "images/b.png", "", 0, 0}};
+    DrawnFigures figures = sample_layouts();
     figures["q1_plane_h"].models = {{"", "models/a.glb", "", "H [1/length]"}, {"after", "models/b.glb", "", ""}};
     return figures;
 }
 
 DrawnFigures names_only(DrawnFigures figures) {
     for (auto& [id, figure] : figures) {
-        figure.preview_jpeg.clear();
-        figure.print_jpeg.clear();
-        figure.width = figure.height = 0;
-        for (DrawnPanel& panel : figure.comparison) panel = {panel.label, panel.file, "", 0, 0};
+        for (DrawnPanel& panel : figure.panels)
+            for (DrawnPicture& picture : panel.pictures) picture.jpeg.clear();
         for (DrawnModel& model : figure.models) model.glb.clear();
     }
     return figures;
@@ -192,8 +189,8 @@ TEST(ReadJson, RefusesWhatIsMissingOrUnknown) {
 }
 
 TEST(ReadJson, RefusesOtherVersions) {
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 2; }), "schema_version is '2', not 3"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "3"; }), "schema_version"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 3; }), "schema_version is '3', not 4"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "4"; }), "schema_version"));
     EXPECT_TRUE(says(refusal([](Json& d) { d.erase("schema_version"); }), "is no results.json"));
     EXPECT_TRUE(says(refusal([](Json& d) { d = Json::array(); }), "is no results.json"));
 }
@@ -223,6 +220,9 @@ TEST(ReadJson, RefusesWhatDoesNotFitTogether) {
 TEST(ReadJson, RefusesPathsOutOfTheReport) {
     for (const char* path : {"/etc/passwd", "../secret.png", "images/../../secret.png", "", "images//a.png"}) {
         EXPECT_TRUE(says(refusal([&](Json& d) { d["questions"][0]["figures"][0]["sheet"] = path; }), "inside the report")) << path;
+        EXPECT_TRUE(says(refusal([&](Json& d) { d["questions"][0]["figures"][0]["panels"][0]["pictures"][1]["file"] = path; }),
+                         "inside the report"))
+            << path;
         EXPECT_TRUE(says(refusal([&](Json& d) { d["questions"][0]["output_meshes"][0] = path; }), "inside the report")) << path;
     }
 }

@@ -118,7 +118,9 @@ TEST(WriteJson, MapsHaveARowAnIteration) {
 TEST(WriteJson, FiguresNameTheirPicturesOrNone) {
     const json figures = sample()["questions"][0]["figures"];
     EXPECT_EQ(figures[0]["sheet"], "images/q1_plane_h_sheet.png");
-    EXPECT_EQ(figures[0]["views"].size(), 4u);
+    EXPECT_EQ(figures[0]["panels"][1]["pictures"].size(), 7u);
+    EXPECT_EQ(figures[0]["panels"][1]["pictures"][1]["file"], "images/q1_plane_k_+x.png");
+    EXPECT_FALSE(figures[0]["panels"][1]["pictures"][0].contains("file"));
     EXPECT_TRUE(figures[1]["sheet"].is_null());
 }
 

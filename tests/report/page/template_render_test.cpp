@@ -129,6 +129,7 @@ std::vector<json> complete_models() {
             model_of(all_well, with_files),
             model_of(sample_document(), without_mathml),
             model_of(sample_document(), with_models, sample_models()),
+            model_of(sample_document(), {}, sample_layouts()),
             model_of(parted, on_paper),
             model_of(parted, appendix, sample_models()),
             model_of(parted, short_appendix),

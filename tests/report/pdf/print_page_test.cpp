@@ -13,11 +13,6 @@
 namespace meshfolio::report {
 namespace {
 
-DrawnFigures figures_for_paper(DrawnFigures figures = sample_figures()) {
-    for (auto& [id, figure] : figures) figure.print_jpeg = "\xff\xd8\xff paper";
-    return figures;
-}
-
 /// The sample, its first section one that answers no question.
 Document supporting_document() {
     Document document = sample_document();
@@ -26,7 +21,7 @@ Document supporting_document() {
 }
 
 PrintPage printed(const Document& document, PrintOptions options = {}) {
-    return print_page(document, figures_for_paper(), Templates(), options);
+    return print_page(document, sample_figures(), Templates(), options);
 }
 
 constexpr PrintOptions appendix{.volume = Volume::appendix};
@@ -49,26 +44,6 @@ TEST(PrintPage, EveryPictureIsAFileBesideIt) {
     EXPECT_FALSE(sources.empty());
     for (const std::string& source : sources) EXPECT_TRUE(page.files.contains(source)) << source;
     EXPECT_EQ(page.files.size(), std::set<std::string>(sources.begin(), sources.end()).size());
-}
-
-TEST(PrintPage, TheHeaviestPicturesGiveWayWhenAllTogetherAreTooHeavy) {
-    const auto sizes_after = [](std::vector<std::size_t> sizes, std::size_t most, const std::string& lesser) {
-        std::vector<DrawnFigure> figures(sizes.size());
-        std::vector<DrawnFigure*> all;
-        for (std::size_t i = 0; i < sizes.size(); ++i) {
-            figures[i].print_jpeg = std::string(sizes[i], 'x');
-            all.push_back(&figures[i]);
-        }
-        lighten(all, most, [&](const DrawnFigure&) { return lesser; });
-        for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = figures[i].print_jpeg.size();
-        return sizes;
-    };
-    using Sizes = std::vector<std::size_t>;
-    EXPECT_EQ(sizes_after({90, 20}, 110, "small"), (Sizes{90, 20}));
-    EXPECT_EQ(sizes_after({20, 110}, 120, "small"), (Sizes{20, 5}));   // enough has given way
-    EXPECT_EQ(sizes_after({20, 110}, 12, "small"), (Sizes{5, 5}));
-    EXPECT_EQ(sizes_after({20, 110}, 12, std::string(50, 's')), (Sizes{20, 50}));   // never for something heavier
-    EXPECT_EQ(sizes_after({20, 110}, 12, ""), (Sizes{20, 110}));                    // a picture that could not be read
 }
 
 TEST(PrintPage, IsWellFormedXml) {

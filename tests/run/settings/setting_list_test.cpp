@@ -58,8 +58,9 @@ TEST(SettingList, AnAnswerIsStoredUnderAllThatShapesIt) {
     const ReportSettings before = report_settings({});
     const auto identity = identity_of(before, "q4");
     const std::string q4 = "[[question]]\nid = \"q4\"\n";
-    for (const std::string& text : {std::string("seed = 2"), std::string("laboratory = true"), std::string("[render]\nsize = 64"),
-                                    q4 + "k = 5", q4 + "mesh = \"torus\"", q4 + "output = \"x\"", q4 + "seed = 1"})
+    for (const std::string& text :
+         {std::string("seed = 2"), std::string("laboratory = true"), std::string("[render]\nsize = 64"),
+          std::string("[render]\nview_files = true"), q4 + "k = 5", q4 + "mesh = \"torus\"", q4 + "output = \"x\"", q4 + "seed = 1"})
         EXPECT_NE(identity_of(parse_settings(text, "my.toml", before), "q4"), identity) << text;
     for (const std::string& text : {std::string("threads = 2"), std::string("[report]\ntitle = \"x\""), q4 + "threads = 3",
                                     std::string("[[question]]\nid = \"q5\"\nlambda = 1")})

@@ -54,6 +54,7 @@ course = "C"
 [render]
 size = [300, 200]
 colormap = "viridis"
+view_files = true
 [[question]]
 id = "q4"
 mesh = ["a.obj", "b/c.ply"]
@@ -80,6 +81,7 @@ noise = [0, 0.5]
     EXPECT_EQ(settings.size.width, 300);
     EXPECT_EQ(settings.size.height, 200);
     EXPECT_EQ(settings.colormap, "viridis");
+    EXPECT_TRUE(settings.view_files);
     EXPECT_EQ(settings.base, "folder");
     const QuestionTable& q4 = settings.questions.at("q4");
     EXPECT_EQ(q4.meshes, (std::vector<std::string>{"a.obj", "b/c.ply"}));
