@@ -210,7 +210,7 @@ std::optional<StoredAnswer> QuestionCache::find_cover(const std::string& answer_
 
 std::map<std::string, std::string> QuestionCache::keep_cover(const std::string& answer_key, const report::DrawnFigure& cover) const {
     report::Section none;
-    none.id = "cover";
+    none.id = "nothing";   // not that of its figure
     return write(cover_key(answer_key), none, {{"cover", cover}}, {});
 }
 

@@ -8,7 +8,8 @@ from test_report import tree
 
 
 def is_cached(process, question):
-    return f"{question}: from the cache" in process.stderr
+    """Taken, and not answered once more after that, as for a picture that was not kept."""
+    return f"{question}: from the cache" in process.stderr and f"{question}: answered" not in process.stderr
 
 
 class Cache(unittest.TestCase):

@@ -50,18 +50,19 @@ class From(unittest.TestCase):
         config = temporary_folder(self) / "my.toml"
         config.write_text('[report]\ntitle = "Another title"\nauthor = "Someone else"\ncourse = "Another course"\n')
         target, _ = self.again("--config", config)
-        page = (target / "index.html").read_text()
-        for words in ["Another title", "Someone else", "Another course"]:
-            self.assertIn(words, page)
+        for name in ("index.html", "appendix.html", "report.md", "appendix.md"):
+            for words in ["Another title", "Someone else", "Another course"]:
+                self.assertIn(words, (target / name).read_text(), name)
         before, after = tree(self.out), tree(target)
         changed = {name for name in before if before[name] != after.get(name)}
-        self.assertEqual(changed, {"index.html", "report.md", "results.json", "SHA256SUMS"})
+        self.assertEqual(changed, {"index.html", "appendix.html", "report.md", "appendix.md", "summary.md", "results.json", "SHA256SUMS"})
 
     def test_templates_of_ones_own(self):
         templates = temporary_folder(self)
         (templates / "report.md").write_text("{{{title}}}\n{{#sections}}{{id}} {{/sections}}\n")
         target, _ = self.again("--templates", templates)
-        self.assertTrue((target / "report.md").read_text().endswith("preflight \n"))
+        self.assertEqual((target / "report.md").read_text().splitlines()[-1].split(), ["q1", "q2", "q3", "q4", "q5", "q6", "q7"])
+        self.assertEqual((target / "appendix.md").read_text().splitlines()[-1].split()[-1], "preflight")   # of both volumes
 
     def test_a_missing_picture_is_told_and_boxed(self):
         copy = self.copy()
@@ -113,9 +114,10 @@ class From(unittest.TestCase):
         total = sum(len(s["checks"]) for s in results["questions"] + results["supporting"])
         score = f"{total - 1} of {total} checks passed, 1 undecided"
         self.assertIn(score, (target / "report.md").read_text())
-        page = (target / "index.html").read_text()
-        self.assertIn(f"<b>{total - 1}</b> of {total} checks passed, 1 undecided", page)
-        self.assertIn("rounding is larger than the margin", page)
+        self.assertIn(score, (target / "summary.md").read_text())
+        self.assertIn(f"<b>{total - 1}</b> of {total} checks passed, 1 undecided", (target / "index.html").read_text())
+        for name in ("appendix.html", "appendix.md", "summary.md"):
+            self.assertIn("rounding is larger than the margin", (target / name).read_text(), name)
         check.update(status="failed", passed=False)
         (copy / "results.json").write_text(json.dumps(results))
         _, process = self.again(source=copy / "results.json", expected=1)

@@ -82,7 +82,7 @@ def shown(text):
 class HostileNames(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.case = cls("test_the_page")
+        cls.case = cls("test_the_pages")
         cls.folder = temporary_folder(cls.case)
         plain = ["mesh%d" % i for i in range(len(MESHES))]
         cls.plain = cls.report("plain", plain, "Title", "Author", "Course", "Said")
@@ -130,23 +130,24 @@ class HostileNames(unittest.TestCase):
         done.stderr += bad.stderr
         return done
 
-    def page(self, name, out="out"):
-        return Page((self.folder / name / out / "index.html").read_text())
+    def page(self, name, out="out", page="index.html"):
+        return Page((self.folder / name / out / page).read_text())
 
-    def test_the_page(self):
-        page, plain = self.page("hostile"), self.page("plain")
-        self.assertEqual(page.markup - plain.markup, set(), "elements and attributes that came from data")
-        self.assertEqual(page.programs, plain.programs)
-        self.assertEqual(page.title.strip(), shown(TITLE))
-        text = " ".join(page.words)
-        for word in (TITLE, AUTHOR, COURSE, SAID):
-            self.assertIn(shown(word), text)
-        for tag, name, value in page.values:
-            self.assertFalse(name.startswith("on"), (tag, name))
-            if name in ("href", "src", "action", "formaction", "data", "xlink:href"):
-                self.assertTrue(value.startswith(("#", "data:image/", "images/", "meshes/", "models/", "tables/", "src.txt", "results.json", "https://doi.org/", "report.")),
-                                (tag, name, value[:80]))
-        self.assertIsNone(RAW.search((self.out / "index.html").read_text()))
+    def test_the_pages(self):
+        inside = ("#", "data:image/", "images/", "meshes/", "models/", "tables/", "src.txt", "results.json", "https://doi.org/", "report.")
+        for file, title, words in (("index.html", TITLE, (TITLE, AUTHOR, COURSE)), ("appendix.html", "Appendix to " + TITLE, (TITLE, AUTHOR, COURSE, SAID))):
+            page, plain = self.page("hostile", page=file), self.page("plain", page=file)
+            self.assertEqual(page.markup - plain.markup, set(), "elements and attributes that came from data")
+            self.assertEqual(page.programs, plain.programs)
+            self.assertEqual(page.title.strip(), shown(title))
+            text = " ".join(page.words)
+            for word in words:
+                self.assertIn(shown(word), text)
+            for tag, name, value in page.values:
+                self.assertFalse(name.startswith("on"), (tag, name))
+                if name in ("href", "src", "action", "formaction", "data", "xlink:href"):
+                    self.assertTrue(value.startswith(inside) or re.match(r"(index|appendix)\.html(#|$)", value), (tag, name, value[:80]))
+            self.assertIsNone(RAW.search((self.out / file).read_text()))
 
     def test_a_failure_tells_of_the_file(self):
         page = self.page("hostile", "bad")
@@ -156,31 +157,32 @@ class HostileNames(unittest.TestCase):
         self.assertEqual(bad["questions"][0]["status"], "failed")
 
     def test_the_page_is_xml(self):
-        text = (self.out / "index.html").read_text().replace("<!DOCTYPE html>", "", 1)
-        title = xml.etree.ElementTree.fromstring(text).find(".//{*}title")
-        self.assertEqual(title.text.strip(), shown(TITLE))
-        if not shutil.which("xmllint"):
-            return
-        problems = {}
-        for name in ("plain", "hostile"):
-            command = ["xmllint", "--html", "--noout", self.folder / name / "out" / "index.html"]
-            found = subprocess.run(command, capture_output=True, text=True, errors="replace").stderr
-            problems[name] = set(re.findall(r"HTML parser error : (.*)", found))  # it knows no HTML 5
-        self.assertEqual(problems["hostile"] - problems["plain"], set())
+        for page, expected in (("index.html", TITLE), ("appendix.html", "Appendix to " + TITLE)):
+            text = (self.out / page).read_text().replace("<!DOCTYPE html>", "", 1)
+            title = xml.etree.ElementTree.fromstring(text).find(".//{*}title")
+            self.assertEqual(title.text.strip(), shown(expected))
+            if not shutil.which("xmllint"):
+                continue
+            problems = {}
+            for name in ("plain", "hostile"):
+                command = ["xmllint", "--html", "--noout", self.folder / name / "out" / page]
+                found = subprocess.run(command, capture_output=True, text=True, errors="replace").stderr
+                problems[name] = set(re.findall(r"HTML parser error : (.*)", found))  # it knows no HTML 5
+            self.assertEqual(problems["hostile"] - problems["plain"], set())
 
     @unittest.skipUnless(shutil.which("pandoc"), "pandoc is not installed")
     def test_markdown(self):
-        raw, links = {}, {}
-        for name in ("plain", "hostile"):
-            done = subprocess.run(["pandoc", "-f", "gfm", "-t", "json", self.folder / name / "out" / "report.md"], capture_output=True, text=True, check=True)
-            raw[name], links[name] = set(), set()
-            self.walk(json.loads(done.stdout), raw[name], links[name])
-        # Mesh names are part of ids and of file names, made safe: attribute values may differ, elements and attributes not.
-        self.assertEqual(raw["hostile"] - raw["plain"], set())
-        for target in links["hostile"]:
-            self.assertTrue(re.match(r"#|(images|meshes|tables)/|https://doi\.org/|[a-z]+\.[a-zA-Z0-9]+$", target), target)
-        text = (self.out / "report.md").read_text()
-        self.assertIsNone(RAW.search(text))
+        for file in ("report.md", "appendix.md", "summary.md"):
+            raw, links = {}, {}
+            for name in ("plain", "hostile"):
+                done = subprocess.run(["pandoc", "-f", "gfm", "-t", "json", self.folder / name / "out" / file], capture_output=True, text=True, check=True)
+                raw[name], links[name] = set(), set()
+                self.walk(json.loads(done.stdout), raw[name], links[name])
+            # Mesh names are part of ids and of file names, made safe: attribute values may differ, elements and attributes not.
+            self.assertEqual(raw["hostile"] - raw["plain"], set(), file)
+            for target in links["hostile"]:
+                self.assertTrue(re.match(r"#|(images|meshes|tables)/|https://doi\.org/|[a-z]+\.[a-zA-Z0-9]+(#[\w-]+)?$", target), target)
+            self.assertIsNone(RAW.search((self.out / file).read_text()), file)
 
     def walk(self, node, raw, links):
         if isinstance(node, list):
@@ -236,7 +238,8 @@ class HostileNames(unittest.TestCase):
             self.assertFalse(name.startswith("/") or ".." in name.split("/"), name)
 
     def test_nothing_undefined_is_written_as_a_number(self):
-        for path in [*self.out.glob("tables/*.csv"), *self.out.glob("images/*.svg"), self.out / "results.json", self.out / "report.md"]:
+        markdown = [self.out / name for name in ("report.md", "appendix.md", "summary.md")]
+        for path in [*self.out.glob("tables/*.csv"), *self.out.glob("images/*.svg"), self.out / "results.json", *markdown]:
             self.assertIsNone(re.search(r"(?<![a-z])-?(nan|inf|infinity)(?![a-z])", path.read_text(), re.I), path)
 
     def test_the_terminal(self):
@@ -248,16 +251,16 @@ class HostileNames(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("qpdf") and shutil.which("pdftotext"), "qpdf or pdftotext is not installed")
     def test_paper(self):
-        path = self.out / "report.pdf"
-        if not path.exists():
-            self.skipTest("no engine prints here")
-        subprocess.run(["qpdf", "--check", path], check=True, capture_output=True)
-        plain = subprocess.run(["qpdf", "--qdf", "--object-streams=disable", path, "-"], check=True, capture_output=True).stdout
-        for program in (rb"/JavaScript", rb"/JS\b", rb"/Launch", rb"/OpenAction", rb"/SubmitForm", rb"/URI \((?!https://doi\.org/)[^)]*"):
-            self.assertIsNone(re.search(program, plain), program)
-        text = subprocess.run(["pdftotext", path, "-"], check=True, capture_output=True).stdout.decode()
-        self.assertIn("alert(1)", text)
-        self.assertIn("{{author}}", text)
+        for path in (self.out / "report.pdf", self.out / "appendix.pdf"):
+            if not path.exists():
+                self.skipTest("no engine prints here")
+            subprocess.run(["qpdf", "--check", path], check=True, capture_output=True)
+            plain = subprocess.run(["qpdf", "--qdf", "--object-streams=disable", path, "-"], check=True, capture_output=True).stdout
+            for program in (rb"/JavaScript", rb"/JS\b", rb"/Launch", rb"/OpenAction", rb"/SubmitForm", rb"/URI \((?!https://doi\.org/)[^)]*"):
+                self.assertIsNone(re.search(program, plain), program)
+            text = subprocess.run(["pdftotext", path, "-"], check=True, capture_output=True).stdout.decode()
+            self.assertIn("alert(1)", text)
+            self.assertIn("{{author}}", text)
 
 
 if __name__ == "__main__":

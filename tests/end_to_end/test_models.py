@@ -126,24 +126,29 @@ class ReportModels(unittest.TestCase):
         assert process.returncode == 0, process.stderr
         cls.out = folder / "out"
         cls.page = (cls.out / "index.html").read_text()
+        cls.appendix = (cls.out / "appendix.html").read_text()
         cls.parsed = Scripts(cls.page)
         cls.viewer = cls.parsed.of_type("application/zlib")
 
     def test_models_lie_beside_the_page_and_are_linked(self):
         files = sorted(path.name for path in (self.out / "models").iterdir())
         self.assertTrue(files)
-        self.assertEqual(files, sorted(set(re.findall(r'href="models/([^"]+\.glb)"', self.page))))
+        self.assertEqual(files, sorted(set(re.findall(r'href="models/([^"]+\.glb)"', self.page + self.appendix))))
+        units = {"tangential": "%", "h": "% of mean edge"}   # figures of K have no models
         for file in files:
             glb = Glb((self.out / "models" / file).read_bytes())
             self.assertIn("_VALUE", glb.attributes)
-            self.assertTrue(file.endswith("_h.glb"), file)   # figures of K have no models
-            self.assertEqual(glb.extras["value"]["unit"], "% of mean edge", file)
+            self.assertEqual(glb.extras["value"]["unit"], units[file.removesuffix(".glb").rsplit("_", 1)[-1]], file)
 
     def test_the_page_holds_the_same_models_or_no_viewer_at_all(self):
-        inside = sorted(unpacked(content) for _, content in self.parsed.of_type("model/gltf-binary"))
-        beside = sorted(path.read_bytes() for path in (self.out / "models").iterdir())
-        self.assertEqual(inside, beside if self.viewer else [])
-        self.assertLess(sum(map(len, inside)) * 4 / 3, 8e6)
+        for page in (self.page, self.appendix):
+            inside = sorted(unpacked(content) for _, content in Scripts(page).of_type("model/gltf-binary"))
+            linked = set(re.findall(r'href="models/([^"]+\.glb)"', page))
+            beside = sorted((self.out / "models" / name).read_bytes() for name in linked)
+            self.assertEqual(inside, beside if "viewer-program" in page else [])
+            self.assertLess(sum(map(len, inside)) * 4 / 3, 8e6)
+        self.assertEqual("viewer-program" in self.page, "model/gltf-binary" in self.page, "no viewer without a model")
+        self.assertEqual("viewer-program" in self.appendix, "model/gltf-binary" in self.appendix, "no viewer without a model")
 
     def test_the_policy_lists_exactly_the_scripts_that_may_run(self):
         may_run = [content.encode() for attributes, content in self.parsed.scripts if "type" not in attributes]
@@ -157,9 +162,10 @@ class ReportModels(unittest.TestCase):
     def test_a_page_without_models_has_no_viewer(self):
         out = temporary_folder(self) / "out"
         run("report", "--quick", "--only", "q2", "--size", 64, "--out", out)
-        page = (out / "index.html").read_text()
-        for trace in ("viewer-program", "meshfolioViewer", "model/gltf-binary", "model-stage"):
-            self.assertNotIn(trace, page)
+        for name in ("index.html", "appendix.html"):
+            page = (out / name).read_text()
+            for trace in ("viewer-program", "meshfolioViewer", "model/gltf-binary", "model-stage"):
+                self.assertNotIn(trace, page, name)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""report.pdf as a user gets it, judged by other programs: poppler and qpdf."""
+"""report.pdf and appendix.pdf as a user gets them, judged by other programs: poppler and qpdf."""
 
 import json
 import os
@@ -16,6 +16,11 @@ from program import PROGRAM, run, temporary_folder
 
 MOST_PAGES = 60
 MOST_BYTES = 15 * 1000 * 1000
+
+
+VOLUMES = ("report.pdf", "appendix.pdf")
+TITLES = {"report.pdf": "Curvature and Laplacian smoothing of triangle meshes",
+          "appendix.pdf": "Appendix to “Curvature and Laplacian smoothing of triangle meshes”"}
 
 
 def output_of(*words):
@@ -56,46 +61,53 @@ class Printed(unittest.TestCase):
         cls.home.mkdir()
         process = report(cls.folder / "out", HOME=str(cls.home))
         assert process.returncode == 0, process.stderr
-        cls.pdf = cls.folder / "out" / "report.pdf"
-        cls.json = json.loads(output_of("qpdf", "--json=2", "--json-key=outlines", "--json-key=attachments", cls.pdf))
-        cls.page = (cls.folder / "out" / "index.html").read_text()
+        cls.pdfs = {name: cls.folder / "out" / name for name in VOLUMES}
+        cls.pdf = cls.pdfs["report.pdf"]
+        cls.results = json.loads((cls.folder / "out" / "results.json").read_text())
+
+    def structure(self, path):
+        return json.loads(output_of("qpdf", "--json=2", "--json-key=outlines", "--json-key=attachments", path))
 
     def test_is_sound_and_small(self):
-        output_of("qpdf", "--check", self.pdf)
-        self.assertLessEqual(self.pdf.stat().st_size, MOST_BYTES)
-        pages = int(re.search(r"Pages: +(\d+)", output_of("pdfinfo", self.pdf))[1])
-        self.assertTrue(1 <= pages <= MOST_PAGES, pages)
+        for _, path in self.pdfs.items():
+            output_of("qpdf", "--check", path)
+            self.assertLessEqual(path.stat().st_size, MOST_BYTES)
+            pages = int(re.search(r"Pages: +(\d+)", output_of("pdfinfo", path))[1])
+            self.assertTrue(1 <= pages <= MOST_PAGES, pages)
 
     def test_says_what_it_is(self):
-        said = output_of("pdfinfo", self.pdf)
-        self.assertRegex(said, r"Tagged: +yes")
-        self.assertRegex(said, r"Title: +Curvature and Laplacian smoothing")
-        self.assertRegex(said, r"Creator: +meshfolio ")
-        self.assertRegex(said, r"Page size: +59[45].* \(A4\)")
+        for name, path in self.pdfs.items():
+            said = output_of("pdfinfo", path)
+            self.assertRegex(said, r"Tagged: +yes")
+            self.assertRegex(said, r"Title: +" + ("" if name == "report.pdf" else "Appendix to ") + "Curvature and Laplacian smoothing")
+            self.assertRegex(said, r"Creator: +meshfolio ")
+            self.assertRegex(said, r"Page size: +59[45].* \(A4\)")
 
     def test_every_font_is_embedded_and_none_is_of_type_3(self):
-        fonts = output_of("pdffonts", self.pdf).splitlines()[2:]
-        self.assertTrue(fonts)
-        for font in fonts:
-            self.assertNotIn("Type 3", font)
-            self.assertRegex(font, r" yes +(yes|no) +(yes|no) +\d+ +\d+$", font)
-        self.assertIn("DejaVuMathTeXGyre", "".join(fonts))   # of the formulas
+        for name, path in self.pdfs.items():
+            fonts = output_of("pdffonts", path).splitlines()[2:]
+            self.assertTrue(fonts)
+            for font in fonts:
+                self.assertNotIn("Type 3", font)
+                self.assertRegex(font, r" yes +(yes|no) +(yes|no) +\d+ +\d+$", font)
+            if name == "report.pdf":
+                self.assertIn("DejaVuMathTeXGyre", "".join(fonts))   # of the formulas
 
     def test_nothing_of_this_machine_is_inside(self):
-        plain = self.folder / "plain.pdf"
-        output_of("qpdf", "--qdf", "--object-streams=disable", self.pdf, plain)
-        inside = plain.read_bytes()
-        for word in (b"file://", str(self.folder).encode(), b"/tmp/", b"meshfolio-print"):
-            self.assertNotIn(word, inside)
+        for _, path in self.pdfs.items():
+            plain = self.folder / "plain.pdf"
+            output_of("qpdf", "--qdf", "--object-streams=disable", path, plain)
+            inside = plain.read_bytes()
+            for word in (b"file://", str(self.folder).encode(), b"/tmp/", b"meshfolio-print"):
+                self.assertNotIn(word, inside)
 
     def test_the_engine_leaves_nothing_at_home(self):
         self.assertEqual(list(self.home.iterdir()), [])
 
-    def test_the_results_are_attached_without_timings(self):
-        name = self.json["attachments"]
-        self.assertEqual(list(name), ["results.json"])
+    def test_the_results_are_attached_once_without_timings(self):
+        self.assertEqual([list(self.structure(path)["attachments"]) for path in self.pdfs.values()], [["results.json"], []])
         attached = subprocess.run(["qpdf", "--show-attachment=results.json", self.pdf], capture_output=True, check=True).stdout
-        expected = json.loads((self.folder / "out" / "results.json").read_text())
+        expected = json.loads(json.dumps(self.results))
         del expected["timings"]
         for section in expected["questions"] + expected["supporting"]:
             del section["timings"]
@@ -103,52 +115,92 @@ class Printed(unittest.TestCase):
         self.assertNotIn(b'"timings"', attached)
 
     def test_the_outline_has_the_sections(self):
-        top = self.json["outlines"]
-        self.assertEqual(len(top), 1)
-        self.assertEqual(top[0]["title"], "Curvature and Laplacian smoothing of triangle meshes")
-        results = json.loads((self.folder / "out" / "results.json").read_text())
-        titles = [entry["title"] for entry in top[0]["kids"]]
-        for section in results["questions"] + results["supporting"]:
-            self.assertTrue(any(re.fullmatch(r"\w+ " + re.escape(section["title"]), title) for title in titles), (section["title"], titles))
-        pages = [entry["destpageposfrom1"] for entry in top[0]["kids"]]
-        self.assertEqual(pages, sorted(pages))
+        questions = [section["title"] for section in self.results["questions"]]
+        asked = {section["title"]: section for section in self.results["questions"] if "appendix_from" in section}
+        further = [f"{title}: further tables and figures" for title, section in asked.items() if section["appendix_from"] < len(section["blocks"])]
+        sections = {"report.pdf": questions, "appendix.pdf": further + [section["title"] for section in self.results["supporting"]]}
+        for name, path in self.pdfs.items():
+            top = self.structure(path)["outlines"]
+            self.assertEqual([entry["title"] for entry in top], [TITLES[name]])
+            titles = [entry["title"] for entry in top[0]["kids"]]
+            numbered = [title.split(" ", 1)[1] for title in titles if re.match(r"[0-9A-Z] ", title)]
+            self.assertEqual(numbered, sections[name])
+            pages = [entry["destpageposfrom1"] for entry in top[0]["kids"]]
+            self.assertEqual(pages, sorted(pages))
 
-    def contents_of(self, pdf):
-        pages = output_of("pdftotext", "-layout", pdf, "-").split("\f")
-        return next(page for page in pages if re.search(r"^ *Contents", page, re.M))
+    def pages_of(self, path):
+        return output_of("pdftotext", "-layout", path, "-").split("\f")[:-1]
+
+    def contents_of(self, folder):
+        """The opening table of the report, and the contents of the appendix."""
+        contents = next(page for page in self.pages_of(folder / "appendix.pdf") if re.search(r"^ *Contents", page, re.M))
+        return self.pages_of(folder / "report.pdf")[0], contents
 
     def test_the_contents_name_the_pages_that_the_outline_leads_to(self):
         out = self.folder / "whole"
         process = run("report", "--size", 96, "--only", "q2,preflight", "--pdf", "require", "--out", out)
         self.assertEqual(process.returncode, 0, process.stderr)
-        outlines = json.loads(output_of("qpdf", "--json=2", "--json-key=outlines", out / "report.pdf"))["outlines"]
-        entries = {entry["title"]: entry["destpageposfrom1"] for entry in outlines[0]["kids"]}
-        for title in ("References", "Provenance"):
-            self.assertRegex(self.contents_of(out / "report.pdf"), rf"{title} +{entries[title]}\b")
+        table, contents = self.contents_of(out)
+        for name, text, line in (("report.pdf", table, r"(?m)^ *{number} +{first_word}\b.* {page}$"),
+                                 ("appendix.pdf", contents, r"(?ms)\b{number} +{first_word}\b.*? {page}\b")):
+            entries = self.structure(out / name)["outlines"][0]["kids"]
+            for entry in entries:
+                if numbered := re.match(r"(?P<number>[0-9A-Z]) (?P<first_word>\w+)", entry["title"]):
+                    self.assertRegex(text, line.format(page=entry["destpageposfrom1"], **numbered.groupdict()))
+        provenance = self.structure(out / "appendix.pdf")["outlines"][0]["kids"][-1]
+        self.assertEqual(provenance["title"], "Provenance")
+        self.assertRegex(contents, rf"Provenance +{provenance['destpageposfrom1']}\b")
 
     def test_a_first_look_has_no_page_numbers_in_its_contents(self):
-        self.assertRegex(self.contents_of(self.pdf), r"(?m)(Provenance|References) *$")
-        self.assertNotIn("@page", self.contents_of(self.pdf))
+        table, contents = self.contents_of(self.folder / "out")
+        self.assertRegex(contents, r"(?m)Provenance *$")
+        self.assertNotRegex(table, r"(?m) Page$")
+        self.assertNotIn("@page", table + contents)
 
     def test_pages_are_numbered(self):
-        pages = output_of("pdftotext", "-layout", self.pdf, "-").split("\f")[:-1]
-        for number, page in enumerate(pages[1:], 2):
-            self.assertRegex(page, rf"\b{number} / {len(pages)}\b")
+        for _, path in self.pdfs.items():
+            pages = self.pages_of(path)
+            for number, page in enumerate(pages[1:], 2):
+                self.assertRegex(page, rf"\b{number} ?/ ?{len(pages)}\b")
 
     def test_no_figure_is_cut(self):
         """Every picture is placed once, whole: a cut one is on two pages. And its caption is on its page."""
-        placed = {}
-        for line in output_of("pdfimages", "-list", self.pdf).splitlines()[2:]:
-            words = line.split()
-            placed.setdefault(words[10], []).append(int(words[0]))
-            self.assertEqual(words[8], "jpeg")   # passed through, not coded again
-        self.assertTrue(placed)
-        for number, pages in placed.items():
-            self.assertEqual(len(pages), 1, (number, pages))
-        text = output_of("pdftotext", "-layout", self.pdf, "-").split("\f")
-        for pages in placed.values():
-            if pages != [1] and pages != [2]:   # the title picture has no caption
-                self.assertRegex(text[pages[0] - 1], r"Figure [0-9A-Z]+\.\d+\.")
+        for name, path in self.pdfs.items():
+            placed = {}
+            for line in output_of("pdfimages", "-list", path).splitlines()[2:]:
+                words = line.split()
+                placed.setdefault(words[10], []).append(int(words[0]))
+                self.assertEqual(words[8], "jpeg")   # passed through, not coded again
+            self.assertTrue(placed or name == "appendix.pdf")
+            text = self.pages_of(path)
+            for number, pages in placed.items():
+                self.assertEqual(len(set(pages)), 1, (number, pages))
+                if name == "appendix.pdf" or pages[0] > 2:   # the title picture has no caption
+                    self.assertRegex(text[pages[0] - 1], r"Figure [0-9A-Z]+\.\d+\.")
+
+    def test_every_link_leads_somewhere(self):
+        """Within its volume, that is: what is in the other one is named, and is no link."""
+        for _, path in self.pdfs.items():
+            objects = json.loads(output_of("qpdf", "--json=2", "--json-key=qpdf", path))["qpdf"][1]
+            values = [found["value"] for found in objects.values() if isinstance(found.get("value"), dict)]
+            catalog = next(value for value in values if value.get("/Type") == "/Catalog")
+            places = set(objects["obj:" + catalog["/Dests"]]["value"])
+            links = [value for value in values if value.get("/Subtype") == "/Link"]
+            self.assertTrue(links)
+            for link in links:
+                if "/A" in link:
+                    self.assertRegex(link["/A"]["/URI"], r"^u:https://doi\.org/")
+                else:
+                    self.assertIn(link["/Dest"], places)
+
+    def test_words_of_figures_are_seven_points_high_at_least(self):
+        """Names of views and notes of legends: they are text, and a box around a word is at least as high as its font is large."""
+        heights = [(float(match["bottom"]) - float(match["top"]), match["word"]) for match in re.finditer(
+            r'<word xMin="[^"]*" yMin="(?P<top>[^"]*)" xMax="[^"]*" yMax="(?P<bottom>[^"]*)">(?P<word>[+-][xyz]|above|below|undefined)</word>',
+            output_of("pdftotext", "-bbox-layout", self.pdf, "-"))]
+        self.assertGreaterEqual({word for _, word in heights}, {"+x", "-z"})
+        of_the_em = 1.164   # DejaVu Sans, from descender to ascender
+        self.assertGreaterEqual(min(heights)[0] / of_the_em, 7, min(heights))
 
 
     def test_words_of_figures_are_seven_points_high_at_least(self):
@@ -176,12 +228,14 @@ class Again(unittest.TestCase):
         self.assertEqual(report(one).returncode, 0)
         process = report(other, "--no-timings", "--threads", 1, cwd=self.folder, TMPDIR=str(self.folder / "tmp"), TZ="Asia/Tokyo")
         self.assertEqual(process.returncode, 0, process.stderr)
-        self.assertEqual((one / "report.pdf").read_bytes(), (other / "report.pdf").read_bytes())
+        for name in VOLUMES:
+            self.assertEqual((one / name).read_bytes(), (other / name).read_bytes(), name)
         self.assertEqual(list((self.folder / "tmp").iterdir()), [])
 
     def test_the_date_is_that_of_source_date_epoch(self):
         self.assertEqual(run("report", "--quick", "--size", 64, "--only", "q2", "--pdf", "require", "--out", self.folder / "out", SOURCE_DATE_EPOCH="1700000000").returncode, 0)
-        self.assertIn("D:20231114221320Z", output_of("pdfinfo", "-rawdates", self.folder / "out" / "report.pdf"))
+        for name in VOLUMES:
+            self.assertIn("D:20231114221320Z", output_of("pdfinfo", "-rawdates", self.folder / "out" / name))
 
 
 class Engines(unittest.TestCase):
@@ -213,13 +267,13 @@ class Engines(unittest.TestCase):
         self.assertEqual(process.returncode, 0, process.stderr)
         self.assertEqual(process.stderr.count("no PDF engine"), 1)
         self.assertTrue((self.folder / "out" / "index.html").exists())
-        self.assertFalse((self.folder / "out" / "report.pdf").exists())
+        self.assertEqual(list((self.folder / "out").glob("*.pdf")), [])
 
     def test_off_asks_for_none(self):
         process = self.report("--pdf", "off", "--pdf-browser", self.browser("exit 1"))
         self.assertEqual(process.returncode, 0)
         self.assertNotIn("warning", process.stderr)
-        self.assertFalse((self.folder / "out" / "report.pdf").exists())
+        self.assertEqual(list((self.folder / "out").glob("*.pdf")), [])
 
     def test_one_that_prints_nothing_is_not_believed(self):
         for script in ("exit 0", "echo crashed >&2; kill -SEGV $$", 'for a; do case $a in --print-to-pdf=*) echo no PDF > "${a#*=}";; esac; done'):
@@ -227,7 +281,7 @@ class Engines(unittest.TestCase):
                 process = self.report("--pdf", "auto", "--pdf-browser", self.browser(script))
                 self.assertEqual(process.returncode, 0, process.stderr)
                 self.assertEqual(process.stderr.count("no report.pdf"), 1, process.stderr)
-                self.assertFalse((self.folder / "out" / "report.pdf").exists())
+                self.assertEqual(list((self.folder / "out").glob("*.pdf")), [])
                 shutil.rmtree(self.folder / "out")
                 process = self.report("--pdf", "require", "--pdf-browser", self.browser(script))
                 self.assertEqual(process.returncode, 5, process.stderr)
@@ -259,7 +313,8 @@ class Engines(unittest.TestCase):
         process = self.report("--pdf", "require", "--pdf-browser", program)
         self.assertEqual(process.returncode, 0, process.stderr)
         pdf = self.folder / "out" / "report.pdf"
-        self.assertIn("Contents", output_of("pdftotext", pdf, "-"))
+        self.assertIn("Questions attempted", output_of("pdftotext", pdf, "-"))
+        self.assertIn("Contents", output_of("pdftotext", self.folder / "out" / "appendix.pdf", "-"))
 
 
 class Design(unittest.TestCase):

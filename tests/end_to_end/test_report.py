@@ -12,6 +12,8 @@ import xml.etree.ElementTree
 from file_readers import png_size
 from program import SOURCE, run, sample, temporary_folder
 
+PAGES = ("index.html", "appendix.html")
+MARKDOWN = ("report.md", "appendix.md", "summary.md")
 QUESTIONS = ["q1", "q2", "q3", "q4", "q5", "q6", "q7"]
 
 
@@ -85,31 +87,52 @@ class QuickReport(unittest.TestCase):
         self.assertEqual(tree(again), tree(self.out))
 
     def test_every_promised_file_is_there(self):
-        for name in ["index.html", "report.md", "results.json", "SHA256SUMS"]:
+        for name in ["index.html", "appendix.html", "report.md", "appendix.md", "summary.md", "results.json", "src.txt", "SHA256SUMS"]:
             self.assertGreater((self.out / name).stat().st_size, 0, name)
         for folder in ["tables", "images", "meshes"]:
             self.assertTrue(any((self.out / folder).iterdir()), folder)
         self.assertTrue(list((self.out / "meshes").glob("q4_*_k5.ply")))
 
     def test_the_page_is_well_formed_and_offline(self):
-        text = (self.out / "index.html").read_text()
-        xml.etree.ElementTree.fromstring(text.split("?>", 1)[-1] if text.startswith("<?xml") else text.replace("<!DOCTYPE html>", "", 1))
-        self.assertIn("default-src 'none'", text.replace("&#39;", "'"))
-        page = Page(text)
-        self.assertEqual(len(page.ids), len(set(page.ids)), "ids are unique")
-        for picture in page.pictures:
-            self.assertTrue(picture["src"].startswith("data:image/"), picture["src"][:60])
-            self.assertTrue(picture.get("alt"), "every picture has words")
-        for target in page.targets:
-            self.assertFalse(re.match(r"(https?:)?//", target) and "doi.org" not in target, target)
+        for name in PAGES:
+            text = (self.out / name).read_text()
+            xml.etree.ElementTree.fromstring(text.split("?>", 1)[-1] if text.startswith("<?xml") else text.replace("<!DOCTYPE html>", "", 1))
+            self.assertIn("default-src 'none'", text.replace("&#39;", "'"))
+            page = Page(text)
+            self.assertEqual(len(page.ids), len(set(page.ids)), f"{name}: ids are unique")
+            for picture in page.pictures:
+                self.assertTrue(picture["src"].startswith("data:image/"), picture["src"][:60])
+                self.assertTrue(picture.get("alt"), "every picture has words")
+            for target in page.targets:
+                self.assertFalse(re.match(r"(https?:)?//", target) and "doi.org" not in target, target)
+
+    def test_each_block_stands_in_one_volume(self):
+        """Blocks of a question up to `appendix_from` in the report, the others and whole supporting sections in the appendix."""
+        report, appendix = (Page((self.out / name).read_text()).ids for name in PAGES)
+        for section in self.results["questions"] + self.results["supporting"]:
+            first = len(section["blocks"]) if "appendix_from" not in section else section["appendix_from"]
+            for at, block in enumerate(section["blocks"]):
+                if block["kind"] not in ("table", "plot", "map", "diagram", "figure"):
+                    continue
+                here, there = (report, appendix) if section["id"] in QUESTIONS and at < first else (appendix, report)
+                self.assertIn(block["id"], here, section["id"])
+                self.assertNotIn(block["id"], there, section["id"])
 
     def test_every_link_leads_somewhere(self):
-        page = Page((self.out / "index.html").read_text())
-        markdown = (self.out / "report.md").read_text()
-        anchors = {"index.html": set(page.ids), "report.md": set(re.findall(r'id="([^"]+)"', markdown))}
-        links = re.findall(r"\]\(([^)\s]+)\)", markdown) + re.findall(r'(?:src|href)="([^"]+)"', markdown)
-        targets = [("index.html", target) for target in page.targets] + [("report.md", target) for target in links]
-        self.assertGreater(len(targets), 100)
+        anchors, targets = {}, []
+        for name in PAGES:
+            page = Page((self.out / name).read_text())
+            anchors[name] = set(page.ids)
+            targets += [(name, target) for target in page.targets]
+        for name in MARKDOWN:
+            text = (self.out / name).read_text()
+            anchors[name] = set(re.findall(r'id="([^"]+)"', text))
+            links = re.findall(r"\]\(([^)\s]+)\)", text) + re.findall(r'(?:src|href)="([^"]+)"', text)
+            targets += [(name, target) for target in links]
+        across = {(source, target.split("#")[0]) for source, target in targets if "#" in target}
+        for one, other in (PAGES, PAGES[::-1], MARKDOWN[:2], MARKDOWN[1::-1]):
+            self.assertIn((one, other), across, "each volume refers to the other")
+        self.assertFalse({(one, other) for one, other in across if one in PAGES and other in MARKDOWN}, "to the volume of its own kind")
         for source, target in targets:
             target = urllib.parse.unquote(target.replace("\\", ""))
             if target.startswith(("http:", "https:", "data:")):
@@ -120,7 +143,7 @@ class QuickReport(unittest.TestCase):
                 self.assertIn(anchor, anchors[file or source], f"{source}: {target}")
 
     def test_nothing_undefined_is_written_as_a_number(self):
-        for path in [*self.out.glob("tables/*.csv"), self.out / "results.json"]:
+        for path in [*self.out.glob("tables/*.csv"), self.out / "results.json", self.out / "summary.md"]:
             self.assertIsNone(re.search(r"(?<![a-z])-?(nan|inf|infinity)(?![a-z])", path.read_text(), re.I), path)
 
     def test_tables_are_rectangular(self):
@@ -163,7 +186,7 @@ class QuickReport(unittest.TestCase):
             self.assertIn(key, self.results)
 
     def test_no_path_of_this_machine_leaks(self):
-        for name in ["index.html", "report.md", "results.json"]:
+        for name in [*PAGES, *MARKDOWN, "results.json"]:
             self.assertNotIn(str(self.folder), (self.out / name).read_text(), name)
 
 
@@ -175,7 +198,7 @@ class Failures(unittest.TestCase):
         status = {q["id"]: q["status"] for q in json.loads((out / "results.json").read_text())["questions"]}
         self.assertEqual(status, {q: "failed" if q == "q4" else "ok" for q in QUESTIONS})
         self.assertIn("q4", process.stderr)
-        for name in ("index.html", "report.md", "results.json"):
+        for name in ("index.html", "report.md", "summary.md", "results.json"):
             self.assertIn("made to fail by MESHFOLIO", (out / name).read_text().replace("\\", ""), name)
 
     def test_a_failing_supporting_section_leaves_those_that_cite_it(self):

@@ -15,6 +15,7 @@ import file_readers
 from program import PROGRAM, SOURCE, run, temporary_folder
 
 AUTHOR = "Ada Lovelace"
+PAPERS = ("report.pdf", "appendix.pdf")
 
 
 def digest(data):
@@ -133,7 +134,7 @@ class Archive(Reported):
 
     def test_every_citation_is_the_line_of_a_definition(self):
         lines = self.files["src.txt"].decode().split("\n")
-        page = self.files["index.html"].decode()
+        pages = {True: self.files["index.html"].decode(), False: self.files["appendix.html"].decode()}
         results = json.loads(self.files["results.json"])
         count = 0
         for section in results["questions"] + results["supporting"]:
@@ -143,7 +144,7 @@ class Archive(Reported):
                 name = re.escape(code["function"])
                 self.assertRegex(line, rf"^ *\d+  ((.* |.*::)?{name}\(.*|(class|struct) {name}\b.*)$")
                 self.assertFalse(line.endswith(";"), line)
-                self.assertIn(f"L{code['line']}", page)
+                self.assertTrue(f"L{code['line']}" in pages[section in results["questions"]], code)
                 self.assertIn(f"L{code['line']}", self.files["INSTRUCTIONS.md"].decode())
                 count += 1
         self.assertGreater(count, 60)
@@ -212,19 +213,21 @@ class Again(Reported):
         out = self.copy()
         self.assertEqual(self.submit(out, "--without-images").returncode, 0)
         names = zipfile.ZipFile(out / "submission.zip").namelist()
-        self.assertFalse([n for n in names if n.startswith("images/") or n == "report.md"])
-        self.assertIn("index.html", names)
+        self.assertFalse([n for n in names if n.startswith("images/") or n in ("report.md", "appendix.md")])
+        self.assertLessEqual({"index.html", "appendix.html"}, set(names))
         self.assertTrue((out / "images").is_dir(), "the report keeps them")
 
-    def test_a_pdf_is_taken_along(self):
+    def test_both_pdfs_are_taken_along(self):
         out = self.copy()
-        (out / "report.pdf").write_bytes(b"%PDF-1.7\n%%EOF\n")
+        for name in PAPERS:
+            (out / name).write_bytes(b"%PDF-1.7\n%%EOF\n")
         renew_sums(out)
         process = run("submit", "--out", out, "--author", AUTHOR)
         self.assertEqual(process.returncode, 0, process.stderr)
         archive = zipfile.ZipFile(out / "submission.zip")
-        self.assertIn("report.pdf", archive.namelist())
-        self.assertIn("`report.pdf`", archive.read("INSTRUCTIONS.md").decode())
+        for name in PAPERS:
+            self.assertIn(name, archive.namelist())
+            self.assertIn(f"`{name}`", archive.read("INSTRUCTIONS.md").decode())
 
 
 class Refusals(Reported):
@@ -302,9 +305,15 @@ class Refusals(Reported):
     def test_no_pdf(self):
         out = self.copy()
         self.refuse(3, "--without-pdf", out, pdf=True)
-        (out / "report.pdf").write_text("a PDF in name alone")
-        renew_sums(out)
-        self.refuse(3, "is no PDF", out, pdf=True)
+        for name, other in (PAPERS, PAPERS[::-1]):
+            (out / name).write_bytes(b"%PDF-1.7\n%%EOF\n")
+            renew_sums(out)
+            self.refuse(3, f"{other}: is not there", out, pdf=True)
+            (out / other).write_text("a PDF in name alone")
+            renew_sums(out)
+            self.refuse(3, f"{other}: is no PDF", out, pdf=True)
+            (out / name).unlink()
+            (out / other).unlink()
 
     def test_a_file_changed_removed_or_added(self):
         out = self.copy()

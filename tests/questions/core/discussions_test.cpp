@@ -145,7 +145,7 @@ TEST(ExplicitDiscussion, NamesTheIterationThatBreaksAndKnowsItsMode) {
 TEST(ImplicitDiscussion, CallsTooMuchOnlyWhatLosesItsSize) {
     ImplicitStudy study = implicit_study(cube, quick_settings());
     for (SmoothingCell& cell : study.grid) cell.kept = 0.99;
-    EXPECT_FALSE(has(told(study), "goes too far")) << told(study);
+    EXPECT_FALSE(has(told(study), "shows too much")) << told(study);
     study.grid[2].kept = 0.6;
     study.grid[3].kept = 0.7;
     EXPECT_TRUE(has(told(study), "only 60\u202f% of the size is left")) << told(study);
@@ -156,7 +156,7 @@ TEST(ImplicitDiscussion, CallsTooMuchOnlyWhatLosesItsSize) {
 TEST(ImplicitDiscussion, SaysWhereTheShapeGivesWay) {
     ImplicitStudy study = implicit_study(library_mesh(grid_mesh(12, 12, 1, 1), "sheet_told"), quick_settings());
     ASSERT_TRUE(study.recommended);
-    EXPECT_TRUE(has(told(study), "Where sheet_told is open it gives way first")) << told(study);
+    EXPECT_TRUE(has(told(study), "There the open boundary gives way first")) << told(study);
     Positions& X = study.grid[*study.recommended].implicit_X;
     X = study.subject.mesh().X.rowwise() + Eigen::RowVector3d(0.1, 0, 0);   // all alike
     EXPECT_FALSE(has(told(study), "gives way first")) << told(study);
@@ -169,10 +169,10 @@ TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
         cost.explicit_steps = 100;
         cost.explicit_operations = 4 * cost.implicit_operations;
     }
-    EXPECT_TRUE(has(told(study), "even what we recommend costs the explicit method 4.0 times the arithmetic")) << told(study);
+    EXPECT_TRUE(has(told(study), "even for what we recommend explicit smoothing needs 4.0 times the arithmetic")) << told(study);
     study.costs[0].explicit_operations = study.costs[0].implicit_operations / 2;
-    EXPECT_TRUE(has(told(study), "Not for what we recommend: there the explicit method needs only 0.50 times")) << told(study);
-    EXPECT_TRUE(has(told(study), "For much smoothing it is: the explicit method needs 4.0 times")) << told(study);
+    EXPECT_TRUE(has(told(study), "Not for what we recommend: explicit smoothing needs only 0.50 times")) << told(study);
+    EXPECT_TRUE(has(told(study), "For much smoothing it is: explicit smoothing needs 4.0 times")) << told(study);
     study.costs[1].explicit_steps = 0;
     EXPECT_FALSE(has(told(study), "For much smoothing it is")) << told(study);
     EXPECT_TRUE(has(told(study), "Only the implicit method reaches so much smoothing within 3000 steps on cube_told")) << told(study);
