@@ -12,6 +12,9 @@ namespace {
 /// Curvature × mean edge below this cannot be seen in any picture: coordinates written with six digits leave as much.
 constexpr double visible = 1e-4;
 
+/// With fewer vertices there is no picture to speak of.
+constexpr int fewest_to_read = 20;
+
 /// The worst error at the finest level over the three surfaces.
 double worst(const BenchRuns& runs, MeshKind kind, std::string_view estimator, Norm norm = &EstimateError::l2) {
     double error = 0;
@@ -40,6 +43,8 @@ report::Text flat_picture(const FlatMesh& f) {
 report::Text curved_picture(const MeshCurvature& c) {
     const std::string& mesh = c.subject.name();
     if (summary_of(c.H).count == 0) return words.say("h.nothing", "mesh"_a = mesh);
+    if (const int vertices = summary_of(c.H).count; vertices < fewest_to_read)
+        return words.say("h.few", "mesh"_a = mesh, "vertices"_a = vertices);
     const Picture p = picture_of(c);
     if (p.varies_where_truth_does_not())
         return words.say("h.uneven", "mesh"_a = mesh, "spread"_a = readable(p.spread, 2), "cotangent"_a = readable(p.cotangent_spread, 2));

@@ -70,9 +70,9 @@ report::Text curved_picture(const CotangentComparison& c) {
     const std::string& mesh = c.subject.name();
     if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = mesh);
     const double beyond = beyond_range(c.subject.mean_edge * c.uniform, cotangent_range(c));
-    report::Text t = words.say(beyond > 0.05 ? "curved.beyond"
-                               : beyond > 0  ? "curved.within"
-                                             : "curved.all_within",
+    report::Text t = words.say(beyond > 0.2 ? "curved.beyond"
+                               : beyond > 0 ? "curved.within"
+                                            : "curved.all_within",
                                "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2));
     const double uniform = roughness(c.uniform, c.subject.topology()), cotangent = roughness(c.cotangent, c.subject.topology());
     if (uniform > 0 && cotangent > 0) {

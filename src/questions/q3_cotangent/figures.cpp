@@ -27,13 +27,14 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
     for (const CotangentComparison& c : meshes) {
         const CurvatureSubject& s = c.subject;
         const double range = cotangent_range(c).high;
-        const auto add = [&](const char* key, const std::string& name, const Vector& values) {
-            const std::string label = words.line(key, "mesh"_a = s.name(), "range"_a = readable(range, 2));
+        const auto add = [&](const char* key, const char* zero, const std::string& name, const Vector& values) {
+            const bool coloured = s.mean_edge * largest_magnitude(values) > 0.01 * range;
+            const std::string label = words.line(coloured ? key : zero, "mesh"_a = s.name(), "range"_a = readable(range, 2));
             figure.panels.push_back(relative_panel(s, "q3_" + s.name() + "_h_" + name, label, s.mean_edge * values, range));
             figure.panels.back().directions = &values == &c.cotangent;   // question 1 shows the uniform one
         };
-        add("comparison.uniform", "uniform", c.uniform);
-        add("comparison.cotangent", "cotangent", c.cotangent);
+        add("comparison.uniform", "comparison.uniform.zero", "uniform", c.uniform);
+        add("comparison.cotangent", "comparison.cotangent.zero", "cotangent", c.cotangent);
         masked += undefined_vertices(s);
     }
     figure.caption = words.line("comparison.caption", "undefined"_a = undefined_words(masked));

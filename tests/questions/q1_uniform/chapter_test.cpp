@@ -122,6 +122,12 @@ TEST(Q1, AMeshThatIsAllBoundaryHasNoCurvature) {
     EXPECT_TRUE(says(bent, "no curvature is defined"));
 }
 
+TEST(Q1, OfTwelveVerticesNoPictureIsRead) {
+    const Answer answer = answer_for(icosphere(0), "few1");
+    EXPECT_TRUE(says(answer, "has too few vertices")) << prose_of(answer.section);
+    EXPECT_FALSE(says(answer, "rank correlation"));
+}
+
 TEST(Q1, EveryRealMesh) {
     const auto files = shared_meshes();
     if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
