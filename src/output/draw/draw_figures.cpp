@@ -51,6 +51,7 @@ int three_quarter_side(const FigureRequest& request) {
     if (is_gallery(request)) return small;
     if (request.panels.size() == 1) return alone;
     if (request.layout == Layout::comparison) return compared;
+    if (request.panels.size() > 8) return smallest_in_a_line;   // line below line
     const auto in_line =
         static_cast<int>(request.columns.empty() ? std::min<std::size_t>(request.panels.size(), 4) : request.columns.size());
     return std::clamp(line_of_pictures / in_line, smallest_in_a_line, in_a_strip);
