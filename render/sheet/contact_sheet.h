@@ -1,5 +1,5 @@
 /// @file
-/// Pictures put together: title, rows of equally large views with their names, colour bar.
+/// Pictures put together: title, equally large views with their names, colour bar.
 #pragma once
 
 #include <optional>
@@ -25,20 +25,12 @@ struct ColorBar {
     std::vector<double> histogram = {};
 };
 
-/// Pictures of a single row that are put three in a line; more are put six in a line.
-inline constexpr int largest_block = 12;
-
-/// One line of pictures. Sheets of one row put the six views 2 × 3 (three columns, two rows: +x +y +z over −x −y −z).
-struct SheetRow {
-    std::string label = {};             // "λ = 0.01, 20 iterations"; empty: none
-    std::vector<Image> pictures = {};   // one a view, all of one size
-};
-
+/// Views of one mesh, three in a line, each with its name below; the six 2 × 3: +x +y +z over −x −y −z.
 struct ContactSheet {
     std::string title = {};
-    std::string subtitle = {};                  // mesh, counts, settings
-    std::vector<std::string> view_names = {};   // over the columns (or in the cells of a single row)
-    std::vector<SheetRow> rows = {};
+    std::string subtitle = {};   // mesh, counts, settings
+    std::vector<std::string> view_names = {};
+    std::vector<Image> pictures = {};   // one a view, all of one size
     std::optional<ColorBar> color_bar = {};
     int cell = 0;   // pixels of one view in the sheet; 0: as the pictures are
     Rgba background{255, 255, 255, 255};

@@ -147,8 +147,7 @@ render::ContactSheet sheet_of(const RenderFlags& options, const PreparedMesh& pr
     sheet.subtitle =
         std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
     for (const render::View& view : views) sheet.view_names.emplace_back(view.name);
-    sheet.rows.resize(1);
-    sheet.rows[0].pictures = std::move(pictures);
+    sheet.pictures = std::move(pictures);
     if (std::max(draw.width, draw.height) > largest_cell) sheet.cell = largest_cell;
     if (range) sheet.color_bar = output::color_bar_of(*range, field.values.array().isNaN().any(), draw.undefined_color);
     return sheet;
@@ -156,7 +155,7 @@ render::ContactSheet sheet_of(const RenderFlags& options, const PreparedMesh& pr
 
 /// The sheet takes longer than all the views: it is begun first.
 void add_pictures(output::FileGroup& files, const std::filesystem::path& folder, const render::ContactSheet& sheet, bool bare) {
-    const std::vector<render::Image>& pictures = sheet.rows[0].pictures;
+    const std::vector<render::Image>& pictures = sheet.pictures;
     for_each_task(1 + pictures.size(), [&](std::size_t task) {
         if (task == 0) {
             const render::Image image = bare ? bare_sheet(pictures) : render::compose(sheet);

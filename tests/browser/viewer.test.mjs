@@ -81,8 +81,8 @@ const problemsOf = (page) => page.problems.filter((problem) => !problem.includes
 
 // ---- what is seen and done ----------------------------------------------------------------------------------------------
 
-// Two figures of meshes that bulge in every direction and whose values differ: the first of the page may be a plane without any.
-const figures = ["q1_tangential", "q3_lily_h"];
+// Two figures of meshes whose values differ: of the first the bumpy cube is turned, which bulges in every direction.
+const figures = ["q1_h", "q1_tangential"];
 const block = (page, n = 0) => page.locator(`#${figures[n]} .models[data-turnable]`);
 const canvasOf = (page) => page.locator(".model-stage canvas");
 const told = (page) => page.locator(".model-value").textContent();

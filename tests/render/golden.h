@@ -50,7 +50,7 @@ inline render::Image read_picture(const std::filesystem::path& path) {
 inline render::Image review_sheet(const std::string& name, const render::Image& drawn, const render::Image& golden,
                                   const render::PictureDifference& difference) {
     render::ContactSheet sheet{.title = name, .view_names = {"drawn", "golden", "\u0394E 1 to 10"}};
-    sheet.rows = {{"", {drawn, golden, difference.picture}}};
+    sheet.pictures = {drawn, golden, difference.picture};
     return render::compose(sheet);
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
+#include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -58,7 +59,12 @@ double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C) {
     return largest;
 }
 
-double mass_over_area(const TriangleMesh& mesh, const Vector& M) { return M.sum() / surface_area(mesh); }
+double mass_over_area(const TriangleMesh& mesh, const Vector& M) {
+    Vector areas = face_areas(mesh);
+    for (int t = 0; t < mesh.face_count(); ++t)
+        if (kind_of(mesh, t) == TriangleKind::zero_area) areas[t] = 0;
+    return M.sum() / areas.sum();
+}
 
 Inertia negative_eigenvalues(const SparseMatrix& C) {
     constexpr double sigma = -1e-10;   // so that zero eigenvalues count as positive

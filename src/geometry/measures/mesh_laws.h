@@ -23,7 +23,7 @@ double energy_over_area(const TriangleMesh& mesh, const SparseMatrix& C);
 /// from normals and edges, without a cotangent.
 double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C);
 
-/// ΣM over the surface area: 1.
+/// ΣM over the area of the triangles that have any (triangle_kind.h): 1.
 double mass_over_area(const TriangleMesh& mesh, const Vector& M);
 
 /// Eigenvalues of −Cx = νDx below σ = −1e-10, D its diagonal, with the rounding of the count: none where −C is positive semidefinite, which

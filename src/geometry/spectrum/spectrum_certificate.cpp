@@ -279,11 +279,18 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     certificate.orthonormality_error = finite ? (problem.gram - identity).cwiseAbs().maxCoeff() : infinity;
     certificate.parseval_gap = parseval_gap(laplacian, spectrum, mesh.X);
     count_inertia(problem, residuals, spectrum.gap_middle, certificate);
-    certificate.zero_eigenvalues = static_cast<int>((problem.mu.array().abs() <= 1e-9 * problem.mu0).count());
+    const double zero = 1e-9 * problem.mu0;
+    const auto zeros_below = [&](double limit) { return static_cast<int>((problem.mu.array().abs() <= limit).count()); };
+    certificate.zero_eigenvalues = zeros_below(zero);
     // Triangles without area hold nothing together for cotangents, but for weights that see no lengths, and flips may give them some.
     certificate.components = std::clamp(certificate.zero_eigenvalues, components_with_mass(mesh, laplacian.M, false),
                                         components_with_mass(mesh, laplacian.M, true));
     certificate.expected_zeros = std::min(certificate.components, static_cast<int>(problem.mu.size()));
+    if (certificate.zero_eigenvalues >
+        certificate.expected_zeros) {   // a mesh a million times as long as wide has some as small that are none
+        const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * problem.A.diagonal().cwiseQuotient(problem.M).maxCoeff();
+        certificate.zero_eigenvalues = std::max(certificate.expected_zeros, zeros_below(std::min(zero, rounding)));
+    }
     certificate.smallest_step_up = smallest_step_up(problem.mu);
     return certificate;
 }

@@ -43,7 +43,7 @@ struct SpectrumCertificate {
     int counted_below = -1, found_below = 0;
     double delta = 0,
            gap = 0;   // rounding of the count; distance of σ from u and from the next value found: proved needs δ < gap [1/length²]
-    int zero_eigenvalues = 0;      // μ ≤ 1e-9 μ₀
+    int zero_eigenvalues = 0;      // μ ≤ 1e-9 μ₀, and where these are too many, not out of rounding
     int components = 0;            // of the mesh, by its triangles; those without area may or may not join two
     int expected_zeros = 0;        // as many, at most k
     double smallest_step_up = 0;   // of the eigenvalues from one to the next, over the largest: negative where they are not ascending

@@ -40,7 +40,7 @@ struct FigureJob {
 };
 
 /// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
-constexpr int alone = 680, compared = 560, in_a_strip = 480, small = 300;
+constexpr int alone = 680, compared = 560, in_a_strip = 480, line_of_pictures = 1440, smallest_in_a_line = 240, small = 256;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
 
@@ -50,7 +50,10 @@ int scaled(int side, const DrawSettings& settings) { return std::max(8, static_c
 int three_quarter_side(const FigureRequest& request) {
     if (is_gallery(request)) return small;
     if (request.panels.size() == 1) return alone;
-    return request.layout == Layout::comparison ? compared : in_a_strip;
+    if (request.layout == Layout::comparison) return compared;
+    const auto in_line =
+        static_cast<int>(request.columns.empty() ? std::min<std::size_t>(request.panels.size(), 4) : request.columns.size());
+    return std::clamp(line_of_pictures / in_line, smallest_in_a_line, in_a_strip);
 }
 
 /// A cell of a matrix may be empty, nothing else.

@@ -46,6 +46,19 @@ double largest_magnitude(const Vector& values, Predicate chosen) {
 }
 double largest_magnitude(const Vector& values);
 
+/// 90th percentile of |difference| between the ends of edges over that of |value|, where both are finite: how rough a picture is, whatever
+/// single vertices do. 0 where the values are.
+double roughness(const Vector& values, const MeshTopology& topology);
+
+/// Spearman's: 1 where one field grows whenever the other does, 0 where neither tells anything of the other. Over the vertices where both
+/// are finite; 0 where one is constant.
+double rank_correlation(const Vector& a, const Vector& b);
+
+/// Values of a mesh in percent of ± `range`, as a panel that fits into one frame with meshes of any size: in the unit ball.
+output::Panel relative_panel(const CurvatureSubject& subject, std::string name, std::string label, const Vector& values, double range);
+/// Of figures of such panels: ±100 %, diverging, with the clipped shares.
+output::ColorRange relative_range(const std::vector<output::Panel>& panels, std::string quantity);
+
 /// `shared` with the clipped shares of these panels.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
 

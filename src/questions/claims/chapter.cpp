@@ -30,12 +30,7 @@ void add_discussion(report::Section& section, const std::vector<JudgedClaim>& ju
 
 }   // namespace
 
-std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged) {
-    const report::Table table = ledger_table(judged);
-    std::ptrdiff_t counted_again = 0;
-    for (const Verdict verdict : {Verdict::holds, Verdict::conditional, Verdict::refuted, Verdict::undecidable})
-        counted_again +=
-            std::ranges::count_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[4]) == shown(verdict); });
+report::Check ledger_check(const std::vector<JudgedClaim>& judged) {
     const auto differs = [](const JudgedClaim& j) {
         std::set<bool> sides;   // of the threshold
         if (j.measurement.undecidable.empty())
@@ -47,8 +42,7 @@ std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged)
                                                      : Verdict::refuted;
         return again != j.decision.verdict;
     };
-    return {report::check_near(words.line("check.counted"), double(judged.size()), double(counted_again), 0),
-            report::check_near(words.line("check.followed"), 0, double(std::ranges::count_if(judged, differs)), 0)};
+    return report::check_near(words.line("check.followed"), 0, double(std::ranges::count_if(judged, differs)), 0);
 }
 
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
@@ -78,7 +72,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "every_claim");
     add(section, ledger_entries(ledger));
     add_discussion(section, ledger);
-    append_checks(section, ledger_checks(ledger));
+    section.checks.push_back(ledger_check(ledger));
 
     section.parameters = {{"rules", words.line("parameter.rules")}, {"noise", words.line("parameter.noise", "seed"_a = settings.seed)}};
     section.extent = report::plain(ledger_summary(ledger));

@@ -207,17 +207,6 @@ const std::vector<double>& ClaimBench::denoised(std::string_view name, const Noi
     });
 }
 
-const DenoisingStudy& ClaimBench::denoising(std::string_view name, const std::vector<double>& noise, int iterations) {
-    const auto& source = mesh(name).mesh;
-    return kept(denoising_, {source.get(), noise, iterations}, [&] {
-        QuestionSettings settings = settings_;
-        settings.noise = noise;
-        settings.iterations = {iterations};
-        settings.lambda.clear();
-        return denoising_study(source, settings);
-    });
-}
-
 const SpectralStudy& ClaimBench::spectrum(std::string_view name) {
     const auto& source = mesh(name).mesh;
     return kept(spectra_, source.get(), [&] {

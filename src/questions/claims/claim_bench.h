@@ -13,7 +13,6 @@
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/curvature_bench.h"
-#include "questions/bench/denoising_study.h"
 #include "questions/bench/smoothing_study.h"
 #include "questions/bench/spectral_study.h"
 #include "questions/claims/claim.h"
@@ -83,8 +82,6 @@ public:
     double motion(std::string_view name, const RunKey& key);
     /// rms error against the mesh itself after t = 0, 1, … iterations. [length]
     const std::vector<double>& denoised(std::string_view name, const NoisyKey& key);
-    /// Question 7 on that mesh, at these noise levels. [box diagonals]
-    const DenoisingStudy& denoising(std::string_view name, const std::vector<double>& noise, int iterations);
 
     /// With 150 modes, fewer on smaller meshes.
     const SpectralStudy& spectrum(std::string_view name);
@@ -112,7 +109,6 @@ private:
     std::map<const LibraryMesh*, ImplicitSolver> solvers_;
     std::map<std::pair<const LibraryMesh*, RunKey>, Smoothed> runs_;
     std::map<std::pair<const LibraryMesh*, decltype(NoisyKey().tied())>, std::vector<double>> noisy_runs_;
-    std::map<std::tuple<const LibraryMesh*, std::vector<double>, int>, DenoisingStudy> denoising_;
     std::unique_ptr<PlaneTest> plane_;
 };
 

@@ -50,8 +50,8 @@ std::string shown(Verdict verdict);
 report::Table ledger_table(const std::vector<JudgedClaim>& judged);
 report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged);
 
-/// The verdicts of the table counted again and held against the claims, and the rule applied again case by case.
-std::vector<report::Check> ledger_checks(const std::vector<JudgedClaim>& judged);
+/// The rules applied again, case by case.
+report::Check ledger_check(const std::vector<JudgedClaim>& judged);
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged);
 
 }   // namespace meshfolio::claims

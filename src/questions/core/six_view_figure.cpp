@@ -28,9 +28,10 @@ std::string alternative_text(const SixViewFigure& figure) {
     constexpr report::Words words("figures");
     std::string panels;
     for (const output::Panel& panel : figure.panels) panels += (panels.empty() ? "" : "; ") + described(panel);
-    if (!figure.range) return words.line("alt", "title"_a = figure.title, "panels"_a = panels);
+    const std::string seen = words.line(figure.layout == output::Layout::six_views ? "seen.six" : "seen.one");
+    if (!figure.range) return words.line("alt", "title"_a = figure.title, "seen"_a = seen, "panels"_a = panels);
     const std::string unit = figure.range->unit.empty() ? "" : " " + figure.range->unit;
-    return words.line("alt.coloured", "title"_a = figure.title, "panels"_a = panels, "quantity"_a = figure.range->quantity,
+    return words.line("alt.coloured", "title"_a = figure.title, "seen"_a = seen, "panels"_a = panels, "quantity"_a = figure.range->quantity,
                       "low"_a = readable(figure.range->low), "high"_a = readable(figure.range->high) + unit);
 }
 
@@ -42,6 +43,7 @@ void add_figure(Answer& answer, SixViewFigure figure) {
                               std::move(figure.range), figure.edges, figure.frame_panel});
     answer.figures.back().turnable = figure.turnable;
     answer.figures.back().view_files = figure.view_files;
+    answer.figures.back().layout = figure.layout;
 }
 
 std::string subtitle_of(const LibraryMesh& mesh) {

@@ -19,6 +19,7 @@ struct SixViewFigure {
     int frame_panel = 0;       // −1: frame on all panels
     bool turnable = false;     // readers of the page can turn the first panel in three dimensions
     bool view_files = false;   // the assignment asks for these pictures: each view is a file as well
+    output::Layout layout = output::Layout::six_views;
 };
 
 /// Appends the figure to the section, with an alternative text made from the data, and asks for its pictures.

@@ -87,7 +87,9 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
             if (r.defined && r.failed == 0) unspent = std::max(unspent, std::abs(double(r.steps - laboratory.budget.total())));
             if (r.method == DenoisingMethod::conformal_flow)
                 area = std::max(area, std::abs(r.difference.area_ratio / trial.spoilt.area_ratio - 1));
-            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || turned_inside_out(mesh.subject, trial, r)) continue;
+            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || !mesh.subject.encloses_volume ||
+                turned_inside_out(mesh.subject, trial, r))
+                continue;
             volume = std::max(volume, std::abs(r.difference.volume_ratio / trial.spoilt.volume_ratio - 1));
             any_volume = true;
         }

@@ -105,9 +105,7 @@ report::Table limit_table(const DenoisingLaboratory& laboratory) {
     for (const NoiseTrial* trial : first.of_kind(NoiseKind::gaussian)) levels += (levels.empty() ? "" : ", ") + readable(trial->edges, 2);
     auto limits = table("methods_limits", words.line("levels", "levels"_a = levels, "mesh"_a = first.name()),
                         parts_within(laboratory.meshes, [](auto&) { return denoising_list(); }));
-    limits.column("mesh", [](auto& row) { return row.whole.name(); })
-        .column("class", [](auto& row) { return row.whole.subject.class_title(); })
-        .column("method", [](auto& row) { return row.part.title; });
+    limits.column("mesh", [](auto& row) { return row.whole.name(); }).column("method", [](auto& row) { return row.part.title; });
     const auto add_limits = [&](const std::string& measure, Gain gain) {
         const auto column = [&](const char* name, const auto& cell) {
             limits.column(measure + name, {.unit = "mean edges"},

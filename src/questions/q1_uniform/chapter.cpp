@@ -53,7 +53,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("q1");
-    const auto sources = meshes_for(library, settings, {"plane", "lilium", "bumpy_cube", "sphere"}, section);
+    const auto sources = meshes_for(library, settings, {"bumpy_cube", "lilium", "sphere", "plane"}, section);
     Meshes meshes;
     std::vector<std::string> names;
     for (const auto& source : sources) {
@@ -75,16 +75,15 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method.deficit");
     add_words(section, words, "results");
     add_figures(answer, meshes);
-    if (drifting) add_tangential_figure(answer, *drifting->mesh, drifting->part, settings.colormap);
+    if (drifting) add_tangential_figure(answer, meshes, settings.colormap);
     add(section, error_table(runs));
     add_discussion(section, {meshes, runs, sums, flat, panel_runs(settings.seed, settings.quick, progress), drifting});
     add_checks(section, sums, flat, runs);
 
     begin_appendix(section);
     add_words(section, words, "appendix");
+    add(section, convergence_plot(runs));
     add(section, statistics_table(meshes));
-    add(section, convergence_plot(runs, uniform_H));
-    add(section, convergence_plot(runs, deficit_K));
     add(section, area_table(runs, &EstimateError::l2, "l2", "L2"));
     add(section, area_table(runs, &EstimateError::linf, "linf", "L∞"));
     add(section, gauss_bonnet_table(sums));

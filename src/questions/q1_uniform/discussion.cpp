@@ -12,6 +12,9 @@ namespace {
 /// Curvature × mean edge below this cannot be seen in any picture: coordinates written with six digits leave as much.
 constexpr double visible = 1e-4;
 
+/// With fewer vertices there is no picture to speak of.
+constexpr int fewest_to_read = 20;
+
 /// The worst error at the finest level over the three surfaces.
 double worst(const BenchRuns& runs, MeshKind kind, std::string_view estimator, Norm norm = &EstimateError::l2) {
     double error = 0;
@@ -40,18 +43,20 @@ report::Text flat_picture(const FlatMesh& f) {
 report::Text curved_picture(const MeshCurvature& c) {
     const std::string& mesh = c.subject.name();
     if (summary_of(c.H).count == 0) return words.say("h.nothing", "mesh"_a = mesh);
+    if (const int vertices = summary_of(c.H).count; vertices < fewest_to_read)
+        return words.say("h.few", "mesh"_a = mesh, "vertices"_a = vertices);
     const Picture p = picture_of(c);
-    if (p.speckled() && p.has_one_sign())
+    if (p.varies_where_truth_does_not())
         return words.say("h.uneven", "mesh"_a = mesh, "spread"_a = readable(p.spread, 2), "cotangent"_a = readable(p.cotangent_spread, 2));
-    return words.say(p.speckled() ? "h.speckled" : "h.plausible", "mesh"_a = mesh, "jump"_a = readable_percent(p.jump, 2),
-                     "cotangent"_a = readable_percent(p.cotangent_jump, 2));
+    const char* key = p.misleads() ? "h.misleads" : p.correlation < 0.8 ? "h.partly" : "h.plausible";
+    return words.say(key, "mesh"_a = mesh, "correlation"_a = readable(p.correlation, 2));
 }
 
 report::Text about_H_picture(const Findings& found) {
     report::Text t = words.say("h.read");
-    for (const FlatMesh& f : found.flat) go_on(t, flat_picture(f));
     for (const MeshCurvature& c : found.meshes)
         if (!c.subject.plane_normal) go_on(t, curved_picture(c));
+    for (const FlatMesh& f : found.flat) go_on(t, flat_picture(f));
     return t;
 }
 
@@ -61,7 +66,10 @@ report::Text about_tangential_picture(const Drifting& drifting) {
     const TangentialPart& part = drifting.part;
     const std::string& mesh = drifting.mesh->subject.name();
     report::Text t = words.say("tangential", "mesh"_a = mesh, "share"_a = readable_percent(part.share, 2));
-    go_on(t, words.say(part.dark > 0.5 ? "tangential.mostly_dark" : "tangential.partly_dark", "dark"_a = readable_percent(part.dark, 2)));
+    go_on(t, words.say(part.dark > 0.5    ? "tangential.mostly_dark"
+                       : part.dark > 0.02 ? "tangential.partly_dark"
+                                          : "tangential.pale",
+                       "dark"_a = readable_percent(part.dark, 2)));
     const auto tell = [&](const char* key, const Contrast& contrast, double low, double high) {
         if (high > low + 0.05)
             go_on(t, words.say(key, "most"_a = readable_percent(contrast.most, 2), "least"_a = readable_percent(contrast.least, 2)));
@@ -91,10 +99,10 @@ report::Text K_picture(const MeshCurvature& c) {
 
 report::Text about_K_picture(const Findings& found) {
     report::Text t = words.say("k.read");
-    for (const FlatMesh& f : found.flat)
-        if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
     for (const MeshCurvature& c : found.meshes)
         if (!c.subject.plane_normal) go_on(t, K_picture(c));
+    for (const FlatMesh& f : found.flat)
+        if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
     return t;
 }
 
@@ -164,7 +172,8 @@ report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drift
     report::Text t = words.say("lead.k", "regular"_a = error(regular, deficit_K), "jittered"_a = error(jittered, deficit_K));
     go_on(t, words.say("lead.h", "regular"_a = error(regular, uniform_H), "jittered"_a = error(jittered, uniform_H)));
     if (drifting)
-        go_on(t, words.say("lead.drift", "mesh"_a = drifting->mesh->subject.name(), "share"_a = readable_percent(drifting->part.share, 2)));
+        go_on(t, words.say(drifting->part.share > 0.5 && picture_of(*drifting->mesh).misleads() ? "lead.drift" : "lead.drift.less",
+                           "mesh"_a = drifting->mesh->subject.name(), "share"_a = readable_percent(drifting->part.share, 2)));
     return t;
 }
 

@@ -1,7 +1,4 @@
-#include <algorithm>
-
 #include "base/number_text.h"
-#include "mesh/triangle_measures.h"
 #include "questions/core/six_view_figure.h"
 #include "questions/q1_uniform/parts.h"
 
@@ -13,34 +10,27 @@ namespace {
 struct Shown {
     std::string key;   // the end of its figure's name
     const char *title, *caption, *quantity, *label;
-    double floor;   // of the range: what is smaller is not seen
+    double floor;            // of the range: what is smaller is not seen
+    output::Layout layout;   // each mesh is seen from six directions once
     Vector (*values)(const MeshCurvature&);
 };
 
 const Shown shown[]{
-    {"h", "h.title", "h.caption", "h.quantity", "h.label", 0.1,
+    {"h", "h.title", "h.caption", "h.quantity", "h.label", 0.1, output::Layout::six_views,
      [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
-    {"k", "k.title", "k.caption", "k.quantity", "k.label", 0.1,
+    {"k", "k.title", "k.caption", "k.quantity", "k.label", 0.1, output::Layout::multiples,
      [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
 };
 
-/// Meshes of all sizes in one frame: each in the unit ball.
-TriangleMesh in_the_unit_ball(TriangleMesh mesh) {
-    mesh.X.rowwise() -= bounding_box(mesh).centre().transpose();
-    const double radius = mesh.X.rowwise().norm().maxCoeff();
-    if (radius > 0) mesh.X /= radius;
-    return mesh;
-}
-
 /// In percent of the mesh's own range, which its label tells.
-output::Panel relative_panel(const Shown& quantity, const MeshCurvature& c) {
+output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     const std::string& name = c.subject.name();
-    output::Panel panel = panel_of(in_the_unit_ball(c.subject.mesh()), "q1_" + name + "_" + quantity.key, name, quantity.values(c));
+    output::Panel panel;
+    panel.values = quantity.values(c);
     const double range = output::robust_range({panel}, "diverging", "", "", quantity.floor).high;
     const bool coloured = largest_magnitude(panel.values) > 0.01 * range;
-    panel.label = words.line(coloured ? quantity.label : "label.zero", "mesh"_a = name, "range"_a = readable(range, 2));
-    panel.values *= 100 / range;
-    return panel;
+    const std::string label = words.line(coloured ? quantity.label : "label.zero", "mesh"_a = name, "range"_a = readable(range, 2));
+    return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
 }
 
 }   // namespace
@@ -50,28 +40,34 @@ void add_figures(Answer& answer, const Meshes& meshes) {
     for (const MeshCurvature& c : meshes) masked += undefined_vertices(c.subject);
     for (const Shown& quantity : shown) {
         SixViewFigure figure{.id = "q1_" + quantity.key, .title = words.line(quantity.title)};
-        for (const MeshCurvature& c : meshes) figure.panels.push_back(relative_panel(quantity, c));
+        for (const MeshCurvature& c : meshes) figure.panels.push_back(panel_of(quantity, c));
         figure.caption = words.line(quantity.caption, "undefined"_a = undefined_words(masked));
-        const output::ColorRange range{
-            .colormap = "diverging", .low = -100, .high = 100, .quantity = words.line(quantity.quantity), .unit = words.line("own_range")};
-        figure.range = range_for(range, figure.panels);
+        figure.range = relative_range(figure.panels, words.line(quantity.quantity));
         figure.frame_panel = -1;
+        figure.turnable = quantity.layout == output::Layout::six_views;
+        figure.layout = quantity.layout;
         figure.view_files = true;
         add_figure(answer, std::move(figure));
     }
 }
 
-void add_tangential_figure(Answer& answer, const MeshCurvature& c, const TangentialPart& part, const std::string& colormap) {
-    const CurvatureSubject& s = c.subject;
+void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap) {
     SixViewFigure figure{.id = "q1_tangential",
                          .title = words.line("tangential.title"),
-                         .subtitle = subtitle_of(*s.source),
-                         .caption = words.line("tangential.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)),
-                         .panels = {panel_of(*s.source, "q1_" + s.name() + "_tangential", s.name(), 100 * part.shares)},
-                         .turnable = true};
+                         .frame_panel = -1,
+                         .turnable = true,
+                         .layout = output::Layout::multiples};
+    int masked = 0;
+    for (const MeshCurvature& c : meshes) {
+        if (c.subject.plane_normal || summary_of(c.H).count == 0) continue;
+        const TangentialPart part = tangential_part(c);
+        const std::string label = words.line("tangential.label", "mesh"_a = c.subject.name(), "share"_a = readable_percent(part.share, 2));
+        figure.panels.push_back(relative_panel(c.subject, "q1_" + c.subject.name() + "_tangential", label, part.shares, 1));
+        masked += undefined_vertices(c.subject);
+    }
+    figure.caption = words.line("tangential.caption", "undefined"_a = undefined_words(masked));
     figure.range =
-        output::ColorRange{.colormap = colormap, .low = 0, .high = 100, .quantity = words.line("tangential.quantity"), .unit = "%"};
-    figure.range = range_for(*figure.range, figure.panels);
+        range_for({.colormap = colormap, .low = 0, .high = 100, .quantity = words.line("tangential.quantity"), .unit = "%"}, figure.panels);
     add_figure(answer, std::move(figure));
 }
 

@@ -29,15 +29,15 @@ report::Table error_table(const BenchRuns& runs);
 /// Errors of K on the finest meshes in one norm, one row an area form.
 report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
 report::Table gauss_bonnet_table(const AngleSums& sums);
-report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator);
+report::Plot convergence_plot(const BenchRuns& runs);
 
 /// Δx and its parts, the angle deficit, and the three areas, each of a real ring.
 report::Diagram ring_diagram();
 
 /// H and K, one figure each of all meshes.
 void add_figures(Answer& answer, const Meshes& meshes);
-/// Where on a mesh Δx lies along the surface.
-void add_tangential_figure(Answer& answer, const MeshCurvature& c, const TangentialPart& part, const std::string& colormap);
+/// Where on the curved meshes Δx lies along the surface.
+void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap);
 
 /// Of the curved meshes that whose ‖Δx‖² lies along the surface most, if there is one.
 struct Drifting {

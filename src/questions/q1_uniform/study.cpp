@@ -27,24 +27,6 @@ Vector ring_unevenness(const TriangleMesh& mesh, const MeshTopology& topology) {
     return longest.cwiseQuotient(shortest);
 }
 
-/// rms difference between the ends of edges, over the rms; 0 where all values are 0.
-double relative_jump(const Vector& values, const MeshTopology& topology) {
-    double jumps = 0, squares = 0;
-    int edges = 0, vertices = 0;
-    for (const Edge& edge : topology.edges) {
-        const double jump = values[edge.a] - values[edge.b];
-        if (!std::isfinite(jump)) continue;
-        ++edges;
-        jumps += jump * jump;
-    }
-    for (const double v : values) {
-        if (!std::isfinite(v)) continue;
-        ++vertices;
-        squares += v * v;
-    }
-    return edges > 0 && squares > 0 ? std::sqrt(jumps / edges / (squares / vertices)) : 0;
-}
-
 /// 98th over 2nd percentile of the magnitudes; 0 where there is more than one sign, or none.
 double spread_of(const Vector& values) {
     std::vector<double> sorted;
@@ -118,8 +100,7 @@ TangentialPart tangential_part(const MeshCurvature& c) {
 }
 
 Picture picture_of(const MeshCurvature& c) {
-    const MeshTopology& topology = c.subject.topology();
-    return {relative_jump(c.length, topology), relative_jump(c.cotangent, topology), spread_of(c.length), spread_of(c.cotangent)};
+    return {rank_correlation(c.length, c.cotangent), spread_of(c.length), spread_of(c.cotangent)};
 }
 
 IrregularVertices irregular_vertices(const MeshCurvature& c) {

@@ -52,11 +52,11 @@ TangentialPart tangential_part(const MeshCurvature& c);
 
 /// What the picture of uniform H shows beside that of cotangent H.
 struct Picture {
-    double jump = 0, cotangent_jump = 0;       // rms difference between neighbours, over the rms of the values
+    double correlation = 0;                    // rank_correlation() of the two
     double spread = 0, cotangent_spread = 0;   // 98th over 2nd percentile where there is one sign; 0 where there are two
 
-    bool speckled() const { return jump > 1.5 * cotangent_jump; }
-    bool has_one_sign() const { return spread > 0 && cotangent_spread > 0; }
+    bool varies_where_truth_does_not() const { return cotangent_spread > 0 && cotangent_spread < 1.2 && spread > 1.5 * cotangent_spread; }
+    bool misleads() const { return varies_where_truth_does_not() || correlation < 0.5; }
 };
 Picture picture_of(const MeshCurvature& c);
 

@@ -50,7 +50,7 @@ report::Table error_table(const BenchRuns& runs) {
         .column("normal part", {.unit = "%", .digits = 2}, error("H.uniform_n"))
         .column("K", {.unit = "%"}, error(deficit_K))
         .column("order", order(deficit_K))
-        .column("K at one vertex", {.unit = "%"}, error(deficit_K, &EstimateError::linf));
+        .column("K, worst vertex", {.unit = "%"}, error(deficit_K, &EstimateError::linf));
 }
 
 report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
@@ -72,18 +72,22 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
         .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); });
 }
 
-report::Plot convergence_plot(const BenchRuns& runs, std::string_view estimator) {
-    const bool gaussian = estimator == deficit_K;
-    const std::string quantity = gaussian ? "K (barycentric areas)" : "uniform H (scaled)";
-    report::Plot plot = error_plot(gaussian ? "q1_k_convergence" : "q1_h_convergence", words.line("convergence", "quantity"_a = quantity),
-                                   words.line("convergence.alt", "quantity"_a = quantity));
-    for (const BenchRun& run : runs) {
-        using enum report::Series::Style;
-        const ErrorHistory errors = run.errors(estimator);
-        plot.series.push_back(
-            error_series(std::string(name_of(run.kind)), errors, run.kind == MeshKind::regular ? line_and_points : dashed));
-        plot.series.back().panel = run.surface;
-        plot.alt += " " + words.line("convergence.alt.series", "series"_a = run.title(), "trend"_a = trend(errors));
+report::Plot convergence_plot(const BenchRuns& runs) {
+    report::Plot plot = error_plot("q1_convergence", words.line("convergence"), words.line("convergence.alt"));
+    for (const KnownSurface& surface : question_surfaces()) {
+        int color = 0;
+        for (const auto& [estimator, key] : {std::pair{uniform_H, "convergence.h"}, std::pair{deficit_K, "convergence.k"}}) {
+            for (const MeshKind kind : question_kinds) {
+                using enum report::Series::Style;
+                const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
+                const std::string name = words.line(key, "triangulation"_a = name_of(kind));
+                plot.series.push_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
+                plot.series.back().color = color;
+                plot.series.back().panel = surface.name;
+                plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
+            }
+            ++color;
+        }
     }
     return plot;
 }

@@ -13,8 +13,7 @@ namespace {
 report::Text about_tip(const Tip& tip) {
     const PrincipalCurvatures& k = tip.principal;
     return words.say(tip.largest_along_y() ? "at_tip.b_below_c" : "at_tip.b_above_c", "axes"_a = axes_text(tip.ellipsoid),
-                     "least"_a = readable(k.minimum, 4), "least_along"_a = direction_text(k.minimum_direction),
-                     "largest"_a = readable(k.maximum, 4), "largest_along"_a = direction_text(k.maximum_direction));
+                     "least"_a = readable(k.minimum, 2), "largest"_a = readable(k.maximum, 2));
 }
 
 report::Text about_readings(const Tip& tip) {

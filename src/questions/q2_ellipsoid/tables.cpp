@@ -89,11 +89,7 @@ report::Table forms_table(const Ellipsoid& ellipsoid) {
 report::Table tip_table(const std::vector<Tip>& tips) {
     auto at_tip = table("q2_tip", words.line("tip"), tips);
     add_axes(at_tip);
-    return at_tip.column("E", {.unit = "length²", .digits = 4}, [](auto& tip) { return tip.forms.I(0, 0); })
-        .column("G", {.unit = "length²", .digits = 4}, [](auto& tip) { return tip.forms.I(1, 1); })
-        .column("e", {.unit = "length", .digits = 4}, [](auto& tip) { return tip.forms.II(0, 0); })
-        .column("g", {.unit = "length", .digits = 4}, [](auto& tip) { return tip.forms.II(1, 1); })
-        .column("κ₁", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.minimum; })
+    return at_tip.column("κ₁", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.minimum; })
         .column("along", [](auto& tip) { return direction_text(tip.principal.minimum_direction); })
         .column("κ₂", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.maximum; })
         .column("along", [](auto& tip) { return direction_text(tip.principal.maximum_direction); })
@@ -107,11 +103,9 @@ report::Plot tip_plot(const Tip& tip, const std::string& id) {
     const auto by_angle = curve_of(e, tip_curvature_by_angle, words.line("tip_curves.angle"), line);
     const auto by_parameters = curve_of(e, tip_curvature_by_parameters, words.line("tip_curves.parameters"), dashed);
     const auto extrema = extrema_of(by_angle);
-    std::string told;
-    for (const report::Marker& marker : extrema) told += (told.empty() ? "" : "; ") + marker.label;
     const ReadingGap largest = largest_gap(e);
     return {.id = id,
-            .caption = words.line("tip_curves", "axes"_a = axes_text(e), "extrema"_a = told),
+            .caption = words.line("tip_curves", "axes"_a = axes_text(e)),
             .alt = words.line("tip_curves.alt", "least"_a = readable(tip.principal.minimum), "largest"_a = readable(tip.principal.maximum),
                               "gap"_a = readable(largest.gap), "degrees"_a = largest.degrees, "angle"_a = readable(tip.at_45_angle),
                               "parameters"_a = readable(tip.at_45_parameters)),

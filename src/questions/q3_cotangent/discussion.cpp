@@ -2,11 +2,16 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/operators/triangle_shape.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
 
 namespace {
+
+/// A triangle with a smaller angle is called thin [rad].
+constexpr double thin = 5 * pi / 180;
 
 double cotangent_error(const BenchRun& run, AreaForm form) { return run.finest().error(H_with(form)).l2; }
 double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform").l2; }
@@ -41,18 +46,42 @@ report::Text flat_picture(const CotangentComparison& c) {
                      "mesh"_a = mesh, "drift"_a = readable(c.drift, 2), "precision"_a = readable(c.precision, 2));
 }
 
+/// The smallest angle of the triangles around a vertex [rad].
+double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topology, int vertex) {
+    double smallest = pi;
+    for (const int* t = topology.vertex_faces.begin(vertex); t != topology.vertex_faces.end(vertex); ++t) {
+        const TriangleShape shape = triangle_shape(mesh, *t, 1);
+        for (std::size_t k = 0; k < 3; ++k) smallest = std::min(smallest, shape.angle(k));
+    }
+    return smallest;
+}
+
+/// Where one vertex with a thin triangle is far beyond all the others.
+void go_on_about_outlier(report::Text& t, const CotangentComparison& c) {
+    Eigen::Index vertex = 0;
+    const double largest = c.cotangent.array().isFinite().select(c.cotangent.array().abs(), 0).maxCoeff(&vertex) * c.subject.mean_edge;
+    const double times = largest / cotangent_range(c).high;
+    const double angle = smallest_angle_around(c.subject.mesh(), c.subject.topology(), static_cast<int>(vertex));
+    if (times > 10 && angle < thin)
+        go_on(t, words.say("curved.outlier", "times"_a = readable(times, 2), "angle"_a = readable(angle * 180 / pi, 2)));
+}
+
 report::Text curved_picture(const CotangentComparison& c) {
     const std::string& mesh = c.subject.name();
     if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = mesh);
     const double beyond = beyond_range(c.subject.mean_edge * c.uniform, cotangent_range(c));
-    report::Text t =
-        words.say(beyond > 0.05 ? "curved.beyond" : "curved.within", "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2));
-    if (c.jump_uniform > 0 && c.jump_cotangent > 0) {
-        const double ratio = c.jump_uniform / c.jump_cotangent;
+    report::Text t = words.say(beyond > 0.2 ? "curved.beyond"
+                               : beyond > 0 ? "curved.within"
+                                            : "curved.all_within",
+                               "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2));
+    const double uniform = roughness(c.uniform, c.subject.topology()), cotangent = roughness(c.cotangent, c.subject.topology());
+    if (uniform > 0 && cotangent > 0) {
+        const double ratio = uniform / cotangent;
         const char* key = ratio > 1.2 ? "curved.smoother" : ratio < 1 / 1.2 ? "curved.rougher" : "curved.as_smooth";
         go_on(t, words.say(key, "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
     }
     if (c.sign_change > 0.005) go_on(t, words.say("curved.sign", "sign"_a = readable_percent(c.sign_change, 2)));
+    go_on_about_outlier(t, c);
     return t;
 }
 

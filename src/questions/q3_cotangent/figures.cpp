@@ -21,22 +21,24 @@ output::ColorRange cotangent_range(const CotangentComparison& c) {
     return output::robust_range({panel}, "diverging", "H × mean edge", "", 0.01);
 }
 
-void add_comparison_figure(Answer& answer, const CotangentComparison& c) {
-    const CurvatureSubject& s = c.subject;
-    const std::string id = "q3_" + s.name() + "_h";
-    const output::ColorRange range = cotangent_range(c);
-    const double beyond = beyond_range(s.mean_edge * c.uniform, range);
-    SixViewFigure figure{.id = id,
-                         .title = words.line("comparison.title"),
-                         .subtitle = subtitle_of(*s.source),
-                         .caption = words.line(beyond > 0.05 ? "comparison.caption.beyond" : "comparison.caption", "mesh"_a = s.name(),
-                                               "beyond"_a = readable_percent(beyond, 2), "undefined"_a = undefined_words(s)),
-                         .panels = {panel_of(*s.source, id + "_uniform", words.line("comparison.uniform"), s.mean_edge * c.uniform),
-                                    panel_of(*s.source, id + "_cotangent", words.line("comparison.cotangent"), s.mean_edge * c.cotangent)},
-                         .turnable = true,
-                         .view_files = true};
-    figure.range = range_for(range, figure.panels);
-    figure.panels.front().directions = false;   // question 1 shows it from there
+void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
+    SixViewFigure figure{.id = "q3_h", .title = words.line("comparison.title"), .frame_panel = -1, .turnable = true, .view_files = true};
+    int masked = 0;
+    for (const CotangentComparison& c : meshes) {
+        const CurvatureSubject& s = c.subject;
+        const double range = cotangent_range(c).high;
+        const auto add = [&](const char* key, const char* zero, const std::string& name, const Vector& values) {
+            const bool coloured = s.mean_edge * largest_magnitude(values) > 0.01 * range;
+            const std::string label = words.line(coloured ? key : zero, "mesh"_a = s.name(), "range"_a = readable(range, 2));
+            figure.panels.push_back(relative_panel(s, "q3_" + s.name() + "_h_" + name, label, s.mean_edge * values, range));
+            figure.panels.back().directions = &values == &c.cotangent;   // question 1 shows the uniform one
+        };
+        add("comparison.uniform", "comparison.uniform.zero", "uniform", c.uniform);
+        add("comparison.cotangent", "comparison.cotangent.zero", "cotangent", c.cotangent);
+        masked += undefined_vertices(s);
+    }
+    figure.caption = words.line("comparison.caption", "undefined"_a = undefined_words(masked));
+    figure.range = relative_range(figure.panels, words.line("comparison.quantity"));
     add_figure(answer, std::move(figure));
 }
 

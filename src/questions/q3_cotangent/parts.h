@@ -21,7 +21,7 @@ using Comparisons = std::vector<CotangentComparison>;
 /// What cotangent H sets the colours of a mesh to, and the share of the values beyond a range.
 output::ColorRange cotangent_range(const CotangentComparison& comparison);
 double beyond_range(const Vector& values, const output::ColorRange& range);
-void add_comparison_figure(Answer& answer, const CotangentComparison& comparison);
+void add_comparison_figure(Answer& answer, const Comparisons& meshes);
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap);
 void add_disagreement_figure(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement,
                              const std::string& colormap);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/linear/special_values.h"
@@ -53,19 +54,23 @@ report::Text rate(const SpectralStudy& study) {
     return words.say("rate", "power"_a = readable(law->power, 2), "times"_a = times_to_halve(*law), "mesh"_a = study.name());
 }
 
-/// The k for the errors that are told, and those that no k computed reaches.
+/// The k for the errors that are told, and the first that no k computed reaches.
 report::Text targets(const SpectralStudy& study) {
-    std::vector<std::string> reached, beyond;
+    std::vector<int> counts;
+    std::vector<std::string> steps;
+    std::string beyond;
     for (const double share : target_shares) {
         const int k = smallest_k_below(study, share);
-        if (k > 0)
-            reached.push_back(words.line("targets.step", "k"_a = k, "share"_a = readable_percent(share, 1)));
-        else
-            beyond.push_back(readable_percent(share, 1));
+        if (k > 0) {
+            counts.push_back(k);
+            steps.push_back(words.line("targets.step", "k"_a = k, "share"_a = readable_percent(share, 1)));
+        } else if (beyond.empty()) {
+            beyond = readable_percent(share, 1);
+        }
     }
-    return paragraph_of(
-        {reached.empty() ? report::Text() : words.say("targets", "steps"_a = listed(reached)),
-         beyond.empty() ? report::Text() : words.say("targets.beyond", "shares"_a = listed(beyond), "modes"_a = study.modes())});
+    const bool differ = counts.size() == 1 || (!counts.empty() && counts.front() < counts.back());
+    return paragraph_of({differ ? words.say("targets", "steps"_a = listed(steps)) : report::Text(),
+                         beyond.empty() ? report::Text() : words.say("targets.beyond", "share"_a = beyond, "modes"_a = study.modes())});
 }
 
 /// By Weyl's law wavelengths shrink like 1/√k.
@@ -80,9 +85,12 @@ report::Text wavelengths(const SpectralStudy& study) {
 
 // ---- what a large k costs
 
-/// "3.2 Mflop", "1.5 Gflop".
+/// "320 flop", "3.2 Mflop", "1.5 Gflop".
 std::string work(double operations) {
-    return operations < 1e9 ? readable(1e-6 * operations, 2) + "\u202fMflop" : readable(1e-9 * operations, 2) + "\u202fGflop";
+    constexpr std::array units{"flop", "kflop", "Mflop", "Gflop"};
+    std::size_t unit = 0;
+    for (; unit + 1 < units.size() && operations >= 1000; ++unit) operations /= 1000;
+    return readable(operations, 2) + "\u202f" + units[unit];
 }
 
 report::Text price_of_large_k(const Subject& subject) {
@@ -115,16 +123,17 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     const LimbErrors& row = limbs.errors[limbs.errors.size() > 1 ? 1 : 0];
     const LimbErrors& last = limbs.errors.back();
     const int needed = limbs.modes_needed;
-    const double ratio = row.thin / row.thick, later = last.thin / last.thick;
+    const double ratio = row.thin / row.thick, later = last.thin / last.thick, radii = row.thin / (0.5 * limbs.thin_diameter);
     const auto told = [&](std::string_view key, int k, double times) {
-        return words.say(key, "k"_a = k, "ratio"_a = readable(times, 2), "mesh"_a = study.name());
+        return words.say(key, "k"_a = k, "ratio"_a = readable(times, 2), "mesh"_a = study.name(), "radii"_a = readable(radii, 2));
     };
-    const bool missing = needed == 0 || needed > row.k;
-    report::Text t = words.say(ratio > 1.1 ? "thin" : "thin.alike", "k"_a = row.k, "ratio"_a = readable(ratio, 2), "mesh"_a = study.name());
+    report::Text t = told(ratio > 1.1 ? "thin" : "thin.alike", row.k, ratio);
+    if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
     go_on(t, words.say("thin.wave"));
     go_on(t, words.say(needed > 0 ? "thin.mode" : "thin.no_mode", "mode"_a = needed, "vertices"_a = study.vertices(),
                        "modes"_a = study.modes()));
-    if (missing && ratio > 1.1) go_on(t, told("thin.ghosts", row.k, ratio));
+    const bool missing = needed == 0 || needed > row.k;
+    if (missing && radii > 0.8) go_on(t, told("thin.collapsed", row.k, ratio));
     if (!missing) go_on(t, told("thin.in_use", row.k, ratio));
     if (needed > 0 && last.k > std::max(row.k, needed)) go_on(t, told(later > 1.1 ? "thin.later_no_shape" : "thin.later", last.k, later));
     return t;
@@ -140,6 +149,7 @@ report::Text what_modes_look_like(const SpectralStudy& study) {
                               "zeros"_a = zeros};
     report::Text t = words.say(zeros == 1 ? "modes.constant" : "modes.components", facts);
     go_on(t, words.say(first_four > 1 && outside == first_four ? "modes.outside" : "modes.waves", facts));
+    if (drawn.back() > zeros + 4) go_on(t, words.say("modes.later", "first"_a = zeros + 5));
     return t;
 }
 

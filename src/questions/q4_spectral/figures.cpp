@@ -17,7 +17,7 @@ output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
 output::ColorRange distance_range(const SpectralStudy& study) {
     std::vector<output::Panel> panels;
     for (const Reconstruction& r : study.reconstructions) panels.push_back(panel_of(study, r));
-    output::ColorRange range = output::robust_range(panels, "viridis", "distance to the original", words.line("of_the_diagonal"), 0.1);
+    output::ColorRange range = output::robust_range(panels, "pale", "distance to the original", words.line("of_the_diagonal"), 0.1);
     range.low = range.clipped_below = 0;
     return range;
 }
@@ -75,11 +75,9 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {
     request.range->high = 1;
     request.range->clipped_below = request.range->clipped_above = 0;
     request.isoline_spacing = 2;   // of values between −1 and 1 only 0 is a multiple
-    std::vector<std::string> waves;
-    for (const int mode : {drawn.front(), drawn.back()})
-        waves.push_back(words.line("eigenfunctions.wave", "mode"_a = mode, "share"_a = percent_of_box(study, wavelength(study, mode))));
-    if (drawn.size() == 1) waves.pop_back();
-    const std::string caption = words.line("eigenfunctions.caption", "mesh"_a = study.name(), "waves"_a = listed(waves));
+    const std::string caption = words.line("eigenfunctions.caption", "mesh"_a = study.name(), "first"_a = drawn.front(),
+                                           "longest"_a = percent_of_box(study, wavelength(study, drawn.front())), "last"_a = drawn.back(),
+                                           "shortest"_a = percent_of_box(study, wavelength(study, drawn.back())));
     add(answer.section, report::Figure{request.id, caption, caption});
     answer.figures.push_back(std::move(request));
 }

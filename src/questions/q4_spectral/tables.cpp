@@ -25,7 +25,7 @@ void add_point(report::Series& series, double x, double y) {
 }   // namespace
 
 report::Table error_table(const SpectralStudy& study) {
-    const report::Column share{.unit = "% of box", .best = smallest};
+    const report::Column share{.unit = "% of box"};
     return table(id_of(study, "errors"), words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal)),
                  study.reconstructions)
         .column("k", {.digits = count_digits}, &Reconstruction::k)
@@ -33,7 +33,7 @@ report::Table error_table(const SpectralStudy& study) {
         .column("rms", share, of_box(study, [](auto& r) { return r.difference.rms; }))
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
         .column("Hausdorff", share, of_box(study, [](auto& r) { return r.difference.hausdorff; }))
-        .column("mean normal angle", {.unit = "°", .best = smallest}, [](auto& r) { return r.difference.mean_normal_angle * 180 / pi; })
+        .column("mean normal angle", {.unit = "°"}, [](auto& r) { return r.difference.mean_normal_angle * 180 / pi; })
         .column("volume", {.unit = "% of original"}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });
 }
 

@@ -63,10 +63,8 @@ void add_appendix(Answer& answer, const Studies& studies) {
     add(section, bounds_table(studies));
     add_faces_without_area(section, studies);
     for (const ExplicitStudy& study : studies) {
-        if (&study != &telling(studies)) {
-            add_frames_figure(answer, study);
-            add(section, energy_plot(study));
-        }
+        if (&study != &telling(studies)) add_frames_figure(answer, study);
+        add(section, energy_plot(study));
         add(section, sweep_table(study));
     }
 }
@@ -85,13 +83,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, damping_plot());
     add_words(section, words, "results");
     add(section, limit_table(studies));
-    for (const ExplicitStudy& study : studies) {
-        add_recommended_figure(answer, study);
-        add_checks(section, study);
-    }
+    add_recommended_figure(answer, studies);
     add_frames_figure(answer, telling(studies));
     add(section, steps_table(studies));
-    add(section, energy_plot(telling(studies)));
+    for (const ExplicitStudy& study : studies) add_checks(section, study);
     add_discussion(section, studies);
     add_appendix(answer, studies);
     add_record(section, studies);

@@ -56,26 +56,43 @@ std::size_t largest_that_flips(const ExplicitStudy& study) {
     return i > 0 && !keeps_signs(study.subject, study.runs[i - 1].lambda) ? i - 1 : study.runs.size();
 }
 
-/// Why half the limit and not the largest stable step: what is left of the top mode, and what the larger step takes with it.
+/// Why a step that keeps signs and not the largest stable one: what is left of the top mode.
 report::Text why_half(const Studies& studies) {
-    const bool all_half = std::ranges::all_of(
-        studies, [](const ExplicitStudy& s) { return !s.recommended || keeps_signs(s.subject, s.recommended->stopped.lambda); });
-    report::Text t = words.say(all_half ? "good.keeps_signs" : "good.changes_signs");
-    if (!all_half) return t;
+    Names smaller;   // than half the limit, although that was tried
+    bool any = false, all_keep_signs = true;
+    for (const ExplicitStudy& study : studies) {
+        if (!study.recommended) continue;
+        any = true;
+        const std::size_t run = study.recommended->run;
+        all_keep_signs = all_keep_signs && keeps_signs(study.subject, study.runs[run].lambda);
+        if (run + 1 < study.runs.size() && keeps_signs(study.subject, study.runs[run + 1].lambda)) smaller.push_back(study.name());
+    }
+    if (!any) return {};
+    if (!all_keep_signs) return words.say("good.changes_signs");
+    report::Text flips;
+    for (const ExplicitStudy& study : studies) {
+        const std::size_t larger = largest_that_flips(study);
+        if (larger == study.runs.size()) continue;
+        flips = words.say("good.flips", "limits"_a = in_limits(study.subject, study.runs[larger].lambda),
+                          "left"_a = share_left(study.amplification[larger].measured));
+        break;   // the same on all
+    }
+    return paragraph_of({words.say("good.keeps_signs"), said_of(smaller, words, "good.smaller"), flips});
+}
+
+/// What the larger step takes with the energy, on the first mesh where it shows.
+report::Text farther_along(const Studies& studies) {
+    constexpr double seen = 0.02;
     for (const ExplicitStudy& study : studies) {
         const std::size_t larger = largest_that_flips(study);
         if (larger == study.runs.size() || !study.recommended) continue;
         const SmoothingRun &run = study.runs[larger], &half = study.runs[study.recommended->run];
-        go_on(t, words.say("good.flips", "limits"_a = in_limits(study.subject, run.lambda),
-                           "left"_a = share_left(study.amplification[larger].measured)));
-        if (run.energy.back() < half.energy.back() && run.size.back() < half.size.back())
-            go_on(t, words.say("good.farther", "mesh"_a = study.name(), "iterations"_a = run.iterations,
-                               "limits"_a = in_limits(study.subject, run.lambda), "energy"_a = share_left(run.energy.back()),
-                               "half_energy"_a = share_left(half.energy.back()), "size"_a = share_left(run.size.back()),
-                               "half_size"_a = share_left(half.size.back())));
-        break;   // the first mesh shows it
+        if (half.energy.back() - run.energy.back() < seen || half.size.back() - run.size.back() < seen) continue;
+        return words.say("good.farther", "mesh"_a = study.name(), "iterations"_a = run.iterations,
+                         "energy"_a = share_left(run.energy.back()), "half_energy"_a = share_left(half.energy.back()),
+                         "size"_a = share_left(run.size.back()), "half_size"_a = share_left(half.size.back()));
     }
-    return t;
+    return {};
 }
 
 // ---- when to stop
@@ -109,20 +126,30 @@ report::Text when_to_stop(const Studies& studies) {
         else
             none.push_back(study.name());
     }
-    return paragraph_of({effects.empty() ? effects : words.say("stop"), effects, said_of(none, words, "good.none")});
+    if (!effects.empty()) effects = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)), effects});
+    return paragraph_of({effects, said_of(none, words, "good.none")});
 }
 
 // ---- and beyond
 
 using StudyPointers = std::vector<const ExplicitStudy*>;
 
-/// The run just beyond the limit: how fast its top mode grows, by theory and as measured.
+/// The run just beyond the limit: how fast its top mode grows, by theory and as measured, and when that shows.
 report::Text growth_of_the_top_mode(const ExplicitStudy& study) {
     const std::size_t i = study.first_beyond();
+    const std::vector<double>& energy = study.runs[i].energy;
     const double factor = 1 - study.runs[i].lambda * study.subject.top.value;
-    return words.say("beyond", "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, study.runs[i].lambda),
-                     "step"_a = readable(factor, 3), "measured"_a = readable(study.amplification[i].measured, 2),
-                     "predicted"_a = readable(study.amplification[i].predicted, 2));
+    const auto least = std::ranges::min_element(energy);
+    const bool falls = least != energy.begin(), rises = least + 1 != energy.end();
+    const report::Facts facts{"mesh"_a = study.name(),
+                              "limits"_a = in_limits(study.subject, study.runs[i].lambda),
+                              "step"_a = readable(factor, 3),
+                              "measured"_a = readable(study.amplification[i].measured, 2),
+                              "predicted"_a = readable(study.amplification[i].predicted, 2),
+                              "iteration"_a = least - energy.begin()};
+    return paragraph_of({words.say("beyond", facts), falls && rises ? words.say("beyond.turns", facts)
+                                                     : rises        ? words.say("beyond.rises", facts)
+                                                                    : report::Text()});
 }
 
 /// Where the top mode is largest at the vertex that breaks away first.
@@ -164,7 +191,7 @@ report::Text where_it_shows(const StudyPointers& beyond) {
         if (!study->runs.back().result.blew_up) continue;
         const Extent extent = extent_of_top_mode(*study);
         if (extent == Extent::whole) whole.push_back(study->name());
-        if (extent != Extent::spot) continue;
+        if (extent == Extent::whole) continue;
         spot.push_back(study->name());
         if (frames.empty()) frames = id_of("q5", study->name(), "frames");
     }
@@ -241,7 +268,8 @@ report::Text lead(const Studies& studies) {
 
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    add_paragraphs(section, {how_large(studies), why_half(studies), when_to_stop(studies), too_large(studies), units_of_lambda(studies)});
+    add_paragraphs(section, {how_large(studies), paragraph_of({why_half(studies), farther_along(studies)}), when_to_stop(studies),
+                             too_large(studies), units_of_lambda(studies)});
 }
 
 }   // namespace meshfolio::q5_explicit

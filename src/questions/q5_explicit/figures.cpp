@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <iterator>
+
 #include "base/number_text.h"
+#include "mesh/triangle_measures.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
@@ -20,14 +24,15 @@ output::Panel frame_of(const ExplicitStudy& study, const Strip& strip, std::size
                     words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t));
 }
 
-}   // namespace
-
-void add_recommended_figure(Answer& answer, const ExplicitStudy& study) {
-    if (!study.recommended) return;
+report::Facts facts_of(const ExplicitStudy& study) {
     const SmoothingRun& run = study.recommended->stopped;
-    const report::Facts facts{"mesh"_a = study.name(), "iterations"_a = run.result.iterations,
-                              "limits"_a = in_limits(study.subject, run.lambda)};
-    const std::string id = id_of("q5", study.name(), "recommended");
+    return {"mesh"_a = study.name(), "iterations"_a = run.result.iterations, "limits"_a = in_limits(study.subject, run.lambda)};
+}
+
+/// One mesh: input and result in one figure.
+void add_pair(Answer& answer, const ExplicitStudy& study, const std::string& id) {
+    const SmoothingRun& run = study.recommended->stopped;
+    const report::Facts facts = facts_of(study);
     SixViewFigure figure{.id = id,
                          .title = words.line("recommended.title", facts),
                          .subtitle = subtitle_of(*study.subject.source),
@@ -38,6 +43,45 @@ void add_recommended_figure(Answer& answer, const ExplicitStudy& study) {
                      panel_of(moved_to(study.subject.mesh(), run.result.X), id + "_smoothed", words.line("recommended.after", facts))};
     figure.panels.front().directions = false;
     add_figure(answer, std::move(figure));
+}
+
+/// At the size and place in which all inputs have the same box diagonal.
+output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, const std::string& what, std::string label) {
+    const Eigen::RowVector3d centre = bounding_box(study.subject.mesh()).centre().transpose();
+    return panel_of(moved_to(study.subject.mesh(), (X.rowwise() - centre) / study.subject.diagonal), id_of("q5", study.name(), what),
+                    std::move(label));
+}
+
+/// Several meshes: the inputs above the results, and these from six directions.
+void add_all(Answer& answer, const Studies& studies, const std::string& id) {
+    SixViewFigure figure{.id = id, .title = words.line("results.title"), .frame_panel = -1};
+    std::vector<output::Panel> results;
+    std::vector<std::string> steps;
+    for (const ExplicitStudy& study : studies) {
+        if (!study.recommended) continue;
+        const report::Facts facts = facts_of(study);
+        figure.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", words.line("results.input", facts)));
+        figure.panels.back().directions = false;
+        results.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
+        steps.push_back(words.line("results.steps", facts));
+    }
+    std::ranges::move(results, std::back_inserter(figure.panels));
+    figure.caption = words.line("results.caption", "steps"_a = listed(steps));
+    add_figure(answer, std::move(figure));
+}
+
+}   // namespace
+
+std::string recommended_figure(const Studies& studies) {
+    return studies.size() == 1 ? id_of("q5", studies.front().name(), "recommended") : "q5_recommended";
+}
+
+void add_recommended_figure(Answer& answer, const Studies& studies) {
+    if (std::ranges::none_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); })) return;
+    if (studies.size() == 1)
+        add_pair(answer, studies.front(), recommended_figure(studies));
+    else
+        add_all(answer, studies, recommended_figure(studies));
 }
 
 void add_frames_figure(Answer& answer, const ExplicitStudy& study) {

@@ -16,8 +16,9 @@ using Studies = std::vector<ExplicitStudy>;
 const ExplicitStudy& telling(const Studies& studies);
 
 // Figures.
-/// The input beside what the recommended step makes of it; nothing where none is recommended.
-void add_recommended_figure(Answer& answer, const ExplicitStudy& study);
+/// The inputs, and what the recommended steps make of them from six directions; nothing where none is recommended.
+void add_recommended_figure(Answer& answer, const Studies& studies);
+std::string recommended_figure(const Studies& studies);
 /// Frames of a stable step, of one just beyond the limit, and of one far beyond.
 void add_frames_figure(Answer& answer, const ExplicitStudy& study);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::string figure_of(const ImplicitStudy& study, const std::string& what) { return id_of("q6", study.name(), what); }
+std::string matrix_of(const ImplicitStudy& study) { return id_of("q6", study.name(), "matrix"); }
 
 /// "4.0", "0.25 to 4.0".
 std::string span_of(const std::vector<double>& values, int digits = 2) {
@@ -100,20 +100,23 @@ report::Text where_it_goes(const ImplicitStudy& study) {
     const bool boundary = !(at_edges > at_boundary);
     const double most = boundary ? at_boundary : at_edges;
     if (!(most > 1.5)) return {};
-    return words.say(boundary ? "reading.boundary" : "reading.edges", "mesh"_a = study.name(), "times"_a = readable(most, 2),
-                     "figure"_a = figure_of(study, "views"));
+    return words.say(boundary ? "reading.boundary" : "reading.edges", "mesh"_a = study.name(), "times"_a = readable(most, 2));
 }
 
 /// What the pictures of one mesh show.
 report::Text reading(const ImplicitStudy& study) {
-    const SmoothingCell *good = study.good(), *much = study.too_much();
-    const report::Fact mesh = "mesh"_a = study.name(), figure = "figure"_a = figure_of(study, "views");
+    const SmoothingCell* good = study.good();
+    if (good == nullptr) return {};
     return paragraph_of(
-        {good ? words.say("reading.good", mesh, figure, "cell"_a = title_of(study, *good), "fall"_a = energy_fall(good->implicit_energy))
-              : report::Text(),
-         where_it_goes(study),
-         much ? words.say("reading.much", figure, "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2))
-              : report::Text()});
+        {words.say("reading.good", "mesh"_a = study.name(), "figure"_a = matrix_of(study), "cell"_a = title_of(study, *good)),
+         where_it_goes(study)});
+}
+
+report::Text too_much(const ImplicitStudy& study) {
+    const SmoothingCell* much = study.too_much();
+    if (much == nullptr) return {};
+    return words.say("reading.much", "figure"_a = matrix_of(study), "cell"_a = title_of(study, *much),
+                     "kept"_a = readable_percent(much->kept, 2));
 }
 
 /// Where the explicit runs end, one entry a mesh that has one: at the smallest step that blew up.
@@ -130,16 +133,17 @@ std::vector<Observed> explicit_ends(const Studies& studies) {
 }
 
 /// The last explicit picture whose energy has risen far above that of the input.
-report::Text spikes(const Studies& studies) {
-    for (auto study = studies.rbegin(); study != studies.rend(); ++study) {
-        const std::vector<const SmoothingCell*> cells = compared_cells(*study);
-        const auto risen = std::find_if(cells.rbegin(), cells.rend(),
-                                        [](const SmoothingCell* cell) { return cell->has_explicit() && cell->explicit_energy > 2; });
-        if (risen != cells.rend())
-            return words.say("spikes", "figure"_a = figure_of(*study, "pairs"), "cell"_a = title_of(*study, **risen),
-                             "times"_a = readable((*risen)->explicit_energy, 2));
-    }
-    return {};
+report::Text spikes(const ImplicitStudy& study) {
+    const auto blown = std::ranges::find(study.explicit_runs, true, [](const SmoothingRun& run) { return run.result.blew_up; });
+    if (blown == study.explicit_runs.end()) return {};
+    const SmoothingCell* risen = nullptr;
+    for (std::size_t t = 0; t < study.iterations.size(); ++t)
+        if (const SmoothingCell& cell = study.cell(static_cast<std::size_t>(blown - study.explicit_runs.begin()), t);
+            cell.has_explicit() && cell.explicit_energy > 2)
+            risen = &cell;
+    if (risen == nullptr) return {};
+    return words.say("spikes", "figure"_a = matrix_of(study), "cell"_a = title_of(study, *risen),
+                     "times"_a = readable(risen->explicit_energy, 2));
 }
 
 report::Text explicit_beside_implicit(const Studies& studies) {
@@ -150,9 +154,9 @@ report::Text explicit_beside_implicit(const Studies& studies) {
         agreement = words.say(worst < 0.1   ? "agreement.close"
                               : worst < 0.3 ? "agreement.rough"
                                             : "agreement.bad",
-                              "gap"_a = readable_percent(worst, 2), "figure"_a = figure_of(studies.back(), "pairs"));
+                              "gap"_a = readable_percent(worst, 2), "figure"_a = matrix_of(studies.back()));
     }
-    return paragraph_of({agreement, said_of(explicit_ends(studies), words, "beyond"), spikes(studies)});
+    return paragraph_of({agreement, said_of(explicit_ends(studies), words, "beyond"), spikes(studies.back())});
 }
 
 /// Two cells of equal λt: one step of 10 λ against ten of λ, say.
@@ -185,7 +189,7 @@ report::Text iterations_against_steps(const Studies& studies) {
         {words.say(most.share < 0.05  ? "equal_time.near"
                    : most.share < 0.4 ? "equal_time.rough"
                                       : "equal_time.far",
-                   "figure"_a = figure_of(*worst, "matrix")),
+                   "figure"_a = matrix_of(*worst)),
          words.say("equal_time", "share"_a = readable_percent(most.share, 2), "mesh"_a = worst->name(), "many"_a = most.many->iterations,
                    "few"_a = most.few->iterations, "small"_a = in_limits(worst->subject, most.many->lambda),
                    "large"_a = in_limits(worst->subject, most.few->lambda)),
@@ -221,10 +225,12 @@ report::Text summary_of(const Studies& studies) {
 
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    report::Text seen = words.say("reading", "figure"_a = figure_of(studies.back(), "matrix"));
-    add_paragraph(section, paragraph_of({seen, words.say("reading.rule")}));
-    for (const ImplicitStudy& study : studies) add_paragraphs(section, {reading(study)});
-    add_paragraphs(section, {explicit_beside_implicit(studies), iterations_against_steps(studies), price(studies)});
+    const bool pictured = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
+    report::Text seen =
+        paragraph_of({words.say("reading", "figure"_a = matrix_of(studies.back())), pictured ? words.say("reading.rule") : report::Text()});
+    for (const ImplicitStudy& study : studies) seen = paragraph_of({seen, reading(study)});
+    add_paragraphs(section, {paragraph_of({seen, too_much(studies.back())}), explicit_beside_implicit(studies),
+                             iterations_against_steps(studies), price(studies)});
 }
 
 }   // namespace meshfolio::q6_implicit

@@ -16,15 +16,10 @@ using Studies = std::vector<ImplicitStudy>;
 std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell);
 
 // Figures.
-/// The implicit results over λ × t, in one frame.
+/// Over λ × t, in the frame of the input: the input, explicit above implicit results, explicit until it blows up.
 void add_matrix(Answer& answer, const ImplicitStudy& study);
-/// Cells where both schemes are looked at: the smallest step at its last time, then the smallest step that blows up, until it does;
-/// without such a step every one at the middle time.
-std::vector<const SmoothingCell*> compared_cells(const ImplicitStudy& study);
-/// Both schemes in these cells, one above the other.
-void add_pairs(Answer& answer, const ImplicitStudy& study);
-/// The input, the recommended result and, as such, too much of it, from the six directions.
-void add_views(Answer& answer, const ImplicitStudy& study);
+/// What is recommended of each mesh, from the six directions.
+void add_views(Answer& answer, const Studies& studies);
 
 // Tables.
 report::Table grid_table(const ImplicitStudy& study);

@@ -70,11 +70,16 @@ void measure_damping(ImplicitStudy& study) {
     }
 }
 
-/// Of the cells that keep their size the one with the least energy.
+/// Of the cells that keep their size the one with the least energy; of those within 2 % of it the one with the fewest steps.
 std::optional<std::size_t> recommended_cell(const std::vector<SmoothingCell>& grid) {
+    double least = INFINITY;
+    for (const SmoothingCell& cell : grid)
+        if (cell.kept >= size_to_keep) least = std::min(least, cell.implicit_energy);
     std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < grid.size(); ++i)
-        if (grid[i].kept >= size_to_keep && (!best || grid[i].implicit_energy < grid[*best].implicit_energy)) best = i;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        if (grid[i].kept < size_to_keep || grid[i].implicit_energy > 1.02 * least) continue;
+        if (!best || grid[i].iterations < grid[*best].iterations) best = i;
+    }
     return best;
 }
 
@@ -126,7 +131,7 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     study.subject = smoothing_subject(std::move(source));
     study.lambdas = steps_of(settings, study.subject, {0.5, 5, 50});
     study.iterations = settings.iterations;
-    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30};
+    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30, 100};
     study.iterations = each_once(study.iterations);
     const int last = study.iterations.back();
     ImplicitSolver solver;   // one symbolic analysis for all λ

@@ -38,13 +38,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
 
     add_words(section, words, "results");
-    for (const DenoisingGrid& grid : grids) {
-        add_views(answer, grid);
-        add_checks(section, grid);
-    }
+    add_states(answer, grids);
     add(section, result_table(grids));
     add(section, gain_map(leading(grids)));
-    add(section, error_plot(leading(grids)));
+    add_views(answer, grids);
     add_limits(answer, grids);
     add(section, remains_table(grids));
     add_discussion(section, grids);
@@ -52,9 +49,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     begin_appendix(section);
     for (const DenoisingGrid& grid : grids) {
         add_levels(answer, grid);
-        if (&grid == &leading(grids)) continue;
-        add(section, gain_map(grid));
+        if (&grid != &leading(grids)) add(section, gain_map(grid));
         add(section, error_plot(grid));
+        add_checks(section, grid);
     }
     add(section, measure_table(grids));
 

@@ -46,17 +46,21 @@ report::Text verdict(const Grids& grids) {
     return told;
 }
 
-/// Above which noise, in mean edges, the gain reaches 1.2: a clean split of the cases or none, by each measure.
+/// From which noise on, in mean edges, the gain reaches 1.2: a clean split of the cases or none, by each measure.
 report::Text limits_in_mean_edges(const Grids& grids) {
-    report::Text limits;
+    Names clean;
+    report::Text mixed;
     for (const Measure& measure : measures) {
         const auto [smallest_helped, largest_failed] = noise_split(grids, measure);
         if (!std::isfinite(smallest_helped) || largest_failed == 0) continue;
-        limits = paragraph_of({limits, words.say(largest_failed < smallest_helped ? "split.clean" : "split.mixed",
-                                                 "measure"_a = words.line("by." + std::string(measure.key)),
-                                                 "failed"_a = readable(largest_failed, 2), "helped"_a = readable(smallest_helped, 2))});
+        const report::Facts facts{"measure"_a = words.line("by." + std::string(measure.key)), "failed"_a = readable(largest_failed, 2),
+                                  "helped"_a = readable(smallest_helped, 2)};
+        if (largest_failed < smallest_helped)
+            clean.push_back(words.line("split.clean.measure", facts));
+        else
+            mixed = paragraph_of({mixed, words.say("split.mixed", facts)});
     }
-    return limits;
+    return paragraph_of({clean.empty() ? report::Text() : words.say("split.clean", "measures"_a = listed(clean)), mixed});
 }
 
 report::Text why(const Grids& grids) { return words.say("explained", "mesh"_a = leading(grids).name()); }
@@ -175,7 +179,8 @@ report::Text summary_of(const Grids& grids) { return verdict(grids); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
     add_words(section, words, "discussion");
-    report::Text seen = words.say("reading");
+    const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
+    report::Text seen = words.say(improved ? "reading" : "reading.noise");
     for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
     add_paragraphs(section, {seen, paragraph_of({limits_in_mean_edges(grids), why(grids)}),
                              paragraph_of({noise_and_amount(grids), measures_disagree(grids), going_on(grids)}),

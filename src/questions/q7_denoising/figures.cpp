@@ -3,6 +3,7 @@
 
 #include "base/number_text.h"
 #include "geometry/measures/mesh_error.h"
+#include "mesh/triangle_measures.h"
 #include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
@@ -22,10 +23,25 @@ Vector distances_of(const DenoisingGrid& grid, const Positions& X) {
     return shape_distances(grid.clean->mesh(), grid.clean->prepared->topology.vertex_faces, X);
 }
 
-/// A state of the trial, coloured by the distance to the surface in σ.
-output::Panel panel_of_state(const DenoisingGrid& grid, const NoisyTrial& trial, const TriangleMesh& mesh, const std::string& name,
-                             std::string label) {
-    return panel_of(mesh, name, std::move(label), distances_of(grid, mesh.X) / trial.sigma);
+/// Noisy, nearest to the surface and smoothed on, coloured by the distance to the surface in σ. @param name  of its panels
+void add_states_of(output::FigureRequest& request, const DenoisingGrid& grid, const NoisyTrial& trial, const std::string& name) {
+    const report::Facts facts = facts_of(grid, trial);
+    const auto add_state = [&](const TriangleMesh& mesh, const std::string& what) {
+        if (&mesh == &trial.noisy || trial.improved())
+            request.panels.push_back(
+                panel_of(mesh, name + "_" + what, words.line("panel." + what, facts), distances_of(grid, mesh.X) / trial.sigma));
+        else
+            request.panels.push_back({name + "_" + what, words.line("panel.no_better"), nullptr});
+    };
+    add_state(trial.noisy, "noisy");
+    add_state(trial.best, "best");
+    add_state(trial.over, "over");
+}
+
+/// So that meshes of any size can stand side by side: clean, in a box of diagonal 1 about the origin.
+TriangleMesh unit_sized(const TriangleMesh& clean, const Positions& X) {
+    const Box box = bounding_box(clean);
+    return moved_to(clean, (X.rowwise() - box.centre().transpose()) / box.diagonal());
 }
 
 /// Of distances in σ, from 0.
@@ -70,23 +86,36 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
             "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
 }
 
-void add_views(Answer& answer, const DenoisingGrid& grid) {
-    const NoisyTrial& trial = grid.pictured();
-    const report::Facts facts = facts_of(grid, trial);
-    const std::string id = id_of("q7", grid.name(), "views");
-    std::vector<output::Panel> panels{panel_of_state(grid, trial, trial.noisy, id + "_noisy", words.line("views.noisy", facts))};
-    if (trial.improved()) panels.push_back(panel_of_state(grid, trial, trial.best, id + "_best", words.line("views.best", facts)));
-    SixViewFigure figure{.id = id,
-                         .title = words.line("views.title", facts),
+void add_states(Answer& answer, const Grids& grids) {
+    output::FigureRequest request;
+    request.id = "q7_states";
+    request.subtitle = words.line("trial.subtitle");
+    request.layout = output::Layout::multiples;
+    request.columns = {words.line("states.clean"), words.line("states.noisy"), words.line("states.best"), words.line("states.over")};
+    for (const DenoisingGrid& grid : grids) {
+        const std::string name = request.id + "_" + grid.name();
+        request.rows.push_back(words.line("states.row", facts_of(grid, grid.pictured())));
+        request.panels.push_back(panel_of(*grid.clean, name + "_clean", words.line("states.clean.panel", "mesh"_a = grid.name())));
+        add_states_of(request, grid, grid.pictured(), name);
+    }
+    request.range = range_in_sigma(request.panels, "colours.surface");
+    add_pictures(answer, std::move(request), "states", {});
+}
+
+void add_views(Answer& answer, const Grids& grids) {
+    SixViewFigure figure{.id = "q7_views",
+                         .title = words.line("views.title"),
                          .subtitle = words.line("trial.subtitle"),
-                         .caption = words.line(trial.improved() ? "views.caption" : "views.caption.no_better", facts),
-                         .panels = {panel_of(*grid.clean, id + "_clean", words.line("views.clean"))},
-                         .range = range_in_sigma(panels, "colours.surface"),
-                         .edges = shows_edges(grid),
-                         .frame_panel = -1,   // noise may reach beyond the clean box
-                         .turnable = true};
-    figure.panels.insert(figure.panels.end(), panels.begin(), panels.end());
-    for (output::Panel& panel : figure.panels) panel.directions = &panel == &figure.panels.back();   // of the result
+                         .caption = words.line("views.caption"),
+                         .frame_panel = -1};
+    for (const DenoisingGrid& grid : grids) {
+        const NoisyTrial& trial = grid.pictured();
+        if (!trial.improved()) continue;
+        figure.panels.push_back(panel_of(unit_sized(grid.clean->mesh(), trial.best.X), "q7_views_" + grid.name(),
+                                         words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
+    }
+    if (figure.panels.empty()) return;
+    figure.range = range_in_sigma(figure.panels, "colours.surface");
     add_figure(answer, std::move(figure));
 }
 
@@ -97,19 +126,10 @@ void add_levels(Answer& answer, const DenoisingGrid& grid) {
     request.subtitle = words.line("trial.subtitle");
     request.layout = output::Layout::one_frame;
     request.edges = shows_edges(grid);
-    request.columns = {words.line("levels.noisy"), words.line("levels.best"), words.line("levels.over")};
+    request.columns = {words.line("states.noisy"), words.line("states.best"), words.line("states.over")};
     for (const NoisyTrial& trial : grid.trials) {
-        const report::Facts facts = facts_of(grid, trial);
-        const std::string name = id + "_" + sigma_name(trial.relative);
-        request.rows.push_back(words.line("levels.row", facts));
-        request.panels.push_back(panel_of_state(grid, trial, trial.noisy, name + "_noisy", words.line("views.noisy", facts)));
-        if (trial.improved()) {
-            request.panels.push_back(panel_of_state(grid, trial, trial.best, name + "_best", words.line("views.best", facts)));
-            request.panels.push_back(panel_of_state(grid, trial, trial.over, name + "_over", words.line("views.over", facts)));
-        } else {
-            request.panels.push_back({name + "_best", words.line("levels.no_better"), nullptr});
-            request.panels.push_back({name + "_over", words.line("levels.no_better"), nullptr});
-        }
+        request.rows.push_back(words.line("levels.row", facts_of(grid, trial)));
+        add_states_of(request, grid, trial, id + "_" + sigma_name(trial.relative));
     }
     request.range = range_in_sigma(request.panels, "colours.surface");
     add_pictures(answer, std::move(request), "levels", {"mesh"_a = grid.name()});

@@ -19,11 +19,13 @@ inline std::vector<Case> cases_of(const Grids& grids) { return parts_within(grid
 /// What sentences about a trial may tell, in names and numbers; its best by the distance to the surface.
 report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
 
-inline constexpr auto distance_colours = "viridis";
+inline constexpr auto distance_colours = "pale";
 
 // Figures.
-/// Clean, noisy and nearest to the clean surface, from the six directions, at the noise to look at.
-void add_views(Answer& answer, const DenoisingGrid& grid);
+/// At the noise to look at: each mesh clean, noisy, nearest to the clean surface, smoothed on.
+void add_states(Answer& answer, const Grids& grids);
+/// The nearest of these from the six directions.
+void add_views(Answer& answer, const Grids& grids);
 /// All levels of noise: noisy, nearest, smoothed on.
 void add_levels(Answer& answer, const DenoisingGrid& grid);
 /// What smoothing cannot do: drift, rounded edges, lost volume, each where it shows most.

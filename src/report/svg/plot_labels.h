@@ -9,7 +9,7 @@
 
 namespace meshfolio::report {
 
-constexpr double font_size = 12.5, script_size = 10.5;   // 8.9 and 7.4 points where a drawing is 160 mm wide
+constexpr double font_size = 12.5, script_size = 11;   // 7.5 and 6.6 points where a drawing is 136 mm wide
 
 struct Point {
     double x = 0, y = 0;

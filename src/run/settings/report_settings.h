@@ -66,9 +66,9 @@ struct ReportSettings {
     std::string pdf = "auto", pdf_browser;   // auto, require or off; the browser by name or path, empty: the first that is found
     std::string title, author, course, colormap;
     ViewSize size;
-    bool view_files = false;   // every view of every figure is a file of its own as well
     int threads = 0;   // 0: all
     std::uint64_t seed = 0;
+    bool view_files = false;   // every view of every figure is a file of its own as well
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id

@@ -44,7 +44,7 @@ inline std::vector<std::string> colormap_names() {
 template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
-    auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, view_files, threads, seed, quick,
+    auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, threads, seed, view_files, quick,
            laboratory, fail_fast, timings, only, questions, experiments, experiments_digest, base] = settings;
     visit(Setting{.table = "[render]",
                   .key = "size",

@@ -50,6 +50,18 @@ TEST(MeshLaws, OtherAreasHaveTheSameSum) {
     for (const AreaForm form : {AreaForm::voronoi, AreaForm::mixed}) EXPECT_NEAR(mass_over_area(mesh, vertex_areas(mesh, form)), 1, 1e-12);
 }
 
+// A face a million times longer than high counts as without area, and yet has some by ½|u × v|.
+TEST(MeshLaws, WhatHasNoMassIsNotCountedAsArea) {
+    TriangleMesh mesh;
+    mesh.X.resize(4, 3);
+    mesh.X << 0, 0, 0, 1e6, 0, 0, 0, 1e-6, 0, 0, 0, 1;
+    mesh.F.resize(4, 3);
+    mesh.F << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+    const Vector M = laplace_beltrami(mesh).M;
+    EXPECT_NEAR(mass_over_area(mesh, M), 1, 1e-12);
+    EXPECT_GT(std::abs(M.sum() / surface_area(mesh) - 1), 1e-8);
+}
+
 TEST(MeshLaws, ALostHalfDoublesTheEnergy) {
     const TriangleMesh mesh = lopsided_ellipsoid(2);
     EXPECT_NEAR(energy_over_area(mesh, 2 * stiffness(mesh)), 2, 1e-10);

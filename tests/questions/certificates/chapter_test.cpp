@@ -31,6 +31,17 @@ TEST(CertificatesSection, HoldsOnOpenPlainAndDividedMeshes) {
     }
 }
 
+// An edge a million times the others: an eigenvalue is as small as zeros elsewhere, and a triangle has no area to give mass to.
+TEST(CertificatesSection, NothingFailsOnAMeshAMillionTimesAsLongAsWide) {
+    TriangleMesh mixed{Positions(4, 3), Faces(4, 3)};
+    mixed.F << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+    for (const double width : {1e-6, 1.0}) {
+        mixed.X << 0, 0, 0, 1e6, 0, 0, 0, width, 0, 0, 0, 1;
+        const report::Score score = report::score_of(answer_on(mixed, width < 1 ? "cert_mixed" : "cert_needle").section.checks);
+        EXPECT_EQ(score.failed, 0u) << width;
+    }
+}
+
 TEST(CertificatesSection, TheTableOfFaultsHasEveryFaultAndSaysWhatItsChecksSay) {
     const Answer answer = answer_on(icosphere(2), "cert_ball");
     const report::Table& table = table_named(answer.section, "certificates_faults");

@@ -31,7 +31,6 @@ std::string prose_of(const report::Section& section) {
             }
         }
     }
-    prose += "\n" + report::plain(section.answer);
     return prose;
 }
 

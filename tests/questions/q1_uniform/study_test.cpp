@@ -43,16 +43,19 @@ TEST(UniformStudy, OnAnIcosphereTheTwelveIrregularVerticesStandOutByTheirAreas) 
     EXPECT_EQ(none.count, 0);   // K has both signs
 }
 
-TEST(UniformStudy, AJitteredSpheresPictureFollowsItsMesh) {
+TEST(UniformStudy, APictureMisleadsWhereTheTruthIsConstantOrUnlikeIt) {
     TriangleMesh ball = icosphere(3);
     ball.X = jittered(ball, topology_of(ball), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
     const Picture picture = picture_of(curvature_of(library_mesh(ball, "picture1")));
-    EXPECT_TRUE(picture.has_one_sign());
-    EXPECT_TRUE(picture.speckled());
+    EXPECT_TRUE(picture.misleads());
     EXPECT_LT(picture.cotangent_spread, 1.5);
     EXPECT_GT(picture.spread, 2);
     ball.X *= 50;   // a picture does not know the unit of length
-    EXPECT_NEAR(picture_of(curvature_of(library_mesh(ball, "large_picture1"))).jump, picture.jump, 1e-9);
+    EXPECT_NEAR(picture_of(curvature_of(library_mesh(ball, "large_picture1"))).correlation, picture.correlation, 1e-9);
+    // Where all rings are alike both see the same form.
+    const Picture torus = picture_of(curvature_of(library_mesh(torus_mesh(48, 24, 1, 0.4), "picture_torus1")));
+    EXPECT_FALSE(torus.misleads());
+    EXPECT_GT(torus.correlation, 0.9);
 }
 
 }   // namespace meshfolio::q1_uniform

@@ -10,12 +10,12 @@ using namespace testing_tools;
 TEST(SpectralUseDiscussion, TheTextFollowsTheData) {
     const SpectralStudy study = spectral_study_on(ellipsoid_mesh(3, {1.7, 1.1, 0.6}), "egg_text", {5, 30});
     LimbStudy limbs = limb_study(study);
-    limbs.errors[1] = {30, 0.3, 0.1, 0.5, -1};
+    limbs.errors[1] = {30, 0.45 * limbs.thin_diameter, 0.1, 0.5, -1};
     limbs.modes_needed = 0;
-    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("threads along their axes"), std::string::npos);
-    limbs.errors[1].thin = 0.05;
-    EXPECT_EQ(report::plain(thin_parts(study, limbs)).find("threads"), std::string::npos);
-    limbs.errors[1].thin = 0.3;
+    EXPECT_NE(report::plain(thin_parts(study, limbs)).find("thin parts have collapsed"), std::string::npos);
+    limbs.errors[1].thin = 0.2 * limbs.thin_diameter;
+    EXPECT_EQ(report::plain(thin_parts(study, limbs)).find("collapsed"), std::string::npos);
+    limbs.errors[1].thin = 0.45 * limbs.thin_diameter;
     limbs.modes_needed = 7;
     EXPECT_NE(report::plain(thin_parts(study, limbs)).find("such modes are in use"), std::string::npos);
     EXPECT_TRUE(thin_parts(study, LimbStudy()).empty());

@@ -93,8 +93,8 @@ TEST(SvgDiagram, EqualPanelsHaveEqualScalesAndStandSideBySide) {
 
 TEST(SvgDiagram, MathematicsIsSet) {
     const std::string svg = svg_of(diagram_of(path_through({{0, 0}, {1, 1}}, Diagram::Style::line), {{0, 0, text("at ", math("α_ij^2"))}}));
-    EXPECT_NE(svg.find(">at <tspan font-style=\"italic\">α</tspan><tspan dy=\"3.5\" font-size=\"10.5\">ij</tspan><tspan dy=\"-8\" "
-                       "font-size=\"10.5\">2</tspan></text>"),
+    EXPECT_NE(svg.find(">at <tspan font-style=\"italic\">α</tspan><tspan dy=\"3.5\" font-size=\"11\">ij</tspan><tspan dy=\"-8\" "
+                       "font-size=\"11\">2</tspan></text>"),
               std::string::npos)
         << svg;
 }

@@ -175,15 +175,15 @@ TEST(SvgMap, CellsOfOneBandAreOneRectangle) {
 TEST(SvgMap, CellsLieWhereTheirValuesAre) {
     // The value at the right end of the first row is the largest: its cell is at the lower right.
     const std::string svg = svg_of(map_of({1, 2, 3}, {1, 2}, {0, 0, 9, 0, 0, 0}));
-    const auto largest = matches(svg, "<path d=\"M([0-9.]+) ([0-9.]+)H[^\"]*\" fill=\"#fde725\"");
+    const auto largest = matches(svg, "<path d=\"M([0-9.]+) ([0-9.]+)H[^\"]*\" fill=\"#253261\"");
     ASSERT_EQ(largest.size(), 1u);
     const std::string frame = matches(svg, "<rect (x=[^/]*) fill=\"none\"").at(0);
     const double left = std::stod(matches(frame, "x=\"([0-9.]+)\"").at(0)), across = std::stod(matches(frame, "width=\"([0-9.]+)\"").at(0)),
                  top = std::stod(matches(frame, "y=\"([0-9.]+)\"").at(0)), down = std::stod(matches(frame, "height=\"([0-9.]+)\"").at(0));
-    const std::string corner = matches(svg, "<path d=\"M([0-9.]+ [0-9.]+)H[^\"]*\" fill=\"#fde725\"").at(0);
+    const std::string corner = matches(svg, "<path d=\"M([0-9.]+ [0-9.]+)H[^\"]*\" fill=\"#253261\"").at(0);
     EXPECT_NEAR(std::stod(corner), left + across * 2 / 3, 0.2);
     EXPECT_NEAR(std::stod(corner.substr(corner.find(' '))), top + down / 2, 0.2);
-    const std::string right = matches(svg, "<path d=\"M[0-9. ]+H[0-9.]+V([0-9.]+)H[^\"]*\" fill=\"#fde725\"").at(0);
+    const std::string right = matches(svg, "<path d=\"M[0-9. ]+H[0-9.]+V([0-9.]+)H[^\"]*\" fill=\"#253261\"").at(0);
     EXPECT_NEAR(std::stod(right), top + down, 0.2) << "rows go up";
 }
 
