@@ -11,13 +11,16 @@ export const reports = { quick: path.resolve(required("REPORTS"), "quick"), host
 export const launch = () =>
     chromium.launch({ executablePath: required("CHROMIUM"), args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] });
 
-/// The page of a report with `problems`: what went to the console as an error, what was thrown, what was asked for beyond the page and
+/// The volumes of a report.
+export const volumes = ["index.html", "appendix.html"];
+
+/// The page of a report, or its appendix (`volume`), with `problems`: what went to the console as an error, what was thrown, what was asked for beyond the page and
 /// the files in images/.
-export async function open(browser, folder, options = {}) {
+export async function open(browser, folder, { volume = "index.html", ...options } = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
     context.setDefaultTimeout(90000);
     const page = await context.newPage();
-    const url = pathToFileURL(path.join(folder, "index.html")).href, images = pathToFileURL(path.join(folder, "images")).href + "/";
+    const url = pathToFileURL(path.join(folder, volume)).href, images = pathToFileURL(path.join(folder, "images")).href + "/";
     page.problems = [];
     page.on("console", (message) => { if (["error", "warning"].includes(message.type())) page.problems.push(message.text()); });
     page.on("pageerror", (error) => page.problems.push(String(error)));
@@ -26,7 +29,7 @@ export async function open(browser, folder, options = {}) {
         const asked = request.url();
         if (asked.split("#")[0] !== url && !asked.startsWith(images) && !asked.startsWith("data:")) page.problems.push(`asks for ${asked}`);
     });
-    if (!existsSync(path.join(folder, "index.html"))) throw new Error(`there is no report in ${folder}`);
+    if (!existsSync(path.join(folder, volume))) throw new Error(`there is no report in ${folder}`);
     await page.goto(url);
     return page;
 }

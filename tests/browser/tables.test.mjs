@@ -6,7 +6,7 @@ import { launch, open, reports } from "./browser.mjs";
 let browser, page, ledger;
 before(async () => {
     browser = await launch();
-    page = await open(browser, reports.quick);
+    page = await open(browser, reports.quick, { volume: "appendix.html" });
     ledger = page.locator("#claims_ledger");
 });
 after(() => browser.close());
@@ -90,7 +90,7 @@ test("every table of three rows or more has its columns sorted by exact values",
 });
 
 test("a table wider than its place says so, at the side where there is more", async () => {
-    const narrow = await open(browser, reports.quick, { viewport: { width: 360, height: 740 } });
+    const narrow = await open(browser, reports.quick, { viewport: { width: 360, height: 740 }, volume: "appendix.html" });
     const box = narrow.locator("#claims_ledger .scroll");
     await narrow.waitForFunction(() => document.querySelector("#claims_ledger .scroll").dataset.more === "right");
     await box.evaluate((element) => { element.scrollLeft = 1e6; });

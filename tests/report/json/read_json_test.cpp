@@ -11,6 +11,7 @@
 #include "base/file_bytes.h"
 #include "report/sample_document.h"
 #include "report/writers.h"
+#include "source_dir.h"
 
 namespace meshfolio::report {
 namespace {
@@ -239,6 +240,14 @@ TEST(ReadJson, HostileBytesAreRefusedAndDoNoHarm) {
 }
 
 // Bytes changed at random: either it is still a report, which can be written again, or it is refused.
+// What fuzzing begins with: where the first thing wrong is its version, nothing behind that is ever tried.
+TEST(ReadJson, SeedsOfFuzzingAreRead) {
+    for (const char* name : {"no_questions", "sample"}) {
+        const std::string file = std::string(MESHFOLIO_SOURCE_DIR "/tests/fuzz/seeds/results/") + name + ".json";
+        EXPECT_NO_THROW((void)read_json(read_file(file), file));
+    }
+}
+
 TEST(ReadJson, DamageIsRefusedOrHarmless) {
     const std::string whole = write_json(rich_document(), rich_figures());
     std::mt19937 random(7);
