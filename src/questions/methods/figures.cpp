@@ -25,7 +25,7 @@ void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseT
     request.title = words.line("figure.title", "mesh"_a = mesh.name());
     request.subtitle = words.line("figure.subtitle", "noise"_a = trial.title());
     request.layout = output::Layout::one_frame;
-    request.range = output::robust_range(panels, "viridis", words.line("figure.quantity"), "mean edges", 0.01);
+    request.range = output::robust_range(panels, "pale", words.line("figure.quantity"), "mean edges", 0.01);
     request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
     request.panels = {panel_of(subject.mesh, base + "_clean", "clean")};
     request.panels.insert(request.panels.end(), panels.begin(), panels.end());

@@ -19,7 +19,7 @@ inline std::vector<Case> cases_of(const Grids& grids) { return parts_within(grid
 /// What sentences about a trial may tell, in names and numbers; its best by the distance to the surface.
 report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
 
-inline constexpr auto distance_colours = "viridis";
+inline constexpr auto distance_colours = "pale";
 
 // Figures.
 /// At the noise to look at: each mesh clean, noisy, nearest to the clean surface, smoothed on.
