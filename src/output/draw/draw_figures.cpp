@@ -40,7 +40,7 @@ struct FigureJob {
 };
 
 /// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
-constexpr int alone = 680, compared = 560, in_a_strip = 480, line_of_pictures = 1440, smallest_in_a_line = 240, small = 256;
+constexpr int alone = 600, compared = 440, in_a_strip = 400, line_of_pictures = 1440, smallest_in_a_line = 240, small = 240;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
 
@@ -123,6 +123,11 @@ bool has_undefined(const FigureRequest& request) {
     return std::any_of(request.panels.begin(), request.panels.end(), [](const Panel& panel) { return panel.values.array().isNaN().any(); });
 }
 
+/// A panel seen from three quarters alone in a figure of six views has none.
+bool has_view_files(const FigureRequest& request, std::size_t panel, const DrawSettings& settings) {
+    return (request.view_files || settings.view_files) && (!has_six_views(request) || request.panels[panel].directions);
+}
+
 /// As large as is asked for, the name of the view in a corner.
 void draw_view_files(const FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
@@ -167,7 +172,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
                 part_of(views[i], (views[i].width - size.width) / 2, (views[i].height - size.height) / 2, size.width, size.height));
         }
     }
-    if (request.view_files || settings.view_files) draw_view_files(job, index, folder, settings);
+    if (has_view_files(request, index, settings)) draw_view_files(job, index, folder, settings);
 }
 
 /// The bar of the sheet, and the legend of the page.
@@ -199,7 +204,7 @@ void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const rende
             picture.top = composed.top + placed.top;
             picture.width = placed.image.width;
             picture.height = placed.image.height;
-            const bool has_file = (request.view_files || settings.view_files) && (i > 0 || !has_six_views(request));
+            const bool has_file = has_view_files(request, p, settings) && (i > 0 || !has_six_views(request));
             if (has_file) picture.file = view_file(request.panels[p], i == 0 ? render::three_quarter_view() : directions[i - 1]);
         }
     }
