@@ -10,15 +10,14 @@ namespace {
 struct Shown {
     std::string key;   // the end of its figure's name
     const char *title, *caption, *quantity, *label;
-    double floor;            // of the range: what is smaller is not seen
-    output::Layout layout;   // each mesh is seen from six directions once
+    double floor;   // of the range: what is smaller is not seen
     Vector (*values)(const MeshCurvature&);
 };
 
 const Shown shown[]{
-    {"h", "h.title", "h.caption", "h.quantity", "h.label", 0.1, output::Layout::six_views,
+    {"h", "h.title", "h.caption", "h.quantity", "h.label", 0.1,
      [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
-    {"k", "k.title", "k.caption", "k.quantity", "k.label", 0.1, output::Layout::multiples,
+    {"k", "k.title", "k.caption", "k.quantity", "k.label", 0.1,
      [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
 };
 
@@ -44,8 +43,7 @@ void add_figures(Answer& answer, const Meshes& meshes) {
         figure.caption = words.line(quantity.caption, "undefined"_a = undefined_words(masked));
         figure.range = relative_range(figure.panels, words.line(quantity.quantity));
         figure.frame_panel = -1;
-        figure.turnable = quantity.layout == output::Layout::six_views;
-        figure.layout = quantity.layout;
+        figure.turnable = quantity.key == "h";
         figure.view_files = true;
         add_figure(answer, std::move(figure));
     }

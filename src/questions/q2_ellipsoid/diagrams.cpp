@@ -35,14 +35,14 @@ void add_arrow(Diagram::Panel& panel, DiagramPoint head, const char* name, Side 
     panel.labels.push_back({.x = head[0], .y = head[1], .words = text(math(name)), .side = side, .accent = style == Style::accent});
 }
 
-/// The tangent plane at the tip, seen along −n: p_u to the right, p_v upwards. The outline is that of the ellipsoid.
+/// The tangent plane at the tip, seen along −n: p_u to the right, −p_v upwards. The outline is that of the ellipsoid.
 Diagram::Panel tangent_plane(const Tip& tip) {
     const double b = tip.forms.p_u.norm(), c = tip.forms.p_v.norm();
     Diagram::Panel panel{.title = words.line("diagram.tangent_plane")};
     panel.paths.push_back(path_through(ellipse(b, c), Style::area, true));
     panel.paths.push_back(path_through(ellipse(b, c), Style::thin, true));
     add_arrow(panel, {b, 0}, "p_u", Side::below_right, Style::line);
-    add_arrow(panel, {0, c}, "p_v", Side::above, Style::line);
+    add_arrow(panel, {0, c}, "−p_v", Side::above, Style::line);
     add_arrow(panel, {std::cos(drawn_angle), std::sin(drawn_angle)}, "t", Side::above_right, Style::accent);
     panel.paths.push_back(report::arc({0, 0}, 0.4, 0, drawn_angle, Style::accent));
     panel.labels.push_back({.x = 0.5 * std::cos(drawn_angle / 2),
