@@ -309,11 +309,12 @@ describe("two models", options, () => {
                 assert.ok(shown > 50, "the model is seen");
                 return count / shown;
             };
-            assert.ok(await differing() < 0.05);
+            // Half a pixel may lie between the two, where colours change fast.
+            assert.ok(await differing() < 0.1);
             const still = await canvasOf(page).screenshot();
             await drag(page, 60, 20);
             assert.notDeepEqual(await canvasOf(page).screenshot(), still);
-            assert.ok(await differing() < 0.05);
+            assert.ok(await differing() < 0.1);
             assert.deepEqual(problemsOf(page), []);
             await page.context().close();
         });
