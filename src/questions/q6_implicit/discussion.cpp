@@ -200,7 +200,9 @@ report::Text price(const Studies& studies) {
     Names only;
     for (const ImplicitStudy& study : studies)
         if (!std::ranges::all_of(study.costs, &SmoothingCost::reached)) only.push_back(study.name());
-    const report::Text good = price_of(prices(studies, true), "good"), far = price_of(prices(studies, false), "far");
+    const std::vector<double> of_good = prices(studies, true), of_far = prices(studies, false);
+    const bool always = !of_good.empty() && !of_far.empty() && price_key(of_good) == "dearer" && price_key(of_far) == "dearer";
+    const report::Text good = price_of(of_good, "good"), far = always ? report::Text() : price_of(of_far, "far");
     const report::Text unreached = said_of(only, words, "price.only");
     if (good.empty() && far.empty() && unreached.empty()) return {};
     return paragraph_of({words.say("price"), good, far, unreached});

@@ -231,8 +231,8 @@ TEST(DenoisingDiscussion, TheAnswerNamesTheNoiseWhereItBeginsToHelp) {
         return report::plain(q7_denoising::answer_of({grid}));
     };
     EXPECT_TRUE(has(gains(1.1, 3), "Smoothing helps against noise of")) << gains(1.1, 3);
-    EXPECT_TRUE(has(gains(1.5, 3), "in 2 of 2 cases, and halves the distance in 1")) << gains(1.5, 3);
-    EXPECT_TRUE(has(gains(3, 1.1), "in 1 of 2 cases, and halves the distance in 1")) << "more noise, less gain: no such limit";
+    EXPECT_TRUE(has(gains(1.5, 3), "in 2 of 2 cases and halves it in 1")) << gains(1.5, 3);
+    EXPECT_TRUE(has(gains(3, 1.1), "in 1 of 2 cases and halves it in 1")) << "more noise, less gain: no such limit";
     EXPECT_TRUE(has(gains(1.1, 1.1), "Smoothing fails here")) << gains(1.1, 1.1);
 }
 
