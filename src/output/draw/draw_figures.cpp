@@ -40,7 +40,7 @@ struct FigureJob {
 };
 
 /// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
-constexpr int alone = 600, compared = 440, in_a_strip = 400, line_of_pictures = 1440, smallest_in_a_line = 240, small = 240;
+constexpr int alone = 600, compared = 440, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 216, small = 216;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
 
