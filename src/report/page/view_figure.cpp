@@ -14,8 +14,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_in_a_line = 4, gallery = 12, gallery_line = 6, views_in_a_group = 3;
-// Against the width of the text, on paper 59, 49, 99 and 23 mm.
-constexpr double highest_lead = 0.34, highest_line = 0.28, highest_figure = 0.57, highest_row = 0.135;
+// Against the width of the text, on paper 59, 44, 99 and 23 mm.
+constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_row = 0.135;
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
 
