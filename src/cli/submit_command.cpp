@@ -13,7 +13,7 @@ namespace {
 struct SubmitFlags {
     std::string out = "out";
     submission::SubmissionOptions submission;
-    bool without_pdf = false, without_images = false;
+    bool without_pdf = false, with_images = false;
 };
 
 std::string megabytes(std::size_t bytes) {
@@ -23,7 +23,7 @@ std::string megabytes(std::size_t bytes) {
 
 ExitCode run_submit(SubmitFlags options) {
     options.submission.pdf = !options.without_pdf;
-    options.submission.images = !options.without_images;
+    options.submission.images = options.with_images;
     for (const Chapter* chapter : chapter_list())
         if (chapter->is_question()) options.submission.questions.emplace_back(chapter->id);
     const submission::ReportFolder report = submission::read_report(options.out);
@@ -44,7 +44,7 @@ Command submit_command(CLI::App& parent) {
     app.text("--out", options->out, "folder of the report; the archive is put into it");
     app.text("--author", options->submission.author, "whose work it is; default: the author the report names");
     app.flag("--without-pdf", options->without_pdf, "hand in without report.pdf and appendix.pdf");
-    app.flag("--without-images", options->without_images, "leave out images/ and the Markdown: a smaller archive, the pages are still whole");
+    app.flag("--with-images", options->with_images, "pack images/ and the Markdown too: the pages are whole without them");
     app.footer(
         "Refuses, and changes nothing, when a question is missing, a citation does not resolve, the report is of another version,\n"
         "something in its folder was changed, or a program is among its files.\n"

@@ -123,8 +123,8 @@ ReportFacts require_ready(const ReportFolder& report, const SourceListing& listi
         require_questions(results, file, options.questions);
         require_citations(results, file, listing);
         for (const char* paper : {"report.pdf", "appendix.pdf"}) {
-            if (options.pdf && !required_file(report, paper, "print it with meshfolio report --pdf require, or take --without-pdf")
-                                    .starts_with("%PDF-"))
+            if (options.pdf &&
+                !required_file(report, paper, "print it with meshfolio report --pdf require, or take --without-pdf").starts_with("%PDF-"))
                 throw InputError({name_in(report, paper), 0}, "is no PDF", renew);
         }
         return facts_of(results, options.author);

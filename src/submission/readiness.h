@@ -13,7 +13,7 @@ namespace meshfolio::submission {
 struct SubmissionOptions {
     std::string author;                   // empty: the one the report names
     bool pdf = true;                      // report.pdf and appendix.pdf are required and packed
-    bool images = true;                   // images/ is packed, and the Markdown, which shows them
+    bool images = false;                  // images/ is packed, and the Markdown, which shows them
     std::vector<std::string> questions;   // ids that must be answered
 };
 

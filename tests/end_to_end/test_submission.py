@@ -209,13 +209,17 @@ class Again(Reported):
         self.assertIn("Ada Lovelace", names[0])
         self.assertIn("Émilie du Châtelet", names[1])
 
-    def test_without_images_it_is_small(self):
-        out = self.copy()
-        self.assertEqual(self.submit(out, "--without-images").returncode, 0)
-        names = zipfile.ZipFile(out / "submission.zip").namelist()
-        self.assertFalse([n for n in names if n.startswith("images/") or n in ("report.md", "appendix.md")])
-        self.assertLessEqual({"index.html", "appendix.html"}, set(names))
-        self.assertTrue((out / "images").is_dir(), "the report keeps them")
+    def test_images_are_packed_where_they_are_asked_for(self):
+        packed = {}
+        for flag in ([], ["--with-images"]):
+            out = self.copy()
+            self.assertEqual(self.submit(out, *flag).returncode, 0)
+            names = zipfile.ZipFile(out / "submission.zip").namelist()
+            packed[bool(flag)] = [n for n in names if n.startswith("images/") or n in ("report.md", "appendix.md")]
+            self.assertLessEqual({"index.html", "appendix.html"}, set(names))
+            self.assertTrue((out / "images").is_dir(), "the report keeps them")
+        self.assertFalse(packed[False])
+        self.assertLessEqual({"report.md", "appendix.md"}, set(packed[True]))
 
     def test_both_pdfs_are_taken_along(self):
         out = self.copy()

@@ -172,9 +172,7 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
 }
 
-std::string share_left(double share) {
-    return share < 1e-12 ? smoothing_words.line("left.nothing") : readable_percent(share, 2);
-}
+std::string share_left(double share) { return share < 1e-12 ? smoothing_words.line("left.nothing") : readable_percent(share, 2); }
 
 std::string energy_fall(double left) {
     if (std::abs(1 - left) < 1e-12) return smoothing_words.line("fall.not");

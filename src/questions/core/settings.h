@@ -22,8 +22,8 @@ struct QuestionSettings {
     std::vector<int> iterations;
     std::vector<double> noise;   // σ as a fraction of the bounding-box diagonal (q7)
     std::uint64_t seed = 1;
-    bool quick = false;                 // small settings for a first look
-    bool laboratory = false;            // the whole grid where the report itself takes a part that fits its budget
+    bool quick = false;              // small settings for a first look
+    bool laboratory = false;         // the whole grid where the report itself takes a part that fits its budget
     std::string colormap = "pale";   // for unsigned quantities
     /// Of earlier reports: those of the settings file, else the brief ones of the bundled files (quick: the first); and all of the bundled
     /// files.

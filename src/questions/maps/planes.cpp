@@ -146,8 +146,6 @@ std::string words_of(const std::vector<MapPlace>& places) {
     return told;
 }
 
-std::vector<report::Map> maps_of(const SmoothingMaps& maps) {
-    return {error_map(maps), size_map(maps), inverted_map(maps)};
-}
+std::vector<report::Map> maps_of(const SmoothingMaps& maps) { return {error_map(maps), size_map(maps), inverted_map(maps)}; }
 
 }   // namespace meshfolio::maps

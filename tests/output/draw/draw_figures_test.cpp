@@ -253,10 +253,10 @@ TEST(DrawFigures, IsolinesAreDrawnWhereTheyAreAskedFor) {
     EXPECT_EQ(files_of(with)[0], files_of(without)[0]);
 }
 
-TEST(DrawFigures, AGalleryHasSmallPictures) {
+TEST(DrawFigures, ManyPicturesAreSmall) {
     const TemporaryFolder folder;
-    const auto drawn = draw_figures(std::vector{balls(std::vector<double>(12, 1.0), true)}, folder.path(), small_pictures());
-    const auto many = draw_figures(std::vector{balls(std::vector<double>(13, 1.0), true)}, folder.path(), small_pictures());
+    const auto drawn = draw_figures(std::vector{balls(std::vector<double>(3, 1.0), true)}, folder.path(), small_pictures());
+    const auto many = draw_figures(std::vector{balls(std::vector<double>(9, 1.0), true)}, folder.path(), small_pictures());
     EXPECT_LT(many.at("q4_balls").panels[0].pictures[0].width, drawn.at("q4_balls").panels[0].pictures[0].width);
 }
 

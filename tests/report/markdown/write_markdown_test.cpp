@@ -83,7 +83,7 @@ TEST(WriteMarkdown, LinksWithinHaveTheirTargets) { expect_links_with_targets(sam
 
 TEST(WriteMarkdown, WhatIsInTheOtherVolumeIsLinkedThere) {
     Document document = sample_document();
-    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 1;
+    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 2;
     document.sections[0].answer = text("See ", ref("q1_before_after"), " and ", ref("ground_truth"), ".");
     const std::string report = write_markdown(document, sample_figures(), Templates());
     expect_links_with_targets(report);

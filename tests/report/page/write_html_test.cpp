@@ -275,7 +275,7 @@ TEST(WriteHtml, TimingsCanBeLeftOut) {
 
 TEST(WriteHtml, EachVolumeLinksToTheOther) {
     Document document = sample_document();
-    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 1;
+    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 2;
     document.sections[0].answer = text("See ", ref("q1_before_after"), ".");
     const std::string report = write_html(document, sample_figures(), Templates());
     const std::string appendix = write_html(document, sample_figures(), Templates(), {.volume = Volume::appendix});

@@ -116,7 +116,7 @@ TEST(PrintPage, NamesTheVolumeOfWhatIsInTheOther) {
 
 TEST(PrintPage, OnlyFiguresOfTheVolumeNeedAPicture) {
     Document document = sample_document();
-    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 1;
+    document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 2;
     const std::size_t all = printed(sample_document()).files.size();
     EXPECT_EQ(printed(sample_document(), appendix).files.size(), 0u);
     EXPECT_LT(printed(document).files.size(), all);
