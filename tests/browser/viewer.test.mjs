@@ -317,7 +317,7 @@ describe("two models", options, () => {
             const still = await canvasOf(page).screenshot();
             await drag(page, 60, 20);
             assert.notDeepEqual(await canvasOf(page).screenshot(), still);
-            assert.ok(await differing() < 0.1);
+            assert.ok(await differing() < 0.05);
             assert.deepEqual(problemsOf(page), []);
             await page.context().close();
         });
