@@ -62,7 +62,7 @@ class Archive(Reported):
     def setUpClass(cls):
         cls.out = Path(KEPT.name) / "submitted"
         shutil.copytree(REPORT, cls.out)
-        cls.process = run("submit", "--out", cls.out, "--author", AUTHOR, "--without-pdf")
+        cls.process = run("submit", "--out", cls.out, "--author", AUTHOR, "--without-pdf", "--with-images")
         assert cls.process.returncode == 0, cls.process.stderr
         cls.zip = zipfile.ZipFile(cls.out / "submission.zip")
         cls.files = {info.filename: cls.zip.read(info) for info in cls.zip.infolist()}
