@@ -172,9 +172,9 @@ TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
     EXPECT_TRUE(has(told(study), "even for what we recommend explicit smoothing needs 4.0 times the arithmetic")) << told(study);
     study.costs[0].explicit_operations = study.costs[0].implicit_operations / 2;
     EXPECT_TRUE(has(told(study), "Not for what we recommend: explicit smoothing needs only 0.50 times")) << told(study);
-    EXPECT_TRUE(has(told(study), "For much smoothing it is: explicit smoothing needs 4.0 times")) << told(study);
+    EXPECT_TRUE(has(told(study), "For strong smoothing implicit is cheaper: explicit steps need 4.0 times")) << told(study);
     study.costs[1].explicit_steps = 0;
-    EXPECT_FALSE(has(told(study), "For much smoothing it is")) << told(study);
+    EXPECT_FALSE(has(told(study), "For strong smoothing implicit is cheaper")) << told(study);
     EXPECT_TRUE(has(told(study), "Only the implicit method reaches so much smoothing within 3000 steps on cube_told")) << told(study);
 }
 
@@ -186,7 +186,8 @@ TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheDistanceIsLarger) {
         trial.found.by_shape.step = 3;
         trial.taken.features = {2, 1};
     }
-    EXPECT_TRUE(has(told(grid), "Edges are rounded, noise or not: the clean ball_told, smoothed alike, is 2.0 times as far off"))
+    EXPECT_TRUE(
+        has(told(grid), "Edges are rounded, noise or not: the clean ball_told, smoothed with the same λ and t, is 2.0 times as far off"))
         << told(grid);
     for (NoisyTrial& trial : grid.trials) trial.taken.features = {1, 2};
     EXPECT_FALSE(has(told(grid), "Edges are rounded")) << told(grid);
@@ -230,7 +231,7 @@ TEST(DenoisingDiscussion, TheAnswerNamesTheNoiseWhereItBeginsToHelp) {
         last.found.by_shape.shape = last.found.noisy.shape / high;
         return report::plain(q7_denoising::answer_of({grid}));
     };
-    EXPECT_TRUE(has(gains(1.1, 3), "Smoothing helps against noise of")) << gains(1.1, 3);
+    EXPECT_TRUE(has(gains(1.1, 3), "smoothing helps against noise of")) << gains(1.1, 3);
     EXPECT_TRUE(has(gains(1.5, 3), "in 2 of 2 cases and halves it in 1")) << gains(1.5, 3);
     EXPECT_TRUE(has(gains(3, 1.1), "in 1 of 2 cases and halves it in 1")) << "more noise, less gain: no such limit";
     EXPECT_TRUE(has(gains(1.1, 1.1), "Smoothing fails here")) << gains(1.1, 1.1);

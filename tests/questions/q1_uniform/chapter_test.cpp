@@ -63,7 +63,7 @@ TEST(Q1, EachMeshHasARangeOfItsOwn) {
         EXPECT_LT(figure.range->clipped_below + figure.range->clipped_above, 0.05) << figure.id;
         for (const output::Panel& panel : figure.panels) {
             EXPECT_NEAR(panel.mesh->X.rowwise().norm().maxCoeff(), 1, 1e-12) << panel.name;
-            EXPECT_EQ(figure.layout, figure.id == "q1_h" ? output::Layout::six_views : output::Layout::multiples) << figure.id;
+            EXPECT_EQ(figure.layout, output::Layout::six_views) << figure.id;
             const double most = panel.values.array().isFinite().select(panel.values.array().abs(), 0).maxCoeff();
             const bool zero = panel.label.find("0 everywhere") != std::string::npos;
             EXPECT_EQ(most < 1, zero) << panel.name;
