@@ -179,7 +179,6 @@ report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drift
 
 void add_discussion(report::Section& section, const Findings& found) {
     const BenchLevel &coarse = found.runs.front().levels[found.runs.front().levels.size() - 2], &fine = found.runs.front().finest();
-    add_words(section, words, "discussion");
     report::Text picture = about_H_picture(found);
     go_on(picture, words.say("length", "times"_a = readable(coarse.mean_length / fine.mean_length, 2)));
     add_paragraph(section, picture);

@@ -86,7 +86,6 @@ report::Text lead_of(const Tip& tip) {
 }
 
 void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete) {
-    add_words(section, words, "discussion");
     add_paragraph(section, about_tip(tip));
     add_paragraph(section, about_readings(tip));
     add_paragraph(section, about_sign(tip));

@@ -183,7 +183,6 @@ report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane) {
 
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel) {
-    add_words(section, words, "discussion");
     for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? flat_picture(c) : curved_picture(c));
     add_paragraph(section, about_errors(runs));
     report::Text clamping = about_square(plane);

@@ -181,7 +181,6 @@ report::Text lead(const std::vector<Subject>& subjects) {
 }
 
 void add_discussion(report::Section& section, const std::vector<Subject>& subjects) {
-    add_words(section, words, "discussion");
     for (const Subject& subject : subjects) {
         const SpectralStudy& study = subject.study;
         add_paragraphs(section, {paragraph_of({what_is_seen(study), where_the_error_sits(study)}),

@@ -267,7 +267,6 @@ report::Text lead(const Studies& studies) {
 }
 
 void add_discussion(report::Section& section, const Studies& studies) {
-    add_words(section, words, "discussion");
     add_paragraphs(section, {how_large(studies), paragraph_of({why_half(studies), farther_along(studies)}), when_to_stop(studies),
                              too_large(studies), units_of_lambda(studies)});
 }

@@ -226,7 +226,6 @@ report::Text summary_of(const Studies& studies) {
 }
 
 void add_discussion(report::Section& section, const Studies& studies) {
-    add_words(section, words, "discussion");
     const bool pictured = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
     report::Text seen =
         paragraph_of({words.say("reading", "figure"_a = matrix_of(studies.back())), pictured ? words.say("reading.rule") : report::Text()});

@@ -178,7 +178,6 @@ report::Text answer_of(const Grids& grids) {
 report::Text summary_of(const Grids& grids) { return verdict(grids); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
-    add_words(section, words, "discussion");
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
     report::Text seen = words.say(improved ? "reading" : "reading.noise");
     for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});

@@ -45,34 +45,32 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
     const auto source = [](const std::string& text) { return " 'sha256-" + base64(sha256_bytes(text)) + "'"; };
     std::string allowed;
     for (const std::string& script : scripts) allowed += source(script);
-    return "default-src 'none'; img-src 'self' data:; style-src" + source(style) + "; script-src" +
-           (allowed.empty() ? " 'none'" : allowed) + "; base-uri 'none'; form-action 'none'";
+    return "default-src 'none'; img-src 'self' data:; style-src" + source(style) + "; script-src" + allowed + "; base-uri 'none'; form-action 'none'";
 }
 
 }   // namespace
 
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
-    const bool has_script = design == "report", with_viewer = has_script && parts.models && !parts.viewer.empty();
+    const bool on_screen = design == "report", with_models = on_screen && parts.models, with_viewer = with_models && !parts.viewer.empty();
     // Each script says at its head what it does. They do not depend on one another.
-    std::vector<std::string> styles = {design + ".css"},
-                             scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js", "page_comparison.js"};
-    if (has_script && parts.models) styles.emplace_back("models.css");
+    std::vector<std::string> styles = {design + ".css"}, scripts = {"print_float.js"};
+    if (on_screen) scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
+    if (with_models) styles.emplace_back("models.css");
     if (with_viewer) scripts.emplace_back("models.js");
 
-    const std::string style = joined_styles(templates, styles);
+    const std::string style = joined_styles(templates, styles), script = joined_scripts(templates, scripts);
     // The scheme is chosen before anything is drawn, hence a script of its own.
-    const std::string scheme = has_script ? raw_element(raw_text(templates, "page_scheme.js")) : "";
-    const std::string script = has_script ? joined_scripts(templates, scripts) : "";
-    std::vector<std::string> run;   // the texts that are
-    if (has_script) run = {scheme, script};
+    const std::string scheme = on_screen ? raw_element(raw_text(templates, "page_scheme.js")) : "";
+    std::vector<std::string> run = {script};   // the texts that are
+    if (on_screen) run.push_back(scheme);
     if (with_viewer) run.emplace_back(parts.viewer);
-    enter(model, {{"style", "report.css (report.html only)", style},
+    enter(model, {{"style", "report.css or print.css", style},
                   {"scheme_script", "page_scheme.js, which is run before anything is drawn (report.html only)", scheme},
-                  {"script", "report.js (report.html only)", script},
+                  {"script", "what the page does by itself", script},
                   {"has_viewer", "some figure can be turned, and the page carries the program for it (report.html only)", with_viewer},
                   {"viewer", "the program that turns models, zlib and base64 (report.html only)", with_viewer ? packed(parts.viewer) : ""},
-                  {"policy", "content security policy that allows just these two (report.html only)", policy_for(style, run)},
-                  {"is_screen", "the page is for a screen, not for paper", has_script}});
+                  {"policy", "content security policy that allows just these", policy_for(style, run)},
+                  {"is_screen", "the page is for a screen, not for paper", on_screen}});
 }
 
 std::string_view viewer_program() { return meshfolio_embedded::embedded_viewer().front().bytes; }

@@ -15,7 +15,7 @@ struct DesignParts {
     std::string_view viewer = {};   // the program they are turned by, carried as data; empty: they are only linked to
 };
 
-/// Fills `style`, `scheme_script`, `script`, `viewer` and `policy` of a view model for `design`.html. The design "print" has no script.
+/// Fills `style`, `scheme_script`, `script`, `viewer` and `policy` of a view model for `design`.html.
 /// @throws UsageError for a text that would end its element
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts = {});
 

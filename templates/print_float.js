@@ -1,0 +1,45 @@
+// Fills the pages of report.pdf: where a figure or table would leave the rest of a page empty, the text behind it comes first, as in any
+// typeset paper. Columns of a page's size break as pages do, so the browser's own layout tells where pages end. Engines without scripts
+// (weasyprint) keep the document's order, and some of their pages end early.
+const main = document.querySelector("main");
+const tolerated = 0.1;   // of a page's height, left empty
+
+const isFloat = (block) => block.matches("figure");
+const isHeading = (block) => block?.matches("h2, h3");
+
+/// How much of the page before a block's is empty; 0 where the block follows on the same page. Headings belong to what they stand above.
+function gapBefore(block) {
+    while (isHeading(block.previousElementSibling)) block = block.previousElementSibling;
+    const last = [...block.previousElementSibling?.getClientRects() ?? []].at(-1), page = main.getBoundingClientRect();
+    if (!last) return 0;   // the first of its section
+    return block.getClientRects()[0].left === last.left ? 0 : (page.bottom - last.bottom) / page.height;
+}
+
+/// The next block of text behind a float and those that follow it; a heading comes with the paragraph below it. Empty: there is none.
+function textBehind(float) {
+    let next = float;
+    while (next && isFloat(next)) next = next.nextElementSibling;
+    const text = [];
+    for (; isHeading(next); next = next.nextElementSibling) text.push(next);
+    return next && !isFloat(next) ? [...text, next] : [];
+}
+
+/// Brings text before the float, block by block, as long as that leaves less empty.
+function fillPageBefore(float) {
+    for (let gap = gapBefore(float); gap > tolerated;) {
+        const text = textBehind(float), back = text.at(-1)?.nextElementSibling ?? null, parent = float.parentElement;
+        float.before(...text);
+        const now = gapBefore(float);
+        if (text.length === 0 || now >= gap) {
+            for (const block of text) parent.insertBefore(block, back);
+            return;
+        }
+        gap = now;
+    }
+}
+
+addEventListener("load", () => {
+    main.classList.add("paged");
+    document.querySelectorAll("main > section > figure").forEach(fillPageBefore);
+    main.classList.remove("paged");
+});
