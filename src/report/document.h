@@ -304,13 +304,13 @@ struct DrawnModel {
 
 /// A figure once drawn. Paths are relative to the report's folder.
 struct DrawnFigure {
-    std::string sheet = {};   // "images/q1_plane_h_sheet.png"
-    enum class Layout { panels, matrix, comparison } layout = Layout::panels;
-    std::vector<std::string> columns = {},
-                             rows = {};   // heads of a matrix, whose panels are given row by row; no rows: it has one, or needs no heads
-    std::vector<DrawnPanel> panels = {};
+    std::string sheet = {};                             // "images/q1_plane_h_sheet.png"
+    std::vector<std::string> columns = {}, rows = {};   // heads of a matrix; both empty: it is none
+    std::vector<DrawnPanel> panels = {};                // line by line
+    int in_a_line = 1;                                  // panels
     std::optional<Legend> legend = {};
     std::vector<DrawnModel> models = {};   // one, or before and after with linked cameras; empty: cannot be turned
+    bool is_matrix() const { return !columns.empty() || !rows.empty(); }
     bool operator==(const DrawnFigure&) const = default;
 };
 using DrawnFigures = std::map<std::string, DrawnFigure>;   // by figure id

@@ -1,6 +1,6 @@
-// What the scripts add: pictures in full size, comparisons, the scheme. By keyboard and by pointer.
+// What the scripts add: pictures in full size, the scheme. By keyboard and by pointer.
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { cpSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, describe, test } from "node:test";
@@ -87,66 +87,6 @@ describe("pictures in full size", () => {
         assert.match(await alone.locator(".lightbox .where").textContent(), /only the preview/);
         await alone.context().close();
         rmSync(folder, { recursive: true });
-    });
-});
-
-const compares = readFileSync(path.join(reports.quick, "index.html"), "utf8").includes('class="comparison"');
-describe("comparisons", { skip: compares ? false : "no figure lays one picture over another" }, () => {
-    let page, comparison;
-    before(async () => {
-        page = await open(browser, reports.quick);
-        comparison = page.locator(".comparison").first();
-    });
-    after(() => page.context().close());
-    const seen = () => comparison.locator(".pair").evaluate((pair) => parseFloat(getComputedStyle(pair).getPropertyValue("--seen")));
-    const clip = () => comparison.locator("img.after").evaluate((image) => getComputedStyle(image).clipPath);
-
-    test("each has three pictures of one size", async () => {
-        const sizes = await page.$$eval(".comparison", (all) => all.map((one) =>
-            [...one.querySelectorAll(".panel img")].map((image) => `${image.naturalWidth}×${image.naturalHeight}`)));
-        for (const of of sizes) assert.ok(of.length === 3 && new Set(of).size === 1, of.join());
-    });
-
-    test("the slider by keyboard", async () => {
-        await comparison.getByRole("button", { name: "Slider" }).focus();
-        await page.keyboard.press("Enter");
-        const range = comparison.getByRole("slider");
-        await page.keyboard.press("Tab");
-        await page.keyboard.press("Tab");
-        assert.ok(await range.evaluate((input) => input === document.activeElement), "Tab leads from the ways to the slider");
-        const middle = await seen();
-        await page.keyboard.press("ArrowRight");
-        assert.ok(await seen() > middle);
-        await page.keyboard.press("Home");
-        assert.equal(await seen(), 0);
-        assert.match(await clip(), /inset\(0px 0px 0px 0%\)/);
-        await page.keyboard.press("End");
-        assert.equal(await seen(), 100);
-        assert.match(await range.getAttribute("aria-valuetext"), /^100 % noisy/);
-    });
-
-    test("the slider by pointer", async () => {
-        await comparison.getByRole("button", { name: "Slider" }).click();
-        const box = await comparison.locator(".pair").boundingBox();
-        await page.mouse.move(box.x + 0.8 * box.width, box.y + 0.5 * box.height);
-        await page.mouse.down();
-        assert.ok(Math.abs(await seen() - 80) <= 1);
-        await page.mouse.move(box.x + 0.2 * box.width, box.y + 0.6 * box.height, { steps: 3 });
-        await page.mouse.up();
-        assert.ok(Math.abs(await seen() - 20) <= 1);
-        await page.mouse.move(box.x + 0.9 * box.width, box.y + 0.6 * box.height);
-        assert.ok(Math.abs(await seen() - 20) <= 1, "let go is let go");
-    });
-
-    test("the difference alone, and side by side again", async () => {
-        const visible = () => comparison.locator(".panel").evaluateAll((panels) => panels.map((panel) => panel.checkVisibility()));
-        await comparison.getByRole("button", { name: "Difference" }).click();
-        assert.deepEqual(await visible(), [false, false, true]);
-        assert.equal(await comparison.locator(".slider").isVisible(), false);
-        await comparison.getByRole("button", { name: "Side by side" }).click();
-        assert.deepEqual(await visible(), [true, true, true]);
-        assert.equal(await comparison.locator('[aria-pressed="true"]').count(), 1);
-        assert.deepEqual(page.problems, []);
     });
 });
 

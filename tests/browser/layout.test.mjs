@@ -106,15 +106,12 @@ test("on paper: light, complete, without what is only for the screen", async () 
     const page = await open(browser, reports.quick, { viewport: { width: 680, height: 1000 }, colorScheme: "dark" });
     await page.locator("button.scheme").click();
     await page.locator("button.scheme").click();   // dark by choice, not only by the system
-    const slider = page.locator(".comparison button").nth(1);
-    if (await slider.count()) await slider.click();
     await page.emulateMedia({ media: "print", colorScheme: "dark" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).color), "rgb(28, 29, 33)");
-    for (const gone of [".contents", "button:not(.sort)", "select", ".slider"]) assert.equal(await page.locator(`${gone}:visible`).count(), 0, gone);
-    assert.ok((await page.locator(".comparison .panel").evaluateAll((all) => all.map((one) => one.checkVisibility()))).every(Boolean));
+    for (const gone of [".contents", "button:not(.sort)", "select"]) assert.equal(await page.locator(`${gone}:visible`).count(), 0, gone);
     const folded = await page.$$eval("main :is(p, td, th, img, svg, figcaption)", (elements) => elements
-        .filter((element) => !element.closest("details.views, .files, .slider") && !element.checkVisibility()).map((element) => element.textContent.slice(0, 60)));
+        .filter((element) => !element.closest("details.views, .files") && !element.checkVisibility()).map((element) => element.textContent.slice(0, 60)));
     assert.deepEqual(folded.slice(0, 5), []);
     assert.deepEqual((await beyond(page)).slice(0, 5), []);
     await page.context().close();
@@ -130,8 +127,6 @@ describe("axe finds nothing, by WCAG 2.1 A and AA and by its best practices", ()
     for (const colorScheme of ["light", "dark"]) {
         for (const volume of volumes) test(`${volume} in the ${colorScheme} scheme`, async () => {
             const page = await open(browser, reports.quick, { colorScheme, volume });
-            const slider = page.locator(".comparison button").nth(1);
-            if (await slider.count()) await slider.click();
             await page.$$eval("details", (all) => { for (const one of all) one.open = true; });
             assert.deepEqual(await check(page), []);
             await page.context().close();

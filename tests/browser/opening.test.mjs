@@ -157,7 +157,7 @@ for (const volume of volumes) test(`without JavaScript nothing is missing in ${v
     assert.equal(await plain.locator("button, dialog, input, select").count(), 0);
     const words = (where) => where.evaluate(() => {
         const copy = document.querySelector("main").cloneNode(true);
-        for (const tool of copy.querySelectorAll(".table-tools, .ways, .slider, .model-button, .model-note, script")) tool.remove();
+        for (const tool of copy.querySelectorAll(".table-tools, .model-button, .model-note, script")) tool.remove();
         return copy.textContent.replace(/\s+/g, "");
     });
     const [without, complete] = [await words(plain), await words(page)];

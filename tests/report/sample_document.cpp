@@ -208,12 +208,12 @@ DrawnPanel panel_with_views(const std::string& label, const std::string& name) {
 }   // namespace
 
 DrawnFigures sample_figures() {
-    DrawnFigure drawn{.sheet = "images/q1_plane_h_sheet.png"};
+    DrawnFigure drawn{.sheet = "images/q1_plane_h_sheet.png", .in_a_line = 2};
     drawn.panels = {panel_with_views("λ = 0.1", "q1_plane_h"), panel_with_views("λ = 1", "q1_plane_k")};
     drawn.legend = Legend{"mean curvature H", "1/length", -2, 3, {"#004c9e", "#eeeeee", "#93232b"}, 0.02, 0, "#e1bee7", {0.25, 0.75}};
     DrawnFigure cover{.sheet = "images/cover_sheet.png"};
     cover.panels = {{"", {picture("", 20, 680, 700, "", "cover")}}};
-    DrawnFigure compared{.sheet = "images/q1_before_after_sheet.png", .layout = DrawnFigure::Layout::comparison};
+    DrawnFigure compared{.sheet = "images/q1_before_after_sheet.png", .in_a_line = 3};
     for (const char* panel : {"before", "after", "moved"}) compared.panels.push_back({panel, {picture("", 20, 560, 500, "", panel)}});
     return {{"q1_plane_h", drawn}, {"q1_before_after", compared}, {"cover", cover}};
 }
@@ -222,7 +222,7 @@ DrawnFigures sample_layouts() {
     DrawnFigures figures = sample_figures();
     figures["q1_plane_h"].panels.resize(1);
     DrawnFigure& matrix = figures["q1_before_after"];
-    matrix.layout = DrawnFigure::Layout::matrix;
+    matrix.in_a_line = 2;
     matrix.columns = {"explicit", "implicit"};
     matrix.rows = {"λ = 0.1", "λ = 1"};
     matrix.panels.push_back({"blew up", {}});
@@ -288,7 +288,7 @@ Document hostile_document() {
 DrawnFigures hostile_figures() {
     DrawnFigures drawn = sample_figures();
     DrawnFigure& figure = drawn["q1_hostile"];
-    figure = {.sheet = "images/" + hostile, .layout = DrawnFigure::Layout::matrix, .columns = {hostile, hostile}, .rows = {hostile}};
+    figure = {.sheet = "images/" + hostile, .columns = {hostile, hostile}, .rows = {hostile}, .in_a_line = 2};
     figure.panels = {{hostile, {{hostile, 0, 0, 1, 1, "images/" + hostile, ""}}}, {hostile, {}}};
     figure.legend = Legend{hostile, hostile, 0, 1, {hostile}, 1, 1, hostile, {1}};
     return drawn;

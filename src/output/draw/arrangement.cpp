@@ -11,7 +11,7 @@ namespace meshfolio::output {
 
 namespace {
 
-constexpr std::size_t most_large = 12, in_a_line = 4, in_a_gallery_line = 6;
+constexpr std::size_t most_large = 12, in_a_line = 4, in_a_gallery_line = 6, blocks_in_a_line = 2, views_in_a_line = 3;
 
 class Arranger {
 public:
@@ -26,16 +26,10 @@ public:
     }
 
     render::FigureSheet sheet() {
-        const bool six = request_.layout == Layout::six_views;
-        if (six && panels_.size() == 1) {
-            const int left = panels_[0][0].width + 2 * gap_;
-            const int height = std::max(panels_[0][0].height, 2 * views_height());
-            place(0, 0, 0, (height - panels_[0][0].height) / 2);
-            views(0, left, (height - 2 * views_height()) / 2, 2);
-        } else {
-            const int below = grid();
-            if (six) rows_of_views(below);
-        }
+        if (request_.layout == Layout::six_views)
+            blocks();
+        else
+            grid();
         for (std::size_t p = 0; p < panels_.size(); ++p)
             for (std::size_t i = 0; i < panels_[p].size(); ++i)
                 sheet_.pictures.push_back({std::move(panels_[p][i]), places_[p][i].first, places_[p][i].second});
@@ -54,10 +48,10 @@ private:
         if (!words.empty()) sheet_.words.push_back({std::move(words), left, top, width, line_, is_centred});
     }
 
-    /// The pictures from three quarters, named below, or between the heads of a matrix. @return where they end
-    int grid() {
+    /// The pictures from three quarters, named below, or between the heads of a matrix.
+    void grid() {
         const bool matrix = !request_.columns.empty() || !request_.rows.empty();
-        const std::size_t columns = columns_of(request_);
+        const auto columns = static_cast<std::size_t>(panels_in_a_line(request_));
         int width = 6 * line_, height = 0;
         for (const PanelPictures& panel : panels_) {
             if (panel.empty()) continue;
@@ -76,7 +70,24 @@ private:
         for (std::size_t c = 0; c < request_.columns.size(); ++c) say(request_.columns[c], left + static_cast<int>(c) * across, 0, width);
         for (std::size_t r = 0; r < request_.rows.size(); ++r)
             say(request_.rows[r], 0, top + static_cast<int>(r) * down + height / 2 - line_ / 2, left - gap_, false);
-        return top + static_cast<int>((panels_.size() + columns - 1) / columns) * down;
+    }
+
+    /// Each panel's picture from three quarters, and beside it its views in two lines.
+    void blocks() {
+        int width = 0, height = 2 * views_height();
+        for (const PanelPictures& panel : panels_) {
+            width = std::max(width, panel[0].width + 2 * gap_ + views_width(panel));
+            height = std::max(height, panel[0].height);
+        }
+        const int columns = panels_in_a_line(request_);
+        for (int p = 0; p < static_cast<int>(panels_.size()); ++p) {
+            const auto panel = static_cast<std::size_t>(p);
+            const render::Image& large = panels_[panel][0];
+            const int x = p % columns * (width + 3 * gap_), y = p / columns * (height + gap_ + line_);
+            place(panel, 0, x, y + (height - large.height) / 2);
+            if (panels_[panel].size() > 1) views(panel, x + large.width + 2 * gap_, y + (height - 2 * views_height()) / 2);
+            if (panels_.size() > 1) say(request_.panels[panel].label, x, y + height, width);
+        }
     }
 
     int views_height() const {
@@ -86,39 +97,26 @@ private:
         return height + line_ + gap_;
     }
 
-    /// The six views of a panel, each with its name below, in so many lines. @return where they end
-    int views(std::size_t panel, int left, int top, int lines) {
+    int view_width(const render::Image& view) const { return std::max(view.width, 3 * line_); }
+    int views_width(const PanelPictures& panel) const {
+        int width = 0;
+        for (std::size_t i = 1; i < panel.size() && i <= views_in_a_line; ++i) width += view_width(panel[i]) + gap_;
+        return width;
+    }
+
+    /// The six views of a panel in two lines, each with its name below.
+    void views(std::size_t panel, int left, int top) {
         const std::vector<render::View> directions = views_in_reading_order();
-        const std::size_t columns = directions.size() / static_cast<std::size_t>(lines);
         const int height = views_height() - line_ - gap_;
         int x = left;
         for (std::size_t i = 0; i < directions.size(); ++i) {
-            if (i % columns == 0) x = left;
+            if (i % views_in_a_line == 0) x = left;
             const render::Image& image = panels_[panel][1 + i];
-            const int y = top + static_cast<int>(i / columns) * views_height(), width = std::max(image.width, 3 * line_);
+            const int y = top + static_cast<int>(i / views_in_a_line) * views_height(), width = view_width(image);
             place(panel, 1 + i, x + (width - image.width) / 2, y + (height - image.height) / 2);
             say(std::string(directions[i].name), x, y + height, width);
             x += width + gap_;
         }
-        return top + lines * views_height();
-    }
-
-    void rows_of_views(int top) {
-        for (std::size_t p = 0; p < panels_.size(); ++p) {
-            if (panels_[p].size() < 2) continue;
-            say(request_.panels[p].label, 0, top, 30 * line_, false);
-            top = views(p, 0, top + line_, 1);
-        }
-    }
-
-    /// Lines about equally full.
-    static std::size_t columns_of(const FigureRequest& request) {
-        const std::size_t panels = request.panels.size();
-        if (!request.columns.empty()) return request.columns.size();
-        if (!request.rows.empty()) return (panels + request.rows.size() - 1) / request.rows.size();
-        if (is_gallery(request)) return in_a_gallery_line;
-        const std::size_t lines = (panels + in_a_line - 1) / in_a_line;
-        return (panels + lines - 1) / lines;
     }
 };
 
@@ -131,6 +129,15 @@ std::vector<render::View> views_in_reading_order() {
 
 bool is_gallery(const FigureRequest& request) {
     return request.layout != Layout::six_views && request.panels.size() > most_large && request.columns.empty() && request.rows.empty();
+}
+
+int panels_in_a_line(const FigureRequest& request) {
+    const std::size_t panels = request.panels.size();
+    if (!request.columns.empty()) return static_cast<int>(request.columns.size());
+    if (!request.rows.empty()) return static_cast<int>(panels / request.rows.size());
+    if (request.layout == Layout::six_views) return static_cast<int>(std::min(panels, blocks_in_a_line));
+    const std::size_t most = is_gallery(request) ? in_a_gallery_line : in_a_line, lines = (panels + most - 1) / most;
+    return static_cast<int>((panels + lines - 1) / lines);   // lines about equally full
 }
 
 render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em) {

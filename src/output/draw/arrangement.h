@@ -21,6 +21,9 @@ using PanelPictures = std::vector<render::Image>;
 /// @param em  text size
 render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em);
 
+/// How many lie beside each other.
+int panels_in_a_line(const FigureRequest& request);
+
 /// Small multiples so many that they are looked at together and not one by one: six in a line, and small.
 bool is_gallery(const FigureRequest& request);
 

@@ -40,7 +40,7 @@ struct FigureJob {
 };
 
 /// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
-constexpr int alone = 600, compared = 440, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 216, small = 216;
+constexpr int leading = 600, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 216, small = 216;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
 
@@ -49,12 +49,9 @@ int scaled(int side, const DrawSettings& settings) { return std::max(8, static_c
 
 int three_quarter_side(const FigureRequest& request) {
     if (is_gallery(request)) return small;
-    if (request.panels.size() == 1) return alone;
-    if (request.layout == Layout::comparison) return compared;
+    if (request.panels.size() == 1 || has_six_views(request)) return leading;
     if (request.panels.size() > 8) return smallest_in_a_line;   // line below line
-    const auto in_line =
-        static_cast<int>(request.columns.empty() ? std::min<std::size_t>(request.panels.size(), 4) : request.columns.size());
-    return std::clamp(line_of_pictures / in_line, smallest_in_a_line, in_a_strip);
+    return std::clamp(line_of_pictures / panels_in_a_line(request), smallest_in_a_line, in_a_strip);
 }
 
 /// A cell of a matrix may be empty, nothing else.
@@ -85,8 +82,6 @@ void require_good_names(std::span<const FigureRequest> requests) {
         for (const Panel& panel : request.panels)
             if (panel.mesh) require(panel.name);
         require_meshes(request);
-        if (request.layout == Layout::comparison && request.panels.size() != 2 && request.panels.size() != 3)
-            throw std::logic_error("figure " + request.id + " compares neither two panels nor three");
     }
 }
 
@@ -212,12 +207,9 @@ void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const rende
 
 void finish_figure(FigureJob& job, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
-    using Kind = report::DrawnFigure::Layout;
-    job.drawn.layout = request.layout == Layout::comparison              ? Kind::comparison
-                       : request.columns.empty() && request.rows.empty() ? Kind::panels
-                                                                         : Kind::matrix;
     job.drawn.columns = request.columns;
     job.drawn.rows = request.rows;
+    job.drawn.in_a_line = panels_in_a_line(request);
     render::FigureSheet sheet = arranged(request, std::move(job.pictures), std::max(13.0, 21 * scale_of(settings)));
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;

@@ -30,11 +30,9 @@ struct ColorRange {
 };
 
 enum class Layout {
-    six_views,   // each panel from three quarters and from the six directions: one panel large with the views beside it; of several the
-                 // large pictures side by side, and below them a row of views for each
+    six_views,   // each panel from three quarters, and beside it, smaller, from the six directions
     multiples,   // one picture a panel, from three quarters, each in its own frame; beyond twelve at half the size, six in a line
-    one_frame,   // the same in one frame, that of `frame_panel`, for one mesh in several states: sizes can be compared
-    comparison   // the same of a mesh before and after, and as a third, if there is one, their difference: one slides over the other
+    one_frame    // the same in one frame, that of `frame_panel`, for one mesh in several states: sizes can be compared
 };
 
 struct FigureRequest {

@@ -77,7 +77,6 @@ inline constexpr std::array<const char*, 6> names_of(Diagram::Style) { return {"
 inline constexpr std::array<const char*, 9> names_of(Diagram::Side) {
     return {"centre", "above", "below", "left", "right", "above_left", "above_right", "below_left", "below_right"};
 }
-inline constexpr std::array<const char*, 3> names_of(DrawnFigure::Layout) { return {"panels", "matrix", "comparison"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Kind) { return {"near", "at_most", "at_least"}; }
 inline constexpr std::array<const char*, 3> names_of(Check::Status) { return {"passed", "failed", "undecided"}; }
 inline constexpr std::array<const char*, 3> names_of(Status) { return {"ok", "failed", "skipped"}; }
@@ -274,7 +273,7 @@ void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
     fields("alt", entry.figure.alt);
     fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn, "null: could not be drawn");
     const DrawnFigure fallback;
-    fields.optional("layout", entry.drawn.layout, fallback.layout);
+    fields.optional("in_a_line", entry.drawn.in_a_line, fallback.in_a_line, "panels beside each other");
     fields.optional("columns", entry.drawn.columns, {}, "heads of a matrix, whose panels are given row by row");
     fields.optional("rows", entry.drawn.rows, {});
     fields.optional("panels", entry.drawn.panels, {}, "meshes, and where their pictures are in the sheet");

@@ -45,7 +45,8 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
     const auto source = [](const std::string& text) { return " 'sha256-" + base64(sha256_bytes(text)) + "'"; };
     std::string allowed;
     for (const std::string& script : scripts) allowed += source(script);
-    return "default-src 'none'; img-src 'self' data:; style-src" + source(style) + "; script-src" + allowed + "; base-uri 'none'; form-action 'none'";
+    return "default-src 'none'; img-src 'self' data:; style-src" + source(style) + "; script-src" + allowed +
+           "; base-uri 'none'; form-action 'none'";
 }
 
 }   // namespace
@@ -53,7 +54,7 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
     const bool on_screen = design == "report", with_models = on_screen && parts.models, with_viewer = with_models && !parts.viewer.empty();
     // Each script says at its head what it does. They do not depend on one another.
-    std::vector<std::string> styles = {design + ".css"}, scripts = {"print_float.js"};
+    std::vector<std::string> styles = {"figure.css", design + ".css"}, scripts = {"print_float.js"};
     if (on_screen) scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
     if (with_models) styles.emplace_back("models.css");
     if (with_viewer) scripts.emplace_back("models.js");

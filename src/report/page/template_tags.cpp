@@ -48,9 +48,9 @@ nlohmann::json documented_model() {
     const Templates templates;
     DrawnFigure drawn;
     drawn.panels = {{.label = "", .pictures = {{.view = ""}, {.view = "+x", .file = "x.png"}}}};
-    DrawnFigure matrix = drawn;
-    matrix.layout = DrawnFigure::Layout::matrix;
+    DrawnFigure matrix;
     matrix.columns = matrix.rows = {""};
+    matrix.panels = {{.label = "", .pictures = {{}}}};
     drawn.models.emplace_back();
     nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates, {.table_rows = rows_shown});
     add_design(model, templates, "report");

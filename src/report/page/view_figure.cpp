@@ -13,9 +13,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_in_a_line = 4, gallery = 12, gallery_line = 6, views_in_a_group = 3;
-// Against the width of the text, on paper 59, 44, 99, 90 and 23 mm.
-constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52, highest_row = 0.135;
+constexpr std::size_t views_in_a_line = 3;
+// Against the width of the text, on paper 59, 44, 99 and 90 mm. A block may be as high as a line.
+constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52;
 constexpr int tenths_of_heads = 2;   // of the width, beside the rows of a matrix: 24 mm on paper
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
@@ -68,47 +68,33 @@ int tenths(double width, double height, double highest) {
     return std::clamp(static_cast<int>(std::floor(10 * highest * width / height)), 2, 10);
 }
 
-/// Of the six views in a row.
-int tenths_of_row(const DrawnPanel& panel) {
-    double width = 0, height = 0;
+/// A panel's large picture and, beside it, its six views in two lines; `columns` such blocks lie beside each other.
+json block_view(const PictureOf& of, std::size_t p) {
+    const DrawnPanel& panel = of.drawn.panels[p];
+    const int columns = of.drawn.in_a_line;
+    double views_width = 0, views_height = 0;
+    json lines = json::array();
     for (std::size_t i = 1; i < panel.pictures.size(); ++i) {
-        width += panel.pictures[i].width;
-        height = std::max<double>(height, panel.pictures[i].height);
+        if (i <= views_in_a_line) views_width += panel.pictures[i].width;
+        views_height = std::max<double>(views_height, panel.pictures[i].height);
+        if (i % views_in_a_line == 1) lines.push_back(view_of({{"views", "pictures of a line", json::array()}}));
+        lines.back()["views"].push_back(of.view(p, i));
     }
-    return tenths(width, height, highest_row);
-}
-
-/// The directions of a panel, three by three: beside each other where there is room.
-json views_view(const PictureOf& of, std::size_t p) {
-    json groups = json::array();
-    for (std::size_t i = 1; i < of.drawn.panels[p].pictures.size(); ++i) {
-        if (groups.empty() || groups.back()["views"].size() == views_in_a_group)
-            groups.push_back(view_of({{"views", "pictures of a group", json::array()}}));
-        groups.back()["views"].push_back(of.view(p, i));
-    }
-    return view_of({{"label", "of the panel", prose_view(of.drawn.panels[p].label)},
-                    {"has_label", "it has one", of.drawn.panels.size() > 1 && !of.drawn.panels[p].label.empty()},
-                    {"tenths", "of the width that the pictures take", std::to_string(tenths_of_row(of.drawn.panels[p]))},
-                    {"groups", "its views, three by three", std::move(groups)}});
+    const double width = panel.pictures[0].width + views_width, height = std::max<double>(panel.pictures[0].height, 2 * views_height);
+    const double highest = columns == 1 ? highest_lead : columns * highest_line;
+    return view_of({{"lead", "the large picture", of.view(p, 0)},
+                    {"label", "of the panel", prose_view(panel.label)},
+                    {"has_label", "it has one", of.drawn.panels.size() > 1 && !panel.label.empty()},
+                    {"tenths", "of the block's width that the pictures take", std::to_string(tenths(width, height, highest))},
+                    {"view_lines", "its views, line by line", std::move(lines)}});
 }
 
 json head_view(const std::string& words) { return view_of({{"head", "of a column of a matrix", prose_view(words)}}); }
 
-/// Lines about equally full; many panels are small.
-std::size_t columns_of(const DrawnFigure& drawn) {
-    const std::size_t panels = drawn.panels.size();
-    if (!drawn.columns.empty()) return drawn.columns.size();
-    if (!drawn.rows.empty()) return std::max<std::size_t>(1, panels / drawn.rows.size());
-    if (drawn.layout == DrawnFigure::Layout::comparison) return std::max<std::size_t>(1, panels);
-    if (panels > gallery && !has_views(drawn.panels[0])) return gallery_line;
-    const std::size_t lines = std::max<std::size_t>(1, (panels + most_in_a_line - 1) / most_in_a_line);
-    return std::max<std::size_t>(1, (panels + lines - 1) / lines);
-}
-
 /// Its panels line by line, the heads of matrices before them.
 json lines_view(const PictureOf& of) {
     json lines = json::array();
-    const std::size_t columns = columns_of(of.drawn);
+    const auto columns = static_cast<std::size_t>(std::max(1, of.drawn.in_a_line));
     for (std::size_t first = 0; first < of.drawn.panels.size(); first += columns) {
         json cells = json::array();
         for (std::size_t p = first; p < std::min(first + columns, of.drawn.panels.size()); ++p) cells.push_back(cell_view(of, p));
@@ -119,63 +105,41 @@ json lines_view(const PictureOf& of) {
     return lines;
 }
 
-/// Of everything but such rows.
-int tenths_of(const DrawnFigure& drawn) {
-    if (drawn.panels.empty()) return 10;
-    double width = 1, line = 0, highest = highest_lead;
-    const auto largest = [&](auto member) {
-        int most = 0;
-        for (const DrawnPanel& panel : drawn.panels)
-            for (const DrawnPicture& picture : panel.pictures) most = std::max(most, picture.*member);
-        return most;
-    };
-    const DrawnPanel& first = drawn.panels[0];
-    if (drawn.panels.size() == 1 && has_views(first)) {
-        double views_width = 0, views_height = 0;
-        for (std::size_t i = 1; i < first.pictures.size(); ++i) {
-            if (i <= views_in_a_group) views_width += first.pictures[i].width;
-            views_height = std::max<double>(views_height, first.pictures[i].height);
-        }
-        width = first.pictures[0].width + views_width;
-        line = std::max<double>(first.pictures[0].height, 2 * views_height);
-    } else {
-        const std::size_t columns = columns_of(drawn);
-        width = static_cast<double>(columns) * largest(&DrawnPicture::width);
-        line = largest(&DrawnPicture::height);
-        const auto lines = static_cast<double>((drawn.panels.size() + columns - 1) / columns);
-        highest = std::min(highest_line, (drawn.rows.empty() ? highest_figure : highest_matrix) / lines);
+/// Of the width that lines of panels take.
+int tenths_of_lines(const DrawnFigure& drawn) {
+    int width = 1, height = 0;
+    for (const DrawnPanel& panel : drawn.panels) {
+        if (panel.pictures.empty()) continue;
+        width = std::max(width, panel.pictures[0].width);
+        height = std::max(height, panel.pictures[0].height);
     }
-    return std::min(10, tenths(width, line, highest) + (drawn.rows.empty() ? 0 : tenths_of_heads));
+    const int columns = std::max(1, drawn.in_a_line);
+    const double lines = std::ceil(static_cast<double>(drawn.panels.size()) / columns);
+    const bool alone = drawn.panels.size() == 1;
+    const double highest = alone ? highest_lead : std::min(highest_line, (drawn.rows.empty() ? highest_figure : highest_matrix) / lines);
+    return std::min(10, tenths(columns * width, height, highest) + (drawn.rows.empty() ? 0 : tenths_of_heads));
 }
 
 }   // namespace
 
 void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, const ViewContext& context) {
-    using Layout = DrawnFigure::Layout;
     const PictureOf of{figure, drawn, context};
-    const bool is_drawn = context.figures.contains(figure.id), any = is_drawn && !drawn.panels.empty();
-    const bool alone = any && drawn.panels.size() == 1 && has_views(drawn.panels[0]) && drawn.layout == Layout::panels;
-    json rows = json::array(), columns = list_of(drawn.columns, head_view);
-    for (std::size_t p = 0; any && p < drawn.panels.size(); ++p)
-        if (has_views(drawn.panels[p])) rows.push_back(views_view(of, p));
+    const bool is_drawn = context.figures.contains(figure.id), has_blocks = std::ranges::any_of(drawn.panels, has_views);
+    json blocks = json::array(), heads = list_of(drawn.columns, head_view);
+    for (std::size_t p = 0; has_blocks && p < drawn.panels.size(); ++p) blocks.push_back(block_view(of, p));
     enter(view, {{"alt", "the pictures in words", safe_text(figure.alt)},
                  {"is_drawn", "there are pictures", is_drawn},
                  {"sheet", "the file that holds them all, relative to the report", url_path(drawn.sheet)},
-                 {"is_lead", "one mesh: a large picture, `lead`, and beside it the views of `view_rows`", alone},
-                 {"is_lines", "several: pictures from three quarters line by line, and below them `view_rows`",
-                  any && !alone && drawn.layout == Layout::panels},
-                 {"is_matrix", "lines with heads", any && drawn.layout == Layout::matrix},
-                 {"is_comparison", "before beside after, and their difference if there is one: the cells of the only line",
-                  any && drawn.layout == Layout::comparison},
-                 {"lead", "the large picture of one mesh", alone ? of.view(0, 0) : json(false)},
-                 {"lines", "panels beside each other", any && !alone ? lines_view(of) : json::array()},
-                 {"column_count", "of the lines", std::to_string(any ? columns_of(drawn) : 1)},
-                 {"tenths", "of the width that the pictures take", std::to_string(tenths_of(drawn))},
+                 {"is_lines", "`lines` of pictures from three quarters", !has_blocks && !drawn.panels.empty() && !drawn.is_matrix()},
+                 {"is_matrix", "`lines` with heads", drawn.is_matrix()},
+                 {"lines", "panels beside each other", has_blocks ? json::array() : lines_view(of)},
+                 {"column_count", "of the lines, or blocks beside each other", std::to_string(std::max(1, drawn.in_a_line))},
+                 {"tenths", "of the width that the lines take", std::to_string(tenths_of_lines(drawn))},
                  {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
                  {"has_legend", "there are colours", drawn.legend.has_value()},
                  {"has_row_heads", "of a matrix", !drawn.rows.empty()}});
-    enter_list(view, "heads", "of the columns of a matrix", std::move(columns));
-    enter_list(view, "view_rows", "views of a panel each", std::move(rows));
+    enter_list(view, "heads", "of the columns of a matrix", std::move(heads));
+    enter_list(view, "blocks", "panels that are seen from six directions as well", std::move(blocks));
 }
 
 json cover_view(const Figure& cover, const ViewContext& context) {

@@ -312,7 +312,8 @@ TEST(DrawFigures, AnEmptyCellOfAMatrixHasALabelAndNoPicture) {
     request.rows = {"c", "d"};
     request.panels.insert(request.panels.begin() + 2, Panel{"", "blew up", nullptr, {}, {}});
     const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q4_balls");
-    EXPECT_EQ(drawn.layout, report::DrawnFigure::Layout::matrix);
+    EXPECT_TRUE(drawn.is_matrix());
+    EXPECT_EQ(drawn.in_a_line, 2);
     ASSERT_EQ(drawn.panels.size(), 4u);
     EXPECT_TRUE(drawn.panels[2].pictures.empty());
     EXPECT_EQ(drawn.panels[2].label, "blew up");
@@ -336,7 +337,7 @@ TEST(DrawFigures, RefusesHeadsThatDoNotFitAndCellsWithoutAMesh) {
     EXPECT_THROW(draw_figures(std::vector{framed}, folder.path(), small_pictures()), std::logic_error);
 }
 
-// ---- comparisons --------------------------------------------------------------------------------------------------------
+// ---- a mesh before and after --------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -350,27 +351,12 @@ FigureRequest shrunk_ball() {
         {},
         false,
         0};
-    request.layout = Layout::comparison;
+    request.layout = Layout::one_frame;
     request.range = robust_range({request.panels.back()}, "viridis", "displacement", "%", 0);
     return request;
 }
 
 }   // namespace
-
-TEST(DrawFigures, PicturesOfAComparisonHaveOneSize) {
-    const TemporaryFolder folder;
-    const auto drawn = draw_figures(std::vector{shrunk_ball()}, folder.path(), small_pictures()).at("q5_pair");
-    EXPECT_EQ(drawn.layout, report::DrawnFigure::Layout::comparison);
-    ASSERT_EQ(drawn.panels.size(), 3u);
-    for (const report::DrawnPanel& panel : drawn.panels) {
-        EXPECT_EQ(panel.pictures[0].width, drawn.panels[0].pictures[0].width);
-        EXPECT_EQ(panel.pictures[0].height, drawn.panels[0].pictures[0].height);
-    }
-    EXPECT_EQ(drawn.panels[0].label, "before");
-    EXPECT_NE(drawn.panels[0].pictures[0].jpeg, drawn.panels[1].pictures[0].jpeg);
-    EXPECT_EQ(drawn.legend->quantity, "displacement");
-    EXPECT_FALSE(draw_figures(std::vector{balls({1}, false)}, folder.path(), small_pictures()).at("q4_balls").legend->colours.empty());
-}
 
 TEST(DrawFigures, CoarseMeshesShowTheirTrianglesWhereShapesAreCompared) {
     const TemporaryFolder folder;
@@ -380,11 +366,4 @@ TEST(DrawFigures, CoarseMeshesShowTheirTrianglesWhereShapesAreCompared) {
     const auto with = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q5_pair");
     for (const std::size_t plain : {0u, 1u}) EXPECT_EQ(drawn.panels[plain].pictures[0].jpeg, with.panels[plain].pictures[0].jpeg);
     EXPECT_NE(drawn.panels[2].pictures[0].jpeg, with.panels[2].pictures[0].jpeg) << "colours are not drawn over unless it is asked for";
-}
-
-TEST(DrawFigures, RefusesAComparisonOfOnePanelOrInTwoFrames) {
-    const TemporaryFolder folder;
-    FigureRequest alone = shrunk_ball();
-    alone.panels.resize(1);
-    EXPECT_THROW(draw_figures(std::vector{alone}, folder.path(), small_pictures()), std::logic_error);
 }
