@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
@@ -39,48 +38,55 @@ double squared_distance_to_triangle(const Vector3& p, const Vector3& x0, const V
 
 double ClosestPoint::Node::squared_distance(const Vector3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm(); }
 
+void ClosestPoint::Node::include(const Vector3& other_low, const Vector3& other_high) {
+    low = low.cwiseMin(other_low);
+    high = high.cwiseMax(other_high);
+}
+
 ClosestPoint::ClosestPoint(const TriangleMesh& mesh) {
     if (mesh.face_count() == 0) throw MeshError("ClosestPoint: a mesh without triangles has no surface");
     std::vector<Corners> triangles(static_cast<std::size_t>(mesh.face_count()));
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (int k = 0; k < 3; ++k) triangles[t][static_cast<std::size_t>(k)] = mesh.X.row(mesh.F(static_cast<Eigen::Index>(t), k));
     }
-    std::vector<int> order(triangles.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<Placed> order(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        order[t] = {(triangles[t][0] + triangles[t][1] + triangles[t][2]) / 3, static_cast<int>(t)};
     nodes_.reserve(2 * triangles.size() / triangles_in_a_leaf + 2);
     build(order, triangles, 0, mesh.face_count());
     triangles_.reserve(triangles.size());
-    for (const int t : order) triangles_.push_back(triangles[static_cast<std::size_t>(t)]);
+    for (const Placed& placed : order) triangles_.push_back(triangles[static_cast<std::size_t>(placed.triangle)]);
 }
 
 /// Splits [first, last) of `order` at the median along the longest side of the box of the centroids; returns the node's number.
-int ClosestPoint::build(std::vector<int>& order, const std::vector<Corners>& triangles, int first, int last) {
-    const auto corners = [&](int t) -> const Corners& { return triangles[static_cast<std::size_t>(t)]; };
-    const auto centroid = [&](int t) -> Vector3 { return (corners(t)[0] + corners(t)[1] + corners(t)[2]) / 3; };
+int ClosestPoint::build(std::vector<Placed>& order, const std::vector<Corners>& triangles, int first, int last) {
     Node node{Vector3::Constant(infinity), Vector3::Constant(-infinity), first, last - first, 0};
     Vector3 centroid_low = node.low, centroid_high = node.high;
-    for (int place = first; place < last; ++place) {
-        const int t = order[static_cast<std::size_t>(place)];
-        for (const Vector3& x : corners(t)) {
-            node.low = node.low.cwiseMin(x);
-            node.high = node.high.cwiseMax(x);
-        }
-        centroid_low = centroid_low.cwiseMin(centroid(t));
-        centroid_high = centroid_high.cwiseMax(centroid(t));
-    }
     const int number = static_cast<int>(nodes_.size());
     nodes_.push_back(node);
-    if (last - first <= triangles_in_a_leaf) return number;
+    if (last - first <= triangles_in_a_leaf) {
+        for (int place = first; place < last; ++place)
+            for (const Vector3& x : triangles[static_cast<std::size_t>(order[static_cast<std::size_t>(place)].triangle)])
+                nodes_.back().include(x, x);
+        return number;
+    }
+    for (int place = first; place < last; ++place) {
+        centroid_low = centroid_low.cwiseMin(order[static_cast<std::size_t>(place)].centroid);
+        centroid_high = centroid_high.cwiseMax(order[static_cast<std::size_t>(place)].centroid);
+    }
 
     Eigen::Index axis = 0;
     (centroid_high - centroid_low).maxCoeff(&axis);
     const int middle = first + (last - first) / 2;
     std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
-                     [&](int s, int t) { return centroid(s)[axis] < centroid(t)[axis]; });
+                     [&](const Placed& s, const Placed& t) { return s.centroid[axis] < t.centroid[axis]; });
     build(order, triangles, first, middle);
     const int right = build(order, triangles, middle, last);
-    nodes_[static_cast<std::size_t>(number)].count = 0;
-    nodes_[static_cast<std::size_t>(number)].right = right;
+    Node& inner = nodes_[static_cast<std::size_t>(number)];
+    inner.count = 0;
+    inner.right = right;
+    for (const int child : {number + 1, right})
+        inner.include(nodes_[static_cast<std::size_t>(child)].low, nodes_[static_cast<std::size_t>(child)].high);
     return number;
 }
 

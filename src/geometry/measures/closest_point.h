@@ -30,9 +30,14 @@ private:
         int first, count;    // triangles of a leaf; count 0: an inner node
         int right;           // second child of an inner node, whose first follows it
         double squared_distance(const Vector3& p) const;
+        void include(const Vector3& other_low, const Vector3& other_high);
     };
 
-    int build(std::vector<int>& order, const std::vector<Corners>& triangles, int first, int last);
+    struct Placed {
+        Vector3 centroid;
+        int triangle;
+    };
+    int build(std::vector<Placed>& order, const std::vector<Corners>& triangles, int first, int last);
 
     std::vector<Node> nodes_;
     std::vector<Corners> triangles_;   // in the order of the leaves
