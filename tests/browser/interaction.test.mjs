@@ -61,8 +61,8 @@ describe("pictures in full size", () => {
     });
 
     test("a picture that is no file of its own opens the sheet it is part of", async () => {
-        const figure = page.locator("#q1 figure.picture:has(.plate .panel > img)").first();
-        await figure.locator(".panel > img").first().click();
+        const figure = page.locator("#q1 figure.picture:has(.plate :is(.panel, .large) > img)").first();
+        await figure.locator(":is(.panel, .large) > img").first().click();
         await loaded(page);
         assert.equal(await shown(page), await figure.locator(".files a.sheet").getAttribute("href"));
         await page.keyboard.press("Escape");

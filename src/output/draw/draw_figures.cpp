@@ -40,7 +40,8 @@ struct FigureJob {
 };
 
 /// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
-constexpr int leading = 600, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 216, small = 216;
+constexpr int leading = 600, leading_a_block = 450, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 216, small = 216,
+              small_in_a_block = 162;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
 
@@ -49,7 +50,8 @@ int scaled(int side, const DrawSettings& settings) { return std::max(8, static_c
 
 int three_quarter_side(const FigureRequest& request) {
     if (is_gallery(request)) return small;
-    if (request.panels.size() == 1 || has_six_views(request)) return leading;
+    if (request.panels.size() == 1) return leading;
+    if (has_six_views(request)) return leading_a_block;
     if (request.panels.size() > 8) return smallest_in_a_line;   // line below line
     return std::clamp(line_of_pictures / panels_in_a_line(request), smallest_in_a_line, in_a_strip);
 }
@@ -238,7 +240,8 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     for (std::size_t f = 0; f < requests.size(); ++f) {
         figures[f].request = &requests[f];
         figures[f].three_quarters = three_quarter_frames(requests[f], scaled(three_quarter_side(requests[f]), settings));
-        if (has_six_views(requests[f])) figures[f].six = six_frames(requests[f], scaled(small, settings));
+        if (has_six_views(requests[f]))
+            figures[f].six = six_frames(requests[f], scaled(requests[f].panels.size() == 1 ? small : small_in_a_block, settings));
         figures[f].pictures.resize(requests[f].panels.size());
         figures[f].panels_left = static_cast<int>(requests[f].panels.size());
         for (std::size_t p = 0; p < requests[f].panels.size(); ++p) pieces.push_back({f, p});
