@@ -82,9 +82,6 @@ LimbStudy limb_study(const SpectralStudy& study) {
     const std::vector<int> thin = first_share(order, M, 0.25), thick = first_share({order.rbegin(), order.rend()}, M, 0.25);
     result.thin_diameter = median_of(thin, thickness);
     result.thick_diameter = median_of(thick, thickness);
-    const double needed = 4 / (result.thin_diameter * result.thin_diameter);
-    for (int i = 1; i <= study.modes() && result.modes_needed == 0; ++i)
-        if (study.spectrum.eigenvalues[i - 1] >= needed) result.modes_needed = i;
     for (const Reconstruction& r : study.reconstructions) {
         if (r.predicted_rms < 1e-9 * study.diagonal) continue;
         result.errors.push_back({r.k, rms_over(thin, M, r.distance), rms_over(thick, M, r.distance), far_share(study, r.distance),

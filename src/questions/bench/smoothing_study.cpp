@@ -23,37 +23,57 @@ double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
     return ((X.rowwise() - subject.mesh().X.row(0)).transpose() * weights).norm();
 }
 
-/// How much of the size of each component is left: of its volume, or with a boundary of the diagonal of its box.
+/// How much of the size of each component is left: of its volume, or with a boundary of its spread, the mean squared distance from its
+/// centroid. A box would tell of the boundary alone, which gives way long before the sheet does.
 class SizeWatch {
 public:
-    SizeWatch(const TriangleMesh& mesh, const MeshTopology& topology)
-        : mesh_(mesh), topology_(topology), volume_(component_sizes(mesh, topology).volume), diagonal_(diagonals(mesh.X)) {}
+    SizeWatch(const SmoothingSubject& subject, const MeshTopology& topology)
+        : mesh_(subject.mesh()),
+          topology_(topology),
+          M_(subject.laplacian.M),
+          component_(component_of_vertices()),
+          volume_(component_sizes(mesh_, topology).volume),
+          spread_(spreads(mesh_.X)) {}
 
     /// Of the component that has lost most; NaN once positions are no numbers.
     double kept(const Positions& X) const {
-        const Vector volume = component_sizes(moved_to(mesh_, X), topology_).volume, diagonal = diagonals(X);
+        const Vector volume = component_sizes(moved_to(mesh_, X), topology_).volume, spread = spreads(X);
         double least = infinity;
         for (int c = 0; c < topology_.component_count; ++c)
-            if (const bool closed = volume_[c] > 0; closed || diagonal_[c] > 0)
-                least = std::min(least, closed ? volume[c] / volume_[c] : diagonal[c] / diagonal_[c]);
+            if (const bool closed = volume_[c] > 0; closed || spread_[c] > 0)
+                least = std::min(least, closed ? volume[c] / volume_[c] : spread[c] / spread_[c]);
         return X.allFinite() ? least : std::nan("");
     }
 
 private:
     const TriangleMesh& mesh_;
     const MeshTopology& topology_;
-    Vector volume_, diagonal_;
+    const Vector& M_;
+    std::vector<int> component_;   // of each vertex; −1: in no triangle
+    Vector volume_, spread_;
 
-    Vector diagonals(const Positions& X) const {
-        Positions low = Positions::Constant(topology_.component_count, 3, infinity), high = -low;
-        for (int t = 0; t < mesh_.face_count(); ++t) {
-            const int c = topology_.component[static_cast<std::size_t>(t)];
-            for (const int v : mesh_.F.row(t)) {
-                low.row(c) = low.row(c).cwiseMin(X.row(v));
-                high.row(c) = high.row(c).cwiseMax(X.row(v));
-            }
-        }
-        return (high - low).rowwise().norm();
+    std::vector<int> component_of_vertices() const {
+        std::vector<int> component(static_cast<std::size_t>(mesh_.vertex_count()), -1);
+        for (int t = 0; t < mesh_.face_count(); ++t)
+            for (const int v : mesh_.F.row(t)) component[static_cast<std::size_t>(v)] = topology_.component[static_cast<std::size_t>(t)];
+        return component;
+    }
+
+    /// Σ M_v |x_v − c|² / Σ M_v, over the squared diagonal of the input's box, so that no size of a mesh overflows. M is the input's.
+    Vector spreads(const Positions& X) const {
+        Vector weight = Vector::Zero(topology_.component_count), sum = weight;
+        Positions centroid = Positions::Zero(topology_.component_count, 3);
+        const auto over_vertices = [&](auto visit) {
+            for (int v = 0; v < mesh_.vertex_count(); ++v)
+                if (const int c = component_[static_cast<std::size_t>(v)]; c >= 0 && M_[v] > 0) visit(c, M_[v], X.row(v));
+        };
+        over_vertices([&](int c, double m, const auto& x) {
+            weight[c] += m;
+            centroid.row(c) += m / weight[c] * (x - centroid.row(c));
+        });
+        const double diagonal = bounding_box(mesh_).diagonal();
+        over_vertices([&](int c, double m, const auto& x) { sum[c] += m / weight[c] * ((x - centroid.row(c)) / diagonal).squaredNorm(); });
+        return sum;
     }
 };
 
@@ -101,7 +121,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     const bool closed = subject.source->prepared->preflight.closed();
     const double first_volume = signed_volume(subject.mesh());
     if (closed) run.volume = {1};
-    const SizeWatch sizes(subject.mesh(), subject.source->prepared->topology);
+    const SizeWatch sizes(subject, subject.source->prepared->topology);
     run.size = {1};
 
     SmoothingOptions options{
@@ -189,6 +209,13 @@ std::string step_label(const SmoothingSubject& subject, double lambda) {
 
 std::string at_step(const SmoothingSubject& subject, double lambda) {
     return smoothing_words.line("at_step", "limits"_a = in_limits(subject, lambda));
+}
+
+output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label) {
+    TriangleMesh mesh = moved_to(subject.mesh(), X);
+    const double boxes = bounding_box(mesh).diagonal() / subject.diagonal;
+    if (boxes > 2) return {std::move(name), smoothing_words.line("panel.too_large", "boxes"_a = readable(boxes, 2)), nullptr};
+    return panel_of(std::move(mesh), std::move(name), std::move(label));
 }
 
 std::string step_name(double lambda) { return "lambda" + plain_text(lambda, 3); }

@@ -2,6 +2,7 @@
 /// One smoothing run and what is measured along the way; shared by the questions on smoothing.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -62,7 +63,7 @@ struct SmoothingRun {
     std::vector<double> energy_rounding;   // by how much rounding may have raised it in step t, likewise; 0 for t = 0
     std::vector<double> volume;            // after t = 0, 1, … iterations, over that of the input; empty when open
     std::vector<double> size;              // after t = 0, 1, … iterations, of the component that has lost most: its volume, or with a
-                                           // boundary the diagonal of its box, over that of the input
+                                           // boundary the mean squared distance from its centroid, over that of the input
     Positions in_view;                     // the last positions before any leaves the pictures framed on the input
     int in_view_iteration = 0;
     std::vector<Positions> snapshots;   // at the iterations asked for
@@ -113,6 +114,17 @@ std::string step_label(const SmoothingSubject& subject, double lambda);
 std::string at_step(const SmoothingSubject& subject, double lambda);
 /// λ for file names: "lambda0.0123".
 std::string step_name(double lambda);
+
+/// X in the frame of the input. Where it spans more than two boxes of the input the cell is empty and says how many: a cut-out of spikes
+/// shows nothing.
+output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
+
+/// What a caption adds where one of the studies is of an open mesh, whose other side is seen; else nothing.
+template <class Study>
+std::string underside_words(const std::vector<Study>& studies) {
+    const bool open = std::ranges::any_of(studies, [](const Study& study) { return !study.subject.source->prepared->preflight.closed(); });
+    return open ? " " + smoothing_words.line("caption.underside") : "";
+}
 
 /// The mesh of the subject on the positions X, coloured by curvature_colours().
 output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);

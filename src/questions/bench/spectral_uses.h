@@ -31,8 +31,7 @@ struct LimbErrors {
 
 struct LimbStudy {
     double thin_diameter = 0, thick_diameter = 0;   // median of the quarter [length]; NaN for a surface that encloses nothing
-    int modes_needed = 0;   // first mode with μ ≥ 4/d², whose wavelength goes once round a limb of the thin diameter; 0: beyond those known
-    std::vector<LimbErrors> errors;   // ascending k, those that are not rounding
+    std::vector<LimbErrors> errors;                 // ascending k, those that are not rounding
     bool measured() const { return thin_diameter > 0 && !errors.empty(); }
 };
 LimbStudy limb_study(const SpectralStudy& study);

@@ -11,6 +11,8 @@ namespace meshfolio::q4_spectral {
 
 namespace {
 
+constexpr double clear_ratio = 1.5;   // less is no difference that one explains
+
 // ---- what the pictures show
 
 /// One reconstruction in words: how much of the volume is left, and how far the normals are off.
@@ -38,7 +40,7 @@ report::Text where_the_error_sits(const SpectralStudy& study) {
     const auto it = std::find_if(all.rbegin(), all.rend(), [&](const Reconstruction& r) { return !is_exact(study, r.k); });
     if (it == all.rend()) return {};
     const double remoteness = remoteness_of_worst(study, *it);
-    if (remoteness < 1.15) return {};
+    if (remoteness < clear_ratio) return {};
     return words.say("worst.outside", "k"_a = it->k, "remoteness"_a = readable(remoteness, 2),
                      "largest"_a = readable(it->difference.max / it->difference.rms, 2));
 }
@@ -100,7 +102,7 @@ report::Text price_of_large_k(const Subject& subject) {
                               "mesh"_a = study.name(),
                               "memory"_a = readable(cost.megabytes, 2),
                               "rebuilding"_a = work(cost.rebuild_operations),
-                              "dense"_a = work(4.0 / 3 * std::pow(study.vertices(), 3)),
+                              "dense"_a = work(9 * std::pow(study.vertices(), 3)),
                               "orthogonalisation"_a = work(cost.orthogonalise_operations),
                               "crossing"_a = static_cast<int>(std::ceil(2 * subject.factor_entries / study.vertices()))};
     return words.say(study.spectrum.dense ? "price.dense" : "price.lanczos", facts);
@@ -122,20 +124,15 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     if (!limbs.measured()) return {};
     const LimbErrors& row = limbs.errors[limbs.errors.size() > 1 ? 1 : 0];
     const LimbErrors& last = limbs.errors.back();
-    const int needed = limbs.modes_needed;
     const double ratio = row.thin / row.thick, later = last.thin / last.thick, radii = row.thin / (0.5 * limbs.thin_diameter);
-    const auto told = [&](std::string_view key, int k, double times) {
-        return words.say(key, "k"_a = k, "ratio"_a = readable(times, 2), "mesh"_a = study.name(), "radii"_a = readable(radii, 2));
-    };
-    report::Text t = told(ratio > 1.1 ? "thin" : "thin.alike", row.k, ratio);
+    const report::Facts facts{"k"_a = row.k,     "ratio"_a = readable(ratio, 2), "mesh"_a = study.name(), "radii"_a = readable(radii, 2),
+                              "last"_a = last.k, "later"_a = readable(later, 2)};
+    if (ratio < clear_ratio) return words.say("thin.alike", facts);
+    report::Text t = words.say("thin", facts);
     if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
-    go_on(t, words.say("thin.wave"));
-    go_on(t, words.say(needed > 0 ? "thin.mode" : "thin.no_mode", "mode"_a = needed, "vertices"_a = study.vertices(),
-                       "modes"_a = study.modes()));
-    const bool missing = needed == 0 || needed > row.k;
-    if (missing && radii > 0.8) go_on(t, told("thin.collapsed", row.k, ratio));
-    if (!missing) go_on(t, told("thin.in_use", row.k, ratio));
-    if (needed > 0 && last.k > std::max(row.k, needed)) go_on(t, told(later > 1.1 ? "thin.later_no_shape" : "thin.later", last.k, later));
+    if (radii > 0.8) go_on(t, words.say("thin.collapsed", facts));
+    if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
+    if (last.k > row.k && later >= clear_ratio) go_on(t, words.say("thin.curvature"));
     return t;
 }
 
@@ -168,7 +165,8 @@ report::Text lead(const std::vector<Subject>& subjects) {
     report::Text thin;
     if (subject.limbs.errors.size() > 1) {
         const LimbErrors& row = subject.limbs.errors[1];
-        if (row.thin > 1.1 * row.thick) thin = words.say("lead.thin", "k"_a = row.k, "ratio"_a = readable(row.thin / row.thick, 2));
+        if (row.thin >= clear_ratio * row.thick)
+            thin = words.say("lead.thin", "k"_a = row.k, "ratio"_a = readable(row.thin / row.thick, 2));
     }
     const auto law = fall_of_the_error(study);
     return paragraph_of(

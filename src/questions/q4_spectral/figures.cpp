@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "questions/bench/curvature_subject.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/six_view_figure.h"
 #include "questions/q4_spectral/parts.h"
@@ -8,31 +9,36 @@ namespace meshfolio::q4_spectral {
 
 namespace {
 
+/// In percent of its own range, which its label tells: the first k would use up a range of all.
 output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
-    const std::string k = std::to_string(r.k);
-    return meshfolio::panel_of(r.mesh, id_of(study, "k" + k), "k = " + k, percent_of(study) * r.distance);
-}
-
-/// Of all reconstructions: the first k would use up the whole range, the last has only rounding.
-output::ColorRange distance_range(const SpectralStudy& study) {
-    std::vector<output::Panel> panels;
-    for (const Reconstruction& r : study.reconstructions) panels.push_back(panel_of(study, r));
-    output::ColorRange range = output::robust_range(panels, "pale", "distance to the original", words.line("of_the_diagonal"), 0.1);
-    range.low = range.clipped_below = 0;
-    return range;
+    output::Panel panel = meshfolio::panel_of(r.mesh, id_of(study, "k" + std::to_string(r.k)), "", r.distance);
+    const double range = output::robust_range({panel}, "pale", "", "", 0).high;
+    panel.label = words.line("reconstructions.label", "k"_a = r.k, "range"_a = percent_of_box(study, range));
+    panel.values *= 100 / range;
+    return panel;
 }
 
 void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::string& what,
                          const std::vector<const Reconstruction*>& reconstructions) {
     const report::Fact mesh = "mesh"_a = study.name();
-    SixViewFigure figure{.id = id_of(study, what),
-                         .title = words.line("reconstructions.title", mesh),
-                         .subtitle = subtitle_of(*study.source),
-                         .range = distance_range(study)};
-    for (const Reconstruction* r : reconstructions) figure.panels.push_back(panel_of(study, *r));
+    SixViewFigure figure{
+        .id = id_of(study, what), .title = words.line("reconstructions.title", mesh), .subtitle = subtitle_of(*study.source)};
+    std::string original = words.line("reconstructions.original");
+    for (const Reconstruction* r : reconstructions) {
+        if (is_exact(study, r->k))
+            original = words.line("reconstructions.exact", "k"_a = r->k);   // one picture for both
+        else
+            figure.panels.push_back(panel_of(study, *r));
+    }
+    figure.range = range_for({.colormap = "pale",
+                              .low = 0,
+                              .high = 100,
+                              .quantity = words.line("reconstructions.quantity"),
+                              .unit = words.line("reconstructions.own_range")},
+                             figure.panels);
     if (what == "reconstructions") {
         figure.caption = words.line("reconstructions.caption", mesh);
-        figure.panels.insert(figure.panels.begin(), meshfolio::panel_of(*study.source, id_of(study, "original"), "original"));
+        figure.panels.insert(figure.panels.begin(), meshfolio::panel_of(*study.source, id_of(study, "original"), original));
         figure.turnable = true;
     } else {
         figure.caption = words.line("further.caption", mesh);

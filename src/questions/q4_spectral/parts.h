@@ -15,7 +15,9 @@ namespace meshfolio::q4_spectral {
 
 inline constexpr report::Words words("q4");
 
-/// Of the box diagonal: errors whose smallest k is told.
+/// Of the box diagonal: what is less is rounding and counts as 0.
+inline constexpr double rounding = 1e-9;
+/// Likewise: errors whose smallest k is told.
 inline constexpr std::array target_shares{0.1, 0.01, 0.001};
 
 /// One mesh: its reconstructions, and why its thin parts suffer.
@@ -29,7 +31,7 @@ struct Subject {
 };
 Subject subject_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& settings);
 
-/// The reconstructions that the answer is about: the first two k and the largest.
+/// The reconstructions that the answer is about: the first two k, the largest that leaves an error, and the largest.
 std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study);
 /// The modes that are drawn, counted from 1: the first four that are not constant on every component, the 10th and the 15th.
 std::vector<int> drawn_modes(const SpectralStudy& study);

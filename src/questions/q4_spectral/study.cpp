@@ -13,9 +13,12 @@ Subject subject_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettin
 
 std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study) {
     const std::vector<Reconstruction>& all = study.reconstructions;
+    // The last that still errs as well: of all modes there is nothing to be seen.
+    const auto errs = [&](const Reconstruction& r) { return !is_exact(study, r.k); };
+    const auto exact = static_cast<std::size_t>(std::ranges::find_if_not(all, errs) - all.begin());
     std::vector<const Reconstruction*> told;
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (i < 2 || i + 1 == all.size()) told.push_back(&all[i]);
+        if (i < 2 || i + 1 == exact || i + 1 == all.size()) told.push_back(&all[i]);
     return told;
 }
 
@@ -38,6 +41,6 @@ double remoteness_of_peak(const SpectralStudy& study, int mode) {
     return 100 * static_cast<double>((distance.array() < distance[peak] * (1 - 1e-9)).count()) / static_cast<double>(distance.size());
 }
 
-bool is_exact(const SpectralStudy& study, int k) { return study.rms[k] < 1e-9 * study.diagonal; }
+bool is_exact(const SpectralStudy& study, int k) { return study.rms[k] < rounding * study.diagonal; }
 
 }   // namespace meshfolio::q4_spectral

@@ -14,7 +14,10 @@ constexpr auto count_digits = 6;
 
 /// A length of each element, as a share of the box.
 auto of_box(const SpectralStudy& study, auto length_of) {
-    return [percent = percent_of(study), length_of](auto& element) { return cell_of(percent * std::invoke(length_of, element)); };
+    return [&study, length_of](auto& element) {
+        const double length = std::invoke(length_of, element);
+        return cell_of(length < rounding * study.diagonal ? 0 : percent_of(study) * length);
+    };
 }
 
 void add_point(report::Series& series, double x, double y) {
@@ -26,24 +29,26 @@ void add_point(report::Series& series, double x, double y) {
 
 report::Table error_table(const SpectralStudy& study) {
     const report::Column share{.unit = "% of box"};
-    return table(id_of(study, "errors"), words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal)),
-                 study.reconstructions)
+    std::string caption = words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal));
+    if (is_exact(study, study.modes())) caption += " " + words.line("errors.exact");
+    return table(id_of(study, "errors"), std::move(caption), study.reconstructions)
         .column("k", {.digits = count_digits}, &Reconstruction::k)
         .column("share of all modes", {.unit = "%"}, [&](auto& r) { return 100.0 * r.k / study.vertices(); })
         .column("rms", share, of_box(study, [](auto& r) { return r.difference.rms; }))
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
         .column("Hausdorff", share, of_box(study, [](auto& r) { return r.difference.hausdorff; }))
-        .column("mean normal angle", {.unit = "°"}, [](auto& r) { return r.difference.mean_normal_angle * 180 / pi; })
+        .column("mean normal angle", {.unit = "°"},
+                [&](auto& r) { return is_exact(study, r.k) ? 0 : r.difference.mean_normal_angle * 180 / pi; })
         .column("volume", {.unit = "% of original"}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });
 }
 
 report::Plot error_plot(const SpectralStudy& study) {
-    const double percent = percent_of(study), rounding = 1e-9 * study.diagonal;   // below it, a logarithm would squeeze everything else
+    const double percent = percent_of(study), least = rounding * study.diagonal;   // below it, a logarithm would squeeze everything else
     report::Series predicted{.name = words.line("error_versus_k.predicted")};
     report::Series measured{.name = words.line("error_versus_k.measured"), .style = report::Series::Style::points};
-    for (int k = 1; k <= study.modes() && study.rms[k] > rounding; ++k) add_point(predicted, k, percent * study.rms[k]);
+    for (int k = 1; k <= study.modes() && study.rms[k] > least; ++k) add_point(predicted, k, percent * study.rms[k]);
     for (const Reconstruction& r : study.reconstructions)
-        if (r.difference.area_weighted_rms > rounding) add_point(measured, r.k, percent * r.difference.area_weighted_rms);
+        if (r.difference.area_weighted_rms > least) add_point(measured, r.k, percent * r.difference.area_weighted_rms);
     report::Plot plot{.id = id_of(study, "error_versus_k"),
                       .caption = words.line("error_versus_k", "mesh"_a = study.name(), "modes"_a = study.modes()),
                       .alt = words.line("error_versus_k.alt", "first"_a = readable(percent * study.rms[1]),

@@ -108,6 +108,7 @@ report::Text effect_of(const ExplicitStudy& study) {
                               "after"_a = readable(best.roughness_after, 2),
                               "features"_a = readable(best.on_features, 2),
                               "boundary"_a = readable(best.on_boundary, 2),
+                              "time"_a = readable(study.in_edges(best.time()), 2),
                               "turned"_a = run.moved.inverted_faces,
                               "faces"_a = study.subject.mesh().face_count()};
     const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
@@ -126,7 +127,9 @@ report::Text when_to_stop(const Studies& studies) {
         else
             none.push_back(study.name());
     }
-    if (!effects.empty()) effects = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)), effects});
+    if (!effects.empty())
+        effects = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)),
+                                studies.size() > 1 ? words.say("stop.lambda_t") : report::Text(), effects});
     return paragraph_of({effects, said_of(none, words, "good.none")});
 }
 
@@ -262,7 +265,8 @@ report::Text lead(const Studies& studies) {
     Names stops;
     for (const ExplicitStudy& study : studies)
         if (study.recommended)
-            stops.push_back(words.line("lead.stop", "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name()));
+            stops.push_back(words.line("lead.stop", "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name(),
+                                       "time"_a = readable(study.in_edges(study.recommended->time()), 2)));
     return paragraph_of({words.say("lead"), stops.empty() ? report::Text() : words.say("lead.stops", "stops"_a = listed(stops))});
 }
 

@@ -20,8 +20,8 @@ output::Panel frame_of(const ExplicitStudy& study, const Strip& strip, std::size
     const int t = study.frame_times[column];
     const std::string name = id_of("q5", study.name(), "frame_" + step_name(run.lambda) + "_t" + std::to_string(t));
     if (column >= strip.frames.size()) return {name, words.line("frames.blew_up", "iteration"_a = run.result.blow_up_iteration), nullptr};
-    return panel_of(moved_to(study.subject.mesh(), strip.frames[column]), name,
-                    words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t));
+    return framed_panel(study.subject, strip.frames[column], name,
+                        words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t));
 }
 
 report::Facts facts_of(const ExplicitStudy& study) {
@@ -30,9 +30,11 @@ report::Facts facts_of(const ExplicitStudy& study) {
 }
 
 /// One mesh: input and result in one figure.
-void add_pair(Answer& answer, const ExplicitStudy& study, const std::string& id) {
+void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
+    const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
-    const report::Facts facts = facts_of(study);
+    report::Facts facts = facts_of(study);
+    facts.push_back("underside"_a = underside_words(studies));
     SixViewFigure figure{.id = id,
                          .title = words.line("recommended.title", facts),
                          .subtitle = subtitle_of(*study.subject.source),
@@ -66,7 +68,7 @@ void add_all(Answer& answer, const Studies& studies, const std::string& id) {
         steps.push_back(words.line("results.steps", facts));
     }
     std::ranges::move(results, std::back_inserter(figure.panels));
-    figure.caption = words.line("results.caption", "steps"_a = listed(steps));
+    figure.caption = words.line("results.caption", "steps"_a = listed(steps), "underside"_a = underside_words(studies));
     add_figure(answer, std::move(figure));
 }
 
@@ -79,7 +81,7 @@ std::string recommended_figure(const Studies& studies) {
 void add_recommended_figure(Answer& answer, const Studies& studies) {
     if (std::ranges::none_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); })) return;
     if (studies.size() == 1)
-        add_pair(answer, studies.front(), recommended_figure(studies));
+        add_pair(answer, studies, recommended_figure(studies));
     else
         add_all(answer, studies, recommended_figure(studies));
 }

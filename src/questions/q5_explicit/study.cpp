@@ -44,12 +44,14 @@ void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
     if (before.open) recommendation.on_boundary = moved_ratio(subject.mesh().X, smoothed.X, topology.on_boundary);
 }
 
+constexpr int patience = 10;   // times the iterations of the other runs: where λ_crit is small, many steps are little smoothing
+
 /// The run that goes on for as long as enough of the size is left.
 Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, int kept) {
     const SmoothingRun& run = study.runs[index];
     Recommendation recommendation{.run = index, .stopped = {}};
     if (kept < 0) {
-        recommendation.stopped = run_smoothing(study.subject, run.scheme, run.lambda, 2 * run.iterations);
+        recommendation.stopped = run_smoothing(study.subject, run.scheme, run.lambda, patience * run.iterations);
         kept = iterations_keeping_size(recommendation.stopped);
         recommendation.all_kept = kept < 0;
     }
@@ -72,10 +74,14 @@ std::optional<Recommendation> recommended(const ExplicitStudy& study) {
 
 // ---- frames
 
-/// Early ones, while a step far beyond the limit tears the mesh apart, and later ones, in which one just beyond it shows.
-std::vector<int> frame_times(int iterations) {
+/// Early ones, while a step far beyond the limit tears the mesh apart, and later ones, in which one just beyond it shows. The first is
+/// the last in which the largest step is still in the frame, spikes and all.
+std::vector<int> frame_times(const SmoothingSubject& subject, double largest_step, int iterations) {
+    constexpr int second = 5;
+    const int seen =
+        run_smoothing(subject, SmoothingScheme::explicit_euler, largest_step, std::min(second - 1, iterations)).in_view_iteration;
     std::vector<int> times{0};
-    for (const int t : {2, 5, 10, 25})
+    for (const int t : {std::max(1, seen), second, 10, 25})
         if (t < iterations) times.push_back(t);
     if (iterations > 0) times.push_back(iterations);
     return times;
@@ -110,7 +116,7 @@ ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     const int iterations = last_or(settings.iterations, settings.quick ? 20 : 50);
     const std::vector<double> steps = steps_of(settings, study.subject, {0.05, 0.5, 0.95, 1.05, 2.0});
     const std::vector<double> told = told_steps(steps, study.subject);
-    study.frame_times = frame_times(iterations);
+    study.frame_times = frame_times(study.subject, steps.back(), iterations);
     for (const double lambda : steps) {
         const bool framed = std::ranges::find(told, lambda) != told.end();
         SmoothingRun run = run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, iterations,

@@ -18,13 +18,15 @@ struct UniformLimit {
 };
 
 /// The step to take, and when to stop: the largest in which no mode changes its sign, else the largest stable one, of those that leave 95 %
-/// of the size for one iteration at least; and as many iterations as do, up to twice those of the other runs.
+/// of the size for one iteration at least; and as many iterations as do, up to ten times those of the other runs.
 struct Recommendation {
     std::size_t run = 0;   // of the study, with all iterations
     SmoothingRun stopped;
     bool all_kept = false;                              // 95 % would be left after more iterations too
     double roughness_before = 0, roughness_after = 0;   // median angle between neighbouring faces, off feature edges [°]
     double on_features = 0, on_boundary = 0;            // how far these vertices moved, rms, over how far the others did; 0: there are none
+
+    double time() const { return stopped.lambda * stopped.iterations; }   // λt [length²]
 };
 
 /// A run frame by frame.
@@ -44,7 +46,9 @@ struct ExplicitStudy {
     std::vector<Strip> strips;                   // of the largest step that keeps signs, the first beyond the limit, and the largest
 
     const std::string& name() const { return subject.name(); }
-    double critical_in_edges() const { return subject.critical / (subject.mean_edge * subject.mean_edge); }
+    double critical_in_edges() const { return in_edges(subject.critical); }
+    /// An area, as λ and λt are, in squared mean edges.
+    double in_edges(double area) const { return area / (subject.mean_edge * subject.mean_edge); }
     bool stable(std::size_t run) const { return runs[run].lambda <= subject.critical; }
     /// As many as there are: there is none.
     std::size_t first_beyond() const;

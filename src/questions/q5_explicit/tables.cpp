@@ -79,17 +79,20 @@ report::Plot damping_plot() {
 }
 
 report::Table limit_table(const Studies& studies) {
-    const auto stopped = [](const ExplicitStudy& s) { return s.recommended ? &s.recommended->stopped : nullptr; };
+    const auto of_best = [](auto value_of) {
+        return [=](const ExplicitStudy& s) { return s.recommended ? cell_of(value_of(s, *s.recommended)) : report::Cell(); };
+    };
     return table("q5_limits", words.line("limits"), studies)
         .column("mesh", &ExplicitStudy::name)
         .column("λ_crit", {.unit = "length²"}, [](auto& s) { return s.subject.critical; })
         .column("λ_crit/h̄²", &ExplicitStudy::critical_in_edges)
-        .column("vertices sharing the top mode", {.digits = 2}, [](auto& s) { return s.subject.top.support; })
-        .column("recommended λ/λ_crit", [&](auto& s) { return cell_of(stopped(s) ? stopped(s)->lambda / s.subject.critical : undefined); })
-        .column("iterations", {.digits = 6}, [&](auto& s) { return cell_of(stopped(s) ? stopped(s)->iterations : undefined); })
-        .column("energy", {.unit = "% of input"},
-                [&](auto& s) { return cell_of(stopped(s) ? 100 * stopped(s)->energy.back() : undefined); })
-        .column("size", {.unit = "% of input"}, [&](auto& s) { return cell_of(stopped(s) ? 100 * stopped(s)->size.back() : undefined); });
+        .column("top mode on", {.unit = "vertices", .digits = 2}, [](auto& s) { return s.subject.top.support; })
+        .column("recommended λ/λ_crit", of_best([](auto& s, auto& best) { return best.stopped.lambda / s.subject.critical; }))
+        .column("iterations", {.digits = 6}, of_best([](auto&, auto& best) { return best.stopped.iterations; }))
+        .column("λt", {.unit = "h̄²", .digits = 2}, of_best([](auto& s, auto& best) { return s.in_edges(best.time()); }))
+        .column("face angle before", {.unit = "°", .digits = 2}, of_best([](auto&, auto& best) { return best.roughness_before; }))
+        .column("after", {.unit = "°", .digits = 2}, of_best([](auto&, auto& best) { return best.roughness_after; }))
+        .column("size", {.unit = "% of input"}, of_best([](auto&, auto& best) { return 100 * best.stopped.size.back(); }));
 }
 
 report::Table steps_table(const Studies& studies) {
@@ -98,8 +101,7 @@ report::Table steps_table(const Studies& studies) {
     return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials)
         .column("mesh", [](auto& t) { return t.study.name(); })
         .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
-        .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
-        .column("top mode ×, measured", [](auto& t) { return above_rounding(t.growth.measured); })
+        .column("top mode ×", [](auto& t) { return above_rounding(t.growth.measured); })
         .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
         .column("volume", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.volume_ratio); })
         .column("faces turned over", {.digits = 6}, [](auto& t) { return cell_of(t.run.moved.inverted_faces, !t.run.result.blew_up); })
@@ -126,6 +128,7 @@ report::Table sweep_table(const ExplicitStudy& study) {
         .column("λ", {.unit = "length²"}, [](auto& t) { return t.run.lambda; })
         .column("λ/λ_crit", [&](auto& t) { return t.run.lambda / s.critical; })
         .column("λ/h̄²", [&](auto& t) { return t.run.lambda / (s.mean_edge * s.mean_edge); })
+        .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
         .column("iterations", {.digits = 6}, [](auto& t) { return t.run.result.iterations; })
         .column("rms moved", {.unit = "% of box"},
                 [&](auto& t) { return cell_of(100 * t.run.moved.rms / s.diagonal, !t.run.result.blew_up); })

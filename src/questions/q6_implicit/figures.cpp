@@ -37,7 +37,7 @@ output::Panel panel_of_cell(const ImplicitStudy& study, const SmoothingCell& cel
     if (!is_explicit)
         return panel_of(moved_to(study.subject.mesh(), cell.implicit_X), id + "_implicit_" + what, words.line("panel.implicit", at));
     if (cell.has_explicit())
-        return panel_of(moved_to(study.subject.mesh(), cell.explicit_X), id + "_explicit_" + what, words.line("panel.explicit", at));
+        return framed_panel(study.subject, cell.explicit_X, id + "_explicit_" + what, words.line("panel.explicit", at));
     return {id + "_explicit_" + what, words.line("panel.blew_up", "iteration"_a = cell.explicit_blow_up), nullptr};
 }
 
@@ -83,7 +83,10 @@ void add_matrix(Answer& answer, const ImplicitStudy& study) {
 }
 
 void add_views(Answer& answer, const Studies& studies) {
-    SixViewFigure figure{.id = "q6_views", .title = words.line("views.title"), .caption = words.line("views.caption"), .frame_panel = -1};
+    SixViewFigure figure{.id = "q6_views",
+                         .title = words.line("views.title"),
+                         .caption = words.line("views.caption", "underside"_a = underside_words(studies)),
+                         .frame_panel = -1};
     for (const ImplicitStudy& study : studies) {
         const SmoothingCell* good = study.good();
         if (good == nullptr) continue;

@@ -70,14 +70,14 @@ void measure_damping(ImplicitStudy& study) {
     }
 }
 
-/// Of the cells that keep their size the one with the least energy; of those within 2 % of it the one with the fewest steps.
+/// Of the cells that keep their size the one with the least energy; of those within 1 % of it the one with the fewest steps.
 std::optional<std::size_t> recommended_cell(const std::vector<SmoothingCell>& grid) {
     double least = INFINITY;
     for (const SmoothingCell& cell : grid)
         if (cell.kept >= size_to_keep) least = std::min(least, cell.implicit_energy);
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid[i].kept < size_to_keep || grid[i].implicit_energy > 1.02 * least) continue;
+        if (grid[i].kept < size_to_keep || grid[i].implicit_energy > 1.01 * least) continue;
         if (!best || grid[i].iterations < grid[*best].iterations) best = i;
     }
     return best;

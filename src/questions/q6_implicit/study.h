@@ -59,7 +59,7 @@ struct ImplicitStudy {
     std::size_t middle_iteration() const { return iterations.size() / 2; }
     const SmoothingCell& middle_cell(std::size_t lambda) const { return cell(lambda, middle_iteration()); }
     /// The most smoothing that leaves 95 % of the size: of the cells that do the one with the least energy, in the fewest steps that come
-    /// within 2 % of it. Null: none.
+    /// within 1 % of it. Null: none.
     const SmoothingCell* good() const { return recommended ? &grid[*recommended] : nullptr; }
     /// Of the cells that leave less the one nearest to half of the size: what too much looks like. Null: none, or only points.
     const SmoothingCell* too_much() const;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/number_text.h"
 #include "questions/core/study_list.h"
 #include "questions/core/table.h"
@@ -29,7 +31,8 @@ report::Table cost_table(const Studies& studies) {
     const auto rows = parts_within(studies, &ImplicitStudy::costs);
     using Row = Within<ImplicitStudy, SmoothingCost>;
     const auto cell = [](const Row& r) -> const SmoothingCell& { return r.whole.grid[r.part.cell]; };
-    return table("q6_cost", words.line("cost"), rows)
+    const bool reached = std::ranges::all_of(rows, [](const Row& r) { return r.part.reached(); });
+    return table("q6_cost", words.line("cost") + (reached ? "" : " " + words.line("cost.unreached")), rows)
         .column("mesh", [](auto& r) { return r.whole.name(); })
         .column("amount", [](auto& r) { return words.line(r.part.cell == r.whole.recommended ? "amount.good" : "amount.far"); })
         .column("λ/λ_crit", [&](auto& r) { return cell(r).lambda / r.whole.subject.critical; })

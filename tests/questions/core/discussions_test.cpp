@@ -97,9 +97,9 @@ TEST(ExplicitDiscussion, TheLargestStepIsFurtherAlongOnlyWhereItIs) {
     ExplicitStudy study = explicit_study(cube, quick_settings());
     const std::size_t larger = study.first_beyond() - 1, half = study.recommended->run;
     ASSERT_GT(larger, half);
-    EXPECT_TRUE(has(told(study), "it lowers the energy further")) << told(study);
+    EXPECT_TRUE(has(told(study), "leave less energy")) << told(study);
     study.runs[larger].energy.back() = 1.01 * study.runs[half].energy.back();
-    EXPECT_FALSE(has(told(study), "it lowers the energy further")) << told(study);
+    EXPECT_FALSE(has(told(study), "leave less energy")) << told(study);
     EXPECT_TRUE(has(told(study), "of the top mode is left after 20 steps")) << told(study);
 }
 

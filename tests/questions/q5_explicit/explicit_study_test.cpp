@@ -6,6 +6,7 @@
 
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
 #include "questions/core/study_laws.h"
 
 namespace meshfolio::q5_explicit {
@@ -80,17 +81,17 @@ TEST(ExplicitStudy, TheRecommendedRunStopsBeforeAFewPercentOfTheSizeAreLost) {
     EXPECT_FALSE(explicit_study_on(tetrahedron(), "tetrahedron_stop").recommended) << "one step takes more";
 }
 
-TEST(ExplicitStudy, WhereEnoughIsLeftItGoesOnToTwiceTheIterations) {
+TEST(ExplicitStudy, WhereEnoughIsLeftItGoesOnToTenTimesTheIterations) {
     QuestionSettings settings = quick_settings();
     settings.iterations = {2};
-    const ExplicitStudy ball = explicit_study(library_mesh(icosphere(4), "ball_on"), settings);   // two steps are nothing on a fine ball
+    const ExplicitStudy ball = explicit_study(library_mesh(icosphere(5), "ball_on"), settings);   // a few steps are nothing on a fine ball
     EXPECT_TRUE(ball.recommended->all_kept);
-    EXPECT_EQ(ball.recommended->stopped.iterations, 4);
+    EXPECT_EQ(ball.recommended->stopped.iterations, 20);
     EXPECT_GE(ball.recommended->stopped.size.back(), 0.95);
     settings.iterations = {4};
     const ExplicitStudy cube = explicit_study(library_mesh(cube_mesh(12), "cube_on"), settings);
     EXPECT_FALSE(cube.recommended->all_kept);
-    EXPECT_LT(cube.recommended->stopped.iterations, 8);
+    EXPECT_LT(cube.recommended->stopped.iterations, 40);
 }
 
 TEST(ExplicitStudy, EdgesAndBoundariesMoveFarthest) {
@@ -104,6 +105,16 @@ TEST(ExplicitStudy, EdgesAndBoundariesMoveFarthest) {
     const Recommendation sheet = *explicit_study_on(rough, "rough_sheet").recommended;
     EXPECT_GT(sheet.on_boundary, 0);
     EXPECT_LT(sheet.roughness_after, 0.8 * sheet.roughness_before);
+}
+
+// The boundary of a sheet gives way at once; to stop for its sake would leave the noise.
+TEST(ExplicitStudy, WhatIsRecommendedTakesTheNoiseFromASheet) {
+    TriangleMesh noisy = grid_mesh(30, 30, 1, 1);
+    noisy.X = with_gaussian_noise(noisy.X, Vector3(0, 0, 0.01), 1);
+    const Recommendation sheet = *explicit_study_on(noisy, "noisy_sheet").recommended;
+    EXPECT_FALSE(sheet.all_kept);
+    EXPECT_GE(sheet.stopped.size.back(), 0.95);
+    EXPECT_LT(sheet.roughness_after, 0.1 * sheet.roughness_before);
 }
 
 TEST(ExplicitStudy, StripsAreOfASignKeepingStepAndOfThoseBeyond) {
