@@ -69,12 +69,15 @@ std::string without_trailing_zeros(std::string s) {
 
 }   // namespace
 
-double rounded_down(double x, int digits) {
+double rounded(double x, int digits) {
     if (x == 0 || !std::isfinite(x)) return x;
-    const auto nearest = [&](double y) { return std::strtod(chars_of(y, std::chars_format::scientific, digits - 1).c_str(), nullptr); };
-    const double y = nearest(x);
+    return std::strtod(chars_of(x, std::chars_format::scientific, digits - 1).c_str(), nullptr);
+}
+
+double rounded_down(double x, int digits) {
+    const double y = rounded(x, digits);
     // The last digit is that of x itself: rounded first, 0.99996 would be 1.000, whose last digit is worth ten times as much.
-    return y <= x ? y : nearest(y - std::pow(10.0, scientific(x, 17).exponent - digits + 1));
+    return !(y > x) ? y : rounded(y - std::pow(10.0, scientific(x, 17).exponent - digits + 1), digits);
 }
 
 double rounded_up(double x, int digits) { return -rounded_down(-x, digits); }

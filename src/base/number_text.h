@@ -24,7 +24,9 @@ std::string power_of_ten(int exponent);
 /// As readable() without typography: -1.23e-07. For axis labels that programs read, CSV and plain logs.
 std::string plain_text(double x, int digits = 6);
 
-/// The numbers of `digits` significant digits nearest to x that are not above, or not below it: what a bound may be printed as without
+/// The number of `digits` significant digits nearest to x.
+double rounded(double x, int digits);
+/// Those that are not above, or not below it: what a bound may be printed as without
 /// claiming too much.
 double rounded_down(double x, int digits);
 double rounded_up(double x, int digits);

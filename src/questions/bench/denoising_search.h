@@ -3,8 +3,10 @@
 /// steps, the denoising laboratory for every method within the same number of steps.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/denoising/denoising_methods.h"
@@ -58,6 +60,24 @@ struct SearchResult {
 };
 using Gain = double (SearchResult::*)() const;
 inline constexpr double helps = 1.2, works = 2;   // gains from which a method is said to
+/// Does a gain or a share reach a threshold, as tables print it: with three digits? 1.197 is 1.20 there.
+bool reaches(double value, double threshold);
+
+/// What denoising is judged by. Each measure has its own best state.
+struct Measure {
+    std::string_view key;   // "surface": of its words
+    Gain gain;
+    SearchState SearchResult::*best;
+    double SearchState::*error;   // [length], of normals [rad]
+
+    bool is_angle() const { return error == &SearchState::angle; }
+};
+/// Distance to the clean surface, to the vertices' own places, angle to the clean normals.
+inline constexpr std::array measures{
+    Measure{"surface", &SearchResult::gain, &SearchResult::by_shape, &SearchState::shape},
+    Measure{"places", &SearchResult::rms_gain, &SearchResult::by_rms, &SearchState::rms},
+    Measure{"normals", &SearchResult::angle_gain, &SearchResult::by_angle, &SearchState::angle},
+};
 
 /// The clean mesh and its noisy copy, and what all methods need of them.
 struct SearchInput {

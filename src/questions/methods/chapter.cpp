@@ -125,7 +125,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, winner_table(class_results(laboratory)));
     add(section, limit_table(laboratory));
     for (const DenoisingTrials& mesh : laboratory.meshes) {
-        for (const Measure measure : {Measure::shape, Measure::places, Measure::normals}) add(section, gain_table(mesh, measure));
+        for (const Measure& measure : measures) add(section, gain_table(mesh, measure));
         if (mesh.of_kind(NoiseKind::gaussian).size() > 1) add(section, gain_plot(mesh));
         add_method_figure(answer, mesh, mesh.pictured_trial());
         add(section, result_table(mesh));

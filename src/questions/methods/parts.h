@@ -22,10 +22,8 @@ inline std::string method_title(std::size_t method) { return std::string(denoisi
 inline std::string method_title(const SearchResult& result) { return std::string(denoising_entry(result.method).title); }
 
 report::Table subject_table(const DenoisingLaboratory& laboratory);
-/// What a method is judged by: the shape, the places of the vertices, the normals of the faces.
-enum class Measure { shape, places, normals };
-/// Gains of every method, one row a noisy mesh.
-report::Table gain_table(const DenoisingTrials& mesh, Measure measure);
+/// Gains of every method by one measure, one row a noisy mesh.
+report::Table gain_table(const DenoisingTrials& mesh, const Measure& measure);
 /// Every method at its best on the noisy mesh of the picture, in all measures.
 report::Table result_table(const DenoisingTrials& mesh);
 report::Table winner_table(const std::vector<ClassResult>& classes);

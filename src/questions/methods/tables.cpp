@@ -37,26 +37,19 @@ report::Table subject_table(const DenoisingLaboratory& laboratory) {
         .column("class", [](auto& m) { return m.subject.class_title(); });
 }
 
-report::Table gain_table(const DenoisingTrials& mesh, Measure measure) {
-    static constexpr struct {
-        const char *id, *key, *noisy;
-        double SearchState::*of;
-        Gain gain;
-    } judged_by[] = {{"gains", "gains.shape", "error, noisy", &SearchState::shape, &SearchResult::gain},
-                     {"gains_rms", "gains.places", "error, noisy", &SearchState::rms, &SearchResult::rms_gain},
-                     {"gains_angle", "gains.normals", "angle, noisy", &SearchState::angle, &SearchResult::angle_gain}};
-    const auto& judged = judged_by[static_cast<std::size_t>(measure)];
-    const bool angle = measure == Measure::normals;
-    const double unit = angle ? degrees : 100 / mesh.subject.diagonal;
-    auto gains = table(id_of("methods", mesh.name(), judged.id),
-                       words.line("gains", "mesh"_a = mesh.name(), "measure"_a = words.line(judged.key)), mesh.trials);
+report::Table gain_table(const DenoisingTrials& mesh, const Measure& measure) {
+    const double unit = measure.is_angle() ? degrees : 100 / mesh.subject.diagonal;
+    const std::string key = "gains." + std::string(measure.key);
+    auto gains = table(id_of("methods", mesh.name(), &measure == &measures[0] ? "gains" : "gains_" + std::string(measure.key)),
+                       words.line("gains", "mesh"_a = mesh.name(), "measure"_a = words.line(key)), mesh.trials);
     gains.column("noise", [](auto& t) { return t.s1_level ? words.line("noise.box_level") : std::string(noise_entry(t.kind).title); });
     gains.column("σ", {.unit = "mean edges", .digits = 2}, [](auto& t) { return t.edges; });
     gains.column("σ", {.unit = "% of box", .digits = 2}, [&](auto& t) { return 100 * t.sigma / mesh.subject.diagonal; });
-    gains.column(judged.noisy, {.unit = angle ? "°" : "% of box"}, [&](auto& t) { return unit * (t.results.front().noisy.*judged.of); });
+    gains.column(measure.is_angle() ? "angle, noisy" : "error, noisy", {.unit = measure.is_angle() ? "°" : "% of box"},
+                 [&](auto& t) { return unit * (t.results.front().noisy.*measure.error); });
     for (std::size_t i = 0; i < denoising_list().size(); ++i)
         gains.column(method_title(i), {.unit = "×", .heat = report::Column::Heat{1, 8}},
-                     [&](auto& t) { return cell_of((t.results[i].*judged.gain)()); });
+                     [&](auto& t) { return cell_of((t.results[i].*measure.gain)()); });
     return gains;
 }
 

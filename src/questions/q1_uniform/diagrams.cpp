@@ -8,19 +8,14 @@
 #include "mesh/triangle_measures.h"
 #include "questions/bench/one_ring.h"
 #include "questions/bench/tangential_share.h"
+#include "questions/core/diagram_names.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
 
 namespace {
 
-using report::Diagram;
-using report::DiagramPoint;
-using report::math;
-using report::path_through;
-using report::text;
-using Style = report::Diagram::Style;
-using Side = report::Diagram::Side;
+using namespace diagram_names;
 
 constexpr double elevation = 0.8;   // of the eye over the tangent plane [rad]
 
@@ -53,7 +48,8 @@ Diagram::Panel laplacian_panel() {
     panel.paths.push_back(path_through(corners, Style::line, true));
     for (const DiagramPoint& corner : corners) panel.paths.push_back(path_through({seen(x), corner}, Style::thin));
     const DiagramPoint tip = seen(x + drift), foot = seen(x + along_surface);
-    panel.paths.push_back(path_through({seen(x), foot}, Style::dashed));
+    panel.paths.push_back(path_through({seen(x), foot}, Style::line));
+    panel.paths.back().arrow = true;
     panel.paths.push_back(path_through({foot, tip}, Style::dashed));
     panel.paths.push_back(path_through({seen(x), tip}, Style::accent));
     panel.paths.back().arrow = true;

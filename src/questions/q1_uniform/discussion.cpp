@@ -9,9 +9,6 @@ namespace meshfolio::q1_uniform {
 
 namespace {
 
-/// Curvature × mean edge below this cannot be seen in any picture: coordinates written with six digits leave as much.
-constexpr double visible = 1e-4;
-
 /// With fewer vertices there is no picture to speak of.
 constexpr int fewest_to_read = 20;
 
@@ -70,12 +67,9 @@ report::Text about_tangential_picture(const Drifting& drifting) {
                        : part.dark > 0.02 ? "tangential.partly_dark"
                                           : "tangential.pale",
                        "dark"_a = readable_percent(part.dark, 2)));
-    const auto tell = [&](const char* key, const Contrast& contrast, double low, double high) {
-        if (high > low + 0.05)
-            go_on(t, words.say(key, "most"_a = readable_percent(contrast.most, 2), "least"_a = readable_percent(contrast.least, 2)));
-    };
-    tell("tangential.uneven", part.unevenness, part.unevenness.least, part.unevenness.most);
-    tell("tangential.bent", part.bending, part.bending.most, part.bending.least);
+    if (part.bending.least > part.bending.most + 0.05)
+        go_on(t, words.say("tangential.bent", "most"_a = readable_percent(part.bending.most, 2),
+                           "least"_a = readable_percent(part.bending.least, 2)));
     go_on(t, words.say("tangential.why"));
     if (std::isfinite(part.normal_gap) && part.share > 1e-3)
         go_on(t, words.say(part.explains() ? "tangential.nearer" : "tangential.no_nearer", "mesh"_a = mesh,
@@ -89,9 +83,12 @@ report::Text K_picture(const MeshCurvature& c) {
     const CurvatureSubject& s = c.subject;
     const ValueSummary K = summary_of(c.K);
     if (K.count == 0) return words.say("k.nothing", "mesh"_a = s.name());
-    if (const IrregularVertices odd = irregular_vertices(c); odd.stand_out())
-        return words.say(odd.area_is_why() ? "k.irregular.area" : "k.irregular", "mesh"_a = s.name(), "vertices"_a = odd.count,
-                         "off"_a = readable_percent(odd.off, 2), "elsewhere"_a = readable_percent(odd.off_elsewhere, 2));
+    if (const IrregularVertices odd = irregular_vertices(c); odd.stand_out()) {
+        report::Text t = words.say(odd.seen() ? "k.irregular" : "k.irregular.unseen", "mesh"_a = s.name(), "vertices"_a = odd.count,
+                                   "off"_a = readable_percent(odd.off, 2), "elsewhere"_a = readable_percent(odd.off_elsewhere, 2));
+        if (odd.area_is_why()) go_on(t, words.say("k.irregular.area"));
+        return t;
+    }
     const double negative = double((c.K.array() < 0).count()) / K.count;
     if (negative == 0) return words.say("k.positive", "mesh"_a = s.name());
     return words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(negative, 2));
@@ -137,6 +134,9 @@ report::Text about_areas(const BenchRuns& runs) {
     }
     report::Text t =
         winners.size() == 1 ? words.say("areas.one", "best"_a = area_name(*winners.begin())) : words.say("areas", "best"_a = listed(told));
+    const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::jittered).finest();
+    if (sphere.error(K_with(AreaForm::voronoi)).l2 < 0.1 * sphere.error(K_with(AreaForm::barycentric)).l2)
+        go_on(t, words.say("areas.sphere"));
     if (const int without = without_K(runs, AreaForm::voronoi); without > 0) go_on(t, words.say("areas.undefined", "vertices"_a = without));
     return t;
 }

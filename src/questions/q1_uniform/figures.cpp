@@ -10,14 +10,15 @@ namespace {
 struct Shown {
     std::string key;   // the end of its figure's name
     const char *title, *caption, *quantity, *label;
-    double floor;   // of the range: what is smaller is not seen
+    double floor;   // of the range
+    double least;   // below it all is 0 but for rounding
     Vector (*values)(const MeshCurvature&);
 };
 
 const Shown shown[]{
-    {"h", "h.title", "h.caption", "h.quantity", "h.label", 0.1,
+    {"h", "h.title", "h.caption", "h.quantity", "h.label", 0.1, 100 * visible,
      [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
-    {"k", "k.title", "k.caption", "k.quantity", "k.label", 0.1,
+    {"k", "k.title", "k.caption", "k.quantity", "k.label", 0.1, 0.01,
      [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
 };
 
@@ -27,7 +28,7 @@ output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     output::Panel panel;
     panel.values = quantity.values(c);
     const double range = output::robust_range({panel}, "diverging", "", "", quantity.floor).high;
-    const bool coloured = largest_magnitude(panel.values) > 0.01 * range;
+    const bool coloured = largest_magnitude(panel.values) > quantity.least;
     const std::string label = words.line(coloured ? quantity.label : "label.zero", "mesh"_a = name, "range"_a = readable(range, 2));
     return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
 }

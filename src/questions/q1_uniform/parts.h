@@ -14,6 +14,9 @@ namespace meshfolio::q1_uniform {
 
 inline constexpr report::Words words("q1");
 
+/// Curvature × mean edge below this cannot be seen in any picture: coordinates written with six digits leave as much.
+inline constexpr double visible = 1e-4;
+
 using Meshes = std::vector<MeshCurvature>;
 using AngleSums = std::vector<AngleSum>;
 

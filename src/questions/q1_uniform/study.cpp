@@ -14,19 +14,6 @@ namespace meshfolio::q1_uniform {
 
 namespace {
 
-/// Longest over shortest edge of each ring.
-Vector ring_unevenness(const TriangleMesh& mesh, const MeshTopology& topology) {
-    Vector longest = Vector::Zero(mesh.vertex_count()), shortest = Vector::Constant(mesh.vertex_count(), INFINITY);
-    for (const Edge& edge : topology.edges) {
-        const double length = (mesh.X.row(edge.a) - mesh.X.row(edge.b)).norm();
-        for (const int v : {edge.a, edge.b}) {
-            longest[v] = std::max(longest[v], length);
-            shortest[v] = std::min(shortest[v], length);
-        }
-    }
-    return longest.cwiseQuotient(shortest);
-}
-
 /// 98th over 2nd percentile of the magnitudes; 0 where there is more than one sign, or none.
 double spread_of(const Vector& values) {
     std::vector<double> sorted;
@@ -94,7 +81,6 @@ TangentialPart tangential_part(const MeshCurvature& c) {
     part.dark = vertices > 0 ? double(dark) / vertices : 0;
     part.gap = std::sqrt(gap / truth);
     part.normal_gap = std::sqrt(normal_gap / truth);
-    part.unevenness = contrast(part.shares, ring_unevenness(s.mesh(), s.topology()));
     part.bending = contrast(part.shares, c.cotangent.cwiseAbs());
     return part;
 }

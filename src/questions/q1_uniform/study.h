@@ -43,7 +43,6 @@ struct TangentialPart {
     double dark = 0;         // of the vertices, where the share is above 0.9
     double gap = 0;          // of ½‖Δx‖ · 4/h² to cotangent H
     double normal_gap = 0;   // of −½Δx·n · 4/h² to it
-    Contrast unevenness;     // of the shares: rings whose longest and shortest edge are alike, and rings where they are not
     Contrast bending;        // of the shares: where |cotangent H| is small, and where it is large
 
     bool explains() const { return share > 1e-3 && normal_gap < 0.9 * gap; }
@@ -66,6 +65,7 @@ struct IrregularVertices {
     int count = 0;
     double off = 0, off_elsewhere = 0, off_with_voronoi = 0;
 
+    bool seen() const { return off > 0.3; }   // in a colour range about 0
     bool stand_out() const { return count > 0 && off > 5 * off_elsewhere; }
     bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
 };

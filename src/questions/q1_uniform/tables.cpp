@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/linear/special_values.h"
 #include "questions/core/table.h"
 #include "questions/q1_uniform/parts.h"
@@ -39,17 +42,17 @@ report::Table error_table(const BenchRuns& runs) {
         return [=](const BenchRun& run) { return 100 * run.finest().error(estimator).*norm; };
     };
     const auto order = [](std::string_view estimator) {
-        return [=](const BenchRun& run) { return words_of(run.errors(estimator).order()); };
+        return [=](const BenchRun& run) { return cell_of(std::round(10 * run.errors(estimator).order().exponent) / 10); };
     };
     return table("q1_errors", words.line("errors"), runs)
         .column("surface", &BenchRun::surface)
         .column("triangulation", [](auto& run) { return name_of(run.kind); })
         .column("smallest angle", {.unit = "°"}, [](auto& run) { return run.finest().smallest_angle * 180 / pi; })
         .column("uniform H", {.unit = "%"}, error(uniform_H))
-        .column("order", order(uniform_H))
+        .column("order of H", {.digits = 2}, order(uniform_H))
         .column("normal part", {.unit = "%", .digits = 2}, error("H.uniform_n"))
         .column("K", {.unit = "%"}, error(deficit_K))
-        .column("order", order(deficit_K))
+        .column("order of K", {.digits = 2}, order(deficit_K))
         .column("K, worst vertex", {.unit = "%"}, error(deficit_K, &EstimateError::linf));
 }
 
@@ -59,7 +62,10 @@ report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& ke
     for (const BenchRun& run : runs)
         errors.column(run.title(), {.unit = "%", .best = smallest},
                       [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).*norm; });
-    return errors.column("without K", {.unit = "vertices", .best = smallest}, [&](AreaForm form) { return without_K(runs, form); });
+    const bool all_defined = std::ranges::all_of(area_forms, [&](AreaForm form) { return without_K(runs, form) == 0; });
+    if (!all_defined)
+        errors.column("without K", {.unit = "vertices", .best = smallest}, [&](AreaForm form) { return without_K(runs, form); });
+    return errors;
 }
 
 report::Table gauss_bonnet_table(const AngleSums& sums) {

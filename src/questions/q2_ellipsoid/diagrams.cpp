@@ -3,19 +3,14 @@
 
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
+#include "questions/core/diagram_names.h"
 #include "questions/q2_ellipsoid/parts.h"
 
 namespace meshfolio::q2_ellipsoid {
 
 namespace {
 
-using report::Diagram;
-using report::DiagramPoint;
-using report::math;
-using report::path_through;
-using report::text;
-using Style = report::Diagram::Style;
-using Side = report::Diagram::Side;
+using namespace diagram_names;
 
 constexpr double drawn_angle = 0.7;   // θ of the drawing [rad]
 

@@ -88,8 +88,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
     const BenchRuns runs = question_runs(settings, progress);
     const PlaneTest plane = irregular_plane(settings.seed);
+    const BenchRuns panel = panel_runs(settings.seed, settings.quick, progress);
 
-    section.answer = answer_of(runs);
+    section.answer = answer_of(runs, panel);
     add_paragraph(section, lead_of(runs, plane));
     add_words(section, words, "method");
     add(section, weight_diagram());
@@ -97,7 +98,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_comparison_figure(answer, meshes);
     add(section, error_table(runs, &EstimateError::l2, "l2", "L2"));
     add(section, convergence_plot(runs));
-    add_discussion(section, meshes, runs, plane, panel_runs(settings.seed, settings.quick, progress));
+    add_discussion(section, meshes, runs, plane, panel);
     add_checks(section, runs, plane, meshes);
 
     begin_appendix(section);

@@ -4,19 +4,14 @@
 
 #include "base/number_text.h"
 #include "questions/bench/one_ring.h"
+#include "questions/core/diagram_names.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
 
 namespace {
 
-using report::Diagram;
-using report::DiagramPoint;
-using report::math;
-using report::path_through;
-using report::text;
-using Style = report::Diagram::Style;
-using Side = report::Diagram::Side;
+using namespace diagram_names;
 
 /// The ring in thin lines, its vertex marked.
 Diagram::Panel ring_panel(const FlatRing& ring, const char* title) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
@@ -16,19 +17,20 @@ constexpr double thin = 5 * pi / 180;
 double cotangent_error(const BenchRun& run, AreaForm form) { return run.finest().error(H_with(form)).l2; }
 double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform").l2; }
 
-/// How often cotangent H with mixed areas is the better one and converges, and its worst error, on one kind of triangulation.
+/// Is cotangent H with mixed areas the better one?
+bool wins(const BenchRun& run) { return cotangent_error(run, AreaForm::mixed) < uniform_error(run); }
+
+/// On how many surfaces cotangent H with mixed areas converges, and its worst error, on one kind of triangulation.
 struct Tally {
-    int surfaces = 0, wins = 0, converging = 0;
+    int surfaces = 0, converging = 0;
     double worst = 0;
 };
 Tally tally(const BenchRuns& runs, MeshKind kind) {
     Tally tally;
     for (const BenchRun& run : of_kind(runs, kind)) {
-        const double error = cotangent_error(run, AreaForm::mixed);
         ++tally.surfaces;
-        tally.wins += error < uniform_error(run) ? 1 : 0;
         tally.converging += run.errors("H.mixed").order().converges() ? 1 : 0;
-        tally.worst = std::max(tally.worst, error);
+        tally.worst = std::max(tally.worst, cotangent_error(run, AreaForm::mixed));
     }
     return tally;
 }
@@ -107,6 +109,9 @@ report::Text about_errors(const BenchRuns& runs) {
     const Tally jittered = tally(runs, MeshKind::jittered);
     report::Text t = smallest_gain(runs, MeshKind::regular, "errors.regular");
     go_on(t, smallest_gain(runs, MeshKind::jittered, "errors.jittered"));
+    const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
+    if (const double special = cotangent_error(sphere, AreaForm::voronoi); special < 0.1 * cotangent_error(sphere, AreaForm::barycentric))
+        go_on(t, words.say("errors.sphere", "error"_a = readable_percent(special, 2)));
     go_on(t, words.say(jittered.converging == 0                   ? "errors.stall"
                        : jittered.converging == jittered.surfaces ? "errors.converge"
                                                                   : "errors.stall.partly",
@@ -133,14 +138,19 @@ report::Text about_square(const PlaneTest& plane) {
 
 /// Cotangent against uniform over every sequence of meshes of the ground-truth panel, and who does better still.
 report::Text about_panel(const BenchRuns& panel) {
-    const auto nearer = [&](const char* one, const char* other) {
-        return std::ranges::count_if(panel, [&](const BenchRun& run) { return run.finest().error(one).l2 < run.finest().error(other).l2; });
-    };
+    std::set<MeshKind> lost;
+    for (const BenchRun& run : panel)
+        if (!wins(run)) lost.insert(run.kind);
+    std::vector<std::string> kinds;
+    for (const MeshKind kind : lost) kinds.emplace_back(name_of(kind));
     const auto error = [&](const char* key) {
         return readable_percent(run_on(panel, "ellipsoid", MeshKind::random).finest().error(key).l2, 2);
     };
-    return words.say("panel", "runs"_a = panel.size(), "better_than_uniform"_a = nearer("H.mixed", "H.uniform"),
-                     "mixed"_a = error("H.mixed"), "jet"_a = error("H.jet"));
+    return paragraph_of({words.say("panel", "runs"_a = panel.size(), "better_than_uniform"_a = std::ranges::count_if(panel, wins)),
+                         kinds.empty()                       ? report::Text()
+                         : lost == std::set{MeshKind::noisy} ? words.say("panel.noisy")
+                                                             : words.say("panel.lost", "kinds"_a = listed(kinds)),
+                         words.say("panel.jet", "mixed"_a = error("H.mixed"), "jet"_a = error("H.jet"))});
 }
 
 // ---- appendix
@@ -150,28 +160,23 @@ report::Text about_boundary(const CotangentComparison& c) {
                      "opposite_mean"_a = readable(c.variants[1].boundary, 2), "inside"_a = readable(c.variants[0].inside, 2));
 }
 
-report::Text about_sphere(const BenchRun& regular, const BenchRun& jittered) {
+report::Text about_sphere(const BenchRun& regular) {
     const BenchLevel& coarse = regular.levels.front();
     const BenchLevel& fine = regular.finest();
-    report::Text t =
-        words.say("sphere", "coarse"_a = readable_percent(coarse.error("H.barycentric").linf, 4), "coarse_vertices"_a = coarse.vertices,
-                  "fine"_a = readable_percent(fine.error("H.barycentric").linf, 4), "fine_vertices"_a = fine.vertices,
-                  "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.error("H.mixed").linf, 2));
-    const double identity = cotangent_error(jittered, AreaForm::voronoi);
-    if (identity < 0.1 * cotangent_error(jittered, AreaForm::barycentric))
-        go_on(t, words.say("sphere.voronoi", "error"_a = readable_percent(identity, 2)));
-    return t;
+    return words.say("sphere", "coarse"_a = readable_percent(coarse.error("H.barycentric").linf, 4), "coarse_vertices"_a = coarse.vertices,
+                     "fine"_a = readable_percent(fine.error("H.barycentric").linf, 4), "fine_vertices"_a = fine.vertices,
+                     "limit"_a = readable_percent(pentagon_excess(), 4), "mixed"_a = readable_percent(fine.error("H.mixed").linf, 2));
 }
 
 }   // namespace
 
-report::Text answer_of(const BenchRuns& runs) {
-    const Tally regular = tally(runs, MeshKind::regular), jittered = tally(runs, MeshKind::jittered);
-    const int wins = regular.wins + jittered.wins, meshes = regular.surfaces + jittered.surfaces;
+report::Text answer_of(const BenchRuns& runs, const BenchRuns& panel) {
+    const auto nearer = std::ranges::count_if(panel, wins), all = std::ssize(panel);
+    const Tally jittered = tally(runs, MeshKind::jittered);
     const bool converges = jittered.converging == jittered.surfaces;
-    const char* key = 2 * wins <= meshes ? "answer.no" : converges ? "answer.yes" : "answer.yes_but";
-    return words.say(key, "wins"_a = wins == meshes ? words.line("answer.all", "meshes"_a = meshes)
-                                                    : words.line("answer.some", "wins"_a = wins, "meshes"_a = meshes));
+    const char* key = 2 * nearer <= all ? "answer.no" : converges ? "answer.yes" : "answer.yes_but";
+    return words.say(key, "wins"_a = nearer == all ? words.line("answer.all", "runs"_a = all)
+                                                   : words.line("answer.some", "wins"_a = nearer, "runs"_a = all));
 }
 
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane) {
@@ -193,7 +198,7 @@ void add_discussion(report::Section& section, const Comparisons& meshes, const B
 }
 
 void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs) {
-    add_paragraph(section, about_sphere(run_on(runs, "sphere", MeshKind::regular), run_on(runs, "sphere", MeshKind::jittered)));
+    add_paragraph(section, about_sphere(run_on(runs, "sphere", MeshKind::regular)));
     for (const CotangentComparison& c : meshes)
         if (!c.subject.source->prepared->preflight.closed()) add_paragraph(section, about_boundary(c));
 }

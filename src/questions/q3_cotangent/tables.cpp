@@ -53,11 +53,13 @@ report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& k
     errors.column("estimator", &Estimator::in_q3);
     for (const BenchRun& run : runs)
         errors.column(run.title(), {.unit = "%", .best = smallest}, [&](auto* row) { return 100 * run.finest().error(row->key).*norm; });
-    return errors.column("without H", {.unit = "vertices"}, [&](auto* row) {
+    const auto undefined_of = [&](const Estimator* row) {
         int undefined = 0;
         for (const BenchRun& run : runs) undefined += run.finest().error(row->key).undefined;
         return undefined;
-    });
+    };
+    if (std::ranges::any_of(compared_estimators(), undefined_of)) errors.column("without H", {.unit = "vertices"}, undefined_of);
+    return errors;
 }
 
 report::Table order_table(const BenchRuns& runs) {

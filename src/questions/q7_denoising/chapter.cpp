@@ -38,10 +38,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
 
     add_words(section, words, "results");
-    add_states(answer, grids);
+    const output::ColorRange colours = add_states(answer, grids);
     add(section, result_table(grids));
+    add(section, error_plot(hardest(grids)));
     add(section, gain_map(leading(grids)));
-    add_views(answer, grids);
+    add_views(answer, grids, colours);
     add_limits(answer, grids);
     add(section, remains_table(grids));
     add_discussion(section, grids);
@@ -50,7 +51,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const DenoisingGrid& grid : grids) {
         add_levels(answer, grid);
         if (&grid != &leading(grids)) add(section, gain_map(grid));
-        add(section, error_plot(grid));
+        if (&grid != &hardest(grids)) add(section, error_plot(grid));
         add_checks(section, grid);
     }
     add(section, measure_table(grids));

@@ -21,49 +21,63 @@ Count count_of(const Grids& grids, const Measure& measure, double gain) {
     Count count;
     for (const Case& c : cases_of(grids)) {
         count.measured += std::isnan(c.part.gain(measure)) ? 0 : 1;
-        count.reached += c.part.gain(measure) >= gain ? 1 : 0;
+        count.reached += reaches(c.part.gain(measure), gain) ? 1 : 0;
     }
     return count;
 }
 
 /// "drift along the surface, rounded edges and lost volume", as far as they are seen.
-std::string losses_of(const Grids& grids) {
+report::Text price_of(const Grids& grids) {
     Names losses;
     if (most_drifting(grids)) losses.push_back(words.line("loss.drift"));
     if (most_rounded(grids)) losses.push_back(words.line("loss.edges"));
     if (most_shrunk(grids)) losses.push_back(words.line("loss.volume"));
-    return losses.empty() ? "" : words.line("loss", "losses"_a = listed(losses));
+    return losses.empty() ? report::Text() : words.say("loss", "losses"_a = listed(losses));
 }
 
 /// In how many cases smoothing works and helps, measure by measure.
 report::Text verdict(const Grids& grids) {
     report::Text told;
-    for (const Measure& measure : measures)
-        if (const Count working = count_of(grids, measure, works); working.measured > 0)
-            told = paragraph_of(
-                {told, words.say("verdict.measure", "measure"_a = words.line("of." + std::string(measure.key)), "works"_a = working.reached,
-                                 "helps"_a = count_of(grids, measure, helps).reached, "cases"_a = working.measured)});
+    for (const Measure& measure : measures) {
+        const Count working = count_of(grids, measure, works);
+        report::Facts facts{"works"_a = working.reached, "helps"_a = count_of(grids, measure, helps).reached, "cases"_a = working.measured};
+        if (working.measured == 0) continue;
+        if (&measure != &measures[0]) facts.push_back("measure"_a = words.line("by." + std::string(measure.key)));
+        told = paragraph_of({told, words.say(&measure == &measures[0] ? "verdict.measure" : "verdict.other", facts)});
+    }
     return told;
 }
 
-/// From which noise on, in mean edges, the gain reaches 1.2: a clean split of the cases or none, by each measure.
-report::Text limits_in_mean_edges(const Grids& grids) {
-    Names clean;
-    report::Text mixed;
-    for (const Measure& measure : measures) {
-        const auto [smallest_helped, largest_failed] = noise_split(grids, measure);
-        if (!std::isfinite(smallest_helped) || largest_failed == 0) continue;
-        const report::Facts facts{"measure"_a = words.line("by." + std::string(measure.key)), "failed"_a = readable(largest_failed, 2),
-                                  "helped"_a = readable(smallest_helped, 2)};
-        if (largest_failed < smallest_helped)
-            clean.push_back(words.line("split.clean.measure", facts));
-        else
-            mixed = paragraph_of({mixed, words.say("split.mixed", facts)});
-    }
-    return paragraph_of({clean.empty() ? report::Text() : words.say("split.clean", "measures"_a = listed(clean)), mixed});
+/// Where the surface is nearer, but the volume lost: no success.
+report::Text shrunk(const Grids& grids) {
+    Names told;
+    for (const Case& c : cases_of(grids))
+        if (c.part.shrinks() && reaches(c.part.gain(measures[0]), helps))
+            told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
+    return told.empty() ? report::Text() : words.say("shrunk", "cases"_a = listed(told));
 }
 
-report::Text why(const Grids& grids) { return words.say("explained", "mesh"_a = leading(grids).name()); }
+/// Whether the noise in mean edges tells the cases that help from those that fail.
+report::Text noise_in_mean_edges(const Grids& grids) {
+    const auto [smallest_helped, largest_failed] = noise_split(grids, measures[0]);
+    if (!std::isfinite(smallest_helped) || largest_failed == 0) return {};
+    return words.say(largest_failed < smallest_helped ? "split.clean" : "split.mixed", "failed"_a = readable(largest_failed, 2),
+                     "helped"_a = readable(smallest_helped, 2));
+}
+
+/// What one iteration takes from the clean mesh, beside the least and the most noise.
+report::Text why(const Grids& grids) {
+    const DenoisingGrid& grid = hardest(grids);
+    const auto told = [&](const NoisyTrial& trial, bool helped) {
+        const double taken = grid.taken_at_once(trial);
+        if (std::isnan(taken) || (taken < 1) != helped || reaches(trial.gain(measures[0]), helps) != helped) return report::Text();
+        report::Facts facts = facts_of(grid, trial);
+        facts.push_back("taken"_a = readable(taken, 2));
+        return words.say(helped ? "explained.helps" : "explained.fails", facts);
+    };
+    return paragraph_of({words.say("explained", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2)),
+                         told(grid.trials.front(), false), told(grid.trials.back(), true)});
+}
 
 /// What the pictures of one mesh show.
 report::Text reading(const DenoisingGrid& grid) {
@@ -74,9 +88,11 @@ report::Text reading(const DenoisingGrid& grid) {
     const bool at_edges = grid.has_features() && left.features.times() > 1.2;
     const bool at_bends = !at_edges && left.curved.times() > 1.2;
     facts.push_back("times"_a = readable(at_edges ? left.features.times() : left.curved.times(), 2));
-    return paragraph_of({words.say(trial.gain(measures[0]) >= works   ? "reading.works"
-                                   : trial.gain(measures[0]) >= helps ? "reading.helps"
-                                                                      : "reading.fails",
+    const std::string verdict = verdict_on(trial);
+    return paragraph_of({words.say(verdict == "works"     ? "reading.works"
+                                   : verdict == "shrinks" ? "reading.shrinks"
+                                   : verdict == "helps"   ? "reading.helps"
+                                                          : "reading.fails",
                                    facts),
                          at_edges   ? words.say("reading.edges", facts)
                          : at_bends ? words.say("reading.bends", facts)
@@ -93,11 +109,7 @@ report::Text noise_and_amount(const Grids& grids) {
         (high > low ? more : less)
             .push_back(words.line("amount.mesh", "mesh"_a = grid.name(), "low"_a = readable(low, 2), "high"_a = readable(high, 2)));
     }
-    const report::Fact leader = "leader"_a = leading(grids).name();
-    const auto said = [&](const Names& meshes, std::string_view key) {
-        return meshes.empty() ? report::Text() : words.say(key, "meshes"_a = listed(meshes), leader);
-    };
-    return paragraph_of({said(more, "amount.more"), said(less, "amount.less")});
+    return paragraph_of({said_of(more, words, "amount.more"), said_of(less, words, "amount.less")});
 }
 
 /// Of all cases the one where the measures differ most in how much smoothing they ask for.
@@ -106,7 +118,7 @@ report::Text measures_disagree(const Grids& grids) {
     const auto spread = [&](const Case& c) {
         double least = infinity, most = 0;
         for (const Measure& measure : measures) {
-            if (!(c.part.gain(measure) >= helps)) return 0.0;   // a best of little worth says nothing
+            if (!reaches(c.part.gain(measure), helps)) return 0.0;   // a best of little worth says nothing
             least = std::min(least, time(c, measure));
             most = std::max(most, time(c, measure));
         }
@@ -120,20 +132,25 @@ report::Text measures_disagree(const Grids& grids) {
     return words.say("disagree", facts);
 }
 
-/// What it costs not to stop: the case that loses most in four times as many iterations.
-report::Text going_on(const Grids& grids) {
-    const auto after = [](const Case& c) {
-        return shape_rms(c.whole.clean->mesh(), c.whole.clean->prepared->topology.vertex_faces, c.part.over.X);
-    };
-    std::vector<Case> helped;
-    std::ranges::copy_if(cases_of(grids), std::back_inserter(helped), [](const Case& c) { return c.part.improved(); });
-    if (helped.empty()) return {};
-    const auto loss = [&](const Case& c) { return after(c) / c.part.found.by_shape.shape; };
-    const Case& worst = *std::ranges::max_element(helped, {}, loss);
-    report::Facts facts = facts_of(worst.whole, worst.part);
-    if (loss(worst) < 1.05) return {};
-    facts.push_back("loss"_a = readable(loss(worst), 2));
-    return words.say("going_on", facts);
+/// What it costs not to stop: the case that loses most in four times as many iterations, as facts with "loss"; none where nothing is lost.
+report::Facts over_smoothed(const Grids& grids) {
+    report::Facts facts;
+    double most = 1.05;
+    for (const auto& [grid, trial] : cases_of(grids)) {
+        if (!trial.improved()) continue;
+        const TriangleMesh& clean = grid.clean->mesh();
+        const double after = shape_rms(clean, grid.clean->prepared->topology.vertex_faces, trial.over.X);
+        if (!(after > most * trial.found.by_shape.shape)) continue;
+        most = after / trial.found.by_shape.shape;
+        facts = facts_of(grid, trial);
+    }
+    if (!facts.empty()) facts.push_back("loss"_a = readable(most, 2));
+    return facts;
+}
+
+report::Text going_on(const Grids& grids, std::string_view key) {
+    const report::Facts facts = over_smoothed(grids);
+    return facts.empty() ? report::Text() : words.say(key, facts);
 }
 
 /// What smoothing cannot do, picture by picture.
@@ -165,24 +182,24 @@ report::Text no_edges(const Grids& grids) {
 report::Text answer_of(const Grids& grids) {
     const Count helped = count_of(grids, measures[0], helps), halved = count_of(grids, measures[0], works);
     const auto [smallest_helped, largest_failed] = noise_split(grids, measures[0]);
-    const report::Facts facts{"losses"_a = losses_of(grids),
-                              "helps"_a = helped.reached,
-                              "works"_a = halved.reached,
-                              "cases"_a = helped.measured,
-                              "failed"_a = readable(largest_failed, 2),
-                              "helped"_a = readable(smallest_helped, 2)};
-    if (helped.reached == 0) return words.say("answer.none", facts);
-    return words.say(largest_failed > 0 && largest_failed < smallest_helped ? "answer.split" : "answer.mixed", facts);
+    const report::Facts facts{"helps"_a = helped.reached, "works"_a = halved.reached, "cases"_a = helped.measured,
+                              "failed"_a = readable(largest_failed, 2), "helped"_a = readable(smallest_helped, 2)};
+    const bool clean = largest_failed > 0 && largest_failed < smallest_helped;
+    return paragraph_of({words.say(helped.reached == 0 ? "answer.none"
+                                   : clean             ? "answer.split"
+                                                       : "answer.mixed",
+                                   facts),
+                         price_of(grids), going_on(grids, "answer.over")});
 }
 
-report::Text summary_of(const Grids& grids) { return verdict(grids); }
+report::Text summary_of(const Grids& grids) { return paragraph_of({verdict(grids), shrunk(grids)}); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
     report::Text seen = words.say(improved ? "reading" : "reading.noise");
     for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
-    add_paragraphs(section, {seen, paragraph_of({limits_in_mean_edges(grids), why(grids)}),
-                             paragraph_of({noise_and_amount(grids), measures_disagree(grids), going_on(grids)}),
+    add_paragraphs(section, {seen, paragraph_of({why(grids), noise_in_mean_edges(grids), going_on(grids, "going_on")}),
+                             paragraph_of({noise_and_amount(grids), measures_disagree(grids)}),
                              paragraph_of({cannot(grids), no_edges(grids), words.say("elsewhere")})});
 }
 

@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "geometry/measures/mesh_error.h"
 #include "mesh/triangle_measures.h"
+#include "questions/bench/curvature_subject.h"
 #include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
@@ -82,11 +83,12 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
             "edges"_a = readable(trial.sigma / grid.mean_edge, 2),
             "lambda"_a = readable(best.value, 2),
             "best"_a = best.step,
+            "volume"_a = readable_percent(trial.remains.volume, 2),
             "over"_a = 4 * best.step,
             "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
 }
 
-void add_states(Answer& answer, const Grids& grids) {
+output::ColorRange add_states(Answer& answer, const Grids& grids) {
     output::FigureRequest request;
     request.id = "q7_states";
     request.subtitle = words.line("trial.subtitle");
@@ -98,11 +100,13 @@ void add_states(Answer& answer, const Grids& grids) {
         request.panels.push_back(panel_of(*grid.clean, name + "_clean", words.line("states.clean.panel", "mesh"_a = grid.name())));
         add_states_of(request, grid, grid.pictured(), name);
     }
-    request.range = range_in_sigma(request.panels, "colours.surface");
+    const output::ColorRange colours = range_in_sigma(request.panels, "colours.surface");
+    request.range = colours;
     add_pictures(answer, std::move(request), "states", {});
+    return colours;
 }
 
-void add_views(Answer& answer, const Grids& grids) {
+void add_views(Answer& answer, const Grids& grids, const output::ColorRange& colours) {
     SixViewFigure figure{.id = "q7_views",
                          .title = words.line("views.title"),
                          .subtitle = words.line("trial.subtitle"),
@@ -115,7 +119,7 @@ void add_views(Answer& answer, const Grids& grids) {
                                          words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
     }
     if (figure.panels.empty()) return;
-    figure.range = range_in_sigma(figure.panels, "colours.surface");
+    figure.range = range_for(colours, figure.panels);
     add_figure(answer, std::move(figure));
 }
 

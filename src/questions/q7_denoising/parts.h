@@ -22,10 +22,10 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
 inline constexpr auto distance_colours = "pale";
 
 // Figures.
-/// At the noise to look at: each mesh clean, noisy, nearest to the clean surface, smoothed on.
-void add_states(Answer& answer, const Grids& grids);
-/// The nearest of these from the six directions.
-void add_views(Answer& answer, const Grids& grids);
+/// At the noise to look at: each mesh clean, noisy, nearest to the clean surface, smoothed on. @return  its colours
+output::ColorRange add_states(Answer& answer, const Grids& grids);
+/// The nearest of these from the six directions, in the same colours.
+void add_views(Answer& answer, const Grids& grids, const output::ColorRange& colours);
 /// All levels of noise: noisy, nearest, smoothed on.
 void add_levels(Answer& answer, const DenoisingGrid& grid);
 /// What smoothing cannot do: drift, rounded edges, lost volume, each where it shows most.
@@ -34,8 +34,9 @@ void add_limits(Answer& answer, const Grids& grids);
 const DenoisingGrid* most_drifting(const Grids& grids);
 const DenoisingGrid* most_rounded(const Grids& grids);
 const DenoisingGrid* most_shrunk(const Grids& grids);
-/// The one whose surface gains most, of which maps and curves are looked at.
+/// The one whose surface gains most, of which the map is looked at, and the one with the least gain, of which the curves are.
 const DenoisingGrid& leading(const Grids& grids);
+const DenoisingGrid& hardest(const Grids& grids);
 
 // Tables and plots.
 /// The gains of each noisy mesh.

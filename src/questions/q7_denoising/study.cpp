@@ -147,8 +147,12 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
 
 const NoisyTrial& DenoisingGrid::pictured() const {
     const auto gain = [](const NoisyTrial& trial) { return trial.improved() ? trial.gain(measures[0]) : 0; };
-    const auto halved = std::ranges::find_if(trials, [&](const NoisyTrial& trial) { return gain(trial) >= works; });
+    const auto halved = std::ranges::find_if(trials, [&](const NoisyTrial& trial) { return reaches(gain(trial), works); });
     return halved != trials.end() ? *halved : *std::ranges::max_element(trials, {}, gain);
+}
+
+double DenoisingGrid::taken_at_once(const NoisyTrial& trial) const {
+    return std::isnan(trial.found.gain()) || without_noise.size() < 2 ? std::nan("") : without_noise[1] / trial.found.noisy.shape;
 }
 
 Vector drifts(const DenoisingGrid& grid, const Positions& X) {
@@ -164,7 +168,12 @@ Vector sinkings(const DenoisingGrid& grid, const Positions& X) {
 
 std::string verdict_on(double gain) {
     if (std::isnan(gain)) return "–";
-    return gain >= works ? "works" : gain >= helps ? "helps" : gain > 1 ? "fails" : "no gain";
+    return reaches(gain, works) ? "works" : reaches(gain, helps) ? "helps" : gain > 1 ? "fails" : "no gain";
+}
+
+std::string verdict_on(const NoisyTrial& trial) {
+    const double gain = trial.gain(measures[0]);
+    return reaches(gain, helps) && trial.shrinks() ? "shrinks" : verdict_on(gain);
 }
 
 NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids, const Measure& measure) {
@@ -172,7 +181,7 @@ NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids, const Measure& m
     for (const DenoisingGrid& grid : grids) {
         for (const NoisyTrial& trial : grid.trials) {
             const double edges = trial.sigma / grid.mean_edge, gain = trial.gain(measure);
-            if (gain >= helps)
+            if (reaches(gain, helps))
                 split.smallest_helped = std::min(split.smallest_helped, edges);
             else if (!std::isnan(gain))
                 split.largest_failed = std::max(split.largest_failed, edges);

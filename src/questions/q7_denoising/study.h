@@ -2,10 +2,8 @@
 /// What question 7 measures: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "questions/bench/denoising_search.h"
@@ -13,20 +11,6 @@
 #include "questions/core/settings.h"
 
 namespace meshfolio::q7_denoising {
-
-/// What smoothing is judged by. Each measure has its own best λ and t.
-struct Measure {
-    std::string_view key;   // "surface": of its words
-    Gain gain;
-    SearchState SearchResult::*best;
-    double SearchState::*error;   // [length], of normals [rad]
-};
-/// Distance to the clean surface, to the vertices' own places, angle to the clean normals.
-inline constexpr std::array measures{
-    Measure{"surface", &SearchResult::gain, &SearchResult::by_shape, &SearchState::shape},
-    Measure{"places", &SearchResult::rms_gain, &SearchResult::by_rms, &SearchState::rms},
-    Measure{"normals", &SearchResult::angle_gain, &SearchResult::by_angle, &SearchState::angle},
-};
 
 /// rms distance to the surface where something is, and everywhere else; NaN where there is no such vertex. [length]
 struct Uneven {
@@ -55,6 +39,8 @@ struct NoisyTrial {
     Remains remains, taken;   // of `best`, of `clean_alike`
 
     bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
+    /// Of a closed mesh more than a tenth of the volume, at the smallest distance to the surface.
+    bool shrinks() const { return improved() && remains.volume < 1 && !reaches(remains.volume, 0.9); }
     /// NaN where the noise has nothing of the measure.
     double gain(const Measure& measure) const { return (found.*measure.gain)(); }
     const SearchState& best_by(const Measure& measure) const { return found.*measure.best; }
@@ -71,6 +57,8 @@ struct DenoisingGrid {
     std::vector<double> without_noise;   // distance to the surface after t = 0, 1, … iterations of middle_lambda() from the clean mesh
 
     const std::string& name() const { return clean->name; }
+    /// What one iteration of middle_lambda() takes from the clean mesh, over the noise. NaN where the noise is along the surface.
+    double taken_at_once(const NoisyTrial& trial) const;
     double middle_lambda() const { return lambdas[lambdas.size() / 2]; }
     /// Do edges stand out from the tessellation?
     bool has_features() const { return feature_vertices > 0 && 2 * feature_vertices <= clean->mesh().vertex_count(); }
@@ -85,7 +73,10 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const Que
 Vector drifts(const DenoisingGrid& grid, const Positions& X);
 Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 
-/// "works" (gain ≥ 2), "helps" (≥ 1.2), "fails" (below), "no gain" (nothing tried is better than the noisy mesh), "–" (nothing to measure).
+/// By the distance to the surface: "works" (gain ≥ 2), "helps" (≥ 1.2), either "shrinks" where more than a tenth of the volume is lost;
+/// "fails" (below), "no gain" (nothing tried is better than the noisy mesh), "–" (nothing to measure).
+std::string verdict_on(const NoisyTrial& trial);
+/// By a gain alone.
 std::string verdict_on(double gain);
 
 /// The lowest noise that smoothing helps against by this measure, ∞ for none, and the highest that it does not, 0 for none. [mean edges]

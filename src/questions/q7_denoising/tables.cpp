@@ -18,9 +18,7 @@ struct Judged {
 
     const SearchState& best() const { return trial.best_by(measure); }
     bool better() const { return best().step > 0; }
-    double shown(const SearchState& state) const {
-        return state.*measure.error * (measure.error == &SearchState::angle ? 180 / pi : 100 / grid.diagonal);
-    }
+    double shown(const SearchState& state) const { return state.*measure.error * (measure.is_angle() ? 180 / pi : 100 / grid.diagonal); }
 };
 
 std::vector<Judged> judged_in(const Grids& grids) {
@@ -60,21 +58,29 @@ const DenoisingGrid& leading(const Grids& grids) {
     });
 }
 
+const DenoisingGrid& hardest(const Grids& grids) {
+    return *std::ranges::min_element(grids, {}, [](const DenoisingGrid& grid) {
+        double least = infinity;
+        for (const NoisyTrial& trial : grid.trials) least = std::fmin(least, trial.gain(measures[0]));
+        return least;
+    });
+}
+
 report::Table result_table(const Grids& grids) {
     const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
     const report::Column gain{.unit = "×", .heat = report::Column::Heat{1, 8}};
-    return table("q7_results", words.line("results.table"), cases_of(grids))
+    return table("q7_results", words.line("results.table", "lambda"_a = readable(grids.front().middle_lambda(), 2)), cases_of(grids))
         .column("mesh", [](auto& c) { return c.whole.name(); })
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) { return 100 * c.part.relative; })
         .column("σ", {.unit = "mean edges", .digits = 2}, [](auto& c) { return c.part.sigma / c.whole.mean_edge; })
-        .column("noisy", {.unit = "% of box"}, [](auto& c) { return 100 * c.part.found.noisy.shape / c.whole.diagonal; })
-        .column("best", {.unit = "% of box"}, [](auto& c) { return 100 * c.part.found.by_shape.shape / c.whole.diagonal; })
+        .column("taken at once", {.unit = "of the noise", .digits = 2}, [](auto& c) { return cell_of(c.whole.taken_at_once(c.part)); })
         .column("λt", {.unit = "h̄²", .digits = 2},
                 [](auto& c) { return cell_of(c.part.found.by_shape.value * c.part.found.by_shape.step, c.part.improved()); })
         .column("gain: surface", gain, gain_by(0))
         .column("places", gain, gain_by(1))
         .column("normals", gain, gain_by(2))
-        .column("verdict", [](auto& c) { return verdict_on(c.part.gain(measures[0])); });
+        .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.remains.volume); })
+        .column("verdict", [](auto& c) { return verdict_on(c.part); });
 }
 
 report::Table measure_table(const Grids& grids) {

@@ -37,7 +37,11 @@ public:
           values_(Axis::exactly(scale_.low(), scale_.high(), map.log_values)) {
         place_legend();
         Point above{4, legend_bottom_ + line_height - 3};
-        titles_ = title_element(above, "start", "colour: " + map.value_label);
+        // Over the colour bar, and the other over its axis; one below the other where they would meet.
+        const std::string colour = "colour: " + map.value_label;
+        Point over_bar{drawing_width - 4, above.y};
+        const bool one_line = text_width(colour) + text_width(map.y_label) + 40 < drawing_width;
+        titles_ = one_line ? title_element(over_bar, "end", colour) : title_element(above, "start", colour);
         titles_ += title_element(above, "start", map.y_label);
         top_ = above.y + 4;
         bottom_ = top_ + panel_height;

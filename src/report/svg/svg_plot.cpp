@@ -11,7 +11,7 @@ namespace meshfolio::report {
 
 namespace {
 
-constexpr double plot_height = 220, small_height = 150, right_margin = 18, between_panels = 16, between_rows = 10, numbers_height = 24;
+constexpr double plot_height = 190, small_height = 150, right_margin = 18, between_panels = 16, between_rows = 10, numbers_height = 24;
 
 class PlotDrawing {
 public:

@@ -45,6 +45,41 @@ TEST(Q3, EachMeshIsShownByBothOperatorsInTheRangeOfTheCotangentOne) {
     EXPECT_TRUE(says(answer, "it leaves the range of cotangent H"));
 }
 
+// What is coloured is seen from all sides; of a flat mesh that is 0 both ways one row is enough.
+TEST(Q3, BothOperatorsAreSeenFromSixDirections) {
+    const output::FigureRequest figure = chapter_of_id("q3").answer(MeshLibrary({}, {}), quick_settings(), no_progress).figures[0];
+    const std::vector<bool> rows{true, true, false, true};
+    for (std::size_t p = 0; p < rows.size(); ++p) EXPECT_EQ(figure.panels[p].directions, rows[p]) << figure.panels[p].name;
+}
+
+// The answer counts the whole panel, and says so where uniform weights are nearer.
+TEST(Q3, TheAnswerIsThatOfTheWholePanel) {
+    const QuestionSettings settings = quick_settings();
+    const BenchRuns runs = question_runs(settings, no_progress);
+    BenchRuns panel = panel_runs(settings.seed, true, no_progress);
+    const auto told = [&] { return report::plain(answer_of(runs, panel)); };
+    const auto make = [&](auto chosen, double uniform) {
+        for (BenchRun& run : panel)
+            if (chosen(run)) run.levels.back().errors["H.uniform"].l2 = uniform;
+    };
+    const std::string all = std::to_string(panel.size());
+    make([](const BenchRun&) { return true; }, 1e9);
+    EXPECT_NE(told().find("on all " + all), std::string::npos) << told();
+    make([&](const BenchRun& run) { return &run == &panel.front(); }, 0);
+    EXPECT_NE(told().find("on " + std::to_string(panel.size() - 1) + " of " + all), std::string::npos) << told();
+    make([](const BenchRun&) { return true; }, 0);
+    EXPECT_EQ(told().rfind("Hardly", 0), 0u) << told();
+}
+
+TEST(Q3, AColumnOfZerosIsNotPrinted) {
+    const Answer answer = answer_for(icosphere(1), "columns3");
+    for (const report::Column& column : table_named(answer.section, "q3_errors_l2").columns) {
+        if (column.name != "without H") continue;
+        const auto undefined = numbers(table_named(answer.section, "q3_errors_l2"), "without H");
+        EXPECT_GT(*std::ranges::max_element(undefined), 0);
+    }
+}
+
 TEST(Q3, TheSmallestWeightIsThatOfAnEdge) {
     const TriangleMesh ball = icosphere(2);
     const MeshTopology topology = topology_of(ball);

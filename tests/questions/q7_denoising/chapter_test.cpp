@@ -126,8 +126,35 @@ TEST(Q7, NoiseWithinAPlaneHasNoVerdictOnTheSurface) {
     EXPECT_EQ(verdict_on(std::nan("")), "–");
     EXPECT_EQ(verdict_on(2), "works");
     EXPECT_EQ(verdict_on(1.2), "helps");
+    EXPECT_EQ(verdict_on(1.197), "helps") << "printed as 1.20";
+    EXPECT_EQ(verdict_on(1.194), "fails") << "printed as 1.19";
     EXPECT_EQ(verdict_on(1.1), "fails");
     EXPECT_EQ(verdict_on(1), "no gain");
+}
+
+TEST(Q7, AVerdictWeighsTheVolume) {
+    NoisyTrial trial;
+    trial.found.noisy.shape = trial.found.noisy.rms = 3;
+    trial.found.by_shape.step = 1;
+    const auto verdict = [&](double error, double volume) {
+        trial.found.by_shape.shape = error;
+        trial.remains.volume = volume;
+        return verdict_on(trial);
+    };
+    EXPECT_EQ(verdict(1, 1), "works");
+    EXPECT_EQ(verdict(1, 0.9), "works");
+    EXPECT_EQ(verdict(1, 0.8), "shrinks");
+    EXPECT_EQ(verdict(1, std::nan("")), "works") << "an open sheet has none to lose";
+    EXPECT_EQ(verdict(2, 0.8), "shrinks");
+    EXPECT_EQ(verdict(2.9, 0.8), "fails");
+}
+
+TEST(Q7, FiguresOfTheSameMeshesHaveTheSameColours) {
+    const Answer answer = chapter_of_id("q7").answer(library_of(cube_mesh(6), "colours7"), quick_settings(), no_progress);
+    ASSERT_EQ(answer.figures[0].id, "q7_states");
+    ASSERT_EQ(answer.figures[1].id, "q7_views");
+    EXPECT_EQ(answer.figures[0].range->high, answer.figures[1].range->high);
+    EXPECT_EQ(answer.figures[0].range->quantity, answer.figures[1].range->quantity);
 }
 
 TEST(Q7, TheTextFollowsTheData) {

@@ -1,0 +1,17 @@
+/// @file
+/// What diagrams are drawn of, in short names: `using namespace diagram_names;` where one is drawn.
+#pragma once
+
+#include "report/diagram.h"
+
+namespace meshfolio::diagram_names {
+
+using report::Diagram;
+using report::DiagramPoint;
+using report::math;
+using report::path_through;
+using report::text;
+using Style = report::Diagram::Style;
+using Side = report::Diagram::Side;
+
+}   // namespace meshfolio::diagram_names
