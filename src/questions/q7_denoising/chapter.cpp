@@ -38,9 +38,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
 
     add_words(section, words, "results");
+    add(section, error_plot(hardest(grids)));
     const output::ColorRange colours = add_states(answer, grids);
     add(section, result_table(grids));
-    add(section, error_plot(hardest(grids)));
     add(section, gain_map(leading(grids)));
     add_views(answer, grids, colours);
     add_limits(answer, grids);
