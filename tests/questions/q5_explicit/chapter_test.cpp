@@ -96,9 +96,9 @@ TEST(Q5, SeveralMeshesStandInOneFrameEachAtTheScaleOfItsInput) {
     const std::vector<output::Panel>& panels = figure_named(answer, "q5_recommended").panels;
     ASSERT_EQ(panels.size(), 6u);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_FALSE(panels[i].directions);
-        EXPECT_TRUE(panels[i + 3].directions);
-        const TriangleMesh &input = *panels[i].mesh, &result = *panels[i + 3].mesh;
+        EXPECT_FALSE(panels[2 * i].directions);
+        EXPECT_TRUE(panels[2 * i + 1].directions);
+        const TriangleMesh &input = *panels[2 * i].mesh, &result = *panels[2 * i + 1].mesh;
         EXPECT_NEAR(bounding_box(input).diagonal(), 1, 1e-12);
         EXPECT_LT(bounding_box(input).centre().norm(), 1e-12);
         // Smoothing keeps the barycentre, so the two have one scale and one place.
