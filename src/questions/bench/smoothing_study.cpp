@@ -23,6 +23,11 @@ double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
     return ((X.rowwise() - subject.mesh().X.row(0)).transpose() * weights).norm();
 }
 
+/// Of the boxes of the input.
+double boxes_wide(const SmoothingSubject& subject, const Positions& X) {
+    return bounding_box(moved_to(subject.mesh(), X)).diagonal() / subject.diagonal;
+}
+
 /// How much of the size of each component is left: of its volume, or with a boundary of its spread, the mean squared distance from its
 /// centroid. A box would tell of the boundary alone, which gives way long before the sheet does.
 class SizeWatch {
@@ -211,11 +216,11 @@ std::string at_step(const SmoothingSubject& subject, double lambda) {
     return smoothing_words.line("at_step", "limits"_a = in_limits(subject, lambda));
 }
 
+bool fits_a_frame(const SmoothingSubject& subject, const Positions& X) { return boxes_wide(subject, X) <= 2; }
+
 output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label) {
-    TriangleMesh mesh = moved_to(subject.mesh(), X);
-    const double boxes = bounding_box(mesh).diagonal() / subject.diagonal;
-    if (boxes > 2) return {std::move(name), smoothing_words.line("panel.too_large", "boxes"_a = readable(boxes, 2)), nullptr};
-    return panel_of(std::move(mesh), std::move(name), std::move(label));
+    if (fits_a_frame(subject, X)) return panel_of(moved_to(subject.mesh(), X), std::move(name), std::move(label));
+    return {std::move(name), smoothing_words.line("panel.too_large", "boxes"_a = readable(boxes_wide(subject, X), 2)), nullptr};
 }
 
 std::string step_name(double lambda) { return "lambda" + plain_text(lambda, 3); }

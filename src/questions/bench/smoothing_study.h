@@ -115,8 +115,9 @@ std::string at_step(const SmoothingSubject& subject, double lambda);
 /// λ for file names: "lambda0.0123".
 std::string step_name(double lambda);
 
-/// X in the frame of the input. Where it spans more than two boxes of the input the cell is empty and says how many: a cut-out of spikes
-/// shows nothing.
+/// Does X span no more than two boxes of the input? A cut-out of larger spikes shows nothing.
+bool fits_a_frame(const SmoothingSubject& subject, const Positions& X);
+/// X in the frame of the input; where it does not fit the cell is empty and says how many boxes it spans.
 output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
 
 /// What a caption adds where one of the studies is of an open mesh, whose other side is seen; else nothing.

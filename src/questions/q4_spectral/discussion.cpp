@@ -78,11 +78,12 @@ report::Text targets(const SpectralStudy& study) {
 /// By Weyl's law wavelengths shrink like 1/√k.
 report::Text wavelengths(const SpectralStudy& study) {
     const int end = study.modes(), quarter = end / 4;
-    if (quarter <= zero_modes(study) + 4) return {};
+    const auto law = fall_of_the_error(study);
+    if (!law || quarter <= zero_modes(study) + 4) return {};
     const double edge = study.source->prepared->preflight.mean_edge, shortest = wavelength(study, end);
     return words.say(shortest >= 2 * edge ? "wavelengths" : "wavelengths.unresolved", "quarter"_a = quarter, "end"_a = end,
                      "longer"_a = percent_of_box(study, wavelength(study, quarter)), "shorter"_a = percent_of_box(study, shortest),
-                     "edges"_a = readable(shortest / edge, 2));
+                     "edges"_a = readable(shortest / edge, 2), "power"_a = readable(2 * law->power, 2));
 }
 
 // ---- what a large k costs

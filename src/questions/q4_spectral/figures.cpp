@@ -23,21 +23,25 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
     const report::Fact mesh = "mesh"_a = study.name();
     SixViewFigure figure{
         .id = id_of(study, what), .title = words.line("reconstructions.title", mesh), .subtitle = subtitle_of(*study.source)};
-    std::string original = words.line("reconstructions.original");
+    std::string original = words.line("reconstructions.original"), exact;   // one picture for both
     for (const Reconstruction* r : reconstructions) {
-        if (is_exact(study, r->k))
-            original = words.line("reconstructions.exact", "k"_a = r->k);   // one picture for both
-        else
+        if (!is_exact(study, r->k)) {
             figure.panels.push_back(panel_of(study, *r));
+            continue;
+        }
+        original = words.line("reconstructions.exact", "k"_a = r->k);
+        exact = " " + words.line("reconstructions.both", "k"_a = r->k);
     }
-    figure.range = range_for({.colormap = "pale",
-                              .low = 0,
-                              .high = 100,
-                              .quantity = words.line("reconstructions.quantity"),
-                              .unit = words.line("reconstructions.own_range")},
-                             figure.panels);
+    if (!figure.panels.empty())
+        figure.range = range_for({.colormap = "pale",
+                                  .low = 0,
+                                  .high = 100,
+                                  .quantity = words.line("reconstructions.quantity"),
+                                  .unit = words.line("reconstructions.own_range")},
+                                 figure.panels);
     if (what == "reconstructions") {
-        figure.caption = words.line("reconstructions.caption", mesh);
+        figure.caption =
+            words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact);
         figure.panels.insert(figure.panels.begin(), meshfolio::panel_of(*study.source, id_of(study, "original"), original));
         figure.turnable = true;
     } else {

@@ -257,16 +257,20 @@ const ExplicitStudy& telling(const Studies& studies) {
 }
 
 report::Text answer_in_short(const Studies& studies) {
-    const bool any = std::ranges::any_of(studies, [](const ExplicitStudy& s) { return s.recommended.has_value(); });
-    return words.say(any ? "answer" : "answer.none");
+    double least = INFINITY, most = 0;   // of the recommended steps, over λ_crit
+    for (const ExplicitStudy& study : studies) {
+        if (!study.recommended) continue;
+        least = std::min(least, study.recommended->stopped.lambda / study.subject.critical);
+        most = std::max(most, study.recommended->stopped.lambda / study.subject.critical);
+    }
+    return words.say(most == 0 ? "answer.none" : most > 0.51 ? "answer.stable" : least < 0.49 ? "answer.smaller" : "answer");
 }
 
 report::Text lead(const Studies& studies) {
     Names stops;
     for (const ExplicitStudy& study : studies)
         if (study.recommended)
-            stops.push_back(words.line("lead.stop", "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name(),
-                                       "time"_a = readable(study.in_edges(study.recommended->time()), 2)));
+            stops.push_back(words.line("lead.stop", "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name()));
     return paragraph_of({words.say("lead"), stops.empty() ? report::Text() : words.say("lead.stops", "stops"_a = listed(stops))});
 }
 

@@ -57,16 +57,14 @@ output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, cons
 /// Several meshes: each input beside its result, and this from six directions.
 void add_all(Answer& answer, const Studies& studies, const std::string& id) {
     SixViewFigure figure{.id = id, .title = words.line("results.title"), .frame_panel = -1};
-    std::vector<std::string> steps;
     for (const ExplicitStudy& study : studies) {
         if (!study.recommended) continue;
         const report::Facts facts = facts_of(study);
         figure.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", words.line("results.input", facts)));
         figure.panels.back().directions = false;
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
-        steps.push_back(words.line("results.steps", facts));
     }
-    figure.caption = words.line("results.caption", "steps"_a = listed(steps), "underside"_a = underside_words(studies));
+    figure.caption = words.line("results.caption", "underside"_a = underside_words(studies));
     add_figure(answer, std::move(figure));
 }
 

@@ -69,7 +69,9 @@ std::vector<double> prices(const Studies& studies, bool recommended) {
 }
 
 std::string price_key(const std::vector<double>& ratios) {
-    return std::ranges::min(ratios) > 1.2 ? "dearer" : std::ranges::max(ratios) < 1 / 1.2 ? "cheaper" : "either";
+    const auto [low, high] = std::ranges::minmax(ratios);
+    if (low > 1 / 1.2 && high < 1.2) return "alike";
+    return low > 1.2 ? "dearer" : high < 1 / 1.2 ? "cheaper" : "either";
 }
 
 report::Text price_of(const std::vector<double>& ratios, const std::string& amount) {
@@ -132,14 +134,14 @@ std::vector<Observed> explicit_ends(const Studies& studies) {
     return ends;
 }
 
-/// The last explicit picture whose energy has risen far above that of the input.
+/// The last explicit picture, where there is one, whose energy has risen far above that of the input.
 report::Text spikes(const ImplicitStudy& study) {
     const auto blown = std::ranges::find(study.explicit_runs, true, [](const SmoothingRun& run) { return run.result.blew_up; });
     if (blown == study.explicit_runs.end()) return {};
     const SmoothingCell* risen = nullptr;
     for (std::size_t t = 0; t < study.iterations.size(); ++t)
         if (const SmoothingCell& cell = study.cell(static_cast<std::size_t>(blown - study.explicit_runs.begin()), t);
-            cell.has_explicit() && cell.explicit_energy > 2)
+            cell.has_explicit() && cell.explicit_energy > 2 && fits_a_frame(study.subject, cell.explicit_X))
             risen = &cell;
     if (risen == nullptr) return {};
     return words.say("spikes", "figure"_a = matrix_of(study), "cell"_a = title_of(study, *risen),

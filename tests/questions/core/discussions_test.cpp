@@ -162,6 +162,19 @@ TEST(ImplicitDiscussion, SaysWhereTheShapeGivesWay) {
     EXPECT_FALSE(has(told(study), "gives way first")) << told(study);
 }
 
+TEST(ImplicitDiscussion, SpikesAreSeenOnlyWhereTheyAreDrawn) {
+    ImplicitStudy study = implicit_study(cube, quick_settings());
+    std::size_t blown = 0;
+    while (blown < study.explicit_runs.size() && !study.explicit_runs[blown].result.blew_up) ++blown;
+    ASSERT_LT(blown, study.explicit_runs.size());
+    SmoothingCell& first = study.grid[blown * study.iterations.size()];
+    first.explicit_energy = 5;
+    first.explicit_X = study.subject.mesh().X;
+    EXPECT_TRUE(has(told(study), "shows how it begins: with spikes")) << told(study);
+    first.explicit_X *= 3;   // too large to be drawn
+    EXPECT_FALSE(has(told(study), "shows how it begins: with spikes")) << told(study);
+}
+
 TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
     ImplicitStudy study = implicit_study(cube, quick_settings());
     ASSERT_EQ(study.costs.size(), 2u);
@@ -173,6 +186,9 @@ TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
     study.costs[0].explicit_operations = study.costs[0].implicit_operations / 2;
     EXPECT_TRUE(has(told(study), "Not for what we recommend: explicit smoothing needs only 0.50 times")) << told(study);
     EXPECT_TRUE(has(told(study), "For strong smoothing implicit is cheaper: explicit steps need 4.0 times")) << told(study);
+    study.costs[0].explicit_operations = study.costs[0].implicit_operations;
+    EXPECT_TRUE(has(told(study), "both cost about the same")) << told(study);
+    EXPECT_FALSE(has(told(study), "depends on the mesh")) << "there is one mesh";
     study.costs[1].explicit_steps = 0;
     EXPECT_FALSE(has(told(study), "For strong smoothing implicit is cheaper")) << told(study);
     EXPECT_TRUE(has(told(study), "Only the implicit method reaches so much smoothing within 3000 steps on cube_told")) << told(study);

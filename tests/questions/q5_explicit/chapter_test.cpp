@@ -28,6 +28,20 @@ TEST(Q5, OnlyStepsBelowTheLimitAreRecommended) {
     EXPECT_NE(prose_of(answer.section).find("no step tried can be recommended"), std::string::npos);
 }
 
+TEST(Q5, TheAnswerSaysHalfTheLimitOnlyWhereThatIsTaken) {
+    const auto answered = [](std::vector<double> limits) {
+        const TriangleMesh mesh = icosphere(3);
+        QuestionSettings settings = quick_settings();
+        const double critical = smoothing_subject(library_mesh(mesh, "ball_half")).critical;
+        for (const double limit : limits) settings.lambda.push_back(limit * critical);
+        return report::plain(chapter_of_id("q5").answer(library_of(mesh, "ball_half"), settings, no_progress).section.answer);
+    };
+    EXPECT_TRUE(answered({}).starts_with("Half of"));
+    EXPECT_TRUE(answered({0.1, 1.2}).starts_with("At most half of"));
+    EXPECT_TRUE(answered({0.8, 1.2}).starts_with("A good step stays below"));
+    EXPECT_TRUE(answered({1.2}).starts_with("No step tried"));
+}
+
 TEST(Q5, TheTablesAreTheStudy) {
     const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const Answer answer = chapter_of_id("q5").answer(library_of(mesh, "egg5"), quick_settings(), no_progress);
