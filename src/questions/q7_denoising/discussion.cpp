@@ -70,7 +70,8 @@ report::Text why(const Grids& grids) {
     const DenoisingGrid& grid = hardest(grids);
     const auto told = [&](const NoisyTrial& trial, bool helped) {
         const double taken = grid.taken_at_once(trial);
-        if (std::isnan(taken) || (helped ? taken > 0.5 : taken < 1) || reaches(trial.gain(measures[0]), helps) != helped) return report::Text();
+        if (std::isnan(taken) || (helped ? taken > 0.5 : taken < 1) || reaches(trial.gain(measures[0]), helps) != helped)
+            return report::Text();
         report::Facts facts = facts_of(grid, trial);
         facts.push_back("taken"_a = readable(taken, 2));
         return words.say(helped ? "explained.helps" : "explained.fails", facts);
