@@ -85,7 +85,7 @@ private:
             const render::Image& large = panels_[panel][0];
             const int x = p % columns * (width + 3 * gap_), y = p / columns * (height + gap_ + line_);
             place(panel, 0, x, y + (height - large.height) / 2);
-            if (panels_[panel].size() > 1) views(panel, x + large.width + 2 * gap_, y + (height - 2 * views_height()) / 2);
+            views(panel, x + large.width + 2 * gap_, y + (height - 2 * views_height()) / 2);
             if (panels_.size() > 1) say(request_.panels[panel].label, x, y + height, width);
         }
     }

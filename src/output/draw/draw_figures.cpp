@@ -120,11 +120,6 @@ bool has_undefined(const FigureRequest& request) {
     return std::any_of(request.panels.begin(), request.panels.end(), [](const Panel& panel) { return panel.values.array().isNaN().any(); });
 }
 
-/// A panel seen from three quarters alone in a figure of six views has none.
-bool has_view_files(const FigureRequest& request, std::size_t panel, const DrawSettings& settings) {
-    return (request.view_files || settings.view_files) && (!has_six_views(request) || request.panels[panel].directions);
-}
-
 /// As large as is asked for, the name of the view in a corner.
 void draw_view_files(const FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
@@ -156,7 +151,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
     options.height = large.height;
     options.frame = large.frame;
     pictures = render::draw_views(surface, hero, options);
-    if (job.six && panel.directions) {
+    if (job.six) {
         const PictureFrame whole = job.six->covering_all();
         options.width = whole.width;
         options.height = whole.height;
@@ -169,7 +164,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
                 part_of(views[i], (views[i].width - size.width) / 2, (views[i].height - size.height) / 2, size.width, size.height));
         }
     }
-    if (has_view_files(request, index, settings)) draw_view_files(job, index, folder, settings);
+    if (request.view_files || settings.view_files) draw_view_files(job, index, folder, settings);
 }
 
 /// The bar of the sheet, and the legend of the page.
@@ -182,7 +177,7 @@ void set_legend(FigureJob& job, render::FigureSheet& sheet) {
 }
 
 std::size_t pictures_of(const FigureRequest& request, std::size_t panel) {
-    return !request.panels[panel].mesh ? 0 : has_six_views(request) && request.panels[panel].directions ? 7 : 1;
+    return !request.panels[panel].mesh ? 0 : has_six_views(request) ? 7 : 1;
 }
 
 /// Where the pictures are on the sheet.
@@ -201,7 +196,7 @@ void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const rende
             picture.top = composed.top + placed.top;
             picture.width = placed.image.width;
             picture.height = placed.image.height;
-            const bool has_file = has_view_files(request, p, settings) && (i > 0 || !has_six_views(request));
+            const bool has_file = (request.view_files || settings.view_files) && (i > 0 || !has_six_views(request));
             if (has_file) picture.file = view_file(request.panels[p], i == 0 ? render::three_quarter_view() : directions[i - 1]);
         }
     }

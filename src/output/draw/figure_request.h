@@ -18,7 +18,6 @@ struct Panel {
     std::shared_ptr<const TriangleMesh> mesh;   // null in a matrix: an empty cell, and the label says why
     Vector values = {};                         // one a vertex, NaN where undefined; empty: plain surface
     std::vector<int> marked_vertices = {};      // ringed where they are seen
-    bool directions = true;                     // in a figure of six views: from the six directions as well, not from three quarters alone
 };
 
 struct ColorRange {

@@ -31,7 +31,6 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
             const bool coloured = s.mean_edge * largest_magnitude(values) > 0.01 * range;
             const std::string label = words.line(coloured ? key : zero, "mesh"_a = s.name(), "range"_a = readable(range, 2));
             figure.panels.push_back(relative_panel(s, "q3_" + s.name() + "_h_" + name, label, s.mean_edge * values, range));
-            figure.panels.back().directions = coloured || &values == &c.cotangent;   // two flat zeros look alike
         };
         add("comparison.uniform", "comparison.uniform.zero", "uniform", c.uniform);
         add("comparison.cotangent", "comparison.cotangent.zero", "cotangent", c.cotangent);

@@ -43,7 +43,6 @@ void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
                          .turnable = true};
     figure.panels = {panel_of(*study.subject.source, id + "_input", "input"),
                      panel_of(moved_to(study.subject.mesh(), run.result.X), id + "_smoothed", words.line("recommended.after", facts))};
-    figure.panels.front().directions = false;
     add_figure(answer, std::move(figure));
 }
 
@@ -54,14 +53,13 @@ output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, cons
                     std::move(label));
 }
 
-/// Several meshes: each input beside its result, and this from six directions.
+/// Several meshes: each input beside its result.
 void add_all(Answer& answer, const Studies& studies, const std::string& id) {
     SixViewFigure figure{.id = id, .title = words.line("results.title"), .frame_panel = -1};
     for (const ExplicitStudy& study : studies) {
         if (!study.recommended) continue;
         const report::Facts facts = facts_of(study);
         figure.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", words.line("results.input", facts)));
-        figure.panels.back().directions = false;
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
     }
     figure.caption = words.line("results.caption", "underside"_a = underside_words(studies));

@@ -99,16 +99,6 @@ TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
     EXPECT_TRUE(written.contains("images/q5_cube_sheet.png"));
 }
 
-TEST(DrawFigures, APanelFromThreeQuartersAloneHasNoSingleViews) {
-    const TemporaryFolder folder;
-    auto asked = requests();
-    asked[1].panels[0].directions = false;
-    const auto drawn = draw_figures(asked, folder.path(), small_pictures()).at("q5_cube");
-    EXPECT_EQ(drawn.panels[0].pictures.size(), 1u);
-    EXPECT_EQ(drawn.panels[1].pictures.size(), 7u);
-    EXPECT_EQ(bytes_below(folder.path()).size(), 2u + 2u * 6u) << "no file that is not named";
-}
-
 TEST(DrawFigures, SingleViewsAreFilesWhereTheyAreAskedForAlone) {
     const TemporaryFolder folder;
     DrawSettings settings = small_pictures();

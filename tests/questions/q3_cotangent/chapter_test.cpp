@@ -45,13 +45,6 @@ TEST(Q3, EachMeshIsShownByBothOperatorsInTheRangeOfTheCotangentOne) {
     EXPECT_TRUE(says(answer, "it leaves the range of cotangent H"));
 }
 
-// What is coloured is seen from all sides; of a flat mesh that is 0 both ways one row is enough.
-TEST(Q3, BothOperatorsAreSeenFromSixDirections) {
-    const output::FigureRequest figure = chapter_of_id("q3").answer(MeshLibrary({}, {}), quick_settings(), no_progress).figures[0];
-    const std::vector<bool> rows{true, true, false, true};
-    for (std::size_t p = 0; p < rows.size(); ++p) EXPECT_EQ(figure.panels[p].directions, rows[p]) << figure.panels[p].name;
-}
-
 // The answer counts the whole panel, and says so where uniform weights are nearer.
 TEST(Q3, TheAnswerIsThatOfTheWholePanel) {
     const QuestionSettings settings = quick_settings();
