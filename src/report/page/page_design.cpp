@@ -49,14 +49,20 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
            (allowed.empty() ? " 'none'" : allowed) + "; base-uri 'none'; form-action 'none'";
 }
 
+nlohmann::json lab_view(const Lab& lab) {
+    return view_of({{"questions", "ids of those that open it", lab.questions}, {"data", "its modes, zlib and base64", lab.data}});
+}
+
 }   // namespace
 
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
-    const bool has_script = design == "report", with_viewer = has_script && parts.models && !parts.viewer.empty();
+    const bool has_script = design != "print", has_models = parts.models || !parts.labs.empty();
+    const bool with_viewer = has_script && has_models && !parts.viewer.empty();
     // Each script says at its head what it does. They do not depend on one another.
-    std::vector<std::string> styles = {design + ".css"},
-                             scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js", "page_comparison.js"};
-    if (has_script && parts.models) styles.emplace_back("models.css");
+    std::vector<std::string> styles = {has_script ? "report.css" : "print.css"}, scripts;
+    if (design == "report") scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js", "page_comparison.js"};
+    if (has_script && has_models) styles.emplace_back("models.css");
+    if (with_viewer && !parts.labs.empty()) styles.emplace_back("lab.css");
     if (with_viewer) scripts.emplace_back("models.js");
 
     const std::string style = joined_styles(templates, styles);
@@ -72,6 +78,8 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
                   {"has_viewer", "some figure can be turned, and the page carries the program for it (report.html only)", with_viewer},
                   {"viewer", "the program that turns models, zlib and base64 (report.html only)", with_viewer ? packed(parts.viewer) : ""},
                   {"policy", "content security policy that allows just these two (report.html only)", policy_for(style, run)},
+                  {"labs", "meshes of the laboratory, each once (report.html and lab.html only)",
+                   list_of(with_viewer ? parts.labs : std::vector<Lab>(), lab_view)},
                   {"is_screen", "the page is for a screen, not for paper", has_script}});
 }
 

@@ -19,14 +19,14 @@ namespace meshfolio::run {
 namespace {
 
 /// Settings at which the page shows the program's number beside its own: those of its presets, and some between.
-std::vector<LabSetting> reference_settings(std::uint64_t seed) {
+std::vector<LabSetting> reference_settings() {
     std::vector<LabSetting> settings;
-    for (const int k : {5, 15, 30, 60, 100}) settings.push_back({"projection", 0, k, 0, seed});
+    for (const int k : {5, 15, 30, 60, 100}) settings.push_back({"projection", 0, k, 0});
     for (const auto& [lambda, t] : {std::pair{0.5, 10}, {0.99, 40}, {1.01, 40}, {1.05, 40}, {2.0, 5}})
-        settings.push_back({"explicit", lambda, t, 0, seed});
-    for (const auto& [lambda, t] : {std::pair{1.0, 10}, {5.0, 10}, {100.0, 1}}) settings.push_back({"implicit", lambda, t, 0, seed});
-    settings.push_back({"taubin", 0.5, 20, 0, seed});
-    for (const int t : {1, 2, 5, 10, 20, 50, 200}) settings.push_back({"explicit", 0.25, t, 0.005, seed});
+        settings.push_back({"explicit", lambda, t, 0});
+    for (const auto& [lambda, t] : {std::pair{1.0, 10}, {5.0, 10}, {100.0, 1}}) settings.push_back({"implicit", lambda, t, 0});
+    settings.push_back({"taubin", 0.5, 20, 0});
+    for (const int t : {1, 2, 5, 10, 20, 50, 200}) settings.push_back({"explicit", 0.25, t, 0.005});
     return settings;
 }
 
@@ -53,8 +53,8 @@ LabReading reading_of(const LabMesh& lab, const LabSetting& setting, const Posit
             std::sqrt(M.dot((X - lab.mesh.X).rowwise().squaredNorm()) / M.sum())};
 }
 
-void add_readings(LabMesh& lab, const Spectrum& spectrum, std::uint64_t seed) {
-    for (const LabSetting& setting : reference_settings(seed)) {
+void add_readings(LabMesh& lab, const Spectrum& spectrum) {
+    for (const LabSetting& setting : reference_settings()) {
         const bool projects = setting.scheme == "projection";
         if (projects ? setting.count > spectrum.eigenvalues.size() : !lab.has_all_modes()) continue;
         const Positions X = projects ? reconstruct(spectrum, lab.laplacian.M, lab.mesh.X, setting.count) : smoothed(lab, setting);
@@ -104,13 +104,13 @@ std::string header_of(const LabMesh& lab) {
 
 }   // namespace
 
-LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, std::uint64_t seed, const LabLimits& limits) {
+LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const LabLimits& limits) {
     LabMesh lab;
     lab.name = name;
     lab.source_vertices = source.vertex_count();
     lab.mesh = without_unreferenced_vertices(source).mesh;
     lab.is_decimated = limits.vertices > 0 && lab.mesh.vertex_count() > limits.vertices;
-    if (lab.is_decimated) lab.mesh = decimated(lab.mesh, limits.vertices);
+    if (lab.is_decimated) lab.mesh = decimated(lab.mesh, limits.decimated_to);
     const Box box = bounding_box(lab.mesh);
     lab.mesh.X = lab.mesh.X.rowwise() - box.centre().transpose();
     lab.diagonal = box.diagonal();
@@ -124,7 +124,7 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, std::uint6
     lab.largest_eigenvalue = largest_eigenvalue(lab.laplacian).value;
     lab.coefficients = spectral_coefficients(spectrum, lab.laplacian.M, lab.mesh.X);
     quantise(lab, spectrum);
-    add_readings(lab, spectrum, seed);
+    add_readings(lab, spectrum);
     return lab;
 }
 

@@ -30,7 +30,7 @@ struct LabReading {
 };
 
 struct LabLimits {
-    int vertices = 620;                        // larger meshes are decimated; 0: none is
+    int vertices = 620, decimated_to = 420;    // larger meshes are decimated; 0: none is
     int all_modes = 2000, fewer_modes = 300;   // up to so many vertices all modes; beyond, so many
 };
 
@@ -53,8 +53,7 @@ struct LabMesh {
     bool has_all_modes() const { return eigenvalues.size() >= mesh.X.rows(); }
 };
 
-/// @param seed  of the noise of the readings
-LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, std::uint64_t seed, const LabLimits& limits = {});
+LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const LabLimits& limits = {});
 
 /// What the page reads (templates/viewer/lab/lab_data.js): length of the header in 4 bytes, the header as JSON, then little endian, from a
 /// multiple of 8 on: eigenvalues, areas, positions, coefficients, scales (doubles), corners of the triangles (4 bytes each), the modes'

@@ -27,7 +27,7 @@ double factor(const LabMesh& lab, const LabSetting& setting, Eigen::Index i) {
 
 // The page's own formula, with the rounded modes: the program's steps lead to the same numbers.
 TEST(LabMesh, SumsOverTheRoundedModesGiveTheProgramsReadings) {
-    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", 7);
+    const LabMesh lab = lab_mesh(make_sample("cube"), "cube");
     const DenseMatrix Phi = lab.modes.restored();
     ASSERT_GE(lab.readings.size(), 20u);
     for (const LabReading& reading : lab.readings) {
@@ -47,7 +47,7 @@ TEST(LabMesh, SumsOverTheRoundedModesGiveTheProgramsReadings) {
 }
 
 TEST(LabMesh, LargeMeshesAreDecimatedAndItsRoundingIsMeasured) {
-    const LabMesh lab = lab_mesh(make_sample("creature"), "creature", 1, {.vertices = 200});
+    const LabMesh lab = lab_mesh(make_sample("creature"), "creature", {.vertices = 400, .decimated_to = 200});
     EXPECT_EQ(lab.mesh.vertex_count(), 200);
     EXPECT_TRUE(lab.is_decimated && lab.is_closed && lab.has_all_modes());
     EXPECT_EQ(lab.source_vertices, 6066);
@@ -57,7 +57,7 @@ TEST(LabMesh, LargeMeshesAreDecimatedAndItsRoundingIsMeasured) {
 }
 
 TEST(LabMesh, BeyondItsLimitThereAreTheLowestModesAndOnlyProjections) {
-    const LabMesh lab = lab_mesh(icosphere(3), "sphere", 1, {.vertices = 0, .all_modes = 100, .fewer_modes = 40});
+    const LabMesh lab = lab_mesh(icosphere(3), "sphere", {.vertices = 0, .all_modes = 100, .fewer_modes = 40});
     EXPECT_EQ(lab.mesh.vertex_count(), 642);
     EXPECT_EQ(lab.eigenvalues.size(), 40);
     EXPECT_FALSE(lab.has_all_modes());
@@ -66,7 +66,7 @@ TEST(LabMesh, BeyondItsLimitThereAreTheLowestModesAndOnlyProjections) {
 }
 
 TEST(LabMesh, BytesHoldWhatTheHeaderSays) {
-    const LabMesh lab = lab_mesh(icosphere(1), "\xff<sphere>", 1);
+    const LabMesh lab = lab_mesh(icosphere(1), "\xff<sphere>");
     const std::string bytes = bytes_of(lab);
     std::uint32_t length = 0;
     std::memcpy(&length, bytes.data(), 4);
