@@ -5,12 +5,13 @@ import * as lab from "./lab_math.js";
 import { normalNumbers } from "./lab_noise.js";
 import { digits, Panel } from "./lab_panel.js";
 import { ErrorPlot, SpectrumPlot } from "./lab_plot.js";
-import { held, linkOf, readLink, shownSteps, startOf } from "./lab_state.js";
+import { held, linkOf, readLink, schemeNames, shownSteps, startOf } from "./lab_state.js";
 import { Model } from "./model.js";
 import { button, element, View } from "./view.js";
 
 const room = 1.25;            // what is seen around the mesh, in its radii: what flies farther is drawn at the rim
-const longer = 10;            // lines back to the clean vertices are that many times too long
+const longer = 10;            // lines of the drift are that many times too long,
+const above = 0.015;          // and lie that far above the surface, in its radii
 const stepsPerSecond = 15;
 const slowFrame = 40;         // milliseconds
 const grey = "#9aa3b0";
@@ -83,7 +84,7 @@ class Lab {
         const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
         const all = modes >= vertices ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
         return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
-            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max.";
+            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. The program's own numbers are stored for the presets.";
     }
 
     openView() {
@@ -127,12 +128,12 @@ class Lab {
         this.errors.picture.toggleAttribute("hidden", !shown);
         this.best = null;
         if (!shown) return;
-        const most = Math.max(40, Math.min(shownSteps, state.t === "best" ? shownSteps : state.t));
-        const key = [state.scheme, state.lambda, state.sigma, state.seed, most].join();
-        if (key !== this.curveOf) this.curve = lab.errorCurve(data, state, this.noisy, most).map((error) => 100 * error / data.diagonal);
+        const key = [state.scheme, state.lambda, state.sigma, state.seed].join();
+        if (key !== this.curveOf) this.curve = lab.errorCurve(data, state, this.noisy, shownSteps).map((error) => 100 * error / data.diagonal);
         this.curveOf = key;
         this.best = lab.indexOfLeast(this.curve);
-        this.errors.show(this.curve, this.best, state.t === "best" ? this.best : state.t);
+        const t = state.t === "best" ? this.best : state.t, seen = Math.max(20, 4 * this.best, t);
+        this.errors.show(this.curve.slice(0, seen + 1), this.best, t);
     }
 
     // ---- what is seen -------------------------------------------------------------------------------------------------
@@ -184,14 +185,17 @@ class Lab {
         return { places, clamped };
     }
 
+    /// From each vertex to where it belongs, as far as that is along the surface.
     moveLines(places) {
         this.lines.visible = this.state.lines;
         if (!this.state.lines) return;
-        const { array } = this.lines.geometry.attributes.position, { positions } = this.data;
+        const { array } = this.lines.geometry.attributes.position, { positions } = this.data, n = this.normals;
         for (let i = 0; i < places.length; i += 3) {
+            const d = [0, 1, 2].map((k) => positions[i + k] / this.radius - places[i + k]);
+            const across = d[0] * n[i] + d[1] * n[i + 1] + d[2] * n[i + 2];
             for (let k = 0; k < 3; ++k) {
-                array[2 * i + k] = places[i + k];
-                array[2 * i + 3 + k] = places[i + k] + longer * (positions[i + k] / this.radius - places[i + k]);
+                array[2 * i + k] = places[i + k] + above * n[i + k];
+                array[2 * i + 3 + k] = array[2 * i + k] + longer * (d[k] - across * n[i + k]);
             }
         }
         this.lines.geometry.attributes.position.needsUpdate = true;
@@ -205,10 +209,9 @@ class Lab {
         if (data.isClosed) numbers.push(["volume", "length³", volume, program.volume], ["volume kept", "%", 100 * volume / this.startVolume, 100 * program.volume / this.startVolume]);
         numbers.push([state.sigma > 0 ? "rms to the clean mesh" : "rms to the original", "% of the box", percent * rms, percent * program.rms]);
         if (state.sigma > 0) numbers.push(["of it along the surface", "%", 100 * lab.shareAlong(data, this.normals, this.x), NaN]);
-        this.factor = state.scheme === "projection" ? 1 : lab.largestFactor(data, state);
         if (state.scheme !== "projection") {
             const words = { explicit: "largest |1 − λμ|", implicit: "largest 1/(1 + λμ)", taubin: "largest |(1 − λμ)(1 − mμ)|", heat: "largest exp(−λμ)" };
-            numbers.push([words[state.scheme], "", this.factor, NaN]);
+            numbers.push([words[state.scheme], "", lab.largestFactor(data, state), NaN]);
         }
         this.panel.showNumbers(numbers);
         this.measured = { energy, volume, rms };
@@ -228,13 +231,13 @@ class Lab {
     words() {
         const { state, data } = this;
         if (this.hasNoStep) return "Taubin's second step does not exist for so large a λ.";
-        const set = state.scheme === "projection" ? `${state.k} modes` : `λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
+        const set = state.scheme === "projection" ? `The ${state.k} smoothest modes` : `${schemeNames[state.scheme]}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
         const rms = `${digits(Number((100 * this.measured.rms / data.diagonal).toPrecision(3)))} % of the box`;
-        const growth = state.scheme !== "projection" && this.factor > 1 + 1e-12
-            ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(this.factor.toPrecision(3)))}.` : "";
+        const finest = state.scheme === "projection" ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
+        const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";
         const rim = this.clamped > 0 ? ` ${this.clamped} of ${data.vertices} vertices have flown out of the view and are drawn at its rim.` : "";
         const best = this.best !== null ? ` Nearest to the clean mesh at t = ${this.best}.` : "";
-        const lines = state.lines ? ` Lines lead back to the clean vertices, ${longer} times too long.` : "";
+        const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long: no smoothing knows that place.` : "";
         return `${set}: rms ${rms}.${growth}${rim}${best}${lines}`;
     }
 

@@ -53,7 +53,7 @@ export class Panel {
         first.append(label, this.scheme);
         this.rows = Object.fromEntries(Object.keys(rows).map((name) => [name, new Row(name, data, act.changed)]));
         this.play = button("Play", act.play);
-        const lines = element("label", "lab-lines", " lines back to the clean vertices");
+        const lines = element("label", "lab-lines", " drift along the surface");
         this.lines = Object.assign(element("input", ""), { type: "checkbox", name: "lines" });
         this.lines.addEventListener("change", () => act.changed({ lines: this.lines.checked }));
         lines.prepend(this.lines);
@@ -85,7 +85,7 @@ export class Panel {
     showNumbers(measured) {
         const cell = (tag, words) => element(tag, "", words);
         const head = element("tr", "");
-        head.append(cell("td", ""), ...["here", "the program"].map((words) => Object.assign(cell("th", words), { scope: "col" })));
+        head.append(cell("td", ""), ...["this page", "the program"].map((words) => Object.assign(cell("th", words), { scope: "col" })));
         const body = measured.map(([words, unit, here, program]) => {
             const row = element("tr", ""), name = Object.assign(cell("th", words), { scope: "row" });
             if (unit) name.append(" ", element("span", "unit", unit));

@@ -8,8 +8,10 @@ const svg = (tag, attributes, ...children) => {
 };
 const text = (x, y, words, anchor = "start") => svg("text", { x, y, "text-anchor": anchor }, words);
 const line = (x1, y1, x2, y2, name) => svg("line", { x1, y1, x2, y2, class: name });
-const path = (points) => points.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
+/// A line through points; null: a gap.
+const path = (points) => points.map((point, i) => (point ? `${points[i - 1] ? "L" : "M"}${point[0].toFixed(1)} ${point[1].toFixed(1)}` : "")).join("");
 const dots = (points) => points.map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join("");
+const lowest = 1e-6, highest = 250;   // of what is drawn
 const size = (c, j) => Math.hypot(c[3 * j], c[3 * j + 1], c[3 * j + 2]);
 
 const frame = { width: 440, height: 230, left: 44, right: 8, top: 22, bottom: 34 };
@@ -38,16 +40,17 @@ export class SpectrumPlot {
             svg("tspan", { class: "lab-filter-word" }, "— "), "filter |f(μ)|");
     }
     x(mu) { return across(mu / this.data.largestEigenvalue); }
-    y(value) { return upward((Math.min(2.4, Math.max(-6, Math.log10(value || 1e-99))) + 6) / 8.4); }
+    y(value) { return upward(Math.log10(Math.min(highest, value) / lowest) / Math.log10(highest / lowest)); }
 
     /// @param c  coefficients before the filter
     show(f, c) {
         const { mu, modes } = this.data, first = mu.findIndex((value) => value > 0);
         const sizes = Array.from(mu, (_, j) => size(c, j)), unit = Math.max(...sizes.slice(first)) || 1;
         const seen = sizes.map((value, j) => [j, value / unit]).slice(first);
-        this.before.setAttribute("d", dots(seen.map(([j, value]) => [this.x(mu[j]), this.y(value)])));
-        this.after.setAttribute("d", dots(seen.filter(([j]) => f[j] !== 0).map(([j, value]) => [this.x(mu[j]), this.y(Math.abs(f[j]) * value)])));
-        this.curve.setAttribute("d", path(Array.from({ length: modes }, (_, j) => [this.x(mu[j]), this.y(Math.abs(f[j]))])));
+        const place = ([j, value]) => (value >= lowest ? [this.x(mu[j]), this.y(value)] : null);
+        this.before.setAttribute("d", dots(seen.map(place).filter(Boolean)));
+        this.after.setAttribute("d", dots(seen.map(([j, value]) => place([j, Math.abs(f[j]) * value])).filter(Boolean)));
+        this.curve.setAttribute("d", path(Array.from({ length: modes }, (_, j) => place([j, Math.abs(f[j])]))));
     }
 }
 

@@ -297,7 +297,7 @@ describe("the panel", options, () => {
             for (let i = 0; i < frames; ++i) {
                 slider.value = String(0.2 * i / frames);
                 slider.dispatchEvent(new Event("input"));
-                await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+                await new Promise(requestAnimationFrame);
             }
             return 1000 * frames / (performance.now() - began);
         });

@@ -24,7 +24,7 @@ std::vector<LabSetting> reference_settings() {
     for (const int k : {5, 15, 30, 60, 100}) settings.push_back({"projection", 0, k, 0});
     for (const auto& [lambda, t] : {std::pair{0.5, 10}, {0.99, 40}, {1.01, 40}, {1.05, 40}, {2.0, 5}})
         settings.push_back({"explicit", lambda, t, 0});
-    for (const auto& [lambda, t] : {std::pair{1.0, 10}, {5.0, 10}, {100.0, 1}}) settings.push_back({"implicit", lambda, t, 0});
+    for (const auto& [lambda, t] : {std::pair{2.0, 1}, {5.0, 10}, {100.0, 1}}) settings.push_back({"implicit", lambda, t, 0});
     settings.push_back({"taubin", 0.5, 20, 0});
     for (const int t : {1, 2, 5, 10, 20, 50, 200}) settings.push_back({"explicit", 0.25, t, 0.005});
     return settings;
