@@ -13,7 +13,7 @@ const room = 1.25;            // what is seen around the mesh, in its radii: wha
 const longer = 10;            // lines of the drift are that many times too long,
 const above = 0.015;          // and lie that far above the surface, in its radii
 const stepsPerSecond = 15;
-const slowFrame = 40;         // milliseconds
+const slowFrame = 40, seldom = 250;   // milliseconds
 const grey = "#9aa3b0";
 
 /// The edges of the triangles, each once.
@@ -25,6 +25,8 @@ function edgesOf(corners) {
     }
     return Uint32Array.from([...edges].flatMap((edge) => [Math.floor(edge / 2 ** 26), edge % 2 ** 26]));
 }
+
+const capital = (words) => words[0].toUpperCase() + words.slice(1);
 
 class Lab {
     constructor(block, data, question, onStop) {
@@ -84,7 +86,7 @@ class Lab {
         const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
         const all = modes >= vertices ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
         return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
-            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. The program's own numbers are stored for the presets.";
+            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The program's own numbers are stored for the presets.";
     }
 
     openView() {
@@ -144,14 +146,14 @@ class Lab {
         this.asked ??= requestAnimationFrame((now) => {
             this.asked = null;
             if (this.isStopped) return;
-            this.compute();
             this.keepPace(now);
+            this.compute(now);
         });
         clearTimeout(this.later);
         if (!this.isPlaying) this.later = setTimeout(() => this.settle(), 400);
     }
 
-    compute() {
+    compute(now) {
         const { data, state } = this;
         if (this.hasNoStep) return this.panel.showNumbers([["Taubin has no second step for this λ", "", "take λ below 10 λ_crit", NaN]]);
         const f = lab.filter(data, state);
@@ -160,17 +162,25 @@ class Lab {
         this.clamped = clamped;
         this.models[1].moveTo(places);
         this.moveLines(places);
-        this.spectrum.show(f, this.noisy);
-        this.showNumbers(f);
         if (this.isDrawn) this.view.draw();
+        this.filter = f;
+        if (!this.isSlow || now - this.toldAt > seldom) this.showCurve(now);
     }
 
-    /// Where frames follow one another slowly, as without a graphics card, they have fewer pixels until it rests.
+    /// Where frames follow one another slowly, as without a graphics card, they have fewer pixels, and curve and numbers follow now and
+    /// then, until it rests.
     keepPace(now) {
         const took = now - this.shownAt;
         this.shownAt = now;
-        this.slow = took > slowFrame && took < 10 * slowFrame ? (this.slow ?? 0) + 1 : 0;
-        if (this.isDrawn && this.slow > 2) this.view.resolve(0.5);
+        this.slowFrames = took > slowFrame && took < 10 * slowFrame ? (this.slowFrames ?? 0) + 1 : 0;
+        this.isSlow ||= this.slowFrames > 2;
+        if (this.isDrawn && this.isSlow) this.view.resolve(0.5);
+    }
+
+    showCurve(now) {
+        this.toldAt = now;
+        this.spectrum.show(this.filter, this.noisy);
+        this.showNumbers(this.filter);
     }
 
     /// In radii of the mesh; what is farther out than the room lies at its rim.
@@ -220,8 +230,10 @@ class Lab {
     /// When nothing more is set: what it is, in words, and in the address.
     settle() {
         if (this.isStopped) return;
-        this.panel.told.textContent = this.words();
+        this.isSlow = false;
+        if (!this.hasNoStep) this.showCurve(performance.now());
         if (this.isDrawn) this.view.resolve(1);
+        this.panel.told.textContent = this.words();
         const shown = readLink(location.hash);
         if (shown && shown.question !== this.question) return;   // another is about to open
         this.link = linkOf(this.question, this.state);
@@ -231,7 +243,7 @@ class Lab {
     words() {
         const { state, data } = this;
         if (this.hasNoStep) return "Taubin's second step does not exist for so large a λ.";
-        const set = state.scheme === "projection" ? `The ${state.k} smoothest modes` : `${schemeNames[state.scheme]}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
+        const set = state.scheme === "projection" ? `The ${state.k} smoothest modes` : `${capital(schemeNames[state.scheme])}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
         const rms = `${digits(Number((100 * this.measured.rms / data.diagonal).toPrecision(3)))} % of the box`;
         const finest = state.scheme === "projection" ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
         const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";

@@ -67,9 +67,9 @@ export class ErrorPlot {
     }
     /// @param curve  of t = 0, 1, … [% of the box]
     show(curve, best, t) {
-        const top = 1.5 * curve[0] || 1, most = curve.length - 1;
-        const at = (i) => [across(i / most), upward(Math.min(1, curve[i] / top))];
-        this.curve.setAttribute("d", path(curve.map((_, i) => at(i))));
+        const top = Math.min(Math.max(...curve), 3 * curve[0]) || 1, most = curve.length - 1;
+        const at = (i) => [across(i / most), upward(curve[i] / top)];
+        this.curve.setAttribute("d", path(curve.map((error, i) => (error <= top ? at(i) : null))));
         this.least.setAttribute("cx", at(best)[0]);
         this.least.setAttribute("cy", at(best)[1]);
         for (const end of ["x1", "x2"]) this.now.setAttribute(end, across(Math.min(1, t / most)));

@@ -15,7 +15,7 @@ const presets = {
     q4: [["k = 5", { scheme: "projection", k: 5 }], ["k = 15", { scheme: "projection", k: 15 }], ["k = 30", { scheme: "projection", k: 30 }]],
     q5: [["just below λ_crit", { scheme: "explicit", lambda: 0.99, t: 40 }], ["just above", { scheme: "explicit", lambda: 1.05, t: 40 }],
          ["twice λ_crit", { scheme: "explicit", lambda: 2, t: 5 }], ["Taubin: smooth, keep the volume", { scheme: "taubin", lambda: 0.5, t: 20 }]],
-    q6: [["moderate", { scheme: "implicit", lambda: 2, t: 1 }], ["explicit at the same λ", { scheme: "explicit", lambda: 2, t: 5 }],
+    q6: [["moderate", { scheme: "implicit", lambda: 2, t: 1 }], ["explicit at the same λ", { scheme: "explicit", lambda: 2, t: 6 }],
          ["implicit at 100 λ_crit", { scheme: "implicit", lambda: 100, t: 1 }], ["exact heat flow for that time", { scheme: "heat", lambda: 100, t: 1 }]],
     q7: [["noisy", { scheme: "explicit", lambda: 0.25, t: 0, sigma: 0.5 }], ["best t for this noise", { scheme: "explicit", lambda: 0.25, t: "best", sigma: 0.5 }],
          ["too long", { scheme: "explicit", lambda: 0.25, t: 200, sigma: 0.5 }],

@@ -22,7 +22,7 @@ namespace {
 std::vector<LabSetting> reference_settings() {
     std::vector<LabSetting> settings;
     for (const int k : {5, 15, 30, 60, 100}) settings.push_back({"projection", 0, k, 0});
-    for (const auto& [lambda, t] : {std::pair{0.5, 10}, {0.99, 40}, {1.01, 40}, {1.05, 40}, {2.0, 5}})
+    for (const auto& [lambda, t] : {std::pair{0.5, 10}, {0.99, 40}, {1.01, 40}, {1.05, 40}, {2.0, 5}, {2.0, 6}})
         settings.push_back({"explicit", lambda, t, 0});
     for (const auto& [lambda, t] : {std::pair{2.0, 1}, {5.0, 10}, {100.0, 1}}) settings.push_back({"implicit", lambda, t, 0});
     settings.push_back({"taubin", 0.5, 20, 0});
