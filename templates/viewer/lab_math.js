@@ -90,12 +90,12 @@ export function energy(data, f, c) {
     return sum / 2;
 }
 
-/// √(Σ A |x − clean|² / ΣA) by Parseval: from the coefficients alone; modes that the page does not have count as unchanged [length].
+/// √(Σ A |x − clean|² / ΣA) by Parseval: from the coefficients alone; modes that the page does not have are cut off [length].
 export function rms(data, f, c) {
     const { coefficients: clean } = data;
     let sum = 0;
     for (let j = 0; j < data.modes; ++j) for (let k = 3 * j; k < 3 * j + 3; ++k) sum += (f[j] * c[k] - clean[k]) ** 2;
-    return Math.sqrt(sum / data.totalArea);
+    return Math.sqrt(sum / data.totalArea + data.leftOut ** 2);
 }
 
 /// Σ x₀ · (x₁ × x₂) / 6 [length³].

@@ -96,6 +96,7 @@ std::string header_of(const LabMesh& lab) {
                                    {"modes", lab.eigenvalues.size()},
                                    {"diagonal", lab.diagonal},
                                    {"largestEigenvalue", lab.largest_eigenvalue},
+                                   {"leftOut", lab.left_out},
                                    {"quantisationShift", lab.quantisation_shift},
                                    {"orthonormalityError", lab.orthonormality_error},
                                    {"readings", readings}};
@@ -123,6 +124,8 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const LabL
     lab.eigenvalues = spectrum.eigenvalues;
     lab.largest_eigenvalue = largest_eigenvalue(lab.laplacian).value;
     lab.coefficients = spectral_coefficients(spectrum, lab.laplacian.M, lab.mesh.X);
+    const Vector rms = reconstruction_rms(spectrum, lab.laplacian.M, lab.mesh.X);
+    lab.left_out = rms[rms.size() - 1];
     quantise(lab, spectrum);
     add_readings(lab, spectrum);
     return lab;

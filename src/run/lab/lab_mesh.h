@@ -45,6 +45,7 @@ struct LabMesh {
     QuantisedModes modes;
     double diagonal = 0;               // of the box [length]
     double largest_eigenvalue = 0;     // of all modes, also where the page has fewer [1/length²]
+    double left_out = 0;               // rms of what the modes do not hold: rounding where they are all there [length]
     double quantisation_shift = 0;     // how far 16 bits move a vertex at most, in box diagonals
     double orthonormality_error = 0;   // ‖ΦᵀMΦ − I‖ of the rounded modes, largest entry
     std::vector<LabReading> readings;
