@@ -13,6 +13,7 @@
 #include "run/console.h"
 #include "run/cover.h"
 #include "run/from_results.h"
+#include "run/lab/report_labs.h"
 #include "run/own_source.h"
 #include "run/paper_copy.h"
 #include "run/progress.h"
@@ -96,7 +97,8 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"drawing", drawing.seconds()});
         document.timings.push_back({"up to writing", whole.seconds()});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
-        const report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
+        report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
+        if (settings.page.design == "report" && !options.viewer.empty()) options.labs = report_labs(results, meshes, settings);
         paper.look_up(document, figures, store.get(), folder);
         run_tasks([&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
                   [&] { pdf_note = paper.write(document, figures, store.get(), folder); },

@@ -45,18 +45,30 @@ inline std::string markdown_file(Volume volume) { return volume == Volume::repor
 inline std::string pdf_file(Volume volume) { return volume == Volume::report ? "report.pdf" : "appendix.pdf"; }
 inline Volume other_of(Volume volume) { return volume == Volume::report ? Volume::appendix : Volume::report; }
 
+/// A mesh of the live laboratory, inside the page as data.
+struct Lab {
+    std::string questions;   // that open it: "q5 q7"
+    std::string data;        // zlib, then base64
+};
+/// @param bytes  as templates/viewer/lab_math.js reads them
+Lab lab_of(std::string questions, std::string_view bytes);
+
 struct WriteOptions {
     Volume volume = Volume::report;
     bool timings = true;             // false: nothing that differs from run to run
     bool plot_files = false;         // the caller also writes svg_file_of(plot) to images/<id>.svg; Markdown then shows the plots
     std::string design = "report";   // of the page: design.html with design.css, of the templates
     std::string_view viewer = viewer_program();   // turns the models of the page; empty: they are only linked to
+    std::vector<Lab> labs = {};                   // of the report's page; none without the viewer
 };
 
 /// The bundled designs of index.html.
 inline constexpr const char* page_designs[] = {"report", "print"};
 
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});
+/// The laboratory of one mesh as a page of its own.
+std::string write_lab_page(const std::string& title, const Lab& lab, const Templates& templates,
+                           std::string_view viewer = viewer_program());
 std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates,
                            const WriteOptions& options = {});
 /// The answers on one page of Markdown, for the summary of a CI job.

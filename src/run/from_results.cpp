@@ -12,6 +12,7 @@
 #include "output/publish/publish.h"
 #include "png/png.h"
 #include "report/json/read_json.h"
+#include "report/page/labs.h"
 #include "report/writers.h"
 #include "run/console.h"
 #include "run/paper_copy.h"
@@ -117,6 +118,14 @@ void restore_all(const EarlierFiles& files, report::DrawnFigures& figures) {
     }
 }
 
+/// results.json does not hold the laboratory, the earlier page does; one that has been changed since is not asked.
+std::vector<report::Lab> earlier_labs(const EarlierFiles& files) try {
+    const auto page = files.bytes_of(report::page_file(report::Volume::report));
+    return page ? report::labs_in(*page) : std::vector<report::Lab>();
+} catch (const InputError&) {
+    return {};
+}
+
 void refuse_computing_options(const ReportFlags& flags) {
     const std::pair<const char*, bool> options[] = {{"MESH", !flags.meshes.empty()}, {"--only", !flags.only.empty()},
                                                     {"--data", !flags.data.empty()}, {"--size", !flags.size.empty()},
@@ -163,7 +172,8 @@ ExitCode report_from_results(const ReportFlags& flags) {
     output::Publication::Digests digests;
     const std::vector<std::string> missing = files.copy_to(publication.folder(), digests);
     restore_all(files, earlier.figures);
-    const report::WriteOptions options{.timings = earlier.timings && !flags.no_timings, .plot_files = true, .design = words.page.design};
+    const report::WriteOptions options{
+        .timings = earlier.timings && !flags.no_timings, .plot_files = true, .design = words.page.design, .labs = earlier_labs(files)};
     try {
         write_report_files(earlier.document, earlier.figures, templates, options, {}, {}, publication.folder());
     } catch (const std::logic_error& error) {   // a text refers to what is not there

@@ -1,5 +1,6 @@
-// A model of the report (src/output/write_glb.h) read by three.js's own loader, with what the shader and the reading of values need.
-import { BufferAttribute, Group, Vector3 } from "three";
+// A model of the report (src/output/draw/write_glb.h) read by three.js's own loader, or a surface that moves, with what the shader and the
+// reading of values need.
+import { BufferAttribute, BufferGeometry, Color, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 import { materialFor } from "./shader.js";
@@ -41,6 +42,18 @@ export class Model {
         return new Model(scene, label);
     }
 
+    /// A surface without values that moves. @param positions  Float32Array, x y z of each vertex
+    static ofSurface(positions, corners, label, color, frame) {
+        const geometry = new BufferGeometry();
+        geometry.setAttribute("position", new BufferAttribute(positions, 3));
+        geometry.setIndex(new BufferAttribute(corners, 1));
+        geometry.computeVertexNormals();
+        const mesh = new Mesh(geometry, new MeshBasicMaterial({ color: new Color(color) }));
+        mesh.userData.frame = frame;
+        mesh.frustumCulled = false;   // its bounds move, too
+        return new Model(new Group().add(mesh), label);
+    }
+
     constructor(scene, label) {
         this.label = label;
         scene.traverse((object) => { if (object.isMesh) this.mesh = object; });
@@ -63,6 +76,14 @@ export class Model {
         this.root.scale.setScalar(1 / radius);
         this.root.position.fromArray(centre).multiplyScalar(-1 / radius);
         this.root.updateMatrixWorld(true);
+    }
+
+    moveTo(positions) {
+        const { geometry } = this.mesh;
+        geometry.attributes.position.array.set(positions);
+        geometry.computeVertexNormals();
+        geometry.attributes.sharpness.array.set(sharpnessOf(geometry));
+        for (const name of ["position", "normal", "sharpness"]) geometry.attributes[name].needsUpdate = true;
     }
 
     /// The value at a point of a triangle: null where undefined, as decided by the nearest corner.

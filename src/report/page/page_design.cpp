@@ -49,14 +49,21 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
            "; base-uri 'none'; form-action 'none'";
 }
 
+nlohmann::json lab_view(const Lab& lab) {
+    return view_of({{"questions", "ids of those that open it", lab.questions}, {"data", "its modes, zlib and base64", lab.data}});
+}
+
 }   // namespace
 
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
-    const bool on_screen = design == "report", with_models = on_screen && parts.models, with_viewer = with_models && !parts.viewer.empty();
+    const bool on_screen = design != "print", has_models = on_screen && (parts.models || !parts.labs.empty());
+    const bool with_viewer = has_models && !parts.viewer.empty();
     // Each script says at its head what it does. They do not depend on one another.
-    std::vector<std::string> styles = {"figure.css", design + ".css"}, scripts = {"print_float.js"};
-    if (on_screen) scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
-    if (with_models) styles.emplace_back("models.css");
+    std::vector<std::string> styles = {"figure.css", on_screen ? "report.css" : "print.css"}, scripts;
+    if (design == "print") scripts = {"print_float.js"};
+    if (design == "report") scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
+    if (has_models) styles.emplace_back("models.css");
+    if (with_viewer && !parts.labs.empty()) styles.emplace_back("lab.css");
     if (with_viewer) scripts.emplace_back("models.js");
 
     const std::string style = joined_styles(templates, styles), script = joined_scripts(templates, scripts);
@@ -70,6 +77,8 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
                   {"script", "what the page does by itself", script},
                   {"has_viewer", "some figure can be turned, and the page carries the program for it (report.html only)", with_viewer},
                   {"viewer", "the program that turns models, zlib and base64 (report.html only)", with_viewer ? packed(parts.viewer) : ""},
+                  {"labs", "meshes of the laboratory, each once (report.html and lab.html only)",
+                   list_of(with_viewer ? parts.labs : std::vector<Lab>(), lab_view)},
                   {"policy", "content security policy that allows just these", policy_for(style, run)},
                   {"is_screen", "the page is for a screen, not for paper", on_screen}});
 }

@@ -53,7 +53,7 @@ nlohmann::json documented_model() {
     matrix.panels = {{.label = "", .pictures = {{}}}};
     drawn.models.emplace_back();
     nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates, {.table_rows = rows_shown});
-    add_design(model, templates, "report");
+    add_design(model, templates, "report", {true, "viewer", {{"q1", "data"}}});
     return model;
 }
 

@@ -145,7 +145,9 @@ json section_view(const Section& section, const std::string& number, const ViewC
     if (is_further) view["id"] = further_id(section);
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
                  {"has_asked", "there is one", !section.asked.empty()},
-                 {"is_further", "what a question leaves to the appendix", is_further}});
+                 {"is_further", "what a question leaves to the appendix", is_further},
+                 {"has_lab", "the page has a mesh of the laboratory for it",
+                  context.options.lab_questions.find(section.id + " ") != std::string::npos}});
     enter_list(view, "inputs", "meshes it read", list_of(section.inputs, input_view));
     enter_list(view, "parameters", "its settings", names_and_values(section.parameters, "of the setting", "what it is"));
     enter_list(view, "warnings", "what was unusual", list_of(section.warnings, warning));

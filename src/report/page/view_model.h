@@ -23,6 +23,7 @@ struct ViewOptions {
     bool plot_files = false;           // images/<plot>.svg are there to link to
     bool single_views = true;          // links to the pictures a sheet is made of
     bool models = false;               // inside, for a page that can turn them; false: only linked to
+    std::string lab_questions = {};    // ids, a space behind each: those with a laboratory in the page
     bool passed_checks = true;         // in the lists of checks; false: only the others,
     std::size_t most_checks = -1;      // and of a section at most so many
     std::size_t table_rows = 200;      // longer tables show their first and last rows,

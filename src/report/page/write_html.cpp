@@ -29,9 +29,12 @@ std::string write_html(const Document& document, const DrawnFigures& figures, co
     view.other_page = page_file(other_of(options.volume));
     view.timings = options.timings;
     view.plot_files = options.plot_files;
+    const bool has_labs = options.volume == Volume::report && options.design == "report" && !options.viewer.empty();
+    const std::vector<Lab> labs = has_labs ? options.labs : std::vector<Lab>();
+    for (const Lab& lab : labs) view.lab_questions += lab.questions + " ";
     view.models = !options.viewer.empty() && options.design == "report";
     nlohmann::json model = view_model(document, figures, templates, view);
-    add_design(model, templates, options.design, {has_models(document, options.volume, figures), options.viewer});
+    add_design(model, templates, options.design, {has_models(document, options.volume, figures), options.viewer, labs});
     return render(templates, options.design + ".html", model, xml_escape);
 }
 

@@ -99,6 +99,7 @@ json model_of(const Document& document, const ViewOptions& options = {}, const D
     json model = view_model(document, figures, Templates(), options);
     for (const char* extra : {"style", "scheme_script", "script", "policy", "viewer"}) model[extra] = "";   // of the page
     model["has_viewer"] = options.models;
+    model["labs"] = json::array({{{"questions", "q1"}, {"data", ""}}});
     return model;
 }
 

@@ -34,8 +34,8 @@ void collect(const json& value, const std::string& path, std::set<std::string>& 
 }
 
 std::set<std::string> tags_of_the_sample() {
-    std::set<std::string> tags{"style",  "scheme_script", "script",   "has_viewer",
-                               "viewer", "policy",        "is_screen"};   // of the page: add_design()
+    std::set<std::string> tags{"style",  "scheme_script", "script", "has_viewer",     "viewer",
+                               "policy", "is_screen",     "labs",   "labs.questions", "labs.data"};   // of the page: add_design()
     for (const DrawnFigures& figures : {sample_models(), sample_layouts()})
         collect(view_model(sample_document(), figures, Templates(), {.plot_files = true}), "", tags);
     return tags;

@@ -1,0 +1,47 @@
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "output/publish/file_group.h"
+#include "report/writers.h"
+#include "run/console.h"
+#include "run/lab/lab_mesh.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+struct LabFlags {
+    std::string mesh, output, templates;
+};
+
+ExitCode run_lab(const LabFlags& options) {
+    if (report::viewer_program().empty())
+        throw UsageError("this program was built without the viewer, and the laboratory needs it", "apt install npm, then build again");
+    const report::Templates templates(options.templates);
+    const PreparedMesh prepared = load_mesh(options.mesh);
+    const std::string name = std::filesystem::path(options.mesh).stem().string();
+    const LabMesh lab = about_mesh(options.mesh, [&] { return lab_mesh(prepared.mesh, name, {.vertices = 0}); });
+    if (!lab.has_all_modes())
+        warn(options.mesh + ": the page has the lowest " + std::to_string(lab.eigenvalues.size()) + " modes of " +
+             std::to_string(lab.mesh.vertex_count()) + ", a truncation");
+    output::FileGroup files;
+    files.keep(options.mesh);
+    files.add(options.output, report::write_lab_page(name, report::lab_of("lab", bytes_of(lab)), templates));
+    files.publish();
+    return ExitCode::ok;
+}
+
+}   // namespace
+
+Command lab_command(CLI::App& parent) {
+    const auto options = std::make_shared<LabFlags>();
+    CommandOptions app(parent, "lab", "A page that filters the modes of one mesh live, for a lecture");
+    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("-o,--output", options->output, "the page, one HTML file that works offline");
+    app.text("--templates", options->templates, "folder of templates that replace those of the same name");
+    app.footer("Up to 2,000 vertices the page has all modes, above the lowest 300.\nExample: meshfolio lab cube.obj -o lab.html");
+    return {app, [options] { return run_lab(*options); }};
+}
+
+}   // namespace meshfolio::cli

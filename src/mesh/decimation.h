@@ -1,0 +1,15 @@
+/// @file
+/// Fewer vertices for nearly the same surface: edges are collapsed where that costs least (Garland & Heckbert 1997).
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+namespace meshfolio {
+
+/// At most `vertices` vertices, or as few as can be had. No collapse changes the topology or turns a triangle over: a closed mesh stays
+/// closed, Euler number, components and the number of boundary loops stay. Boundary vertices move along the boundary; vertices where the
+/// mesh is no manifold stay where they are. Vertices that no triangle uses are left out. The same mesh gives the same result.
+/// @throws MeshError if vertices < 4, or a triangle names a vertex twice or one that does not exist
+[[nodiscard]] TriangleMesh decimated(const TriangleMesh& mesh, int vertices);
+
+}   // namespace meshfolio

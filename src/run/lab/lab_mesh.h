@@ -1,0 +1,64 @@
+/// @file
+/// A small mesh for the live laboratory of the page: all its modes, so that every filter of the report is a weighted sum there, and what
+/// the program itself computes at some settings, for the page to be held against.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/operators/cotangent_laplacian.h"
+#include "geometry/spectrum/quantised_modes.h"
+
+namespace meshfolio::run {
+
+/// One state of the laboratory.
+struct LabSetting {
+    std::string scheme;       // projection, explicit, implicit or taubin
+    double lambda = 0;        // multiples of λ_crit; 0 for the projection
+    int count = 0;            // k of the projection, else the iterations t
+    double sigma = 0;         // of the noise on every coordinate, in box diagonals
+    std::uint64_t seed = 1;   // of the noise
+};
+
+/// Measured on the positions that the program's own steps lead to, with the operator of the clean mesh.
+struct LabReading {
+    LabSetting setting;
+    double energy = 0;   // ½ Σ C_ij |x_i − x_j|² [length²]
+    double volume = 0;   // signed; meaningful when closed [length³]
+    double rms = 0;      // √(ΣA|x − x_clean|²/ΣA) [length]
+};
+
+struct LabLimits {
+    int vertices = 620, decimated_to = 420;    // larger meshes are decimated; 0: none is
+    int all_modes = 2000, fewer_modes = 300;   // up to so many vertices all modes; beyond, so many
+};
+
+struct LabMesh {
+    std::string name;          // "cube"
+    int source_vertices = 0;   // of the file
+    bool is_decimated = false, is_closed = false;
+    TriangleMesh mesh;           // about its box centre, without unreferenced vertices
+    LaplaceBeltrami laplacian;   // cotangent, barycentric
+    Vector eigenvalues;
+    DenseMatrix coefficients;   // Φᵀ M X [length²]
+    QuantisedModes modes;
+    double diagonal = 0;               // of the box [length]
+    double largest_eigenvalue = 0;     // of all modes, also where the page has fewer [1/length²]
+    double left_out = 0;               // rms of what the modes do not hold: rounding where they are all there [length]
+    double quantisation_shift = 0;     // how far 16 bits move a vertex at most, in box diagonals
+    double orthonormality_error = 0;   // ‖ΦᵀMΦ − I‖ of the rounded modes, largest entry
+    std::vector<LabReading> readings;
+
+    double critical() const { return 2 / largest_eigenvalue; }
+    bool has_all_modes() const { return eigenvalues.size() >= mesh.X.rows(); }
+};
+
+LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const LabLimits& limits = {});
+
+/// What the page reads (templates/viewer/lab/lab_data.js): length of the header in 4 bytes, the header as JSON, then little endian, from a
+/// multiple of 8 on: eigenvalues, areas, positions, coefficients, scales (doubles), corners of the triangles (4 bytes each), the modes'
+/// numbers: all their high bytes, then all their low bytes, which packs better.
+std::string bytes_of(const LabMesh& lab);
+
+}   // namespace meshfolio::run

@@ -1,0 +1,16 @@
+/// @file
+/// Which meshes of a report its page can experiment with.
+#pragma once
+
+#include <vector>
+
+#include "report/writers.h"
+#include "run/run_questions.h"
+
+namespace meshfolio::run {
+
+/// For each of the questions 4 to 7 that is answered the small one of its meshes, or one decimated; a mesh that several share once. A
+/// mesh of more than 20,000 vertices has none: its decimation would take longer than the answer.
+std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results, const MeshLibrary& meshes, const ReportSettings& settings);
+
+}   // namespace meshfolio::run

@@ -1,0 +1,294 @@
+// The live laboratory: one mesh with its modes, a filter on them, and at once the surface, the spectrum and the numbers.
+import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from "three";
+
+import * as lab from "./lab_math.js";
+import { normalNumbers } from "./lab_noise.js";
+import { digits, Panel } from "./lab_panel.js";
+import { ErrorPlot, SpectrumPlot } from "./lab_plot.js";
+import { held, linkOf, readLink, schemeNames, shownSteps, startOf } from "./lab_state.js";
+import { Model } from "./model.js";
+import { button, element, View } from "./view.js";
+
+const room = 1.25;            // what is seen around the mesh, in its radii: what flies farther is drawn at the rim
+const longer = 10;            // lines of the drift are that many times too long,
+const above = 0.015;          // and lie that far above the surface, in its radii
+const stepsPerSecond = 15;
+const slowFrame = 40, seldom = 250;   // milliseconds
+const grey = "#9aa3b0";
+
+/// The edges of the triangles, each once.
+function edgesOf(corners) {
+    const edges = new Set();
+    for (let i = 0; i < corners.length; ++i) {
+        const [a, b] = [corners[i], corners[i % 3 === 2 ? i - 2 : i + 1]];
+        edges.add(a < b ? a * 2 ** 26 + b : b * 2 ** 26 + a);
+    }
+    return Uint32Array.from([...edges].flatMap((edge) => [Math.floor(edge / 2 ** 26), edge % 2 ** 26]));
+}
+
+const capital = (words) => words[0].toUpperCase() + words.slice(1);
+
+class Lab {
+    constructor(block, data, question, onStop) {
+        Object.assign(this, { data, question, onStop });
+        this.x = new Float64Array(3 * data.vertices);
+        this.radius = 0;
+        for (let i = 0; i < this.x.length; i += 3) this.radius = Math.max(this.radius, Math.hypot(...data.positions.subarray(i, i + 3)));
+        this.normals = lab.normals(data);
+        this.startVolume = lab.volume(data, data.positions);
+        this.panel = new Panel(question, data, { changed: (part) => this.set({ ...this.state, ...part }), preset: (state) => this.set(state), play: () => this.playOrPause() });
+        this.spectrum = new SpectrumPlot(data);
+        this.errors = new ErrorPlot();
+        this.makeModels();
+        this.build(block);
+        this.openView();
+        this.state = held(startOf(question), data.modes);
+        this.follow = () => { const link = readLink(location.hash); if (link?.question === question && location.hash !== this.link) this.set(link.state); };
+        addEventListener("hashchange", this.follow);
+        this.onPrint = () => { if (this.isDrawn) this.view.draw(), this.frame.src = this.view.canvas.toDataURL(); };
+        addEventListener("beforeprint", this.onPrint);
+        const link = readLink(location.hash);
+        this.set(link?.question === question ? link.state : this.state);
+    }
+
+    makeModels() {
+        const frame = { centre: [0, 0, 0], radius: room }, places = () => Float32Array.from(this.data.positions, (x) => x / this.radius);
+        this.models = ["before", "after"].map((label) => Model.ofSurface(places(), this.data.corners, label, grey, frame));
+        const edges = new BufferAttribute(edgesOf(this.data.corners), 1);
+        for (const { mesh } of this.models) {
+            Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+            const wire = new BufferGeometry().setAttribute("position", mesh.geometry.attributes.position).setIndex(edges);
+            mesh.add(new LineSegments(wire, new LineBasicMaterial({ color: 0x1c1d21, transparent: true, opacity: 0.35 })));
+        }
+        const ends = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(6 * this.data.vertices), 3));
+        this.lines = new LineSegments(ends, new LineBasicMaterial({ color: 0xc2410c }));
+        this.models[1].mesh.add(this.lines);
+        this.models.forEach(({ mesh }) => mesh.traverse((object) => { object.frustumCulled = false; }));
+    }
+
+    build(block) {
+        const { data, panel } = this;
+        this.root = element("div", "model-panel lab-panel");
+        this.root.setAttribute("role", "group");
+        this.root.setAttribute("aria-label", "Laboratory");
+        this.view = new View(this.models, "Mesh before and after the filter. Arrow keys turn, plus and minus zoom, 0 resets, Escape closes.", { closed: (byReader) => (byReader ? this.stop(true) : this.loseView()) });
+        this.frame = Object.assign(element("img", "lab-frame"), { alt: "The mesh before and after the filter" });
+        const bar = element("div", "model-bar"), plots = element("div", "lab-plots"), side = element("div", "lab-side");
+        bar.append(panel.told, button("Reset view", () => this.view.reset()), button("Close", () => this.stop(true)));
+        plots.append(this.spectrum.picture, this.errors.picture);
+        side.append(panel.controls, panel.table);
+        this.root.append(panel.presets, this.view.stage, this.frame, bar, side, plots, element("p", "lab-mesh", this.aboutMesh()));
+        block.append(this.root);
+    }
+
+    aboutMesh() {
+        const { name, vertices, modes, isDecimated, sourceVertices, quantisationShift, orthonormalityError } = this.data;
+        const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
+        const all = modes >= vertices ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
+        return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
+            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The program's own numbers are stored for the presets.";
+    }
+
+    openView() {
+        try {
+            this.view.open();
+            this.isDrawn = true;
+            this.view.canvas.focus({ preventScroll: true });
+        } catch {
+            this.loseView();
+        }
+    }
+    loseView() {
+        this.isDrawn = false;
+        this.view.stage.replaceWith(element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the figures of the report show such meshes, and the numbers and curves below still follow."));
+    }
+
+    // ---- what is set --------------------------------------------------------------------------------------------------
+
+    set(state) {
+        const { data } = this, before = this.state;
+        this.state = held(state, data.modes);
+        const { sigma, seed } = this.state;
+        if (!this.noisy || sigma !== before.sigma || seed !== before.seed) this.makeNoise(sigma, seed);
+        const { scheme, lambda } = this.state;
+        this.hasNoStep = scheme === "taubin" && !(lab.taubinBack(data, lambda * data.critical) < 0);
+        this.showErrors();
+        if (this.state.t === "best") this.state.t = this.best ?? 0;
+        this.update();
+    }
+
+    makeNoise(sigma, seed) {
+        const { data } = this, shift = normalNumbers(sigma > 0 ? seed : 1, sigma > 0 ? 3 * data.vertices : 0).map((z) => z * sigma / 100 * data.diagonal);
+        this.noisy = sigma > 0 ? lab.withShift(data, shift) : data.coefficients;
+        const start = sigma > 0 ? data.positions.map((x, i) => x + shift[i]) : data.positions;
+        this.models[0].moveTo(this.drawable(start).places);
+    }
+
+    /// The error over t, where there is something to come back from.
+    showErrors() {
+        const { data, state } = this, shown = state.sigma > 0 && state.scheme !== "projection" && !this.hasNoStep;
+        this.errors.picture.toggleAttribute("hidden", !shown);
+        this.best = null;
+        if (!shown) return;
+        const key = [state.scheme, state.lambda, state.sigma, state.seed].join();
+        if (key !== this.curveOf) this.curve = lab.errorCurve(data, state, this.noisy, shownSteps).map((error) => 100 * error / data.diagonal);
+        this.curveOf = key;
+        this.best = lab.indexOfLeast(this.curve);
+        const t = state.t === "best" ? this.best : state.t, seen = Math.max(20, 4 * this.best, t);
+        this.errors.show(this.curve.slice(0, seen + 1), this.best, t);
+    }
+
+    // ---- what is seen -------------------------------------------------------------------------------------------------
+
+    /// Once a frame, however often it is set.
+    update() {
+        this.panel.show(this.state, this.isPlaying);
+        this.asked ??= requestAnimationFrame((now) => {
+            this.asked = null;
+            if (this.isStopped) return;
+            this.keepPace(now);
+            this.compute(now);
+        });
+        clearTimeout(this.later);
+        if (!this.isPlaying) this.later = setTimeout(() => this.settle(), 400);
+    }
+
+    compute(now) {
+        const { data, state } = this;
+        if (this.hasNoStep) return this.panel.showNumbers([["Taubin has no second step for this λ", "", "take λ below 10 λ_crit", NaN]]);
+        const f = lab.filter(data, state);
+        lab.sumOfModes(data, f, this.noisy, this.x);
+        const { places, clamped } = this.drawable(this.x);
+        this.clamped = clamped;
+        this.models[1].moveTo(places);
+        this.moveLines(places);
+        if (this.isDrawn) this.view.draw();
+        this.filter = f;
+        if (!this.isSlow || now - this.toldAt > seldom) this.showCurve(now);
+    }
+
+    /// Where frames follow one another slowly, as without a graphics card, they have fewer pixels, and curve and numbers follow now and
+    /// then, until it rests.
+    keepPace(now) {
+        const took = now - this.shownAt;
+        this.shownAt = now;
+        this.slowFrames = took > slowFrame && took < 10 * slowFrame ? (this.slowFrames ?? 0) + 1 : 0;
+        this.isSlow ||= this.slowFrames > 2;
+        if (this.isDrawn && this.isSlow) this.view.resolve(0.5);
+    }
+
+    showCurve(now) {
+        this.toldAt = now;
+        this.spectrum.show(this.filter, this.noisy);
+        this.showNumbers(this.filter);
+    }
+
+    /// In radii of the mesh; what is farther out than the room lies at its rim.
+    drawable(x) {
+        const places = new Float32Array(x.length);
+        let clamped = 0;
+        for (let i = 0; i < x.length; i += 3) {
+            const far = Math.hypot(x[i], x[i + 1], x[i + 2]) / this.radius, shrunk = far > room || !Number.isFinite(far);
+            clamped += shrunk;
+            for (let k = i; k < i + 3; ++k) places[k] = shrunk ? (x[k] / this.radius) * (room / far) || 0 : x[k] / this.radius;
+        }
+        return { places, clamped };
+    }
+
+    /// From each vertex to where it belongs, as far as that is along the surface.
+    moveLines(places) {
+        this.lines.visible = this.state.lines;
+        if (!this.state.lines) return;
+        const { array } = this.lines.geometry.attributes.position, { positions } = this.data, n = this.normals;
+        for (let i = 0; i < places.length; i += 3) {
+            const d = [0, 1, 2].map((k) => positions[i + k] / this.radius - places[i + k]);
+            const across = d[0] * n[i] + d[1] * n[i + 1] + d[2] * n[i + 2];
+            for (let k = 0; k < 3; ++k) {
+                array[2 * i + k] = places[i + k] + above * n[i + k];
+                array[2 * i + 3 + k] = array[2 * i + k] + longer * (d[k] - across * n[i + k]);
+            }
+        }
+        this.lines.geometry.attributes.position.needsUpdate = true;
+    }
+
+    showNumbers(f) {
+        const { data, state } = this, program = lab.readingAt(data, state) ?? { energy: NaN, volume: NaN, rms: NaN };
+        const energy = lab.energy(data, f, this.noisy), volume = lab.volume(data, this.x), rms = lab.rms(data, f, this.noisy);
+        const percent = 100 / data.diagonal;
+        const numbers = [["energy", "length²", energy, program.energy]];
+        if (data.isClosed) numbers.push(["volume", "length³", volume, program.volume], ["volume kept", "%", 100 * volume / this.startVolume, 100 * program.volume / this.startVolume]);
+        numbers.push([state.sigma > 0 ? "rms to the clean mesh" : "rms to the original", "% of the box", percent * rms, percent * program.rms]);
+        if (state.sigma > 0) numbers.push(["of it along the surface", "%", 100 * lab.shareAlong(data, this.normals, this.x), NaN]);
+        if (state.scheme !== "projection") {
+            const words = { explicit: "largest |1 − λμ|", implicit: "largest 1/(1 + λμ)", taubin: "largest |(1 − λμ)(1 − mμ)|", heat: "largest exp(−λμ)" };
+            numbers.push([words[state.scheme], "", lab.largestFactor(data, state), NaN]);
+        }
+        this.panel.showNumbers(numbers);
+        this.measured = { energy, volume, rms };
+    }
+
+    /// When nothing more is set: what it is, in words, and in the address.
+    settle() {
+        if (this.isStopped) return;
+        this.isSlow = false;
+        if (!this.hasNoStep) this.showCurve(performance.now());
+        if (this.isDrawn) this.view.resolve(1);
+        this.panel.told.textContent = this.words();
+        const shown = readLink(location.hash);
+        if (shown && shown.question !== this.question) return;   // another is about to open
+        this.link = linkOf(this.question, this.state);
+        history.replaceState(null, "", this.link);
+    }
+
+    words() {
+        const { state, data } = this;
+        if (this.hasNoStep) return "Taubin's second step does not exist for so large a λ.";
+        const set = state.scheme === "projection" ? `The ${state.k} smoothest modes` : `${capital(schemeNames[state.scheme])}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
+        const rms = `${digits(Number((100 * this.measured.rms / data.diagonal).toPrecision(3)))} % of the box`;
+        const finest = state.scheme === "projection" ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
+        const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";
+        const rim = this.clamped > 0 ? ` ${this.clamped} of ${data.vertices} vertices have flown out of the view and are drawn at its rim.` : "";
+        const best = this.best !== null ? ` Nearest to the clean mesh at t = ${this.best}.` : "";
+        const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long: no smoothing knows that place.` : "";
+        return `${set}: rms ${rms}.${growth}${rim}${best}${lines}`;
+    }
+
+    // ---- play ---------------------------------------------------------------------------------------------------------
+
+    playOrPause() {
+        if (this.isPlaying) return this.pause();
+        const oneStep = matchMedia("(prefers-reduced-motion: reduce)").matches;
+        if (oneStep) return this.set({ ...this.state, t: this.state.t + 1 });
+        if (this.state.t >= shownSteps) this.set({ ...this.state, t: 0 });
+        this.isPlaying = true;
+        this.playing = setInterval(() => {
+            if (this.state.t >= shownSteps) return this.pause();
+            this.set({ ...this.state, t: this.state.t + 1 });
+        }, 1000 / stepsPerSecond);
+        this.update();
+    }
+    pause() {
+        clearInterval(this.playing);
+        this.isPlaying = false;
+        this.update();
+    }
+
+    /// @param byReader  closed on purpose, not for another
+    stop(byReader) {
+        if (this.isStopped) return;
+        this.isStopped = true;
+        clearInterval(this.playing);
+        clearTimeout(this.later);
+        removeEventListener("hashchange", this.follow);
+        removeEventListener("beforeprint", this.onPrint);
+        this.models.forEach(({ mesh }) => mesh.children.forEach(({ geometry, material }) => { geometry.dispose(); material.dispose(); }));
+        this.view.close();
+        this.root.remove();
+        if (byReader && readLink(location.hash)) history.replaceState(null, "", location.pathname + location.search);
+        this.onStop(byReader);
+    }
+}
+
+export function openLab(block, bytes, question, onStop) {
+    return new Lab(block, lab.decoded(bytes), question, onStop);
+}

@@ -1,0 +1,159 @@
+// The mathematics of the laboratory, without a page: x = Σ f(μᵢ) cᵢ φᵢ, with the filter f of a scheme. Also read by the tests (node).
+
+/// What src/run/lab/lab_mesh.cpp has written: its header, and the numbers.
+export function decoded(buffer) {
+    const length = new DataView(buffer).getUint32(0, true);
+    const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
+    const { vertices: n, triangles: m, modes: count } = header;
+    let at = 4 + length;
+    const doubles = (size) => { const part = new Float64Array(buffer, at, size); at += 8 * size; return part; };
+    const data = {
+        ...header, mu: doubles(count), area: doubles(n), positions: doubles(3 * n), coefficients: doubles(3 * count), scale: doubles(count),
+        corners: new Uint32Array(buffer, at, 3 * m),
+    };
+    at += 12 * m;
+    const high = new Int8Array(buffer, at, n * count), low = new Uint8Array(buffer, at + n * count, n * count);
+    data.numbers = Int16Array.from(high, (byte, i) => 256 * byte + low[i]);   // mode by mode
+    data.critical = 2 / data.largestEigenvalue;
+    data.totalArea = data.area.reduce((sum, a) => sum + a, 0);
+    return data;
+}
+
+export const schemes = ["projection", "explicit", "implicit", "taubin", "heat"];
+const largest = 1e150;   // so that squares are numbers
+
+/// Taubin's second step, negative: 1/λ + 1/m = ½ · 0.1 μ_max as in src/geometry/smoothing. NaN where λ is too large for it.
+export function taubinBack(data, lambda) {
+    const inverse = 0.05 * data.largestEigenvalue - 1 / lambda;
+    return inverse < 0 ? 1 / inverse : NaN;
+}
+
+/// What one step multiplies the mode of eigenvalue μ by; λ in model units.
+export function factorOfStep(data, scheme, lambda) {
+    if (scheme === "implicit") return (mu) => 1 / (1 + lambda * mu);
+    if (scheme === "heat") return (mu) => Math.exp(-lambda * mu);
+    if (scheme === "explicit") return (mu) => 1 - lambda * mu;
+    const back = taubinBack(data, lambda);
+    return (mu) => (1 - lambda * mu) * (1 - back * mu);
+}
+
+/// f(μᵢ) of a state: {scheme, k, lambda (in λ_crit), t}.
+export function filter(data, { scheme, k, lambda, t }) {
+    if (scheme === "projection") return Float64Array.from(data.mu, (_, i) => (i < k ? 1 : 0));
+    const factor = factorOfStep(data, scheme, lambda * data.critical);
+    return Float64Array.from(data.mu, (mu) => Math.max(-largest, Math.min(largest, factor(mu) ** t)));
+}
+
+/// The largest |factor| of one step over all modes, those beyond the page's own included.
+export function largestFactor(data, { scheme, lambda }) {
+    const factor = factorOfStep(data, scheme, lambda * data.critical);
+    return Math.max(Math.abs(factor(data.largestEigenvalue)), ...Array.from(data.mu, (mu) => Math.abs(factor(mu))));
+}
+
+/// c + Φᵀ M (shift), 3 numbers a mode.
+export function withShift(data, shift) {
+    const { vertices: n, modes: count, area, numbers, scale } = data, c = data.coefficients.slice();
+    for (let j = 0; j < count; ++j) {
+        let x = 0, y = 0, z = 0;
+        for (let v = 0, at = j * n; v < n; ++v, ++at) {
+            const weight = numbers[at] * area[v];
+            x += weight * shift[3 * v], y += weight * shift[3 * v + 1], z += weight * shift[3 * v + 2];
+        }
+        c[3 * j] += scale[j] * x, c[3 * j + 1] += scale[j] * y, c[3 * j + 2] += scale[j] * z;
+    }
+    return c;
+}
+
+/// Σ fⱼ cⱼ φⱼ into `x`, 3 numbers a vertex. Vertices without area are in no mode and stay.
+export function sumOfModes(data, f, c, x) {
+    const { vertices: n, modes: count, area, numbers, scale, positions } = data;
+    x.fill(0);
+    for (let j = 0; j < count; ++j) {
+        const weight = f[j] * scale[j];
+        if (weight === 0) continue;
+        const a = weight * c[3 * j], b = weight * c[3 * j + 1], d = weight * c[3 * j + 2];
+        for (let v = 0, at = j * n, i = 0; v < n; ++v, ++at, i += 3) {
+            const number = numbers[at];
+            x[i] += number * a, x[i + 1] += number * b, x[i + 2] += number * d;
+        }
+    }
+    for (let v = 0; v < n; ++v) if (!(area[v] > 0)) for (let k = 3 * v; k < 3 * v + 3; ++k) x[k] = positions[k];
+    return x;
+}
+
+const squared = (c, j) => c[3 * j] ** 2 + c[3 * j + 1] ** 2 + c[3 * j + 2] ** 2;
+
+/// ½ Σ μ |f c|², the Dirichlet energy [length²].
+export function energy(data, f, c) {
+    let sum = 0;
+    for (let j = 0; j < data.modes; ++j) sum += data.mu[j] * f[j] ** 2 * squared(c, j);
+    return sum / 2;
+}
+
+/// √(Σ A |x − clean|² / ΣA) by Parseval: from the coefficients alone; modes that the page does not have are cut off [length].
+export function rms(data, f, c) {
+    const { coefficients: clean } = data;
+    let sum = 0;
+    for (let j = 0; j < data.modes; ++j) for (let k = 3 * j; k < 3 * j + 3; ++k) sum += (f[j] * c[k] - clean[k]) ** 2;
+    return Math.sqrt(sum / data.totalArea + data.leftOut ** 2);
+}
+
+/// Σ x₀ · (x₁ × x₂) / 6 [length³].
+export function volume(data, x) {
+    const { corners } = data;
+    let sum = 0;
+    for (let i = 0; i < corners.length; i += 3) {
+        const [a, b, c] = [3 * corners[i], 3 * corners[i + 1], 3 * corners[i + 2]];
+        sum += x[a] * (x[b + 1] * x[c + 2] - x[b + 2] * x[c + 1]) + x[a + 1] * (x[b + 2] * x[c] - x[b] * x[c + 2])
+             + x[a + 2] * (x[b] * x[c + 1] - x[b + 1] * x[c]);
+    }
+    return sum / 6;
+}
+
+/// rms of t = 0 … most, one number each [length].
+export function errorCurve(data, state, c, most) {
+    const factor = factorOfStep(data, state.scheme, state.lambda * data.critical);
+    const step = Float64Array.from(data.mu, factor), f = new Float64Array(data.modes).fill(1), curve = [];
+    for (let t = 0; t <= most; ++t) {
+        curve.push(rms(data, f, c));
+        for (let j = 0; j < data.modes; ++j) f[j] = Math.max(-largest, Math.min(largest, f[j] * step[j]));
+    }
+    return curve;
+}
+
+export function indexOfLeast(values) {
+    return values.reduce((best, value, i) => (value < values[best] ? i : best), 0);
+}
+
+/// Area-weighted unit normals of the clean mesh, 3 numbers a vertex.
+export function normals({ positions: x, corners, vertices }) {
+    const sums = new Float64Array(3 * vertices), side = (from, to) => [0, 1, 2].map((k) => x[3 * to + k] - x[3 * from + k]);
+    for (let i = 0; i < corners.length; i += 3) {
+        const [u, v] = [side(corners[i], corners[i + 1]), side(corners[i], corners[i + 2])];
+        const n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        for (let c = i; c < i + 3; ++c) for (let k = 0; k < 3; ++k) sums[3 * corners[c] + k] += n[k];
+    }
+    for (let i = 0; i < sums.length; i += 3) {
+        const length = Math.hypot(sums[i], sums[i + 1], sums[i + 2]) || 1;
+        for (let k = i; k < i + 3; ++k) sums[k] /= length;
+    }
+    return sums;
+}
+
+/// The share of Σ A |x − clean|² that lies along the surface.
+export function shareAlong(data, normal, x) {
+    let along = 0, all = 0;
+    for (let v = 0, i = 0; v < data.vertices; ++v, i += 3) {
+        const d = [0, 1, 2].map((k) => x[i + k] - data.positions[i + k]);
+        const across = d[0] * normal[i] + d[1] * normal[i + 1] + d[2] * normal[i + 2], whole = d[0] ** 2 + d[1] ** 2 + d[2] ** 2;
+        along += data.area[v] * (whole - across ** 2), all += data.area[v] * whole;
+    }
+    return all > 0 ? along / all : 0;
+}
+
+/// What the program computed at just this state; undefined where it did not.
+export function readingAt(data, { scheme, k, lambda, t, sigma, seed }) {
+    const near = (a, b) => Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b));
+    return data.readings.find((r) => r.scheme === scheme && near(sigma / 100, r.sigma) && (sigma === 0 || seed === r.seed)
+        && (scheme === "projection" ? r.count === k : r.count === t && near(lambda, r.lambda)));
+}

@@ -1,0 +1,155 @@
+// The canvas on which one model, or two with one camera, are turned: by pointer, wheel, pinch and keys. Nothing moves by itself.
+import { OrthographicCamera, SRGBColorSpace, WebGLRenderer } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+const heroAzimuth = 35, heroElevation = 22;   // degrees, as render/camera.cpp: the picture's own direction
+const margin = 1.04;                          // what is seen, in radii of the model
+const narrow = 520;                           // pixels; below, two models stand above each other
+const keyTurn = Math.PI / 24, keyZoom = 1.2;
+
+export const element = (tag, className, text = "") => Object.assign(document.createElement(tag), { className, textContent: text });
+
+export function button(text, act) {
+    const made = element("button", "model-button", text);
+    made.type = "button";
+    made.addEventListener("click", act);
+    return made;
+}
+
+export class View {
+    /// Its `stage` is to be put into the page, then `open` called.
+    /// @param told  what it tells: drawn() once a frame that was asked for, keyed() after a key has moved it, closed(byReader)
+    constructor(models, name, told) {
+        this.models = models;
+        this.share = 1;
+        this.told = { drawn() {}, keyed() {}, closed() {}, ...told };
+        this.stage = element("div", "model-stage");
+        this.canvas = element("canvas", "");
+        this.canvas.tabIndex = 0;
+        this.canvas.setAttribute("role", "application");
+        this.canvas.setAttribute("aria-label", name);
+        this.stage.append(this.canvas);
+        if (models.length > 1) for (const { label } of models) this.stage.append(element("span", "model-label", label));
+    }
+
+    /// @throws without WebGL
+    open() {
+        this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+        this.renderer.outputColorSpace = SRGBColorSpace;
+        this.renderer.setClearColor(0x000000, 0);   // the page's ground shows through
+        this.renderer.autoClear = false;
+        for (const model of this.models) model.frameOn(this.models[0].frame);
+        this.camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
+        this.placeCamera();
+        this.controls = new OrbitControls(this.camera, this.canvas);
+        this.controls.minZoom = 0.5;
+        this.controls.maxZoom = 40;
+        this.controls.saveState();
+        this.controls.addEventListener("change", () => this.ask());
+        this.listen();
+        this.resized = new ResizeObserver(() => this.resize());
+        this.resized.observe(this.stage);
+        this.resize();
+    }
+
+    /// The direction of the picture.
+    placeCamera() {
+        const a = heroAzimuth * Math.PI / 180, e = heroElevation * Math.PI / 180;
+        this.camera.position.set(Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)).multiplyScalar(10);
+        this.camera.lookAt(0, 0, 0);
+    }
+
+    listen() {
+        // The wheel turns the page unless the reader is in the model.
+        const onlyInside = (event) => { if (document.activeElement !== this.canvas) event.stopImmediatePropagation(); };
+        this.stage.addEventListener("wheel", onlyInside, { capture: true });
+        this.canvas.addEventListener("keydown", (event) => this.key(event));
+        this.canvas.addEventListener("webglcontextlost", () => { if (!this.isClosed) this.told.closed(false); });
+    }
+
+    key(event) {
+        const { controls, camera } = this;
+        const zoom = (factor) => {
+            camera.zoom = Math.min(controls.maxZoom, Math.max(controls.minZoom, camera.zoom * factor));
+            camera.updateProjectionMatrix();
+            this.ask();
+        };
+        const acts = {
+            ArrowLeft: () => controls.rotateLeft(-keyTurn), ArrowRight: () => controls.rotateLeft(keyTurn),
+            ArrowUp: () => controls.rotateUp(-keyTurn), ArrowDown: () => controls.rotateUp(keyTurn),
+            "+": () => zoom(keyZoom), "=": () => zoom(keyZoom), "-": () => zoom(1 / keyZoom), 0: () => this.reset(), Escape: () => this.told.closed(true),
+        };
+        if (event.ctrlKey || event.metaKey || event.altKey || !acts[event.key]) return;
+        event.preventDefault();
+        event.stopPropagation();
+        acts[event.key]();
+        if (this.isClosed) return;
+        this.draw();
+        this.told.keyed();
+    }
+
+    reset() {
+        this.controls.reset();
+        this.ask();
+    }
+
+    /// Where the models are drawn, in CSS pixels from the upper left.
+    cells() {
+        const { clientWidth: width, clientHeight: height } = this.stage, count = this.models.length;
+        const inRows = width < narrow;
+        return this.models.map((model, i) => inRows
+            ? { model, x: 0, y: i * height / count, width, height: height / count }
+            : { model, x: i * width / count, y: 0, width: width / count, height });
+    }
+
+    /// Pixels for less work, 1: all.
+    resolve(share) {
+        if (this.share !== share) this.share = share, this.resize();
+    }
+
+    resize() {
+        const { clientWidth: width, clientHeight: height } = this.stage;
+        if (width === 0 || height === 0) return;
+        this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * this.share);
+        this.renderer.setSize(width, height, false);
+        const [cell] = this.cells(), aspect = cell.width / cell.height;
+        const up = margin * Math.max(1, 1 / aspect);
+        Object.assign(this.camera, { left: -up * aspect, right: up * aspect, top: up, bottom: -up });
+        this.camera.updateProjectionMatrix();
+        const labels = this.stage.querySelectorAll(".model-label");
+        this.cells().forEach(({ x, y }, i) => labels[i] && Object.assign(labels[i].style, { left: `${x}px`, top: `${y}px` }));
+        this.draw();
+    }
+
+    /// Once a frame, however often it is asked for.
+    ask() {
+        this.asked ??= requestAnimationFrame(() => {
+            this.asked = null;
+            if (this.isClosed) return;
+            this.draw();
+            this.told.drawn();
+        });
+    }
+
+    draw() {
+        const { renderer, stage } = this;
+        renderer.setScissorTest(false);
+        renderer.clear();
+        renderer.setScissorTest(true);
+        for (const { model, x, y, width, height } of this.cells()) {
+            const fromBelow = stage.clientHeight - y - height;
+            renderer.setViewport(x, fromBelow, width, height);
+            renderer.setScissor(x, fromBelow, width, height);
+            renderer.render(model.root, this.camera);
+        }
+    }
+
+    close() {
+        this.isClosed = true;
+        this.resized?.disconnect();
+        this.controls?.dispose();
+        for (const model of this.models) model.dispose();
+        this.renderer?.dispose();
+        this.renderer?.forceContextLoss();
+    }
+}

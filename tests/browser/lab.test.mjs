@@ -1,0 +1,250 @@
+// The live laboratory as a reader uses it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { after, before, describe, test } from "node:test";
+import { chromium } from "playwright-core";
+import { open, reports } from "./browser.mjs";
+import { dataOf, folder, lab, normalNumbers, options, reportPage, run, states } from "./lab_tools.mjs";
+
+describe("the panel", options, () => {
+    let browser;
+    before(async () => {
+        browser = await chromium.launch({ executablePath: process.env.CHROMIUM,
+            args: ["--enable-unsafe-swiftshader", "--disable-gpu-watchdog", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])] });
+    });
+    after(() => browser.close());
+
+    const small = { viewport: { width: 900, height: 700 } };
+    const block = (page, question) => page.locator(`.lab[data-question="${question}"]`);
+    const problemsOf = (page) => page.problems.filter((problem) => !problem.includes("GPU stall due to ReadPixels"));
+    /// The page with a laboratory open, at a link if one is given.
+    async function opened(question, { link = "", ...more } = {}) {
+        const page = await open(browser, reports.quick, { ...small, ...more });
+        if (link) await page.evaluate((hash) => { location.hash = hash; }, link);
+        else await block(page, question).getByRole("button", { name: "Open the live laboratory" }).click();
+        await block(page, question).locator(".lab-numbers td").first().waitFor();
+        await settled(page);
+        return page;
+    }
+    const settled = (page) => page.waitForTimeout(700);
+    const numberIn = (words) => Number(words.replaceAll("−", "-"));
+    /// {words: [here, the program's]}
+    const table = (page) => page.$$eval(".lab-numbers tr:has(th[scope=row])", (rows) => Object.fromEntries(rows.map((row) => {
+        const [words, here, program] = [...row.children].map((cell) => cell.textContent);
+        return [words, [here, program]];
+    })));
+    const fragment = (page) => page.evaluate(() => location.hash);
+    const set = async (page, name, value) => {
+        const field = page.locator(`.lab-panel input[name="${name}"]`);
+        await field.fill(String(value));
+        await field.blur();
+        await settled(page);
+    };
+
+    test("opens from questions 4 to 7 with their settings, and Escape gives the button back", async () => {
+        const page = await open(browser, reports.quick, small);
+        for (const [question, scheme] of [["q4", "projection"], ["q5", "explicit"], ["q6", "implicit"], ["q7", "explicit"]]) {
+            const start = block(page, question).getByRole("button", { name: "Open the live laboratory" });
+            await start.focus();
+            await page.keyboard.press("Enter");
+            await page.locator(".lab-numbers td").first().waitFor();
+            assert.equal(await page.locator(".lab-panel").count(), 1);
+            assert.equal(await page.locator('.lab-panel select[name="scheme"]').inputValue(), scheme);
+            await page.locator(".lab-panel canvas").focus();
+            await page.keyboard.press("Escape");
+            assert.equal(await page.locator(".lab-panel").count(), 0);
+            assert.ok(await start.evaluate((button) => button === document.activeElement), "focus is back");
+        }
+        assert.deepEqual(problemsOf(page), []);
+        await page.context().close();
+    });
+
+    test("at every preset it shows the program's numbers, which agree to 1e-4", async () => {
+        let compared = 0;
+        for (const question of ["q4", "q5", "q6", "q7"]) {
+            const page = await opened(question);
+            for (const [words, state] of states.presetsOf(question)) {
+                await page.locator(".lab-presets a", { hasText: words }).first().click();
+                await settled(page);
+                for (const [name, [here, program]] of Object.entries(await table(page))) {
+                    if (program === "–") continue;
+                    ++compared;
+                    assert.ok(Math.abs(numberIn(here) / numberIn(program) - 1) < 1e-4, `${question}, ${words}: ${name} ${here} ${program}`);
+                }
+                const link = states.readLink(await fragment(page));
+                assert.equal(link.question, question);
+                assert.equal(link.state.scheme, state.scheme);
+            }
+            assert.deepEqual(problemsOf(page), []);
+            await page.context().close();
+        }
+        assert.ok(compared >= 25, `${compared} numbers`);
+    });
+
+    test("every slider moves what it names, by pointer and by keys", async () => {
+        const page = await opened("q7");
+        const measured = async () => JSON.stringify(await table(page));
+        for (const name of ["lambda", "t", "sigma"]) {
+            const slider = page.locator(`.lab-panel input[name="${name}-slider"]`), number = page.locator(`.lab-panel input[name="${name}"]`);
+            const [value, before] = [await number.inputValue(), await measured()];
+            await slider.focus();
+            await page.keyboard.press("ArrowRight");
+            await page.keyboard.press("ArrowRight");
+            await settled(page);
+            assert.ok(Number(await number.inputValue()) > Number(value), name);
+            assert.notEqual(await measured(), before, name);
+            assert.ok((await fragment(page)).includes(`${name}=${await number.inputValue()}`), await fragment(page));
+            assert.match(await slider.getAttribute("aria-valuetext"), new RegExp(await number.inputValue()));
+            const box = await slider.boundingBox();
+            await page.mouse.click(box.x + 0.8 * box.width, box.y + box.height / 2);
+            assert.ok(Number(await number.inputValue()) > Number(value), `${name} by pointer`);
+            await set(page, name, value);
+        }
+        const before = await measured();
+        await set(page, "seed", 5);
+        assert.notEqual(await measured(), before);
+        await page.locator('select[name="scheme"]').selectOption("projection");
+        await settled(page);
+        const k = page.locator('input[name="k-slider"]');
+        assert.ok(await k.isVisible() && !(await page.locator('input[name="t-slider"]').isVisible()));
+        const few = await measured();
+        await k.focus();
+        await page.keyboard.press("End");
+        await settled(page);
+        assert.notEqual(await measured(), few);
+        await page.context().close();
+    });
+
+    test("just beyond the limit a mode grows, far beyond vertices leave the view, and it is said", async () => {
+        const told = (page) => page.locator(".lab-told").textContent();
+        const page = await opened("q5", { link: "#lab=q5,lambda=0.99,t=40" });
+        assert.doesNotMatch(await told(page), /Beyond the limit|flown/);
+        await page.evaluate(() => { location.hash = "#lab=q5,lambda=1.01,t=40"; });
+        await settled(page);
+        assert.match(await told(page), /λ = 1\.01 λ_crit, t = 40.*multiplies the finest mode by 1\.02/);
+        assert.equal((await table(page))["largest |1 − λμ|"][0], "1.02");
+        await page.evaluate(() => { location.hash = "#lab=q5,lambda=2,t=60"; });
+        await settled(page);
+        assert.match(await told(page), /\d+ of \d+ vertices have flown out of the view/);
+        await set(page, "t", 10000);
+        assert.deepEqual(problemsOf(page), []);
+        await page.evaluate(() => { location.hash = "#lab=q6,scheme=implicit,lambda=100,t=1"; });
+        await page.locator('.lab[data-question="q6"] .lab-panel').waitFor();
+        await settled(page);
+        assert.doesNotMatch(await told(page), /Beyond the limit|flown/);
+        assert.equal(await page.locator(".lab-panel").count(), 1);
+        await page.context().close();
+    });
+
+    test("the best t for the noise is the least of its curve", async () => {
+        const page = await opened("q7");
+        await page.locator(".lab-presets a", { hasText: "best t" }).click();
+        await settled(page);
+        const { state } = states.readLink(await fragment(page)), data = dataOf(reportPage, "q7");
+        const noise = normalNumbers(state.seed, 3 * data.vertices).map((z) => z * state.sigma / 100 * data.diagonal);
+        assert.equal(state.t, lab.indexOfLeast(lab.errorCurve(data, state, lab.withShift(data, noise), 200)));
+        assert.match(await page.locator(".lab-told").textContent(), new RegExp(`Nearest to the clean mesh at t = ${state.t}\\.`));
+        await page.context().close();
+    });
+
+    test("plays over t and pauses; where motion is not wanted, a step at a time", async () => {
+        const page = await opened("q5", { reducedMotion: "no-preference" }), t = page.locator('.lab-panel input[name="t"]');
+        const first = Number(await t.inputValue());
+        await page.getByRole("button", { name: "Play over t" }).click();
+        await page.waitForTimeout(1200);
+        await page.getByRole("button", { name: "Pause" }).click();
+        const after = Number(await t.inputValue());
+        assert.ok(after > first + 5, `${first} to ${after}`);
+        await page.waitForTimeout(300);
+        assert.equal(Number(await t.inputValue()), after);
+        await page.context().close();
+        const still = await opened("q5");
+        await still.getByRole("button", { name: "One step" }).click();
+        assert.equal(Number(await still.locator('.lab-panel input[name="t"]').inputValue()), first + 1);
+        await still.context().close();
+    });
+
+    test("twenty frames a second on the largest of its meshes", async () => {
+        const page = await opened("q5");
+        const perSecond = await page.evaluate(async () => {
+            const slider = document.querySelector('.lab-panel input[name="lambda-slider"]'), frames = 40, began = performance.now();
+            for (let i = 0; i < frames; ++i) {
+                slider.value = String(0.2 * i / frames);
+                slider.dispatchEvent(new Event("input"));
+                await new Promise(requestAnimationFrame);
+            }
+            return 1000 * frames / (performance.now() - began);
+        });
+        assert.ok(perSecond > 20, `${perSecond} frames a second`);
+        await page.context().close();
+    });
+
+    test("without WebGL it is said, and numbers and curves follow", async () => {
+        const page = await open(browser, reports.quick, small);
+        await page.evaluate(() => {
+            const getContext = HTMLCanvasElement.prototype.getContext;
+            HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...rest); };
+        });
+        await block(page, "q5").getByRole("button").click();
+        await page.locator(".lab-no-view", { hasText: "cannot show it in three dimensions" }).waitFor();
+        await set(page, "t", 25);
+        const state = { ...states.startOf("q5"), t: 25 }, data = dataOf(reportPage, "q5");
+        const energy = lab.energy(data, lab.filter(data, state), data.coefficients);
+        assert.ok(Math.abs(numberIn((await table(page))["energy length²"][0]) / energy - 1) < 1e-5);
+        await page.context().close();
+    });
+
+    test("without JavaScript nothing is promised", async () => {
+        const page = await open(browser, reports.quick, { ...small, javaScriptEnabled: false });
+        assert.equal(await page.locator(".lab:visible").evaluateAll((all) => all.filter((one) => one.textContent.trim()).length), 0);
+        await page.context().close();
+    });
+
+    test("on paper stands what is seen", async () => {
+        const page = await opened("q5");
+        await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+        await page.emulateMedia({ media: "print" });
+        const frame = page.locator(".lab-frame");
+        assert.ok(await frame.isVisible());
+        assert.match(await frame.getAttribute("src"), /^data:image\/png;base64,.{2000}/);
+        assert.equal(await page.locator(".lab-panel canvas:visible").count(), 0);
+        await page.context().close();
+    });
+
+    const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+    for (const colorScheme of ["light", "dark"]) {
+        test(`for whoever cannot see or point, ${colorScheme}, and on a telephone`, async () => {
+            const page = await opened("q7", { colorScheme });
+            await page.evaluate(axe);
+            const { violations } = await page.evaluate(() => axe.run(document.querySelector(".lab-panel")));
+            assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 120)}`), []);
+            await page.setViewportSize({ width: 360, height: 740 });
+            assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+            const [view, controls] = [await page.locator(".lab-panel .model-stage").boundingBox(), await page.locator(".lab-controls").boundingBox()];
+            assert.ok(controls.y >= view.y + view.height);
+            await page.context().close();
+        });
+    }
+
+    test("`meshfolio lab` makes a page of its own, under the same policy", async () => {
+        run("sample", "cube8", "-o", "cube8.obj");
+        run("lab", "cube8.obj", "-o", "index.html");
+        const page = await open(browser, folder, small);
+        await page.getByRole("button", { name: "Open the live laboratory" }).click();
+        await page.locator(".lab-numbers td").first().waitFor();
+        assert.match(await page.locator(".lab-mesh").textContent(), /cube8; 8 vertices, all 8 modes/);
+        assert.match(await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', "content"), /^default-src 'none';/);
+        assert.deepEqual(problemsOf(page), []);
+        await page.context().close();
+    });
+});
+
+test("the data stands once, in the report alone, and weighs at most 2.2 MB", options, () => {
+    const scripts = reportPage.match(/<script type="application\/x-meshfolio-lab"[^>]*>[^<]*/g);
+    assert.equal(scripts.map((one) => one.match(/data-questions="([^"]*)"/)[1]).join(" ").split(" ").sort().join(" "), "q4 q5 q6 q7");
+    assert.equal(scripts.length, 3);
+    assert.ok(scripts.join("").length <= 2.2e6, `${scripts.join("").length} bytes`);
+    assert.ok(!readFileSync(path.join(reports.quick, "appendix.html"), "utf8").includes("x-meshfolio-lab"));
+});

@@ -1,0 +1,105 @@
+// The mathematics of the laboratory against the program's own commands.
+import assert from "node:assert/strict";
+import { before, describe, test } from "node:test";
+import { dataOf, lab, normalNumbers, options, run, states, written } from "./lab_tools.mjs";
+
+const positionsOf = (file) => Float64Array.from(written(file).match(/^v .*$/gm).flatMap((row) => row.split(/\s+/).slice(1, 4).map(Number)));
+const start = (change) => ({ ...states.startOf("lab"), ...change });
+const result = (data, state, c = data.coefficients) => lab.sumOfModes(data, lab.filter(data, state), c, new Float64Array(3 * data.vertices));
+
+describe("sums over modes in 16 bits are what the program computes", options, () => {
+    let data, first;
+    before(() => {
+        run("sample", "cube", "-o", "cube.obj");
+        run("lab", "cube.obj", "-o", "cube.html");
+        data = dataOf(written("cube.html"), "lab");
+        first = positionsOf("cube.obj");
+    });
+
+    /// √(mean |x − y|²) in box diagonals; the page's positions are about the box centre.
+    function distance(x, y) {
+        let sum = 0;
+        for (let i = 0; i < x.length; ++i) sum += (x[i] - (y[i] - first[i] + data.positions[i])) ** 2;
+        return Math.sqrt(sum / data.vertices) / data.diagonal;
+    }
+    /// By `meshfolio smooth`, λ in λ_crit.
+    function smoothed(scheme, lambda, t) {
+        run("smooth", "cube.obj", "-o", "smooth.obj", "--scheme", scheme, "--lambda", lambda, "--unit", "tau", "--iterations", t);
+        return positionsOf("smooth.obj");
+    }
+    const close = (x, y, what) => assert.ok(distance(x, y) <= 1e-4, `${what}: ${distance(x, y)}`);
+
+    test("ten projections", () => {
+        const counts = [1, 2, 5, 10, 15, 30, 60, 150, 400, 602];
+        run("spectrum", "cube.obj", "-k", 602, "--reconstruct", counts.join(","), "--out", "modes", "--csv", "modes.csv");
+        for (const k of counts) {
+            run("noise", `modes/cube_k${k}.ply`, "-o", "k.obj", "--sigma", 0);   // as text
+            close(result(data, start({ scheme: "projection", k })), positionsOf("k.obj"), `k = ${k}`);
+        }
+    });
+
+    const settings = {
+        explicit: [[0.1, 1], [0.1, 30], [0.25, 5], [0.5, 1], [0.5, 40], [0.9, 10], [0.99, 40], [1.01, 40], [1.05, 30], [2, 3]],
+        implicit: [[0.1, 1], [0.5, 10], [1, 1], [1, 40], [3, 5], [5, 10], [20, 3], [100, 1], [100, 5], [1000, 1]],
+        taubin: [[0.05, 1], [0.1, 5], [0.2, 20], [0.3, 1], [0.4, 10], [0.5, 20], [0.6, 40], [0.7, 3], [0.8, 5], [0.9, 2]],
+    };
+    for (const [scheme, pairs] of Object.entries(settings)) {
+        test(`ten settings of ${scheme} steps`, () => {
+            for (const [lambda, t] of pairs) close(result(data, start({ scheme, lambda, t })), smoothed(scheme, lambda, t), `λ = ${lambda} λ_crit, t = ${t}`);
+        });
+    }
+
+    // (1 − h)ⁿ and (1 + h)⁻ⁿ lie on both sides of exp(−nh), equally far to first order.
+    test("ten heat flows lie between many small explicit and implicit steps", () => {
+        for (const [lambda, t] of [[0.1, 1], [0.5, 1], [1, 1], [1, 5], [2, 10], [5, 1], [10, 2], [20, 1], [50, 1], [100, 1]]) {
+            const steps = Math.ceil(40 * lambda * t) + 400;
+            const [below, above] = ["explicit", "implicit"].map((scheme) => smoothed(scheme, lambda * t / steps, steps));
+            close(result(data, start({ scheme: "heat", lambda, t })), below.map((x, i) => (x + above[i]) / 2), `λ = ${lambda} λ_crit, t = ${t}`);
+        }
+    });
+
+    test("the noise is that of `meshfolio noise`, number by number", () => {
+        for (const seed of [0, 1, 7, 4000000000]) {
+            run("noise", "cube.obj", "-o", "noisy.obj", "--sigma", 0.01, "--seed", seed);
+            const noise = normalNumbers(seed, first.length), noisy = positionsOf("noisy.obj");
+            noisy.forEach((x, i) => assert.ok(Math.abs(x - first[i] - 0.01 * noise[i]) < 1e-14, `seed ${seed}, number ${i}`));
+        }
+    });
+
+    test("what is measured on coefficients is what is measured on positions", () => {
+        const shift = normalNumbers(3, 3 * data.vertices).map((z) => 0.01 * z), c = lab.withShift(data, shift), state = start({ scheme: "explicit", lambda: 0.3, t: 4 });
+        const f = lab.filter(data, state), x = result(data, state, c);
+        let sum = 0;
+        for (let i = 0; i < x.length; ++i) sum += data.area[Math.floor(i / 3)] * (x[i] - data.positions[i]) ** 2;
+        assert.ok(Math.abs(lab.rms(data, f, c) / Math.sqrt(sum / data.totalArea) - 1) < 1e-4);
+        const curve = lab.errorCurve(data, state, c, 10);
+        assert.ok(Math.abs(curve[4] / lab.rms(data, f, c) - 1) < 1e-12);
+        const best = lab.indexOfLeast(curve);
+        assert.ok(best > 0 && best < 10 && curve.every((error) => error >= curve[best]));
+    });
+
+    test("beyond 2,000 vertices the page has the lowest modes and says so", () => {
+        run("sample", "sphere", "-o", "sphere.obj");
+        assert.match(run("lab", "sphere.obj", "-o", "sphere.html"), /lowest 300 modes of 2562, a truncation/);
+        const few = dataOf(written("sphere.html"), "lab");
+        assert.equal(few.modes, 300);
+        for (const { count: k, rms } of few.readings) {
+            const f = lab.filter(few, start({ scheme: "projection", k }));
+            assert.ok(Math.abs(lab.rms(few, f, few.coefficients) / rms - 1) < 1e-4, `k = ${k}`);
+        }
+    });
+});
+
+test("a link restores the state, whatever it holds", () => {
+    for (const [question, state] of ["q4", "q5", "q6", "q7", "lab"].flatMap((q) => states.presetsOf(q).map(([, state]) => [q, state]))) {
+        const read = states.readLink(states.linkOf(question, state)), { k, ...rest } = states.held(read.state, 602);
+        assert.equal(read.question, question);
+        for (const name of state.scheme === "projection" ? ["scheme"] : ["scheme", "lambda", "t", "sigma", "lines"]) assert.equal(rest[name], state[name], name);
+        if (state.scheme === "projection") assert.equal(k, state.k);
+    }
+    assert.deepEqual(states.readLink("#lab=q5,lambda=1.01,t=40").state, { ...states.startOf("q5"), lambda: 1.01, t: 40 });
+    assert.equal(states.readLink("#q5"), null);
+    const odd = states.held(states.readLink("#lab=q5,scheme=toString,lambda=-1e999,t=NaN,k=1e9,sigma=<b>,seed=").state, 602);
+    assert.deepEqual([odd.scheme, odd.lambda, odd.t, odd.k, odd.sigma], ["projection", 0.5, 10, 602, 0]);
+    for (const lambda of [0, 0.3, 1, 3, 10, 999]) assert.ok(Math.abs(states.lambdaAt(states.placeOf(lambda)) - lambda) < 1e-9 * (1 + lambda));
+});
