@@ -56,7 +56,7 @@ struct LabMesh {
 
 LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const LabLimits& limits = {});
 
-/// What the page reads (templates/viewer/lab/lab_data.js): length of the header in 4 bytes, the header as JSON, then little endian, from a
+/// What the page reads (templates/viewer/lab_math.js): length of the header in 4 bytes, the header as JSON, then little endian, from a
 /// multiple of 8 on: eigenvalues, areas, positions, coefficients, scales (doubles), corners of the triangles (4 bytes each), the modes'
 /// numbers: all their high bytes, then all their low bytes, which packs better.
 std::string bytes_of(const LabMesh& lab);
