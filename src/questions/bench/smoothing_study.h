@@ -127,13 +127,6 @@ bool fits_a_frame(const SmoothingSubject& subject, const Positions& X);
 /// X in the frame of the input; where it does not fit the cell is empty and says how many boxes it spans.
 output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
 
-/// What a caption adds where one of the studies is of an open mesh, whose other side is seen; else nothing.
-template <class Study>
-std::string underside_words(const std::vector<Study>& studies) {
-    const bool open = std::ranges::any_of(studies, [](const Study& study) { return !study.subject.source->prepared->preflight.closed(); });
-    return open ? " " + smoothing_words.line("caption.underside") : "";
-}
-
 /// The mesh of the subject on the positions X, coloured by curvature_colours().
 output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
 

@@ -134,11 +134,11 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
                               "last"_a = last.k, "later"_a = readable(later, 2)};
     if (ratio < clear_ratio) return words.say("thin.alike", facts);
     report::Text t = words.say("thin", facts);
+    if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
+    if (radii > 0.8) go_on(t, words.say("thin.collapsed", facts));
     const LimbErrors& first = limbs.errors.front();
     if (first.k < row.k && first.thin < first.thick)
         go_on(t, words.say("thin.not_at_first", "k"_a = first.k, "ratio"_a = readable(first.thin / first.thick, 2)));
-    if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
-    if (radii > 0.8) go_on(t, words.say("thin.collapsed", facts));
     if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
     if (last.k > row.k && later >= clear_ratio) go_on(t, words.say("thin.curvature"));
     return t;

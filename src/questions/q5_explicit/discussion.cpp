@@ -92,9 +92,10 @@ report::Text farther_along(const Studies& studies) {
         if (larger == study.runs.size() || !study.recommended) continue;
         const SmoothingRun &run = study.runs[larger], &half = study.runs[study.recommended->run];
         if (half.energy.back() - run.energy.back() < seen || half.size.back() - run.size.back() < seen) continue;
-        return words.say("good.farther", "mesh"_a = study.name(), "iterations"_a = run.iterations,
-                         "energy"_a = share_left(run.energy.back()), "half_energy"_a = share_left(half.energy.back()),
-                         "size"_a = share_left(run.size.back()), "half_size"_a = share_left(half.size.back()));
+        return words.say("good.farther", "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, run.lambda),
+                         "iterations"_a = run.iterations, "energy"_a = share_left(run.energy.back()),
+                         "half_energy"_a = share_left(half.energy.back()), "size"_a = share_left(run.size.back()),
+                         "half_size"_a = share_left(half.size.back()));
     }
     return {};
 }

@@ -33,8 +33,7 @@ report::Facts facts_of(const ExplicitStudy& study) {
 void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
-    report::Facts facts = facts_of(study);
-    facts.push_back("underside"_a = underside_words(studies));
+    const report::Facts facts = facts_of(study);
     SixViewFigure figure{.id = id,
                          .title = words.line("recommended.title", facts),
                          .subtitle = subtitle_of(*study.subject.source),
@@ -63,7 +62,7 @@ void add_all(Answer& answer, const Studies& studies, const std::string& id) {
         inputs.push_back(figure.panels.back());
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
     }
-    figure.caption = words.line("results.caption", "underside"_a = underside_words(studies));
+    figure.caption = words.line("results.caption");
     figure.range = curvature_range(inputs);
     add_figure(answer, std::move(figure));
 }

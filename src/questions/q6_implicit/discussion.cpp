@@ -96,7 +96,7 @@ std::vector<double> prices(const Studies& studies, bool recommended) {
 std::string price_key(const std::vector<double>& ratios) {
     const auto [low, high] = std::ranges::minmax(ratios);
     if (low > 1 / 1.2 && high < 1.2) return "alike";
-    return low > 1.2 ? "dearer" : high < 1 / 1.2 ? "cheaper" : "either";
+    return low >= 1 ? "dearer" : high <= 1 ? "cheaper" : "either";
 }
 
 report::Text price_of(const std::vector<double>& ratios, const std::string& amount) {
@@ -126,7 +126,13 @@ report::Text where_it_goes(const ImplicitStudy& study) {
     const double at_edges = excess_of(study.subject, good->implicit_X, feature_vertices(mesh, topology));
     const bool boundary = at_boundary >= at_edges || std::isnan(at_edges);
     const double most = boundary ? at_boundary : at_edges;
-    if (!(most > 1.5)) return {};
+    if (!(most > 1.5)) {
+        const double before = mesh_character(mesh, topology).feature_share;
+        const double after = mesh_character(moved_to(mesh, good->implicit_X), topology).feature_share;
+        if (before < 0.01 || after > 0.5 * before) return {};
+        return words.say("reading.sharp", "before"_a = readable_percent(before, 2), "after"_a = readable_percent(after, 2),
+                         "limit"_a = readable(feature_angle, 2));
+    }
     return words.say(boundary ? "reading.boundary" : "reading.edges", "mesh"_a = study.name(), "times"_a = readable(most, 2));
 }
 
@@ -221,19 +227,25 @@ report::Text iterations_against_steps(const Studies& studies) {
          words.say("equal_time.why")});
 }
 
+bool was_rough(const ImplicitStudy& study) {
+    return mesh_character(study.subject.mesh(), study.subject.source->prepared->topology).typical_angle > 5;
+}
+
 /// How smooth both schemes leave what is recommended, at the same energy: "plane_ns (1.0° and 0.9°)".
 report::Text quality(const Studies& studies) {
     Names told;
-    bool alike = true;
+    double least = INFINITY, most = 0;   // implicit over explicit
     for (const ImplicitStudy& study : studies) {
         for (const SmoothingCost& cost : study.costs) {
-            if (!cost.recommended || !cost.reached() || !(cost.explicit_roughness > 0.1)) continue;
-            alike = alike && std::abs(cost.roughness / cost.explicit_roughness - 1) < 0.2;
+            if (!cost.recommended || !cost.reached() || !was_rough(study) || !(cost.explicit_roughness > 0)) continue;
+            const double ratio = cost.roughness / cost.explicit_roughness;
+            least = std::min(least, ratio);
+            most = std::max(most, ratio);
             told.push_back(words.line("quality.mesh", "mesh"_a = study.name(), "implicit"_a = readable(cost.roughness, 2),
                                       "explicit"_a = readable(cost.explicit_roughness, 2)));
         }
     }
-    return said_of(told, words, alike ? "quality.alike" : "quality.differs");
+    return said_of(told, words, least > 0.9 && most < 1.1 ? "quality.alike" : least > 0.9 ? "quality.explicit" : "quality.differs");
 }
 
 /// What the one factorisation costs, in steps.

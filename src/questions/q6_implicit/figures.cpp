@@ -91,10 +91,7 @@ void add_matrix(Answer& answer, const ImplicitStudy& study) {
 }
 
 void add_views(Answer& answer, const Studies& studies) {
-    SixViewFigure figure{.id = "q6_views",
-                         .title = words.line("views.title"),
-                         .caption = words.line("views.caption", "underside"_a = underside_words(studies)),
-                         .frame_panel = -1};
+    SixViewFigure figure{.id = "q6_views", .title = words.line("views.title"), .caption = words.line("views.caption"), .frame_panel = -1};
     std::vector<output::Panel> inputs;
     for (const ImplicitStudy& study : studies) {
         const SmoothingCell* good = study.good();

@@ -100,7 +100,7 @@ TEST(ExplicitDiscussion, TheLargestStepIsFurtherAlongOnlyWhereItIs) {
     EXPECT_TRUE(has(told(study), "leave less energy")) << told(study);
     study.runs[larger].energy.back() = 1.01 * study.runs[half].energy.back();
     EXPECT_FALSE(has(told(study), "leave less energy")) << told(study);
-    EXPECT_TRUE(has(told(study), "of the top mode is left after 20 steps")) << told(study);
+    EXPECT_TRUE(has(told(study), "of the top mode 20 steps of 0.95 λ_crit leave 12")) << told(study);
 }
 
 TEST(ExplicitDiscussion, SaysOfTheResultOnlyWhatItsFigureShows) {
