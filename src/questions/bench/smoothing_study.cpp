@@ -7,7 +7,9 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/linear/special_values.h"
+#include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/dirichlet_energy.h"
+#include "geometry/smoothing/implicit_solver.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
 #include "questions/core/section_tools.h"
@@ -102,6 +104,16 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
     return subject;
 }
 
+FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
+    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
+    ImplicitSolver solver;
+    solver.prepare(whole, subject.critical, subject.mesh().X);
+    std::vector<int> row(static_cast<std::size_t>(whole.all_vertices), -1), order;
+    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[static_cast<std::size_t>(whole.vertex[i])] = static_cast<int>(i);
+    for (const int v : solver.vertex()) order.push_back(row[static_cast<std::size_t>(v)]);
+    return factor_operations(whole.A, order);
+}
+
 std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples) {
     std::vector<double> steps = settings.lambda;
     if (steps.empty()) {
@@ -192,6 +204,13 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
     return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};
 }
 
+double top_mode_in(const SmoothingSubject& subject) {
+    const Vector& M = subject.laplacian.M;
+    const Positions X = subject.mesh().X.rowwise() - subject.mesh().X.row(0);
+    const double mode = M.dot(subject.top.mode.cwiseAbs2()), mesh = M.dot(X.rowwise().squaredNorm());
+    return mode_amplitude(subject, subject.mesh().X) / std::sqrt(mode * mesh);
+}
+
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     const TriangleMesh mesh = moved_to(subject.mesh(), X);
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
@@ -229,10 +248,14 @@ output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& 
     return panel_of(moved_to(subject.mesh(), X), std::move(name), std::move(label), curvature_colours(subject, X));
 }
 
+output::ColorRange curvature_range(const std::vector<output::Panel>& inputs) {
+    return output::robust_range(inputs, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
+}
+
 void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure) {
     figure.panels.insert(figure.panels.begin(),
                          panel_of(*subject.source, std::move(before), "before", curvature_colours(subject, subject.mesh().X)));
-    figure.range = output::robust_range({figure.panels.front()}, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
+    figure.range = curvature_range({figure.panels.front()});
     add_figure(answer, std::move(figure));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/linear/factor_operations.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
@@ -41,6 +42,9 @@ struct SmoothingSubject {
 };
 SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind = OperatorKind::cotan,
                                    AreaForm area = AreaForm::barycentric);
+
+/// What a factor of the implicit scheme costs, whatever λ.
+FactorOperations implicit_operations_of(const SmoothingSubject& subject);
 
 /// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples);
@@ -95,6 +99,9 @@ struct Amplification {
 };
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
 
+/// How much of the top mode is in the input, over the M-norm of the mesh about its first vertex: symmetry may leave rounding.
+double top_mode_in(const SmoothingSubject& subject);
+
 /// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
 /// figures are coloured by. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
@@ -120,18 +127,13 @@ bool fits_a_frame(const SmoothingSubject& subject, const Positions& X);
 /// X in the frame of the input; where it does not fit the cell is empty and says how many boxes it spans.
 output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
 
-/// What a caption adds where one of the studies is of an open mesh, whose other side is seen; else nothing.
-template <class Study>
-std::string underside_words(const std::vector<Study>& studies) {
-    const bool open = std::ranges::any_of(studies, [](const Study& study) { return !study.subject.source->prepared->preflight.closed(); });
-    return open ? " " + smoothing_words.line("caption.underside") : "";
-}
-
 /// The mesh of the subject on the positions X, coloured by curvature_colours().
 output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
 
-/// Puts the input, as panel `before`, in front of the panels and adds the figure. The colour range is the input's: an unstable result
-/// has curvatures of any size.
+/// The colours of curvature_colours() that show these inputs: an unstable result has curvatures of any size.
+output::ColorRange curvature_range(const std::vector<output::Panel>& inputs);
+
+/// Puts the input, as panel `before`, in front of the panels and adds the figure. The colour range is the input's.
 void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure);
 
 }   // namespace meshfolio

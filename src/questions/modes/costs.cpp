@@ -63,21 +63,12 @@ auto exact_filter(double time) {
     return [=](double mu) { return std::exp(-time * mu); };
 }
 
-FactorOperations operations_of(const SmoothingSubject& subject, const OperatorWithMass& whole) {
-    ImplicitSolver solver;
-    solver.prepare(whole, subject.critical, subject.mesh().X);
-    std::vector<int> row(static_cast<std::size_t>(whole.all_vertices), -1), order;
-    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[static_cast<std::size_t>(whole.vertex[i])] = static_cast<int>(i);
-    for (const int v : solver.vertex()) order.push_back(row[static_cast<std::size_t>(v)]);
-    return factor_operations(whole.A, order);
-}
-
 }   // namespace
 
 CostModel::CostModel(const SmoothingSubject& subject, SpectralMeasure measure)
     : measure_(std::move(measure)), critical_(subject.critical), energy_(measure_.energy([](double) { return 1.0; })) {
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
-    factor_ = operations_of(subject, whole);
+    factor_ = implicit_operations_of(subject);
     rows_ = whole.size();
     nonzeros_ = double(whole.A.nonZeros());
 }

@@ -19,18 +19,19 @@ constexpr double clear_ratio = 1.5;   // less is no difference that one explains
 report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
     const bool closed = study.source->prepared->preflight.closed() && std::isfinite(r.difference.volume_ratio);
     const double volume = closed ? r.difference.volume_ratio : 1;
-    const report::Facts facts{"k"_a = r.k, "mesh"_a = study.name(), "rms"_a = percent_of_box(study, r.difference.rms),
+    const report::Facts facts{"k"_a = r.k, "mesh"_a = study.name(), "rms"_a = percent_of_box(study, r.difference.area_weighted_rms),
                               "angle"_a = readable(r.difference.mean_normal_angle * 180 / pi, 2), "volume"_a = readable_percent(volume, 2)};
     if (is_exact(study, r.k)) return words.say("picture.exact", facts);
-    if (r.difference.rms < 0.005 * study.diagonal) return words.say("picture.close", facts);
+    if (r.difference.area_weighted_rms < 0.005 * study.diagonal) return words.say("picture.close", facts);
     if (volume < 0.01) return words.say("picture.nothing", facts);
     if (volume < 0.3) return words.say("picture.collapsed", facts);
     return words.say(!closed ? "picture.open" : volume < 0.9 ? "picture.rounded" : "picture.whole", facts);
 }
 
 report::Text what_is_seen(const SpectralStudy& study) {
-    report::Text t = words.say("pictures", "mesh"_a = study.name());
-    for (const Reconstruction* r : told_reconstructions(study)) go_on(t, picture_of(study, *r));
+    const std::vector<const Reconstruction*> told = told_reconstructions(study);
+    report::Text t = words.say(told.size() < study.reconstructions.size() ? "pictures.further" : "pictures", "mesh"_a = study.name());
+    for (const Reconstruction* r : told) go_on(t, picture_of(study, *r));
     return t;
 }
 
@@ -42,7 +43,7 @@ report::Text where_the_error_sits(const SpectralStudy& study) {
     const double remoteness = remoteness_of_worst(study, *it);
     if (remoteness < clear_ratio) return {};
     return words.say("worst.outside", "k"_a = it->k, "remoteness"_a = readable(remoteness, 2),
-                     "largest"_a = readable(it->difference.max / it->difference.rms, 2));
+                     "largest"_a = readable(it->difference.max / it->difference.area_weighted_rms, 2));
 }
 
 // ---- the rate
@@ -113,10 +114,13 @@ report::Text why_this_large_k(const Subject& subject) {
     if (!subject.chosen_k) return {};
     const SpectralStudy& study = subject.study;
     const Reconstruction& last = study.reconstructions.back();
-    const bool all = last.k == study.vertices();
-    return words.say(all ? "large.all" : "large.some", "k"_a = last.k, "mesh"_a = study.name(),
-                     "share"_a = readable_percent(static_cast<double>(last.k) / study.vertices(), 2),
-                     "error"_a = percent_of_box(study, last.difference.rms));
+    const auto erring = std::find_if(study.reconstructions.rbegin(), study.reconstructions.rend(),
+                                     [&](const Reconstruction& r) { return !is_exact(study, r.k); });
+    const bool all = last.k == study.vertices() && erring != study.reconstructions.rend();
+    const Reconstruction& large = all ? *erring : last;
+    return words.say(all ? "large.all" : "large.some", "k"_a = large.k, "mesh"_a = study.name(), "all"_a = last.k,
+                     "share"_a = readable_percent(static_cast<double>(large.k) / study.vertices(), 2),
+                     "error"_a = percent_of_box(study, large.difference.area_weighted_rms));
 }
 
 }   // namespace
@@ -132,6 +136,9 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     report::Text t = words.say("thin", facts);
     if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
     if (radii > 0.8) go_on(t, words.say("thin.collapsed", facts));
+    const LimbErrors& first = limbs.errors.front();
+    if (first.k < row.k && first.thin < first.thick)
+        go_on(t, words.say("thin.not_at_first", "k"_a = first.k, "ratio"_a = readable(first.thin / first.thick, 2)));
     if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
     if (last.k > row.k && later >= clear_ratio) go_on(t, words.say("thin.curvature"));
     return t;
@@ -147,7 +154,7 @@ report::Text what_modes_look_like(const SpectralStudy& study) {
                               "zeros"_a = zeros};
     report::Text t = words.say(zeros == 1 ? "modes.constant" : "modes.components", facts);
     go_on(t, words.say(first_four > 1 && outside == first_four ? "modes.outside" : "modes.waves", facts));
-    if (drawn.back() > zeros + 4) go_on(t, words.say("modes.later", "first"_a = zeros + 5));
+    if (drawn.back() > zeros + 4) go_on(t, words.say("modes.later", "last"_a = drawn.back()));
     return t;
 }
 
@@ -156,7 +163,8 @@ report::Text answer_in_short(const std::vector<Subject>& subjects) {
     const int enough = smallest_k_below(study, 0.01);
     const Reconstruction& last = study.reconstructions.back();
     return words.say(enough > 0 ? "answer.reached" : "answer.not_reached", "k"_a = enough > 0 ? enough : last.k,
-                     "vertices"_a = study.vertices(), "mesh"_a = study.name(), "error"_a = percent_of_box(study, last.difference.rms));
+                     "vertices"_a = study.vertices(), "mesh"_a = study.name(),
+                     "error"_a = percent_of_box(study, last.difference.area_weighted_rms));
 }
 
 report::Text lead(const std::vector<Subject>& subjects) {
@@ -172,9 +180,10 @@ report::Text lead(const std::vector<Subject>& subjects) {
     const auto law = fall_of_the_error(study);
     return paragraph_of(
         {study.reconstructions.size() > 1
-             ? words.say(
-                   "lead.errors", "first"_a = first.k, "first_error"_a = percent_of_box(study, first.difference.rms), "last"_a = last.k,
-                   "last_error"_a = is_exact(study, last.k) ? words.line("lead.rounding") : percent_of_box(study, last.difference.rms))
+             ? words.say("lead.errors", "first"_a = first.k, "first_error"_a = percent_of_box(study, first.difference.area_weighted_rms),
+                         "last"_a = last.k,
+                         "last_error"_a = is_exact(study, last.k) ? words.line("lead.rounding")
+                                                                  : percent_of_box(study, last.difference.area_weighted_rms))
              : report::Text(),
          std::move(thin), law ? words.say("lead.price", "times"_a = times_to_halve(*law)) : report::Text()});
 }

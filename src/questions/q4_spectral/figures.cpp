@@ -41,7 +41,8 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
                                  figure.panels);
     if (what == "reconstructions") {
         figure.caption =
-            words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact);
+            words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact,
+                       "first"_a = study.reconstructions.front().k, "last"_a = study.reconstructions.back().k);
         figure.panels.insert(figure.panels.begin(), meshfolio::panel_of(*study.source, id_of(study, "original"), original));
         figure.turnable = true;
     } else {

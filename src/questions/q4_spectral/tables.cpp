@@ -34,7 +34,7 @@ report::Table error_table(const SpectralStudy& study) {
     return table(id_of(study, "errors"), std::move(caption), study.reconstructions)
         .column("k", {.digits = count_digits}, &Reconstruction::k)
         .column("share of all modes", {.unit = "%"}, [&](auto& r) { return 100.0 * r.k / study.vertices(); })
-        .column("rms", share, of_box(study, [](auto& r) { return r.difference.rms; }))
+        .column("rms", share, of_box(study, [](auto& r) { return r.difference.area_weighted_rms; }))
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
         .column("Hausdorff", share, of_box(study, [](auto& r) { return r.difference.hausdorff; }))
         .column("mean normal angle", {.unit = "°"},

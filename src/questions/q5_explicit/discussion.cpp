@@ -72,9 +72,13 @@ report::Text why_half(const Studies& studies) {
     report::Text flips;
     for (const ExplicitStudy& study : studies) {
         const std::size_t larger = largest_that_flips(study);
-        if (larger == study.runs.size()) continue;
+        if (larger == study.runs.size() || !study.recommended) continue;
+        const double small = study.runs[study.recommended->run].lambda;
+        const int steps = static_cast<int>(std::lround(20 * study.runs[larger].lambda / small));
         flips = words.say("good.flips", "limits"_a = in_limits(study.subject, study.runs[larger].lambda),
-                          "left"_a = share_left(study.amplification[larger].measured));
+                          "left"_a = share_left(study.amplification[larger].measured), "steps"_a = steps,
+                          "small"_a = in_limits(study.subject, small),
+                          "small_left"_a = share_left(std::pow(std::abs(1 - small * study.subject.top.value), steps)));
         break;   // the same on all
     }
     return paragraph_of({words.say("good.keeps_signs"), said_of(smaller, words, "good.smaller"), flips});
@@ -88,9 +92,10 @@ report::Text farther_along(const Studies& studies) {
         if (larger == study.runs.size() || !study.recommended) continue;
         const SmoothingRun &run = study.runs[larger], &half = study.runs[study.recommended->run];
         if (half.energy.back() - run.energy.back() < seen || half.size.back() - run.size.back() < seen) continue;
-        return words.say("good.farther", "mesh"_a = study.name(), "iterations"_a = run.iterations,
-                         "energy"_a = share_left(run.energy.back()), "half_energy"_a = share_left(half.energy.back()),
-                         "size"_a = share_left(run.size.back()), "half_size"_a = share_left(half.size.back()));
+        return words.say("good.farther", "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, run.lambda),
+                         "iterations"_a = run.iterations, "energy"_a = share_left(run.energy.back()),
+                         "half_energy"_a = share_left(half.energy.back()), "size"_a = share_left(run.size.back()),
+                         "half_size"_a = share_left(half.size.back()));
     }
     return {};
 }
@@ -150,9 +155,11 @@ report::Text growth_of_the_top_mode(const ExplicitStudy& study) {
                               "measured"_a = readable(study.amplification[i].measured, 2),
                               "predicted"_a = readable(study.amplification[i].predicted, 2),
                               "iteration"_a = least - energy.begin()};
-    return paragraph_of({words.say("beyond", facts), falls && rises ? words.say("beyond.turns", facts)
-                                                     : rises        ? words.say("beyond.rises", facts)
-                                                                    : report::Text()});
+    return paragraph_of({words.say("beyond", facts),
+                         falls && rises ? words.say("beyond.turns", facts)
+                         : rises        ? words.say("beyond.rises", facts)
+                                        : report::Text(),
+                         rises && top_mode_in(study.subject) < 1e-9 ? words.say("beyond.symmetric", facts) : report::Text()});
 }
 
 /// Where the top mode is largest at the vertex that breaks away first.

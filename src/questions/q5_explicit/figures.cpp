@@ -33,36 +33,37 @@ report::Facts facts_of(const ExplicitStudy& study) {
 void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
-    report::Facts facts = facts_of(study);
-    facts.push_back("underside"_a = underside_words(studies));
+    const report::Facts facts = facts_of(study);
     SixViewFigure figure{.id = id,
                          .title = words.line("recommended.title", facts),
                          .subtitle = subtitle_of(*study.subject.source),
                          .caption = words.line("recommended.caption", facts),
                          .edges = shows_edges(study),
                          .turnable = true};
-    figure.panels = {panel_of(*study.subject.source, id + "_input", "input"),
-                     panel_of(moved_to(study.subject.mesh(), run.result.X), id + "_smoothed", words.line("recommended.after", facts))};
-    add_figure(answer, std::move(figure));
+    figure.panels = {smoothing_panel(study.subject, run.result.X, id + "_smoothed", words.line("recommended.after", facts))};
+    add_smoothing_figure(answer, study.subject, id + "_input", std::move(figure));
 }
 
 /// At the size and place in which all inputs have the same box diagonal.
 output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, const std::string& what, std::string label) {
     const Eigen::RowVector3d centre = bounding_box(study.subject.mesh()).centre().transpose();
     return panel_of(moved_to(study.subject.mesh(), (X.rowwise() - centre) / study.subject.diagonal), id_of("q5", study.name(), what),
-                    std::move(label));
+                    std::move(label), curvature_colours(study.subject, X));
 }
 
 /// Several meshes: each input beside its result.
 void add_all(Answer& answer, const Studies& studies, const std::string& id) {
     SixViewFigure figure{.id = id, .title = words.line("results.title"), .frame_panel = -1};
+    std::vector<output::Panel> inputs;
     for (const ExplicitStudy& study : studies) {
         if (!study.recommended) continue;
         const report::Facts facts = facts_of(study);
         figure.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", words.line("results.input", facts)));
+        inputs.push_back(figure.panels.back());
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
     }
-    figure.caption = words.line("results.caption", "underside"_a = underside_words(studies));
+    figure.caption = words.line("results.caption");
+    figure.range = curvature_range(inputs);
     add_figure(answer, std::move(figure));
 }
 

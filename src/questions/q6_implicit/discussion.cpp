@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "base/number_text.h"
 #include "questions/bench/mesh_class.h"
@@ -44,19 +46,42 @@ report::Text recommendation(const Studies& studies) {
     return paragraph_of({said_of(told, words, "recommended"), said_of(none, words, "recommended.none")});
 }
 
-/// How far apart the two schemes end within the explicit limit, as a share of the motion; NaN where there is nothing to compare.
-double gap_within_the_limit(const ImplicitStudy& study) {
-    const SmoothingCell& cell = study.middle_cell(0);
-    const double moved = vertex_rms(study.subject.mesh().X, cell.implicit_X);
-    if (!cell.has_explicit() || moved <= 0 || cell.lambda > study.subject.critical || cell.implicit_energy < 1e-3) return NAN;
-    return vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
+/// How far apart the two schemes end within the explicit limit, as a share of the motion: where most, and from which t on by little.
+struct Gaps {
+    static constexpr double little = 0.05;
+    double worst = 0, last = 0;   // last: largest after the last number of iterations compared
+    std::string mesh;             // of the worst
+    int iterations = 0;           // of the worst
+    int little_from = 0;          // 0: never
+};
+
+std::optional<Gaps> gaps_within_the_limit(const Studies& studies) {
+    std::map<int, double> largest;   // of each number of iterations
+    Gaps gaps;
+    for (const ImplicitStudy& study : studies) {
+        for (const SmoothingCell& cell : study.grid) {
+            const double moved = vertex_rms(study.subject.mesh().X, cell.implicit_X);
+            if (!cell.has_explicit() || moved <= 0 || cell.lambda > study.subject.critical || cell.implicit_energy < 1e-3) continue;
+            const double gap = vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
+            largest[cell.iterations] = std::max(largest[cell.iterations], gap);
+            if (gap > gaps.worst) gaps.worst = gap, gaps.mesh = study.name(), gaps.iterations = cell.iterations;
+        }
+    }
+    if (gaps.mesh.empty()) return {};
+    gaps.last = largest.rbegin()->second;
+    for (auto entry = largest.rbegin(); entry != largest.rend() && entry->second <= Gaps::little; ++entry) gaps.little_from = entry->first;
+    return gaps;
 }
 
-std::vector<double> gaps_within_the_limit(const Studies& studies) {
-    std::vector<double> gaps;
-    for (const ImplicitStudy& study : studies)
-        if (const double gap = gap_within_the_limit(study); !std::isnan(gap)) gaps.push_back(gap);
-    return gaps;
+report::Facts facts_of(const Gaps& gaps) {
+    return {"gap"_a = readable_percent(gaps.worst, 2), "mesh"_a = gaps.mesh, "t"_a = gaps.iterations,
+            "little"_a = readable_percent(Gaps::little, 1), "from"_a = gaps.little_from};
+}
+
+/// "gap.fades" where it becomes little with t, "gap.little" where it always is, else "gap.stays".
+std::string gap_key(const Gaps& gaps) {
+    if (gaps.worst <= Gaps::little) return "little";
+    return gaps.little_from > 0 ? "fades" : "stays";
 }
 
 /// Explicit over implicit arithmetic, of what is recommended or of what is far beyond.
@@ -64,14 +89,14 @@ std::vector<double> prices(const Studies& studies, bool recommended) {
     std::vector<double> ratios;
     for (const ImplicitStudy& study : studies)
         for (const SmoothingCost& cost : study.costs)
-            if ((cost.cell == study.recommended) == recommended && !std::isnan(cost.ratio())) ratios.push_back(cost.ratio());
+            if (cost.recommended == recommended && !std::isnan(cost.ratio())) ratios.push_back(cost.ratio());
     return ratios;
 }
 
 std::string price_key(const std::vector<double>& ratios) {
     const auto [low, high] = std::ranges::minmax(ratios);
     if (low > 1 / 1.2 && high < 1.2) return "alike";
-    return low > 1.2 ? "dearer" : high < 1 / 1.2 ? "cheaper" : "either";
+    return low >= 1 ? "dearer" : high <= 1 ? "cheaper" : "either";
 }
 
 report::Text price_of(const std::vector<double>& ratios, const std::string& amount) {
@@ -99,9 +124,15 @@ report::Text where_it_goes(const ImplicitStudy& study) {
     const TriangleMesh& mesh = study.subject.mesh();
     const double at_boundary = excess_of(study.subject, good->implicit_X, topology.on_boundary);
     const double at_edges = excess_of(study.subject, good->implicit_X, feature_vertices(mesh, topology));
-    const bool boundary = !(at_edges > at_boundary);
+    const bool boundary = at_boundary >= at_edges || std::isnan(at_edges);
     const double most = boundary ? at_boundary : at_edges;
-    if (!(most > 1.5)) return {};
+    if (!(most > 1.5)) {
+        const double before = mesh_character(mesh, topology).feature_share;
+        const double after = mesh_character(moved_to(mesh, good->implicit_X), topology).feature_share;
+        if (before < 0.01 || after > 0.5 * before) return {};
+        return words.say("reading.sharp", "before"_a = readable_percent(before, 2), "after"_a = readable_percent(after, 2),
+                         "limit"_a = readable(feature_angle, 2));
+    }
     return words.say(boundary ? "reading.boundary" : "reading.edges", "mesh"_a = study.name(), "times"_a = readable(most, 2));
 }
 
@@ -109,9 +140,10 @@ report::Text where_it_goes(const ImplicitStudy& study) {
 report::Text reading(const ImplicitStudy& study) {
     const SmoothingCell* good = study.good();
     if (good == nullptr) return {};
-    return paragraph_of(
-        {words.say("reading.good", "mesh"_a = study.name(), "figure"_a = matrix_of(study), "cell"_a = title_of(study, *good)),
-         where_it_goes(study)});
+    return paragraph_of({words.say("reading.good", "mesh"_a = study.name(), "cell"_a = title_of(study, *good)), where_it_goes(study),
+                         good->inverted_faces > 0
+                             ? words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count())
+                             : report::Text()});
 }
 
 report::Text too_much(const ImplicitStudy& study) {
@@ -149,14 +181,11 @@ report::Text spikes(const ImplicitStudy& study) {
 }
 
 report::Text explicit_beside_implicit(const Studies& studies) {
-    const std::vector<double> gaps = gaps_within_the_limit(studies);
     report::Text agreement;
-    if (!gaps.empty()) {
-        const double worst = std::ranges::max(gaps);
-        agreement = words.say(worst < 0.1   ? "agreement.close"
-                              : worst < 0.3 ? "agreement.rough"
-                                            : "agreement.bad",
-                              "gap"_a = readable_percent(worst, 2), "figure"_a = matrix_of(studies.back()));
+    if (const auto gaps = gaps_within_the_limit(studies)) {
+        report::Facts facts = facts_of(*gaps);
+        facts.push_back("figure"_a = matrix_of(studies.back()));
+        agreement = paragraph_of({words.say("agreement." + gap_key(*gaps), facts), words.say("agreement.why")});
     }
     return paragraph_of({agreement, said_of(explicit_ends(studies), words, "beyond"), spikes(studies.back())});
 }
@@ -198,6 +227,36 @@ report::Text iterations_against_steps(const Studies& studies) {
          words.say("equal_time.why")});
 }
 
+bool was_rough(const ImplicitStudy& study) {
+    return mesh_character(study.subject.mesh(), study.subject.source->prepared->topology).typical_angle > 5;
+}
+
+/// How smooth both schemes leave what is recommended, at the same energy: "plane_ns (1.0° and 0.9°)".
+report::Text quality(const Studies& studies) {
+    Names told;
+    double least = INFINITY, most = 0;   // implicit over explicit
+    for (const ImplicitStudy& study : studies) {
+        for (const SmoothingCost& cost : study.costs) {
+            if (!cost.recommended || !cost.reached() || !was_rough(study) || !(cost.explicit_roughness > 0)) continue;
+            const double ratio = cost.roughness / cost.explicit_roughness;
+            least = std::min(least, ratio);
+            most = std::max(most, ratio);
+            told.push_back(words.line("quality.mesh", "mesh"_a = study.name(), "implicit"_a = readable(cost.roughness, 2),
+                                      "explicit"_a = readable(cost.explicit_roughness, 2)));
+        }
+    }
+    return said_of(told, words, least > 0.9 && most < 1.1 ? "quality.alike" : least > 0.9 ? "quality.explicit" : "quality.differs");
+}
+
+/// What the one factorisation costs, in steps.
+report::Text factorisation(const Studies& studies) {
+    std::vector<double> steps;
+    for (const ImplicitStudy& study : studies)
+        for (const SmoothingCost& cost : study.costs)
+            if (cost.factorisation > 0) steps.push_back(cost.factorisation);
+    return steps.empty() ? report::Text() : words.say("price.factorisation", "steps"_a = span_of(steps));
+}
+
 report::Text price(const Studies& studies) {
     Names only;
     for (const ImplicitStudy& study : studies)
@@ -207,7 +266,7 @@ report::Text price(const Studies& studies) {
     const report::Text good = price_of(of_good, "good"), far = always ? report::Text() : price_of(of_far, "far");
     const report::Text unreached = said_of(only, words, "price.only");
     if (good.empty() && far.empty() && unreached.empty()) return {};
-    return paragraph_of({words.say("price"), good, far, unreached});
+    return paragraph_of({words.say("price"), good, far, factorisation(studies), unreached});
 }
 
 }   // namespace
@@ -221,10 +280,9 @@ report::Text answer_of(const Studies& studies) {
 }
 
 report::Text summary_of(const Studies& studies) {
-    const std::vector<double> gaps = gaps_within_the_limit(studies), far = prices(studies, false);
-    return paragraph_of({recommendation(studies),
-                         gaps.empty() ? report::Text() : words.say("summary.gap", "gap"_a = readable_percent(std::ranges::max(gaps), 2)),
-                         price_of(far, "summary")});
+    const std::optional<Gaps> gaps = gaps_within_the_limit(studies);
+    return paragraph_of({recommendation(studies), gaps ? words.say("summary." + gap_key(*gaps), facts_of(*gaps)) : report::Text(),
+                         price_of(prices(studies, false), "summary")});
 }
 
 void add_discussion(report::Section& section, const Studies& studies) {
@@ -233,7 +291,7 @@ void add_discussion(report::Section& section, const Studies& studies) {
         paragraph_of({words.say("reading", "figure"_a = matrix_of(studies.back())), pictured ? words.say("reading.rule") : report::Text()});
     for (const ImplicitStudy& study : studies) seen = paragraph_of({seen, reading(study)});
     add_paragraphs(section, {paragraph_of({seen, too_much(studies.back())}), explicit_beside_implicit(studies),
-                             iterations_against_steps(studies), price(studies)});
+                             iterations_against_steps(studies), quality(studies), price(studies)});
 }
 
 }   // namespace meshfolio::q6_implicit

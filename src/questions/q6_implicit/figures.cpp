@@ -47,6 +47,13 @@ TriangleMesh unit_sized(const TriangleMesh& mesh, const Positions& X) {
     return moved_to(mesh, (X.rowwise() - box.centre().transpose()) / box.diagonal());
 }
 
+/// Has some result shrunk so far that its cell looks empty?
+bool has_dots(const ImplicitStudy& study) {
+    return std::ranges::any_of(study.grid, [&](const SmoothingCell& cell) {
+        return bounding_box(moved_to(study.subject.mesh(), cell.implicit_X)).diagonal() < 0.02 * study.subject.diagonal;
+    });
+}
+
 }   // namespace
 
 std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell) {
@@ -74,7 +81,8 @@ void add_matrix(Answer& answer, const ImplicitStudy& study) {
     const SmoothingCell *good = study.good(), *much = study.too_much();
     const report::Facts facts{
         "mesh"_a = study.name(), "good"_a = good ? words.line("matrix.good", "cell"_a = title_of(study, *good)) : words.line("matrix.none"),
-        "much"_a = much ? words.line("matrix.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2)) : ""};
+        "much"_a = much ? words.line("matrix.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2)) : "",
+        "dot"_a = has_dots(study) ? words.line("matrix.dot") : ""};
     request.title = words.line("matrix.title", facts);
     request.subtitle = words.line("figure.subtitle", "critical"_a = readable(study.subject.critical, 4));
     add(answer.section, report::Figure{request.id, words.line("matrix.caption", facts),
@@ -83,17 +91,19 @@ void add_matrix(Answer& answer, const ImplicitStudy& study) {
 }
 
 void add_views(Answer& answer, const Studies& studies) {
-    SixViewFigure figure{.id = "q6_views",
-                         .title = words.line("views.title"),
-                         .caption = words.line("views.caption", "underside"_a = underside_words(studies)),
-                         .frame_panel = -1};
+    SixViewFigure figure{.id = "q6_views", .title = words.line("views.title"), .caption = words.line("views.caption"), .frame_panel = -1};
+    std::vector<output::Panel> inputs;
     for (const ImplicitStudy& study : studies) {
         const SmoothingCell* good = study.good();
         if (good == nullptr) continue;
+        inputs.push_back(smoothing_panel(study.subject, study.subject.mesh().X, "", ""));
         figure.panels.push_back(panel_of(unit_sized(study.subject.mesh(), good->implicit_X), "q6_views_" + study.name(),
-                                         words.line("views.panel", "mesh"_a = study.name(), "cell"_a = title_of(study, *good))));
+                                         words.line("views.panel", "mesh"_a = study.name(), "cell"_a = title_of(study, *good)),
+                                         curvature_colours(study.subject, good->implicit_X)));
     }
-    if (!figure.panels.empty()) add_figure(answer, std::move(figure));
+    if (figure.panels.empty()) return;
+    figure.range = curvature_range(inputs);
+    add_figure(answer, std::move(figure));
 }
 
 }   // namespace meshfolio::q6_implicit

@@ -7,6 +7,7 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
+#include "questions/bench/mesh_class.h"
 #include "questions/core/value_lists.h"
 
 namespace meshfolio::q6_implicit {
@@ -18,29 +19,35 @@ constexpr double nothing_left = 0.01;   // of the size: smaller than one cares t
 /// Kept positions of a run that may have stopped early: nothing for the iterations it did not reach.
 const Positions* kept(const SmoothingRun& run, std::size_t which) { return which < run.snapshots.size() ? &run.snapshots[which] : nullptr; }
 
-SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) {
-    const SmoothingRun &implicit_run = study.implicit_runs[l], &explicit_run = study.explicit_runs[l];
-    const auto step = static_cast<std::size_t>(study.iterations[t]);
+/// The implicit result after t steps of the l-th λ.
+SmoothingCell implicit_cell(const ImplicitStudy& study, std::size_t l, int t, const Positions& X) {
+    const SmoothingRun& run = study.implicit_runs[l];
     SmoothingCell cell;
     cell.lambda = study.lambdas[l];
-    cell.iterations = study.iterations[t];
-    cell.implicit_X = *kept(implicit_run, t);
-    cell.implicit_energy = implicit_run.energy[step];
-    cell.kept = *std::min_element(implicit_run.size.begin(), implicit_run.size.begin() + cell.iterations + 1);
-    if (const Positions* X = kept(explicit_run, t)) {
-        cell.explicit_X = *X;
-        cell.explicit_energy = explicit_run.energy[step];
-    } else {
-        cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
-    }
+    cell.iterations = t;
+    cell.implicit_X = X;
+    cell.implicit_energy = run.energy[static_cast<std::size_t>(t)];
+    cell.kept = *std::min_element(run.size.begin(), run.size.begin() + t + 1);
     const bool closed = study.is_closed();
     if (cell.collapsed()) {   // a point to rounding: neither its volume nor its normals mean anything
         cell.volume_ratio = closed ? 0 : std::nan("");
         return cell;
     }
-    const MeshDifference moved = compare_meshes(study.subject.mesh(), moved_to(study.subject.mesh(), cell.implicit_X));
+    const MeshDifference moved = compare_meshes(study.subject.mesh(), moved_to(study.subject.mesh(), X));
     cell.volume_ratio = closed ? moved.volume_ratio : std::nan("");
     cell.inverted_faces = moved.inverted_faces;
+    return cell;
+}
+
+SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) {
+    SmoothingCell cell = implicit_cell(study, l, study.iterations[t], *kept(study.implicit_runs[l], t));
+    const SmoothingRun& explicit_run = study.explicit_runs[l];
+    if (const Positions* X = kept(explicit_run, t)) {
+        cell.explicit_X = *X;
+        cell.explicit_energy = explicit_run.energy[static_cast<std::size_t>(cell.iterations)];
+    } else {
+        cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
+    }
     return cell;
 }
 
@@ -70,17 +77,23 @@ void measure_damping(ImplicitStudy& study) {
     }
 }
 
-/// Of the cells that keep their size the one with the least energy; of those within 1 % of it the one with the fewest steps.
-std::optional<std::size_t> recommended_cell(const std::vector<SmoothingCell>& grid) {
-    double least = INFINITY;
-    for (const SmoothingCell& cell : grid)
-        if (cell.kept >= size_to_keep) least = std::min(least, cell.implicit_energy);
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid[i].kept < size_to_keep || grid[i].implicit_energy > 1.01 * least) continue;
-        if (!best || grid[i].iterations < grid[*best].iterations) best = i;
+/// Of each λ as many steps as keep the size; of those results the one with the least energy, or one within 1 % of it in fewer steps.
+std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, ImplicitSolver& solver) {
+    std::vector<int> steps;
+    std::vector<double> energy;
+    for (const SmoothingRun& run : study.implicit_runs) {
+        const int keeping = iterations_keeping_size(run);
+        steps.push_back(keeping < 0 ? run.iterations : keeping);
+        energy.push_back(steps.back() > 0 ? run.energy[static_cast<std::size_t>(steps.back())] : INFINITY);
     }
-    return best;
+    const double enough = 1.01 * std::ranges::min(energy);
+    std::optional<std::size_t> best;
+    for (std::size_t l = 0; l < steps.size(); ++l)
+        if (steps[l] > 0 && energy[l] <= enough && (!best || steps[l] < steps[*best])) best = l;
+    if (!best) return {};
+    const int t = steps[*best];
+    const SmoothingRun run = run_smoothing(study.subject, SmoothingScheme::implicit_euler, study.lambdas[*best], t, {}, solver);
+    return implicit_cell(study, *best, t, run.result.X);
 }
 
 /// The largest λ below 100 λ_crit after the middle number of iterations, or fewer where that leaves nothing to look at.
@@ -93,25 +106,43 @@ std::size_t far_cell(const ImplicitStudy& study) {
     return l * study.iterations.size() + t;
 }
 
+double roughness_of(const SmoothingSubject& subject, const Positions& X) {
+    return mesh_character(moved_to(subject.mesh(), X), subject.source->prepared->topology).typical_angle;
+}
+
+void count_operations(SmoothingCost& cost, const ImplicitStudy& study, const FactorOperations& factor) {
+    const auto run = std::ranges::find(study.implicit_runs, cost.cell.lambda, &SmoothingRun::lambda);
+    const double step = 3 * 2 * double(run->result.factor_nonzeros);   // forward and back, three columns
+    if (run->result.solver == LinearSolver::direct) cost.factorisation = factor.factorisation / step;
+    cost.implicit_operations = (cost.cell.iterations + cost.factorisation) * step;
+    cost.explicit_operations = 3.0 * cost.explicit_steps * double(study.subject.laplacian.C.nonZeros());
+}
+
 /// One explicit run counts the steps to every energy.
 std::vector<SmoothingCost> costs_of(const ImplicitStudy& study) {
     constexpr int most_steps = 3000;
     std::vector<SmoothingCost> costs;
-    if (study.recommended) costs.push_back({.cell = *study.recommended});
-    if (const std::size_t far = far_cell(study); far != study.recommended && !study.grid[far].collapsed()) costs.push_back({.cell = far});
+    if (const SmoothingCell* good = study.good()) costs.push_back({.cell = *good, .recommended = true});
+    const SmoothingCell& far = study.grid[far_cell(study)];
+    const bool same = study.good() && far.lambda == study.good()->lambda && far.iterations == study.good()->iterations;
+    if (!same && !far.collapsed()) costs.push_back({.cell = far});
+    if (costs.empty()) return costs;
 
-    SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = 0.95 * study.subject.critical, .iterations = most_steps};
+    SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = 0.5 * study.subject.critical, .iterations = most_steps};
     options.after_step = [&](int iteration, const Positions& X) {
         const double energy = dirichlet_energy(study.subject.laplacian.C, X) / study.subject.initial_energy;
-        for (SmoothingCost& cost : costs)
-            if (!cost.reached() && energy <= study.grid[cost.cell].implicit_energy) cost.explicit_steps = iteration;
+        for (SmoothingCost& cost : costs) {
+            if (cost.reached() || energy > cost.cell.implicit_energy) continue;
+            cost.explicit_steps = iteration;
+            cost.explicit_roughness = roughness_of(study.subject, X);
+        }
         return !std::ranges::all_of(costs, &SmoothingCost::reached);
     };
-    if (!costs.empty()) smooth(study.subject.mesh(), options);
+    smooth(study.subject.mesh(), options);
+    const FactorOperations factor = implicit_operations_of(study.subject);
     for (SmoothingCost& cost : costs) {
-        const SmoothingRun& run = study.implicit_runs[cost.cell / study.iterations.size()];
-        cost.implicit_operations = 3.0 * study.grid[cost.cell].iterations * 2 * double(run.result.factor_nonzeros);
-        cost.explicit_operations = 3.0 * cost.explicit_steps * double(study.subject.laplacian.C.nonZeros());
+        cost.roughness = roughness_of(study.subject, cost.cell.implicit_X);
+        count_operations(cost, study, factor);
     }
     return costs;
 }
@@ -146,7 +177,7 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     measure_damping(study);
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);
     study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;
-    study.recommended = recommended_cell(study.grid);
+    study.recommended = recommended_cell(study, solver);
     study.costs = costs_of(study);
     return study;
 }

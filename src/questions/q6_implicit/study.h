@@ -29,11 +29,14 @@ struct SmoothingCell {
     double time() const { return lambda * iterations; }   // λt [length²]
 };
 
-/// What a cell costs: its implicit steps, and the explicit steps at 0.95 λ_crit that reach the same energy.
+/// What a result costs: its factorisation and implicit steps, and the explicit steps at half of λ_crit that reach the same energy.
 struct SmoothingCost {
-    std::size_t cell = 0;                                      // of the grid
+    SmoothingCell cell;
+    bool recommended = false;
     int explicit_steps = 0;                                    // 0: more than the limit tried
-    double implicit_operations = 0, explicit_operations = 0;   // multiply–adds of the steps, without factorisation
+    double factorisation = 0;                                  // over one implicit step; 0: conjugate gradients need none
+    double implicit_operations = 0, explicit_operations = 0;   // multiply–adds
+    double roughness = NAN, explicit_roughness = NAN;          // median angle between neighbouring faces, off feature edges [°]
 
     bool reached() const { return explicit_steps > 0; }
     /// Of the operations, explicit over implicit; NaN where one is not known.
@@ -49,7 +52,7 @@ struct ImplicitStudy {
     double worst_damping = 0;                                 // largest relative deviation from (1 + λμ)^−t
     int damped_modes = 0;                                     // modes that went into it
     double huge_step_energy = 0;                              // after one implicit step at a million times the explicit limit, of input
-    std::optional<std::size_t> recommended;                   // of the grid; none: its gentlest cell already goes too far
+    std::optional<SmoothingCell> recommended;                 // as many steps as keep the size; none: one already goes too far
     std::vector<SmoothingCost> costs;                         // of the recommended cell, and of one far beyond the explicit limit
 
     const std::string& name() const { return subject.name(); }
@@ -58,9 +61,9 @@ struct ImplicitStudy {
     /// Index of the iteration count that is looked at where one must do: the middle one.
     std::size_t middle_iteration() const { return iterations.size() / 2; }
     const SmoothingCell& middle_cell(std::size_t lambda) const { return cell(lambda, middle_iteration()); }
-    /// The most smoothing that leaves 95 % of the size: of the cells that do the one with the least energy, in the fewest steps that come
-    /// within 1 % of it. Null: none.
-    const SmoothingCell* good() const { return recommended ? &grid[*recommended] : nullptr; }
+    /// The most smoothing that leaves 95 % of the size: of each λ as many steps as do, of those the one with the least energy, in the
+    /// fewest steps that come within 1 % of it. Null: none.
+    const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
     /// Of the cells that leave less the one nearest to half of the size: what too much looks like. Null: none, or only points.
     const SmoothingCell* too_much() const;
 };

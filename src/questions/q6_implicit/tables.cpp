@@ -30,11 +30,11 @@ report::Table grid_table(const ImplicitStudy& study) {
 report::Table cost_table(const Studies& studies) {
     const auto rows = parts_within(studies, &ImplicitStudy::costs);
     using Row = Within<ImplicitStudy, SmoothingCost>;
-    const auto cell = [](const Row& r) -> const SmoothingCell& { return r.whole.grid[r.part.cell]; };
+    const auto cell = [](const Row& r) -> const SmoothingCell& { return r.part.cell; };
     const bool reached = std::ranges::all_of(rows, [](const Row& r) { return r.part.reached(); });
     return table("q6_cost", words.line("cost") + (reached ? "" : " " + words.line("cost.unreached")), rows)
         .column("mesh", [](auto& r) { return r.whole.name(); })
-        .column("amount", [](auto& r) { return words.line(r.part.cell == r.whole.recommended ? "amount.good" : "amount.far"); })
+        .column("amount", [](auto& r) { return words.line(r.part.recommended ? "amount.good" : "amount.far"); })
         .column("λ/λ_crit", [&](auto& r) { return cell(r).lambda / r.whole.subject.critical; })
         .column("t", {.digits = 4}, [&](auto& r) { return cell(r).iterations; })
         .column("λt", {.unit = "h̄²", .digits = 2},
@@ -42,6 +42,8 @@ report::Table cost_table(const Studies& studies) {
         .column("energy", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).implicit_energy; })
         .column("size", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).kept; })
         .column("faces turned", {.digits = 6}, [&](auto& r) { return cell(r).inverted_faces; })
+        .column("face angle", {.unit = "°", .digits = 2}, [](auto& r) { return r.part.roughness; })
+        .column("face angle, explicit", {.unit = "°", .digits = 2}, [](auto& r) { return cell_of(r.part.explicit_roughness); })
         .column("explicit steps", {.digits = 5}, [](auto& r) { return cell_of(r.part.explicit_steps, r.part.reached()); })
         .column("price, explicit", {.unit = "× implicit", .digits = 2}, [](auto& r) { return cell_of(r.part.ratio()); });
 }

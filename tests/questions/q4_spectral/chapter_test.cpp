@@ -69,7 +69,7 @@ TEST(Q4, TheTableHasTheErrorsOfTheMeshesWrittenOut) {
     std::vector<double> rms, largest, hausdorff, angle, volume;
     for (const output::MeshOutput& written : answer.meshes) {
         const MeshDifference d = compare_meshes(mesh, *written.mesh);
-        rms.push_back(percent * d.rms);
+        rms.push_back(percent * d.area_weighted_rms);
         largest.push_back(percent * d.max);
         hausdorff.push_back(percent * d.hausdorff);
         angle.push_back(d.mean_normal_angle * 180 / M_PI);
