@@ -40,8 +40,8 @@ struct NoisyTrial {
     Remains remains, taken;   // of `best`, of `clean_alike`
 
     bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
-    /// Of a closed mesh more than a tenth of the volume, at the smallest distance to the surface.
-    bool shrinks() const { return improved() && remains.volume < 0.9; }
+    /// Of a closed mesh more than 15 % of the volume, at the smallest distance to the surface.
+    bool shrinks() const { return improved() && remains.volume < 0.85; }
     /// NaN where the noise has nothing of the measure.
     double gain(const Measure& measure) const { return (found.*measure.gain)(); }
     const SearchState& best_by(const Measure& measure) const { return found.*measure.best; }
@@ -76,7 +76,7 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const Que
 Vector drifts(const DenoisingGrid& grid, const Positions& X);
 Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 
-/// By the distance to the surface: "works" (gain ≥ 2), "helps" (≥ 1.1), either "shrinks" where more than a tenth of the volume is lost;
+/// By the distance to the surface: "works" (gain ≥ 2), "helps" (≥ 1.1), either "shrinks" where more than 15 % of the volume is lost;
 /// "fails" (below), "–" (nothing to measure).
 std::string verdict_on(const NoisyTrial& trial);
 /// By a gain alone.

@@ -141,7 +141,8 @@ TEST(Q7, AVerdictWeighsTheVolume) {
         return verdict_on(trial);
     };
     EXPECT_EQ(verdict(1, 1), "works");
-    EXPECT_EQ(verdict(1, 0.9), "works");
+    EXPECT_EQ(verdict(1, 0.851), "works");
+    EXPECT_EQ(verdict(1, 0.849), "shrinks") << "not rounded";
     EXPECT_EQ(verdict(1, 0.8), "shrinks");
     EXPECT_EQ(verdict(1, std::nan("")), "works") << "an open sheet has none to lose";
     EXPECT_EQ(verdict(2, 0.8), "shrinks");
