@@ -83,7 +83,8 @@ report::Text strongest_noise(const Grids& grids) {
     for (const DenoisingGrid& grid : grids) {
         const auto gain = [](const NoisyTrial& trial) { return trial.gain(measures[0]); };
         const NoisyTrial& last = grid.trials.back();
-        if (grid.trials.size() < 2 || !std::ranges::all_of(grid.trials, [&](const NoisyTrial& t) { return gain(t) <= gain(last); }))
+        if (grid.trials.size() < 2 || last.shrinks() ||
+            !std::ranges::all_of(grid.trials, [&](const NoisyTrial& t) { return gain(t) <= gain(last); }))
             continue;
         meshes.push_back(grid.name());
         angle = std::min(angle, last.found.by_angle.angle);
