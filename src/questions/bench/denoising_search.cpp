@@ -49,8 +49,6 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
 
 }   // namespace
 
-bool reaches(double value, double threshold) { return rounded(value, 3) >= threshold; }
-
 double SearchResult::gain() const { return defined && noisy.shape > 1e-9 * noisy.rms ? noisy.shape / by_shape.shape : std::nan(""); }
 
 double SearchResult::rms_gain() const { return defined ? noisy.rms / by_rms.rms : std::nan(""); }

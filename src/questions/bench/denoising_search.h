@@ -59,9 +59,7 @@ struct SearchResult {
     double angle_gain() const;
 };
 using Gain = double (SearchResult::*)() const;
-inline constexpr double helps = 1.2, works = 2;   // gains from which a method is said to
-/// Does a gain or a share reach a threshold, as tables print it: with three digits? 1.197 is 1.20 there.
-bool reaches(double value, double threshold);
+inline constexpr double helps = 1.1, works = 2;   // gains from which a method is said to
 
 /// What denoising is judged by. Each measure has its own best state.
 struct Measure {

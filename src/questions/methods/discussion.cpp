@@ -85,7 +85,7 @@ struct Those {
 Those those_with(const NoiseTrial& trial, double gain) {
     std::vector<std::string> titles;
     for (const SearchResult& r : trial.results)
-        if (reaches(r.gain(), gain)) titles.push_back(method_title(r));
+        if (r.gain() >= gain) titles.push_back(method_title(r));
     if (titles.empty()) return {words.line("limits.none")};
     if (std::ranges::ssize(titles) == std::ranges::count_if(trial.results, &SearchResult::defined)) return {words.line("limits.every")};
     return {listed(titles), titles.size()};

@@ -181,11 +181,11 @@ NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain
     const auto levels = trials.of_kind(NoiseKind::gaussian);
     for (const NoiseTrial* trial : levels) {
         const double value = (trial->results[method].*gain)();
-        if (reaches(value, helps)) {
+        if (value >= helps) {
             if (std::isnan(limits.helps_from)) limits.helps_from = trial->edges;
             limits.helps_to = trial->edges;
         }
-        if (reaches(value, works)) limits.halves_to = trial->edges;
+        if (value >= works) limits.halves_to = trial->edges;
     }
     if (levels.empty()) return limits;
     limits.helps_at_first = limits.helps_from == levels.front()->edges;

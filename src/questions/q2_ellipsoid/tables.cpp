@@ -80,8 +80,8 @@ report::Table forms_table(const Ellipsoid& ellipsoid) {
         .column("e", {.unit = "length", .digits = 4}, entry(&FundamentalForms::II, 0, 0))
         .column("f", {.unit = "length", .digits = 4}, entry(&FundamentalForms::II, 0, 1))
         .column("g", {.unit = "length", .digits = 4}, entry(&FundamentalForms::II, 1, 1))
-        .column("κ₁", {.unit = "1/length", .digits = 4}, [](auto& place) { return place.principal.minimum; })
-        .column("κ₂", {.unit = "1/length", .digits = 4}, [](auto& place) { return place.principal.maximum; })
+        .column("least κ_n", {.unit = "1/length", .digits = 4}, [](auto& place) { return place.principal.minimum; })
+        .column("largest κ_n", {.unit = "1/length", .digits = 4}, [](auto& place) { return place.principal.maximum; })
         .column("H", {.unit = "1/length", .digits = 4}, [](auto& place) { return mean_curvature(place.forms); })
         .column("K", {.unit = "1/length²", .digits = 4}, [](auto& place) { return gaussian_curvature(place.forms); });
 }
@@ -89,9 +89,9 @@ report::Table forms_table(const Ellipsoid& ellipsoid) {
 report::Table tip_table(const std::vector<Tip>& tips) {
     auto at_tip = table("q2_tip", words.line("tip"), tips);
     add_axes(at_tip);
-    return at_tip.column("κ₁", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.minimum; })
+    return at_tip.column("least κ_n", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.minimum; })
         .column("along", [](auto& tip) { return direction_text(tip.principal.minimum_direction); })
-        .column("κ₂", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.maximum; })
+        .column("largest κ_n", {.unit = "1/length", .digits = 4}, [](auto& tip) { return tip.principal.maximum; })
         .column("along", [](auto& tip) { return direction_text(tip.principal.maximum_direction); })
         .column("H", {.unit = "1/length", .digits = 4}, &Tip::H)
         .column("K", {.unit = "1/length²", .digits = 4}, &Tip::K);

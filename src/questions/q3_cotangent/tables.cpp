@@ -49,16 +49,19 @@ report::Table variant_table(const Comparisons& meshes) {
 }
 
 report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
-    auto errors = table("q3_errors_" + key, words.line("errors", "norm"_a = name), compared_estimators());
-    errors.column("estimator", &Estimator::in_q3);
-    for (const BenchRun& run : runs)
-        errors.column(run.title(), {.unit = "%", .best = smallest}, [&](auto* row) { return 100 * run.finest().error(row->key).*norm; });
     const auto undefined_of = [&](const Estimator* row) {
         int undefined = 0;
         for (const BenchRun& run : runs) undefined += run.finest().error(row->key).undefined;
         return undefined;
     };
-    if (std::ranges::any_of(compared_estimators(), undefined_of)) errors.column("without H", {.unit = "vertices"}, undefined_of);
+    const bool some_undefined = std::ranges::any_of(compared_estimators(), undefined_of);
+    std::string caption = words.line("errors", "norm"_a = name);
+    if (some_undefined) caption += " " + words.line("errors.undefined");
+    auto errors = table("q3_errors_" + key, caption, compared_estimators());
+    errors.column("estimator", &Estimator::in_q3);
+    for (const BenchRun& run : runs)
+        errors.column(run.title(), {.unit = "%", .best = smallest}, [&](auto* row) { return 100 * run.finest().error(row->key).*norm; });
+    if (some_undefined) errors.column("without H", {.unit = "vertices"}, undefined_of);
     return errors;
 }
 

@@ -35,7 +35,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const auto grids = studies_of(meshes, "denoising", settings, progress, section, denoising_grid);
     section.answer = answer_of(grids);
     add_paragraphs(section, {summary_of(grids)});
-    add_words(section, words, "method");
+    add_words(section, words, "method", "seed"_a = settings.seed);
 
     add_words(section, words, "results");
     add(section, error_plot(hardest(grids)));

@@ -21,18 +21,17 @@ Count count_of(const Grids& grids, const Measure& measure, double gain) {
     Count count;
     for (const Case& c : cases_of(grids)) {
         count.measured += std::isnan(c.part.gain(measure)) ? 0 : 1;
-        count.reached += reaches(c.part.gain(measure), gain) ? 1 : 0;
+        count.reached += c.part.gain(measure) >= gain ? 1 : 0;
     }
     return count;
 }
 
-/// "drift along the surface, rounded edges and lost volume", as far as they are seen.
+/// "rounded edges and lost volume", and noise along the surface that stays, as far as they are seen.
 report::Text price_of(const Grids& grids) {
     Names losses;
-    if (most_drifting(grids)) losses.push_back(words.line("loss.drift"));
     if (most_rounded(grids)) losses.push_back(words.line("loss.edges"));
     if (most_shrunk(grids)) losses.push_back(words.line("loss.volume"));
-    return losses.empty() ? report::Text() : words.say("loss", "losses"_a = listed(losses));
+    return paragraph_of({said_of(losses, words, "loss"), most_drifting(grids) ? words.say("loss.along") : report::Text()});
 }
 
 /// In how many cases smoothing works and helps, measure by measure.
@@ -52,32 +51,65 @@ report::Text verdict(const Grids& grids) {
 report::Text shrunk(const Grids& grids) {
     Names told;
     for (const Case& c : cases_of(grids))
-        if (c.part.shrinks() && reaches(c.part.gain(measures[0]), helps))
-            told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
+        if (c.part.shrinks() && c.part.gain(measures[0]) >= helps) told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
     return told.empty() ? report::Text() : words.say("shrunk", "cases"_a = listed(told));
 }
 
-/// Whether the noise in mean edges tells the cases that help from those that fail.
+report::Facts facts_of(const NoiseSplit& split) {
+    return {"halved"_a = readable(split.smallest_halved, 2), "other"_a = readable(split.largest_other, 2)};
+}
+
+/// Whether the noise in mean edges tells the cases that are halved from the others.
 report::Text noise_in_mean_edges(const Grids& grids) {
-    const auto [smallest_helped, largest_failed] = noise_split(grids, measures[0]);
-    if (!std::isfinite(smallest_helped) || largest_failed == 0) return {};
-    return words.say(largest_failed < smallest_helped ? "split.clean" : "split.mixed", "failed"_a = readable(largest_failed, 2),
-                     "helped"_a = readable(smallest_helped, 2));
+    const NoiseSplit split = noise_split(grids);
+    if (!std::isfinite(split.smallest_halved) || split.largest_other == 0) return {};
+    return words.say(split.decides() ? "split.clean" : "split.mixed", facts_of(split));
+}
+
+/// The case with the least gain.
+report::Text least_gain(const Grids& grids) {
+    const DenoisingGrid& grid = hardest(grids);
+    const auto gain = [](const NoisyTrial& trial) { return std::isnan(trial.gain(measures[0])) ? infinity : trial.gain(measures[0]); };
+    const NoisyTrial& least = *std::ranges::min_element(grid.trials, {}, gain);
+    report::Facts facts = facts_of(grid, least);
+    facts.push_back("fall"_a = readable_percent(1 - 1 / gain(least), 2));
+    return words.say(gain(least) < helps ? "least.fails" : "least", facts);
+}
+
+/// Where the strongest noise tried gains most, it is not too strong; what is left of it is a lot all the same.
+report::Text strongest_noise(const Grids& grids) {
+    Names meshes;
+    double angle = infinity;
+    for (const DenoisingGrid& grid : grids) {
+        const auto gain = [](const NoisyTrial& trial) { return trial.gain(measures[0]); };
+        const NoisyTrial& last = grid.trials.back();
+        if (grid.trials.size() < 2 || last.shrinks() ||
+            !std::ranges::all_of(grid.trials, [&](const NoisyTrial& t) { return gain(t) <= gain(last); }))
+            continue;
+        meshes.push_back(grid.name());
+        angle = std::min(angle, last.found.by_angle.angle);
+    }
+    constexpr double crumpled = 10 * pi / 180;
+    return paragraph_of({said_of(meshes, words, "strong"), !meshes.empty() && angle > crumpled
+                                                               ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2))
+                                                               : report::Text()});
 }
 
 /// What one iteration takes from the clean mesh, beside the least and the most noise.
 report::Text why(const Grids& grids) {
     const DenoisingGrid& grid = hardest(grids);
-    const auto told = [&](const NoisyTrial& trial, bool helped) {
-        const double taken = grid.taken_at_once(trial);
-        if (std::isnan(taken) || (helped ? taken > 0.5 : taken < 1) || reaches(trial.gain(measures[0]), helps) != helped)
-            return report::Text();
+    const auto told = [&](const NoisyTrial& trial, const char* key) {
         report::Facts facts = facts_of(grid, trial);
-        facts.push_back("taken"_a = readable(taken, 2));
-        return words.say(helped ? "explained.helps" : "explained.fails", facts);
+        facts.push_back("taken"_a = readable(grid.taken_at_once(trial), 2));
+        return words.say(key, facts);
     };
-    return paragraph_of({words.say("explained", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2)),
-                         told(grid.trials.front(), false), told(grid.trials.back(), true)});
+    const NoisyTrial &least = grid.trials.front(), &most = grid.trials.back();
+    const bool rises = grid.after_one(least) > 1 && grid.taken_at_once(least) > 1;
+    const bool falls = grid.after_one(most) < 1 && grid.taken_at_once(most) < 0.5;
+    const bool smaller = least.improved() && least.found.by_shape.value < grid.middle_lambda();
+    return paragraph_of({words.say("explained", "mesh"_a = grid.name()), rises ? told(least, "explained.rises") : report::Text(),
+                         rises && smaller ? words.say("explained.smaller") : report::Text(),
+                         falls ? told(most, "explained.falls") : report::Text()});
 }
 
 /// What the pictures of one mesh show.
@@ -88,7 +120,6 @@ report::Text reading(const DenoisingGrid& grid) {
     const Remains& left = trial.remains;
     const bool at_edges = grid.has_features() && left.features.times() > 1.2;
     const bool at_bends = !at_edges && left.curved.times() > 1.2;
-    facts.push_back("times"_a = readable(at_edges ? left.features.times() : left.curved.times(), 2));
     const std::string verdict = verdict_on(trial);
     return paragraph_of({words.say(verdict == "works"     ? "reading.works"
                                    : verdict == "shrinks" ? "reading.shrinks"
@@ -119,7 +150,7 @@ report::Text measures_disagree(const Grids& grids) {
     const auto spread = [&](const Case& c) {
         double least = infinity, most = 0;
         for (const Measure& measure : measures) {
-            if (!reaches(c.part.gain(measure), helps)) return 0.0;   // a best of little worth says nothing
+            if (!(c.part.gain(measure) >= helps)) return 0.0;   // a best of little worth says nothing
             least = std::min(least, time(c, measure));
             most = std::max(most, time(c, measure));
         }
@@ -129,15 +160,20 @@ report::Text measures_disagree(const Grids& grids) {
     const Case& most = *std::ranges::max_element(cases, {}, spread);
     if (spread(most) < 2) return {};
     report::Facts facts = facts_of(most.whole, most.part);
-    for (const Measure& measure : measures) facts.push_back({measure.key, readable(time(most, measure), 2)});
+    const auto [least, largest] = std::ranges::minmax_element(measures, {}, [&](const Measure& measure) { return time(most, measure); });
+    facts.push_back("least"_a = readable(time(most, *least), 2));
+    facts.push_back("largest"_a = readable(time(most, *largest), 2));
+    facts.push_back("first"_a = words.line("measure." + std::string(least->key)));
+    facts.push_back("last"_a = words.line("measure." + std::string(largest->key)));
     return words.say("disagree", facts);
 }
 
-/// What it costs not to stop: the case that loses most in four times as many iterations, as facts with "loss"; none where nothing is lost.
-report::Facts over_smoothed(const Grids& grids) {
+/// What it costs not to stop: of the pictured cases the one that loses most in four times as many iterations.
+report::Text going_on(const Grids& grids) {
     report::Facts facts;
     double most = 1.05;
-    for (const auto& [grid, trial] : cases_of(grids)) {
+    for (const DenoisingGrid& grid : grids) {
+        const NoisyTrial& trial = grid.pictured();
         if (!trial.improved()) continue;
         const TriangleMesh& clean = grid.clean->mesh();
         const double after = shape_rms(clean, grid.clean->prepared->topology.vertex_faces, trial.over.X);
@@ -145,13 +181,9 @@ report::Facts over_smoothed(const Grids& grids) {
         most = after / trial.found.by_shape.shape;
         facts = facts_of(grid, trial);
     }
-    if (!facts.empty()) facts.push_back("loss"_a = readable(most, 2));
-    return facts;
-}
-
-report::Text going_on(const Grids& grids, std::string_view key) {
-    const report::Facts facts = over_smoothed(grids);
-    return facts.empty() ? report::Text() : words.say(key, facts);
+    if (facts.empty()) return {};
+    facts.push_back("loss"_a = readable(most, 2));
+    return words.say("going_on", facts);
 }
 
 /// What smoothing cannot do, picture by picture.
@@ -182,24 +214,21 @@ report::Text no_edges(const Grids& grids) {
 
 report::Text answer_of(const Grids& grids) {
     const Count helped = count_of(grids, measures[0], helps), halved = count_of(grids, measures[0], works);
-    const auto [smallest_helped, largest_failed] = noise_split(grids, measures[0]);
-    const report::Facts facts{"helps"_a = helped.reached, "works"_a = halved.reached, "cases"_a = helped.measured,
-                              "failed"_a = readable(largest_failed, 2), "helped"_a = readable(smallest_helped, 2)};
-    const bool clean = largest_failed > 0 && largest_failed < smallest_helped;
-    return paragraph_of({words.say(helped.reached == 0 ? "answer.none"
-                                   : clean             ? "answer.split"
-                                                       : "answer.mixed",
-                                   facts),
-                         price_of(grids), going_on(grids, "answer.over")});
+    if (helped.reached == 0) return paragraph_of({words.say("answer.none"), price_of(grids)});
+    const NoiseSplit split = noise_split(grids);
+    report::Text told =
+        split.decides() ? words.say("answer.split", facts_of(split))
+                        : words.say("answer.mixed", "helps"_a = helped.reached, "works"_a = halved.reached, "cases"_a = helped.measured);
+    return paragraph_of({told, least_gain(grids), shrunk(grids), price_of(grids)});
 }
 
-report::Text summary_of(const Grids& grids) { return paragraph_of({verdict(grids), shrunk(grids)}); }
+report::Text summary_of(const Grids& grids) { return verdict(grids); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
     report::Text seen = words.say(improved ? "reading" : "reading.noise");
     for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
-    add_paragraphs(section, {seen, paragraph_of({why(grids), noise_in_mean_edges(grids), going_on(grids, "going_on")}),
+    add_paragraphs(section, {seen, paragraph_of({why(grids), noise_in_mean_edges(grids), strongest_noise(grids), going_on(grids)}),
                              paragraph_of({noise_and_amount(grids), measures_disagree(grids)}),
                              paragraph_of({cannot(grids), no_edges(grids), words.say("elsewhere")})});
 }

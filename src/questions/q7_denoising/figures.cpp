@@ -160,7 +160,7 @@ void add_limits(Answer& answer, const Grids& grids) {
     const auto add_panel = [&](const DenoisingGrid* grid, const std::string& what, TriangleMesh NoisyTrial::*shown, const auto& distances) {
         if (grid == nullptr) return;
         const TriangleMesh& mesh = grid->pictured().*shown;
-        request.panels.push_back(panel_of(mesh, request.id + "_" + what, words.line("limits." + what, "mesh"_a = grid->name()),
+        request.panels.push_back(panel_of(mesh, request.id + "_" + what, words.line("limits." + what, facts_of(*grid, grid->pictured())),
                                           distances(*grid, mesh.X) / grid->pictured().sigma));
     };
     add_panel(most_drifting(grids), "drift", &NoisyTrial::best, drifts);

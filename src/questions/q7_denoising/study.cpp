@@ -147,12 +147,19 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
 
 const NoisyTrial& DenoisingGrid::pictured() const {
     const auto gain = [](const NoisyTrial& trial) { return trial.improved() ? trial.gain(measures[0]) : 0; };
-    const auto halved = std::ranges::find_if(trials, [&](const NoisyTrial& trial) { return reaches(gain(trial), works); });
+    const auto halved = std::ranges::find_if(trials, [&](const NoisyTrial& trial) { return gain(trial) >= works; });
     return halved != trials.end() ? *halved : *std::ranges::max_element(trials, {}, gain);
 }
 
 double DenoisingGrid::taken_at_once(const NoisyTrial& trial) const {
     return std::isnan(trial.found.gain()) || without_noise.size() < 2 ? std::nan("") : without_noise[1] / trial.found.noisy.shape;
+}
+
+double DenoisingGrid::after_one(const NoisyTrial& trial) const {
+    for (const SearchState& state : trial.states)
+        if (state.value == middle_lambda() && state.step == 1 && !std::isnan(trial.found.gain()))
+            return state.shape / trial.found.noisy.shape;
+    return std::nan("");
 }
 
 Vector drifts(const DenoisingGrid& grid, const Positions& X) {
@@ -168,23 +175,23 @@ Vector sinkings(const DenoisingGrid& grid, const Positions& X) {
 
 std::string verdict_on(double gain) {
     if (std::isnan(gain)) return "–";
-    return reaches(gain, works) ? "works" : reaches(gain, helps) ? "helps" : gain > 1 ? "fails" : "no gain";
+    return gain >= works ? "works" : gain >= helps ? "helps" : "fails";
 }
 
 std::string verdict_on(const NoisyTrial& trial) {
     const double gain = trial.gain(measures[0]);
-    return reaches(gain, helps) && trial.shrinks() ? "shrinks" : verdict_on(gain);
+    return gain >= helps && trial.shrinks() ? "shrinks" : verdict_on(gain);
 }
 
-NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids, const Measure& measure) {
+NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids) {
     NoiseSplit split;
     for (const DenoisingGrid& grid : grids) {
         for (const NoisyTrial& trial : grid.trials) {
-            const double edges = trial.sigma / grid.mean_edge, gain = trial.gain(measure);
-            if (reaches(gain, helps))
-                split.smallest_helped = std::min(split.smallest_helped, edges);
+            const double edges = trial.sigma / grid.mean_edge, gain = trial.gain(measures[0]);
+            if (gain >= works)
+                split.smallest_halved = std::min(split.smallest_halved, edges);
             else if (!std::isnan(gain))
-                split.largest_failed = std::max(split.largest_failed, edges);
+                split.largest_other = std::max(split.largest_other, edges);
         }
     }
     return split;

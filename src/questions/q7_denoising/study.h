@@ -2,6 +2,7 @@
 /// What question 7 measures: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,8 +40,8 @@ struct NoisyTrial {
     Remains remains, taken;   // of `best`, of `clean_alike`
 
     bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
-    /// Of a closed mesh more than a tenth of the volume, at the smallest distance to the surface.
-    bool shrinks() const { return improved() && remains.volume < 1 && !reaches(remains.volume, 0.9); }
+    /// Of a closed mesh more than 15 % of the volume, at the smallest distance to the surface.
+    bool shrinks() const { return improved() && remains.volume < 0.85; }
     /// NaN where the noise has nothing of the measure.
     double gain(const Measure& measure) const { return (found.*measure.gain)(); }
     const SearchState& best_by(const Measure& measure) const { return found.*measure.best; }
@@ -59,6 +60,8 @@ struct DenoisingGrid {
     const std::string& name() const { return clean->name; }
     /// What one iteration of middle_lambda() takes from the clean mesh, over the noise. NaN where the noise is along the surface.
     double taken_at_once(const NoisyTrial& trial) const;
+    /// The distance to the surface after that iteration, over that of the noisy mesh; NaN as above.
+    double after_one(const NoisyTrial& trial) const;
     double middle_lambda() const { return lambdas[lambdas.size() / 2]; }
     /// Do edges stand out from the tessellation?
     bool has_features() const { return feature_vertices > 0 && 2 * feature_vertices <= clean->mesh().vertex_count(); }
@@ -73,16 +76,18 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const Que
 Vector drifts(const DenoisingGrid& grid, const Positions& X);
 Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 
-/// By the distance to the surface: "works" (gain ≥ 2), "helps" (≥ 1.2), either "shrinks" where more than a tenth of the volume is lost;
-/// "fails" (below), "no gain" (nothing tried is better than the noisy mesh), "–" (nothing to measure).
+/// By the distance to the surface: "works" (gain ≥ 2), "helps" (≥ 1.1), either "shrinks" where more than 15 % of the volume is lost;
+/// "fails" (below), "–" (nothing to measure).
 std::string verdict_on(const NoisyTrial& trial);
 /// By a gain alone.
 std::string verdict_on(double gain);
 
-/// The lowest noise that smoothing helps against by this measure, ∞ for none, and the highest that it does not, 0 for none. [mean edges]
+/// The lowest noise whose distance to the surface is halved, ∞ for none, and the highest that is not, 0 for none. [mean edges]
 struct NoiseSplit {
-    double smallest_helped = INFINITY, largest_failed = 0;
+    double smallest_halved = INFINITY, largest_other = 0;
+
+    bool decides() const { return largest_other > 0 && largest_other < smallest_halved && std::isfinite(smallest_halved); }
 };
-NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids, const Measure& measure);
+NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids);
 
 }   // namespace meshfolio::q7_denoising

@@ -69,11 +69,10 @@ const DenoisingGrid& hardest(const Grids& grids) {
 report::Table result_table(const Grids& grids) {
     const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
     const report::Column gain{.unit = "×", .heat = report::Column::Heat{1, 8}};
-    return table("q7_results", words.line("results.table", "lambda"_a = readable(grids.front().middle_lambda(), 2)), cases_of(grids))
+    return table("q7_results", words.line("results.table"), cases_of(grids))
         .column("mesh", [](auto& c) { return c.whole.name(); })
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) { return 100 * c.part.relative; })
         .column("σ", {.unit = "mean edges", .digits = 2}, [](auto& c) { return c.part.sigma / c.whole.mean_edge; })
-        .column("taken at once", {.unit = "of the noise", .digits = 2}, [](auto& c) { return cell_of(c.whole.taken_at_once(c.part)); })
         .column("λt", {.unit = "h̄²", .digits = 2},
                 [](auto& c) { return cell_of(c.part.found.by_shape.value * c.part.found.by_shape.step, c.part.improved()); })
         .column("gain: surface", gain, gain_by(0))
@@ -102,15 +101,18 @@ report::Table measure_table(const Grids& grids) {
 report::Table remains_table(const Grids& grids) {
     const auto left = [](const DenoisingGrid& grid) -> const Remains& { return grid.pictured().remains; };
     const auto taken = [](const DenoisingGrid& grid) -> const Remains& { return grid.pictured().taken; };
-    const auto degrees = [](double angle) { return cell_of(180 / pi * angle); };
-    return table("q7_remains", words.line("remains.table"), grids)
+    const auto at_edges = [](const DenoisingGrid& grid, double value) { return cell_of(value, grid.has_features()); };
+    const auto degrees = [&](const DenoisingGrid& grid, double angle) { return at_edges(grid, 180 / pi * angle); };
+    std::string caption = words.line("remains.table");
+    if (!std::ranges::all_of(grids, &DenoisingGrid::has_features)) caption += " " + words.line("remains.none");
+    return table("q7_remains", caption, grids)
         .column("mesh", &DenoisingGrid::name)
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& g) { return 100 * g.pictured().relative; })
         .column("along surface", {.unit = "% of error²", .digits = 2}, [&](auto& g) { return cell_of(100 * left(g).along); })
-        .column("normals at edges", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(left(g).feature_angle); })
-        .column("elsewhere", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(left(g).other_angle); })
+        .column("normals at edges", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(g, left(g).feature_angle); })
+        .column("elsewhere", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(g, left(g).other_angle); })
         .column("volume", {.unit = "%"}, [&](auto& g) { return cell_of(100 * left(g).volume); })
-        .column("clean: edges", {.unit = "× elsewhere", .digits = 2}, [&](auto& g) { return cell_of(taken(g).features.times()); })
+        .column("clean: edges", {.unit = "× elsewhere", .digits = 2}, [&](auto& g) { return at_edges(g, taken(g).features.times()); })
         .column("clean: volume", {.unit = "%"}, [&](auto& g) { return cell_of(100 * taken(g).volume); });
 }
 

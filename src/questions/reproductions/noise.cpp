@@ -5,6 +5,7 @@
 
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
+#include "questions/bench/denoising_search.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
@@ -119,7 +120,7 @@ report::Plot error_plot(const Reproduction& r, const NoisyExperiment& done, cons
 std::string outcome_of(const NoisyRun& run) {
     if (run.blew_up) return words.line("outcome.blew_up", "iteration"_a = run.blow_up_iteration);
     if (run.best == 0) return "harms";
-    return run.gain() >= 2 ? "works" : run.gain() >= 1.2 ? "helps" : "fails";
+    return run.gain() >= works ? "works" : run.gain() >= helps ? "helps" : "fails";
 }
 
 /// A row of the table: a run after an iteration.

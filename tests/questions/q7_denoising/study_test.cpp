@@ -153,11 +153,11 @@ TEST(DenoisingGrid, NoiseWithinAPlaneDoesNotMoveTheSurface) {
     low.noisy.shape = low.noisy.rms = 1, low.by_shape.shape = 0.9;
     SearchResult& high = grid.trials[1].found;
     high.noisy.shape = high.noisy.rms = 1, high.by_shape.shape = 0.5;
-    const NoiseSplit split = noise_split({grid}, measures[0]);
-    EXPECT_NEAR(split.smallest_helped, 0.3, 1e-15);
-    EXPECT_NEAR(split.largest_failed, 0.1, 1e-15);
+    const NoiseSplit split = noise_split({grid});
+    EXPECT_NEAR(split.smallest_halved, 0.3, 1e-15);
+    EXPECT_NEAR(split.largest_other, 0.1, 1e-15);
     high.noisy.shape = 0;   // nothing of the measure in the noise
-    EXPECT_TRUE(std::isinf(noise_split({grid}, measures[0]).smallest_helped));
+    EXPECT_TRUE(std::isinf(noise_split({grid}).smallest_halved));
 }
 
 }   // namespace meshfolio::q7_denoising
