@@ -289,20 +289,6 @@ TEST(DenoisingDiscussion, TheErrorIsSaidToRiseAtOnceWhereItDoes) {
     EXPECT_FALSE(with(2, 0.9)) << "it falls";
 }
 
-TEST(DenoisingDiscussion, NoNoiseIsTooStrongWhereTheStrongestGainsMost) {
-    DenoisingGrid grid = denoising_grid(ball, quick_settings());
-    NoisyTrial &first = grid.trials.front(), &last = grid.trials.back();
-    first.found.by_shape.shape = first.found.noisy.shape / 2;
-    last.found.by_shape.shape = last.found.noisy.shape / 3;
-    last.remains.volume = 0.95;
-    EXPECT_TRUE(has(told(grid), "No noise tried was too strong on ball_told")) << told(grid);
-    last.remains.volume = 0.5;
-    EXPECT_FALSE(has(told(grid), "too strong")) << "the volume went with it";
-    last.remains.volume = 0.95;
-    last.found.by_shape.shape = last.found.noisy.shape / 1.5;
-    EXPECT_FALSE(has(told(grid), "too strong")) << told(grid);
-}
-
 TEST(DenoisingDiscussion, TheAnswerNamesTheNoiseWhereItBeginsToHelp) {
     DenoisingGrid grid = denoising_grid(ball, quick_settings());
     const auto gains = [&](double low, double high) {

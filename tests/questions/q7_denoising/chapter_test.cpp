@@ -7,7 +7,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/q7_denoising/study.h"
+#include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
 using namespace testing_tools;
@@ -162,6 +162,26 @@ TEST(Q7, TheTextFollowsTheData) {
         return prose_of(chapter_of_id("q7").answer(library_of(mesh, "body7"), quick_settings(), no_progress).section);
     };
     EXPECT_NE(prose(cube_mesh(6)), prose(grid_mesh(8, 8, 1, 1)));
+}
+
+TEST(Q7, NoNoiseIsTooStrongWhereTheStrongestGainsMost) {
+    DenoisingGrid grid = denoising_grid(library_mesh(icosphere(2), "ball_told"), quick_settings());
+    const auto told = [](const DenoisingGrid& shown) {
+        report::Section section;
+        add_discussion(section, {shown});
+        return prose_of(section);
+    };
+    const auto has = [](const std::string& text, std::string_view said) { return text.find(said) != std::string::npos; };
+    NoisyTrial &first = grid.trials.front(), &last = grid.trials.back();
+    first.found.by_shape.shape = first.found.noisy.shape / 2;
+    last.found.by_shape.shape = last.found.noisy.shape / 3;
+    last.remains.volume = 0.95;
+    EXPECT_TRUE(has(told(grid), "No noise tried was too strong on ball_told")) << told(grid);
+    last.remains.volume = 0.5;
+    EXPECT_FALSE(has(told(grid), "too strong")) << "the volume went with it";
+    last.remains.volume = 0.95;
+    last.found.by_shape.shape = last.found.noisy.shape / 1.5;
+    EXPECT_FALSE(has(told(grid), "too strong")) << told(grid);
 }
 
 TEST(Q7, EveryRealMesh) { check_real_meshes(chapter_of_id("q7").answer); }
