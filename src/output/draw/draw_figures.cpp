@@ -40,8 +40,8 @@ struct FigureJob {
 };
 
 /// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
-constexpr int leading = 600, leading_a_block = 450, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 192, small = 216,
-              small_in_a_block = 162;
+constexpr int leading = 600, leading_a_block = 420, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 192, small = 216,
+              small_in_a_block = 151;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
 
