@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "report/test_tools.h"
 #include "report/writers.h"
-#include "temporary_folder.h"
 
 namespace meshfolio::report {
 namespace {
