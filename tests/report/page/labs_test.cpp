@@ -12,7 +12,8 @@ constexpr std::string_view lab_viewer = "globalThis.meshfolioViewer = {};";
 
 /// The sample's question has it.
 std::string page_with(std::vector<Lab> labs, Volume volume = Volume::report, const std::string& design = "report") {
-    return write_html(sample_document(), {}, Templates(), {.volume = volume, .design = design, .viewer = lab_viewer, .labs = std::move(labs)});
+    return write_html(sample_document(), {}, Templates(),
+                      {.volume = volume, .design = design, .viewer = lab_viewer, .labs = std::move(labs)});
 }
 
 TEST(Labs, AreReadBackFromThePageAsTheyWere) {
