@@ -1,7 +1,7 @@
 // Joined to report.js where the page has models to turn or a laboratory. Nothing of the viewer is parsed before the first of them is
 // started: it lies in the page as data, like the models, and becomes a script whose hash the page's policy lists.
 {
-    let viewer = null;
+    let viewer = null, loading = null;
 
     const inflated = (element) => {
         const packed = Uint8Array.from(atob(element.textContent), (c) => c.charCodeAt(0));
@@ -35,7 +35,7 @@
             button.disabled = true;
             note.textContent = "";
             try {
-                viewer ??= await loadViewer();
+                viewer = await (loading ??= loadViewer());
                 await start(() => { button.hidden = true; opened(); }, ended);
             } catch {
                 ended(false);

@@ -57,7 +57,9 @@ list.prepend(button);
 
 /// A link into something that is folded away opens it.
 function unfold() {
-    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    let id = "";
+    try { id = decodeURIComponent(location.hash.slice(1)); } catch { return; }   // "%" alone: no id of ours
+    const target = document.getElementById(id);
     const details = target?.closest("details");
     if (!details || details.open) return;
     details.open = true;

@@ -36,14 +36,14 @@ class Lab {
         for (let i = 0; i < this.x.length; i += 3) this.radius = Math.max(this.radius, Math.hypot(...data.positions.subarray(i, i + 3)));
         this.normals = lab.normals(data);
         this.startVolume = lab.volume(data, data.positions);
-        this.panel = new Panel(question, data, { changed: (part) => this.set({ ...this.state, ...part }), preset: (state) => this.set(state), play: () => this.playOrPause() });
+        this.panel = new Panel(question, data, { changed: (part) => this.change({ ...this.state, ...part }, "t" in part || "scheme" in part), preset: (state) => this.change(state, true), play: () => this.playOrPause() });
         this.spectrum = new SpectrumPlot(data);
         this.errors = new ErrorPlot();
         this.makeModels();
         this.build(block);
         this.openView();
         this.state = held(startOf(question), data.modes);
-        this.follow = () => { const link = readLink(location.hash); if (link?.question === question && location.hash !== this.link) this.set(link.state); };
+        this.follow = () => { const link = readLink(location.hash); if (link?.question === question && location.hash !== this.link) this.change(link.state, true); };
         addEventListener("hashchange", this.follow);
         this.onPrint = () => { if (this.isDrawn) this.view.draw(), this.frame.src = this.view.canvas.toDataURL(); };
         addEventListener("beforeprint", this.onPrint);
@@ -105,13 +105,20 @@ class Lab {
 
     // ---- what is set --------------------------------------------------------------------------------------------------
 
+    /// By the reader; what sets the steps ends the play over them.
+    change(state, endsPlay) {
+        if (endsPlay && this.isPlaying) this.pause();
+        this.set(state);
+    }
+
     set(state) {
         const { data } = this, before = this.state;
         this.state = held(state, data.modes);
+        if (data.modes < data.vertices) this.state.sigma = 0;   // noise lies in the modes that are cut off
         const { sigma, seed } = this.state;
         if (!this.noisy || sigma !== before.sigma || seed !== before.seed) this.makeNoise(sigma, seed);
         const { scheme, lambda } = this.state;
-        this.hasNoStep = scheme === "taubin" && !(lab.taubinBack(data, lambda * data.critical) < 0);
+        this.hasNoStep = scheme === "taubin" && Number.isNaN(lab.taubinBack(data, lambda * data.critical));
         this.showErrors();
         if (this.state.t === "best") this.state.t = this.best ?? 0;
         this.update();
@@ -231,11 +238,11 @@ class Lab {
     settle() {
         if (this.isStopped) return;
         this.isSlow = false;
-        if (!this.hasNoStep) this.showCurve(performance.now());
+        if (this.asked) cancelAnimationFrame(this.asked);   // a tab in the background gets no frames
+        this.asked = null;
+        this.compute(performance.now());
         if (this.isDrawn) this.view.resolve(1);
         this.panel.told.textContent = this.words();
-        const shown = readLink(location.hash);
-        if (shown && shown.question !== this.question) return;   // another is about to open
         this.link = linkOf(this.question, this.state);
         history.replaceState(null, "", this.link);
     }
@@ -248,7 +255,7 @@ class Lab {
         const finest = state.scheme === "projection" ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
         const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";
         const rim = this.clamped > 0 ? ` ${this.clamped} of ${data.vertices} vertices have flown out of the view and are drawn at its rim.` : "";
-        const best = this.best !== null ? ` Nearest to the clean mesh at t = ${this.best}.` : "";
+        const best = this.best === null ? "" : this.best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean mesh.` : ` Nearest to the clean mesh at t = ${this.best}.`;
         const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long: no smoothing knows that place.` : "";
         return `${set}: rms ${rms}.${growth}${rim}${best}${lines}`;
     }

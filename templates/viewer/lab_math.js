@@ -24,6 +24,7 @@ const largest = 1e150;   // so that squares are numbers
 
 /// Taubin's second step, negative: 1/λ + 1/m = ½ · 0.1 μ_max as in src/geometry/smoothing. NaN where λ is too large for it.
 export function taubinBack(data, lambda) {
+    if (lambda === 0) return -0;   // no step at all
     const inverse = 0.05 * data.largestEigenvalue - 1 / lambda;
     return inverse < 0 ? 1 / inverse : NaN;
 }

@@ -31,12 +31,12 @@ class Row {
             this.box.append(this.slider);
         }
         this.box.append(this.number, element("span", "lab-unit", unit(data)));
-        this.words = `${words} %, ${unit(data)}`;
+        this.words = [`${words} %`, unit(data)].filter(Boolean).join(", ");
     }
     show(value) {
         if (document.activeElement !== this.number || Number(this.number.value) !== value) this.number.value = String(value);
         if (!this.slider) return;
-        if (document.activeElement !== this.slider) this.slider.value = String(this.to(value));
+        if (this.to(value) !== Number(this.slider.value)) this.slider.value = String(this.to(value));
         this.slider.setAttribute("aria-valuetext", this.words.replace("%", value));
     }
 }
@@ -59,9 +59,15 @@ export class Panel {
         lines.prepend(this.lines);
         this.controls.append(first, ...Object.values(this.rows).map((row) => row.box), this.play, lines);
         this.presets = element("p", "lab-presets", "Try: ");
+        this.isTruncated = data.modes < data.vertices;
         for (const [words, state] of presetsOf(question)) {
+            if (this.isTruncated && state.sigma > 0) continue;
             const link = Object.assign(element("a", "", words), { href: linkOf(question, state) });
-            link.addEventListener("click", (event) => { event.preventDefault(); act.preset(state); });
+            link.addEventListener("click", (event) => {
+                if (event.ctrlKey || event.metaKey || event.shiftKey) return;   // into another window
+                event.preventDefault();
+                act.preset(state);
+            });
             this.presets.append(link, " ");
         }
         this.table = element("table", "lab-numbers");
@@ -74,6 +80,7 @@ export class Panel {
         const projects = state.scheme === "projection";
         this.rows.k.box.hidden = !projects;
         for (const name of ["lambda", "t"]) this.rows[name].box.hidden = projects;
+        this.rows.sigma.box.hidden = this.isTruncated;
         this.rows.seed.box.hidden = state.sigma === 0;
         this.play.hidden = projects;
         this.play.textContent = isPlaying ? "Pause" : matchMedia("(prefers-reduced-motion: reduce)").matches ? "One step" : "Play over t";

@@ -46,6 +46,7 @@ export function linkOf(question, state) {
     const parts = [`lab=${question}`, `scheme=${state.scheme}`];
     const matters = state.scheme === "projection" ? ["k"] : ["lambda", "t"];
     if (state.sigma > 0) matters.push("sigma", "seed");
+    else if (startOf(question).sigma > 0) matters.push("sigma");
     for (const name of matters) parts.push(`${name}=${state[name]}`);
     if (state.lines) parts.push("lines=1");
     return "#" + parts.join(",");
@@ -53,7 +54,7 @@ export function linkOf(question, state) {
 
 /// @return {question, state}; null for another fragment
 export function readLink(fragment) {
-    const parts = new Map(decodeURIComponent(fragment.replace(/^#/, "")).split(",").map((part) => part.split("=", 2)));
+    const parts = new Map(fragment.replace(/^#/, "").split(",").map((part) => part.split("=", 2)));   // what we write needs no decoding
     const question = parts.get("lab");
     if (!/^\w+$/.test(question ?? "")) return null;
     const state = startOf(question);

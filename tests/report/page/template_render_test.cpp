@@ -95,7 +95,8 @@ TEST(Templates, WhatCannotBeUsedIsAUsageError) {
     EXPECT_NE(usage_error_of([&] { (void)write_html({}, {}, Templates(folder.path())); }).find("report.css"), std::string::npos);
 }
 
-json model_of(const Document& document, const ViewOptions& options = {}, const DrawnFigures& figures = sample_figures()) {
+json model_of(const Document& document, ViewOptions options = {}, const DrawnFigures& figures = sample_figures()) {
+    options.lab_questions = "q1 ";
     json model = view_model(document, figures, Templates(), options);
     for (const char* extra : {"style", "scheme_script", "script", "policy", "viewer"}) model[extra] = "";   // of the page
     model["has_viewer"] = options.models;
