@@ -86,7 +86,7 @@ class Lab {
         const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
         const all = modes >= vertices ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
         return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
-            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The program's own numbers are stored for the presets.";
+            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The program's own numbers are stored for most presets.";
     }
 
     openView() {

@@ -7,7 +7,7 @@ const start = { scheme: "projection", k: 15, lambda: 0.5, t: 10, sigma: 0, seed:
 const ofQuestion = {
     q5: { scheme: "explicit" },
     q6: { scheme: "implicit", lambda: 2, t: 1 },
-    q7: { scheme: "explicit", lambda: 0.25, t: 5, sigma: 0.5 },
+    q7: { scheme: "explicit", lambda: 0.25, t: 5, sigma: 1 },
 };
 export const startOf = (question) => ({ ...start, ...ofQuestion[question] });
 
@@ -17,9 +17,9 @@ const presets = {
          ["twice λ_crit", { scheme: "explicit", lambda: 2, t: 5 }], ["Taubin: smooth, keep the volume", { scheme: "taubin", lambda: 0.5, t: 20 }]],
     q6: [["moderate", { scheme: "implicit", lambda: 2, t: 1 }], ["explicit at the same λ", { scheme: "explicit", lambda: 2, t: 6 }],
          ["implicit at 100 λ_crit", { scheme: "implicit", lambda: 100, t: 1 }], ["exact heat flow for that time", { scheme: "heat", lambda: 100, t: 1 }]],
-    q7: [["noisy", { scheme: "explicit", lambda: 0.25, t: 0, sigma: 0.5 }], ["best t for this noise", { scheme: "explicit", lambda: 0.25, t: "best", sigma: 0.5 }],
-         ["too long", { scheme: "explicit", lambda: 0.25, t: 200, sigma: 0.5 }],
-         ["drift: what cannot come back", { scheme: "explicit", lambda: 0.25, t: "best", sigma: 0.5, lines: true }]],
+    q7: [["noisy", { scheme: "explicit", lambda: 0.25, t: 0, sigma: 1 }], ["best t for this noise", { scheme: "explicit", lambda: 0.25, t: "best", sigma: 1 }],
+         ["too long", { scheme: "explicit", lambda: 0.25, t: 200, sigma: 1 }],
+         ["drift: what cannot come back", { scheme: "explicit", lambda: 0.25, t: "best", sigma: 1, lines: true }]],
 };
 /// [[words, state]] of a question; of a laboratory that belongs to none, all.
 export const presetsOf = (question) => (presets[question] ?? Object.values(presets).flat()).map(([words, change]) => [words, { ...start, ...change }]);

@@ -26,7 +26,7 @@ std::vector<LabSetting> reference_settings() {
         settings.push_back({"explicit", lambda, t, 0});
     for (const auto& [lambda, t] : {std::pair{2.0, 1}, {5.0, 10}, {100.0, 1}}) settings.push_back({"implicit", lambda, t, 0});
     settings.push_back({"taubin", 0.5, 20, 0});
-    for (const int t : {1, 2, 5, 10, 20, 50, 200}) settings.push_back({"explicit", 0.25, t, 0.005});
+    for (const int t : {0, 1, 2, 5, 10, 20, 50, 200}) settings.push_back({"explicit", 0.25, t, 0.01});
     return settings;
 }
 
