@@ -6,9 +6,10 @@
 
 namespace meshfolio {
 
-/// At most `vertices` vertices, or as few as can be had. No collapse changes the topology or turns a triangle over: a closed mesh stays
-/// closed, Euler number, components and the number of boundary loops stay. Boundary vertices move along the boundary; vertices where the
-/// mesh is no manifold stay where they are. Vertices that no triangle uses are left out. The same mesh gives the same result.
+/// At most `vertices` vertices; more where the edges tried in order of their cost allow no further collapse. No collapse changes the
+/// topology or turns a triangle over: a closed mesh stays closed, Euler number, components and the number of boundary loops stay. Boundary
+/// vertices move along the boundary; vertices where the mesh is no manifold stay where they are. Vertices that no triangle uses are left
+/// out. The same mesh gives the same result.
 /// @throws MeshError if vertices < 4, or a triangle names a vertex twice or one that does not exist
 [[nodiscard]] TriangleMesh decimated(const TriangleMesh& mesh, int vertices);
 
