@@ -21,7 +21,7 @@ ExitCode run_lab(const LabFlags& options) {
     const report::Templates templates(options.templates);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const std::string name = std::filesystem::path(options.mesh).stem().string();
-    const LabMesh lab = about_mesh(options.mesh, [&] { return lab_mesh(prepared.mesh, name, {.vertices = 0}); });
+    const LabMesh lab = about_mesh(options.mesh, [&] { return lab_mesh(prepared.mesh, name, {{"lab", {}}}, {.vertices = 0}); });
     if (!lab.has_all_modes())
         warn(options.mesh + ": the page has the lowest " + std::to_string(lab.eigenvalues.size()) + " modes of " +
              std::to_string(lab.mesh.vertex_count()) + ", a truncation");

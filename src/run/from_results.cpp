@@ -122,7 +122,8 @@ void restore_all(const EarlierFiles& files, report::DrawnFigures& figures) {
 std::vector<report::Lab> earlier_labs(const EarlierFiles& files) try {
     const auto page = files.bytes_of(report::page_file(report::Volume::report));
     return page ? report::labs_in(*page) : std::vector<report::Lab>();
-} catch (const InputError&) {
+} catch (const InputError& error) {
+    warn(std::string(error.what()) + ": the page is without its live laboratory");
     return {};
 }
 

@@ -42,13 +42,13 @@ class Lab {
         this.makeModels();
         this.build(block);
         this.openView();
-        this.state = held(startOf(question), data.modes);
-        this.follow = () => { const link = readLink(location.hash); if (link?.question === question && location.hash !== this.link) this.change(link.state, true); };
+        this.state = held(startOf(data, question), data.modes);
+        const linked = () => { const link = readLink(location.hash); return link?.question === question ? { ...startOf(data, question), ...link.change } : null; };
+        this.follow = () => { if (linked() && location.hash !== this.link) this.change(linked(), true); };
         addEventListener("hashchange", this.follow);
         this.onPrint = () => { if (this.isDrawn) this.view.draw(), this.frame.src = this.view.canvas.toDataURL(); };
         addEventListener("beforeprint", this.onPrint);
-        const link = readLink(location.hash);
-        this.set(link?.question === question ? link.state : this.state);
+        this.set(linked() ?? this.state);
     }
 
     makeModels() {
@@ -71,6 +71,7 @@ class Lab {
         this.root = element("div", "model-panel lab-panel");
         this.root.setAttribute("role", "group");
         this.root.setAttribute("aria-label", "Laboratory");
+        this.root.addEventListener("keydown", (event) => { if (event.key === "Escape") this.stop(true); });
         this.view = new View(this.models, "Mesh before and after the filter. Arrow keys turn, plus and minus zoom, 0 resets, Escape closes.", { closed: (byReader) => (byReader ? this.stop(true) : this.loseView()) });
         this.frame = Object.assign(element("img", "lab-frame"), { alt: "The mesh before and after the filter" });
         const bar = element("div", "model-bar"), plots = element("div", "lab-plots"), side = element("div", "lab-side");
@@ -78,6 +79,7 @@ class Lab {
         plots.append(this.spectrum.picture, this.errors.picture);
         side.append(panel.controls, panel.table);
         this.root.append(panel.presets, this.view.stage, this.frame, bar, side, plots, element("p", "lab-mesh", this.aboutMesh()));
+        this.block = block;
         block.append(this.root);
     }
 
@@ -86,7 +88,7 @@ class Lab {
         const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
         const all = modes >= vertices ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
         return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
-            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The program's own numbers are stored for most presets.";
+            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The program's own numbers are stored for what is offered to try.";
     }
 
     openView() {
@@ -96,11 +98,17 @@ class Lab {
             this.view.canvas.focus({ preventScroll: true });
         } catch {
             this.loseView();
+            this.panel.scheme.focus({ preventScroll: true });
         }
     }
+    /// The report's last figure before the panel stands in its place.
     loseView() {
         this.isDrawn = false;
-        this.view.stage.replaceWith(element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the figures of the report show such meshes, and the numbers and curves below still follow."));
+        const note = element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the numbers and curves below still follow."), { block } = this;
+        const isBefore = (figure) => figure.compareDocumentPosition(block) & Node.DOCUMENT_POSITION_FOLLOWING;
+        const figure = [...document.querySelectorAll("figure:has(img)")].filter(isBefore).at(-1);
+        if (figure) note.append(" Figure of the report: ", Object.assign(figure.querySelector("img").cloneNode(), { id: "", className: "lab-still" }));
+        this.view.stage.replaceWith(note);
     }
 
     // ---- what is set --------------------------------------------------------------------------------------------------
@@ -120,15 +128,15 @@ class Lab {
         const { scheme, lambda } = this.state;
         this.hasNoStep = scheme === "taubin" && Number.isNaN(lab.taubinBack(data, lambda * data.critical));
         this.showErrors();
-        if (this.state.t === "best") this.state.t = this.best ?? 0;
         this.update();
     }
 
     makeNoise(sigma, seed) {
-        const { data } = this, shift = normalNumbers(sigma > 0 ? seed : 1, sigma > 0 ? 3 * data.vertices : 0).map((z) => z * sigma / 100 * data.diagonal);
-        this.noisy = sigma > 0 ? lab.withShift(data, shift) : data.coefficients;
-        const start = sigma > 0 ? data.positions.map((x, i) => x + shift[i]) : data.positions;
-        this.models[0].moveTo(this.drawable(start).places);
+        const { data } = this;
+        if (sigma > 0 && this.drawnSeed !== seed) this.drawn = normalNumbers(seed, 3 * data.vertices), this.drawnSeed = seed;
+        const shift = sigma > 0 ? this.drawn.map((z) => z * sigma / 100 * data.diagonal) : null;
+        this.noisy = shift ? lab.withShift(data, shift) : data.coefficients;
+        this.models[0].moveTo(this.drawable(shift ? data.positions.map((x, i) => x + shift[i]) : data.positions).places);
     }
 
     /// The error over t, where there is something to come back from.
@@ -141,8 +149,8 @@ class Lab {
         if (key !== this.curveOf) this.curve = lab.errorCurve(data, state, this.noisy, shownSteps).map((error) => 100 * error / data.diagonal);
         this.curveOf = key;
         this.best = lab.indexOfLeast(this.curve);
-        const t = state.t === "best" ? this.best : state.t, seen = Math.max(20, 4 * this.best, t);
-        this.errors.show(this.curve.slice(0, seen + 1), this.best, t);
+        const seen = Math.max(20, 4 * this.best, state.t);
+        this.errors.show(this.curve.slice(0, seen + 1), this.best, state.t);
     }
 
     // ---- what is seen -------------------------------------------------------------------------------------------------
@@ -150,6 +158,7 @@ class Lab {
     /// Once a frame, however often it is set.
     update() {
         this.panel.show(this.state, this.isPlaying);
+        this.root.setAttribute("aria-busy", "true");   // until it is told
         this.asked ??= requestAnimationFrame((now) => {
             this.asked = null;
             if (this.isStopped) return;
@@ -219,16 +228,17 @@ class Lab {
     }
 
     showNumbers(f) {
-        const { data, state } = this, program = lab.readingAt(data, state) ?? { energy: NaN, volume: NaN, rms: NaN };
-        const energy = lab.energy(data, f, this.noisy), volume = lab.volume(data, this.x), rms = lab.rms(data, f, this.noisy);
+        const { data, state } = this, program = lab.readingAt(data, state) ?? { energy: NaN, volume: NaN, rms: NaN, factor: NaN };
+        const none = lab.isMeasurable(f) ? null : NaN;
+        const energy = none ?? lab.energy(data, f, this.noisy), volume = none ?? lab.volume(data, this.x), rms = none ?? lab.rms(data, f, this.noisy);
         const percent = 100 / data.diagonal;
         const numbers = [["energy", "length²", energy, program.energy]];
         if (data.isClosed) numbers.push(["volume", "length³", volume, program.volume], ["volume kept", "%", 100 * volume / this.startVolume, 100 * program.volume / this.startVolume]);
         numbers.push([state.sigma > 0 ? "rms to the clean mesh" : "rms to the original", "% of the box", percent * rms, percent * program.rms]);
-        if (state.sigma > 0) numbers.push(["of it along the surface", "%", 100 * lab.shareAlong(data, this.normals, this.x), NaN]);
+        if (state.sigma > 0) numbers.push(["of it along the surface", "%", 100 * (none ?? lab.shareAlong(data, this.normals, this.x)), NaN]);
         if (state.scheme !== "projection") {
             const words = { explicit: "largest |1 − λμ|", implicit: "largest 1/(1 + λμ)", taubin: "largest |(1 − λμ)(1 − mμ)|", heat: "largest exp(−λμ)" };
-            numbers.push([words[state.scheme], "", lab.largestFactor(data, state), NaN]);
+            numbers.push([words[state.scheme], "", lab.largestFactor(data, state), program.factor]);
         }
         this.panel.showNumbers(numbers);
         this.measured = { energy, volume, rms };
@@ -243,6 +253,7 @@ class Lab {
         this.compute(performance.now());
         if (this.isDrawn) this.view.resolve(1);
         this.panel.told.textContent = this.words();
+        this.root.removeAttribute("aria-busy");
         this.link = linkOf(this.question, this.state);
         history.replaceState(null, "", this.link);
     }
@@ -251,13 +262,14 @@ class Lab {
         const { state, data } = this;
         if (this.hasNoStep) return "Taubin's second step does not exist for so large a λ.";
         const set = state.scheme === "projection" ? `The ${state.k} smoothest modes` : `${capital(schemeNames[state.scheme])}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
-        const rms = `${digits(Number((100 * this.measured.rms / data.diagonal).toPrecision(3)))} % of the box`;
+        const { rms: size } = this.measured;
+        const rms = Number.isNaN(size) ? "rms beyond all measure" : `rms ${digits(Number((100 * size / data.diagonal).toPrecision(3)))} % of the box`;
         const finest = state.scheme === "projection" ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
         const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";
         const rim = this.clamped > 0 ? ` ${this.clamped} of ${data.vertices} vertices have flown out of the view and are drawn at its rim.` : "";
         const best = this.best === null ? "" : this.best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean mesh.` : ` Nearest to the clean mesh at t = ${this.best}.`;
         const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long: no smoothing knows that place.` : "";
-        return `${set}: rms ${rms}.${growth}${rim}${best}${lines}`;
+        return `${set}: ${rms}.${growth}${rim}${best}${lines}`;
     }
 
     // ---- play ---------------------------------------------------------------------------------------------------------

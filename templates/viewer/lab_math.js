@@ -1,4 +1,5 @@
 // The mathematics of the laboratory, without a page: x = Σ f(μᵢ) cᵢ φᵢ, with the filter f of a scheme. Also read by the tests (node).
+import { sameState } from "./lab_state.js";
 
 /// What src/run/lab/lab_mesh.cpp has written: its header, and the numbers.
 export function decoded(buffer) {
@@ -20,7 +21,10 @@ export function decoded(buffer) {
 }
 
 export const schemes = ["projection", "explicit", "implicit", "taubin", "heat"];
-const largest = 1e150;   // so that squares are numbers
+const largest = 1e150;   // so that squares are numbers: what grows beyond is not measured
+
+/// Whether every mode is within what can be measured.
+export const isMeasurable = (f) => f.every((x) => Math.abs(x) < largest);
 
 /// Taubin's second step, negative: 1/λ + 1/m = ½ · 0.1 μ_max as in src/geometry/smoothing. NaN where λ is too large for it.
 export function taubinBack(data, lambda) {
@@ -45,10 +49,10 @@ export function filter(data, { scheme, k, lambda, t }) {
     return Float64Array.from(data.mu, (mu) => Math.max(-largest, Math.min(largest, factor(mu) ** t)));
 }
 
-/// The largest |factor| of one step over all modes, those beyond the page's own included.
+/// The largest |factor| of one step over all modes but the constant ones; those beyond the page's own count.
 export function largestFactor(data, { scheme, lambda }) {
-    const factor = factorOfStep(data, scheme, lambda * data.critical);
-    return Math.max(Math.abs(factor(data.largestEigenvalue)), ...Array.from(data.mu, (mu) => Math.abs(factor(mu))));
+    const factor = factorOfStep(data, scheme, lambda * data.critical), constant = 1e-9 * data.largestEigenvalue;
+    return Math.max(...[data.largestEigenvalue, ...data.mu].filter((mu) => mu > constant).map((mu) => Math.abs(factor(mu))));
 }
 
 /// c + Φᵀ M (shift), 3 numbers a mode.
@@ -153,8 +157,4 @@ export function shareAlong(data, normal, x) {
 }
 
 /// What the program computed at just this state; undefined where it did not.
-export function readingAt(data, { scheme, k, lambda, t, sigma, seed }) {
-    const near = (a, b) => Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b));
-    return data.readings.find((r) => r.scheme === scheme && near(sigma / 100, r.sigma) && (sigma === 0 || seed === r.seed)
-        && (scheme === "projection" ? r.count === k : r.count === t && near(lambda, r.lambda)));
-}
+export const readingAt = (data, state) => data.readings.find((reading) => sameState(state, { ...state, seed: NaN, k: NaN, lambda: NaN, t: NaN, ...reading.state }));

@@ -1,8 +1,9 @@
 // The controls of the laboratory and the table of what is measured. What is set is told to `changed(state)`.
-import { presetsOf, lambdaAt, largestLambda, largestNoise, linkOf, mostSteps, placeOf, schemeNames, shownSteps } from "./lab_state.js";
+import { lambdaAt, largestLambda, largestNoise, linkOf, mostSteps, placeOf, presetsOf, sameState, schemeNames, shownSteps } from "./lab_state.js";
 import { button, element } from "./view.js";
 
 let count = 0;   // of labels
+const subjects = { q4: "Reconstruction", q5: "Explicit smoothing", q6: "Implicit smoothing", q7: "Denoising" };
 
 const rows = {
     k: { words: "modes k", unit: (data) => `of ${data.modes}`, slider: (data) => ({ min: 1, max: data.modes, step: 1 }), number: { step: 1 } },
@@ -33,7 +34,8 @@ class Row {
         this.box.append(this.number, element("span", "lab-unit", unit(data)));
         this.words = [`${words} %`, unit(data)].filter(Boolean).join(", ");
     }
-    show(value) {
+    show(exact) {
+        const value = Number(exact.toPrecision(10));
         if (document.activeElement !== this.number || Number(this.number.value) !== value) this.number.value = String(value);
         if (!this.slider) return;
         if (this.to(value) !== Number(this.slider.value)) this.slider.value = String(this.to(value));
@@ -58,24 +60,37 @@ export class Panel {
         this.lines.addEventListener("change", () => act.changed({ lines: this.lines.checked }));
         lines.prepend(this.lines);
         this.controls.append(first, ...Object.values(this.rows).map((row) => row.box), this.play, lines);
-        this.presets = element("p", "lab-presets", "Try: ");
         this.isTruncated = data.modes < data.vertices;
-        for (const [words, state] of presetsOf(question)) {
-            if (this.isTruncated && state.sigma > 0) continue;
-            const link = Object.assign(element("a", "", words), { href: linkOf(question, state) });
-            link.addEventListener("click", (event) => {
-                if (event.ctrlKey || event.metaKey || event.shiftKey) return;   // into another window
-                event.preventDefault();
-                act.preset(state);
-            });
-            this.presets.append(link, " ");
-        }
+        this.makePresets(question, data, act.preset);
         this.table = element("table", "lab-numbers");
         this.told = element("output", "lab-told");
         this.told.setAttribute("aria-live", "polite");
     }
 
+    makePresets(question, data, choose) {
+        this.presets = element("nav", "lab-presets");
+        this.presets.setAttribute("aria-label", "Settings to try");
+        this.links = [];
+        const rows = new Map();   // by question
+        for (const { question: of, words, state } of presetsOf(data, question)) {
+            if (!rows.has(of)) rows.set(of, element("p", "", question === "lab" ? `${subjects[of]}: ` : "Try: "));
+            const link = Object.assign(element("a", "", words), { href: linkOf(question, state) });
+            link.addEventListener("click", (event) => {
+                if (event.ctrlKey || event.metaKey || event.shiftKey) return;   // into another window
+                event.preventDefault();
+                choose(state);
+            });
+            rows.get(of).append(link, " ");
+            this.links.push({ link, state });
+        }
+        this.presets.append(...rows.values());
+    }
+
     show(state, isPlaying) {
+        for (const { link, state: offered } of this.links) {
+            if (sameState(state, offered)) link.setAttribute("aria-current", "true");
+            else link.removeAttribute("aria-current");
+        }
         this.scheme.value = state.scheme;
         const projects = state.scheme === "projection";
         this.rows.k.box.hidden = !projects;
@@ -107,6 +122,6 @@ export class Panel {
 export function digits(x) {
     if (typeof x === "string") return x;
     if (!Number.isFinite(x)) return "–";
-    if (x !== 0 && (Math.abs(x) >= 1e6 || Math.abs(x) < 1e-4)) return x.toExponential(4).replaceAll("-", "−").replace("e+", "e");
+    if (x !== 0 && (Math.abs(x) >= 1e6 || Math.abs(x) < 1e-4)) return x.toExponential(4).replace(/\.?0+e/, "e").replaceAll("-", "−").replace("e+", "e");
     return x.toPrecision(6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "").replaceAll("-", "−");
 }

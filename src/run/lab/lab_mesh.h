@@ -3,23 +3,15 @@
 /// the program itself computes at some settings, for the page to be held against.
 #pragma once
 
-#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/spectrum/quantised_modes.h"
+#include "run/lab/lab_presets.h"
 
 namespace meshfolio::run {
-
-/// One state of the laboratory.
-struct LabSetting {
-    std::string scheme;       // projection, explicit, implicit or taubin
-    double lambda = 0;        // multiples of λ_crit; 0 for the projection
-    int count = 0;            // k of the projection, else the iterations t
-    double sigma = 0;         // of the noise on every coordinate, in box diagonals
-    std::uint64_t seed = 1;   // of the noise
-};
 
 /// Measured on the positions that the program's own steps lead to, with the operator of the clean mesh.
 struct LabReading {
@@ -27,6 +19,7 @@ struct LabReading {
     double energy = 0;   // ½ Σ C_ij |x_i − x_j|² [length²]
     double volume = 0;   // signed; meaningful when closed [length³]
     double rms = 0;      // √(ΣA|x − x_clean|²/ΣA) [length]
+    double factor = 0;   // the largest that one step multiplies a mode by, the constant ones aside; 1 for the projection
 };
 
 struct LabLimits {
@@ -43,18 +36,22 @@ struct LabMesh {
     Vector eigenvalues;
     DenseMatrix coefficients;   // Φᵀ M X [length²]
     QuantisedModes modes;
-    double diagonal = 0;               // of the box [length]
-    double largest_eigenvalue = 0;     // of all modes, also where the page has fewer [1/length²]
-    double left_out = 0;               // rms of what the modes do not hold: rounding where they are all there [length]
-    double quantisation_shift = 0;     // how far 16 bits move a vertex at most, in box diagonals
-    double orthonormality_error = 0;   // ‖ΦᵀMΦ − I‖ of the rounded modes, largest entry
+    double diagonal = 0;                        // of the box [length]
+    double largest_eigenvalue = 0;              // of all modes, also where the page has fewer [1/length²]
+    double left_out = 0;                        // rms of what the modes do not hold: rounding where they are all there [length]
+    double quantisation_shift = 0;              // how far 16 bits move a vertex at most, in box diagonals
+    double orthonormality_error = 0;            // ‖ΦᵀMΦ − I‖ of the rounded modes, largest entry
+    std::map<std::string, LabSetting> starts;   // by question
+    std::vector<LabPreset> presets;             // with numbers of iterations
     std::vector<LabReading> readings;
 
     double critical() const { return 2 / largest_eigenvalue; }
     bool has_all_modes() const { return eigenvalues.size() >= mesh.X.rows(); }
 };
 
-LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const LabLimits& limits = {});
+/// @param questions  whose panels open on this mesh, with the user's settings; "lab": one that belongs to none
+LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std::map<std::string, QuestionSettings>& questions,
+                 const LabLimits& limits = {});
 
 /// What the page reads (templates/viewer/lab_math.js): length of the header in 4 bytes, the header as JSON, then little endian, from a
 /// multiple of 8 on: eigenvalues, areas, positions, coefficients, scales (doubles), corners of the triangles (4 bytes each), the modes'

@@ -26,13 +26,20 @@ bool is_answered(const std::vector<QuestionResult>& results, std::string_view id
     });
 }
 
-using Wanted = std::map<std::shared_ptr<const LibraryMesh>, std::string>;   // the questions of each mesh
+using Questions = std::map<std::string, QuestionSettings>;
+using Wanted = std::map<std::shared_ptr<const LibraryMesh>, Questions>;   // those of each mesh
+
+std::string names_of(const Questions& questions) {
+    std::string names;
+    for (const auto& [id, settings] : questions) names += (names.empty() ? "" : " ") + id;
+    return names;
+}
 
 /// One of the settings, else the user's own, else the question's choice.
 void want(Wanted& wanted, const std::string& id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
     report::Section unused;
-    std::string& questions = wanted[meshes_for(meshes, question_settings(settings, id), {role}, unused).front()];
-    questions += (questions.empty() ? "" : " ") + id;
+    const QuestionSettings own = question_settings(settings, id);
+    wanted[meshes_for(meshes, own, {role}, unused).front()].emplace(id, own);
 } catch (const InputError&) {   // the section has said so
 }
 
@@ -44,16 +51,16 @@ std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results,
     for (const auto& [id, role] : choices) {
         if (is_answered(results, id)) want(wanted, std::string(id), role, meshes, settings);
     }
-    std::vector<std::pair<std::string, const LibraryMesh*>> jobs;
-    for (const auto& [mesh, questions] : wanted) {
-        if (mesh->mesh().vertex_count() <= most_vertices) jobs.emplace_back(questions, mesh.get());
+    std::map<std::string, const Wanted::value_type*> by_questions;   // and not by address
+    for (const auto& job : wanted) {
+        if (job.first->mesh().vertex_count() <= most_vertices) by_questions.emplace(names_of(job.second), &job);
     }
-    std::sort(jobs.begin(), jobs.end());   // by question, not by address
+    const std::vector<std::pair<std::string, const Wanted::value_type*>> jobs(by_questions.begin(), by_questions.end());
     std::vector<report::Lab> labs(jobs.size());
     for_each_task(jobs.size(), [&](std::size_t i) {
-        const auto& [questions, mesh] = jobs[i];
+        const auto& [mesh, questions] = *jobs[i].second;
         try {
-            labs[i] = report::lab_of(questions, bytes_of(lab_mesh(mesh->mesh(), mesh->name)));
+            labs[i] = report::lab_of(jobs[i].first, bytes_of(lab_mesh(mesh->mesh(), mesh->name, questions)));
         } catch (const Error& error) {
             warn("no laboratory with " + mesh->name + ": " + error.what());
         }
