@@ -53,10 +53,8 @@ std::vector<report::Marker> extrema_of(const report::Series& curve) {
         const double before = curve.y[(i + n - 1) % n], here = curve.y[i], after = curve.y[(i + 1) % n];
         const bool maximum = here > before && here > after, minimum = here < before && here < after;
         if (!maximum && !minimum) continue;
-        const std::string place = curve.x[i] == 0 ? "0" : readable(curve.x[i], 2) + "π";
         extrema.push_back(
-            {curve.x[i], here,
-             words.line(maximum ? "tip_curves.maximum" : "tip_curves.minimum", "value"_a = readable(here, 4), "place"_a = place)});
+            {curve.x[i], here, words.line(maximum ? "tip_curves.maximum" : "tip_curves.minimum", "value"_a = readable(here, 4))});
     }
     return extrema;
 }
