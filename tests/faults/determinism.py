@@ -67,8 +67,12 @@ class Determinism(Faults):
             changes["400 days later"] = {"wrap": ["faketime", "-f", "+400d"]}
         else:
             print("faketime is not installed", flush=True)
-        if WHOLE:
-            changes["all at once"] = {"cwd": deep, "threads": 2, "environment": {**(german or {}), "TZ": "America/St_Johns", "MALLOC_PERTURB_": "90"}}
+        environment, wrap = {}, []
+        for change in changes.values():
+            environment |= change.get("environment", {})
+            wrap += change.get("wrap", [])
+        together = {"threads": 2, "cwd": deep, "preexec_fn": lambda: os.umask(0o077), "environment": environment, "wrap": wrap}
+        changes = {**(changes if WHOLE else {}), "all at once; --whole tells which": together}
         for what, change in changes.items():
             with self.subTest(what):
                 self.require_same(expected, self.made(change.pop("name", "b"), **change), what)
