@@ -49,8 +49,8 @@ struct FigureRequest {
     bool view_files = false;   // each view is a file of full size as well, for what the assignment asks to be handed in
 };
 
-/// Robust range of the finite values of all panels: percentiles [clip, 1 − clip], symmetric about 0 for a diverging map, from 0 on for the
-/// pale one where nothing is below, never
+/// Robust range of the finite values of all panels: percentiles [clip, 1 − clip]; for a diverging map symmetric about 0 and at least 1.25
+/// times the median, so that nearly equal values are not all in the end's colour; from 0 on for the pale one where nothing is below; never
 /// narrower than `floor` (so that rounding noise is not stretched into colours); with the clipped shares and the sample filled in.
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip = 0.02);

@@ -61,7 +61,8 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
     const bool diverging = range.colormap == "diverging";
     if (range.colormap == "pale" && range.low > 0) range.low = 0;
     if (diverging) {
-        range.high = std::max(std::abs(range.low), std::abs(range.high));
+        const double median = values.empty() ? 0 : percentile(values, 0.5);
+        range.high = std::max({std::abs(range.low), std::abs(range.high), 1.25 * std::abs(median)});
         range.low = -range.high;
     }
     if (range.high - range.low < floor) {

@@ -65,7 +65,7 @@ struct IrregularVertices {
     int count = 0;
     double off = 0, off_elsewhere = 0, off_with_voronoi = 0;
 
-    bool seen() const { return off > 0.3; }   // in a colour range about 0
+    bool seen() const { return off > 0.1; }   // in a colour range about 0
     bool stand_out() const { return count > 0 && off > 5 * off_elsewhere; }
     bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
 };

@@ -44,6 +44,14 @@ TEST(RobustRange, WithoutClippingItIsMinimumAndMaximum) {
     EXPECT_EQ(range.clipped_above, 0);
 }
 
+TEST(RobustRange, NearlyEqualSignedValuesStayBelowTheEndsColour) {
+    const ColorRange equal = robust_range({panel({12, 12, 12, 13})}, "diverging", "q", "u", 0, 0),
+                     wide = robust_range({panel({-1, 2, 9})}, "diverging", "q", "u", 0, 0);
+    EXPECT_EQ(equal.high, 15);
+    EXPECT_EQ(equal.low, -15);
+    EXPECT_EQ(wide.high, 9);
+}
+
 TEST(RobustRange, OneOutlierDoesNotMoveIt) {
     Panel p = ramp(1001);
     p.values[1000] = 1e9;

@@ -68,7 +68,7 @@ TEST(Q1, EachMeshHasARangeOfItsOwn) {
             const bool zero = panel.label.find("0 up to rounding") != std::string::npos;
             EXPECT_EQ(most < 1, zero) << panel.name;
             if (!zero) {
-                EXPECT_GE(most, 99.9) << panel.name;
+                EXPECT_GE(most, 79.9) << panel.name;   // where all are nearly equal
             }
         }
     }
@@ -92,7 +92,7 @@ TEST(Q1, TheTextFollowsTheData) {
     EXPECT_TRUE(says(sheet, "its inner rings are symmetric"));
     EXPECT_TRUE(says(sheet, "1.000 full turns"));
     EXPECT_FALSE(says(ball, "is flat"));
-    EXPECT_TRUE(says(ball, "At the 12 vertices of valence other than six K is off by"));
+    EXPECT_TRUE(says(ball, "stands out at the 12 vertices of valence other than six: by"));
     EXPECT_TRUE(says(ball, "Their areas are to blame"));
 }
 
