@@ -1,6 +1,7 @@
 // Fills the pages of report.pdf: where a figure or table would leave the rest of a page empty, the text behind it comes first, as in any
 // typeset paper. Columns of a page's size break as pages do, so the browser's own layout tells where pages end. Engines without scripts
-// (weasyprint) keep the document's order, and some of their pages end early.
+// (weasyprint) keep the document's order, and some of their pages end early. The same columns tell the numbers of the pages in the contents;
+// the title says them, so that whoever prints can hold them against the pages of the PDF (src/report/pdf/print_pdf.cpp).
 const main = document.querySelector("main");
 const tolerated = 0.1;   // of a page's height, left empty
 
@@ -38,8 +39,17 @@ function fillPageBefore(float) {
     }
 }
 
+function fillInPageNumbers() {
+    const { left } = main.getBoundingClientRect(), { columnWidth, columnGap } = getComputedStyle(main);
+    const pitch = parseFloat(columnWidth) + parseFloat(columnGap), unknown = [...document.querySelectorAll(".page-of")].filter((place) => place.textContent === "00");
+    const numbers = unknown.map((place) => 1 + Math.round((document.getElementById(place.dataset.of).getClientRects()[0].left - left) / pitch));
+    unknown.forEach((place, i) => { place.textContent = numbers[i]; });
+    document.title = numbers.join(" ");
+}
+
 addEventListener("load", () => {
     main.classList.add("paged");
     document.querySelectorAll("main > section > figure").forEach(fillPageBefore);
+    fillInPageNumbers();
     main.classList.remove("paged");
 });

@@ -20,20 +20,43 @@ double squared_distance_to_segment(const Vector3& p, const Vector3& a, const Vec
 
 }   // namespace
 
-double squared_distance_to_triangle(const Vector3& p, const Vector3& x0, const Vector3& x1, const Vector3& x2) {
-    const std::array<Vector3, 3> corner{x0, x1, x2};
-    const std::array<Vector3, 3> edge{x1 - x0, x2 - x1, x0 - x2};
-    const Vector3 normal = edge[0].cross(edge[1]);
-    const double longest = std::max({edge[0].squaredNorm(), edge[1].squaredNorm(), edge[2].squaredNorm()});
+ClosestPoint::Triangle::Triangle(const Vector3& x0, const Vector3& x1, const Vector3& x2) : corner(x0), along{x1 - x0, x2 - x0} {
+    const double longest = std::max({along[0].squaredNorm(), along[1].squaredNorm(), (x2 - x1).squaredNorm()});
+    normal = along[0].cross(along[1]);
+    const double twice_area = normal.norm();
+    is_flat = !(twice_area > 1e-12 * longest);   // its plane is rounding noise, and its edges are the triangle
+    if (!is_flat) normal /= twice_area;
+}
 
-    bool over_the_inside = normal.norm() > 1e-12 * longest;   // else the plane is rounding noise, and the edges are the triangle
-    for (std::size_t k = 0; k < 3 && over_the_inside; ++k) over_the_inside = normal.cross(edge[k]).dot(p - corner[k]) >= 0;
-    if (over_the_inside) {
-        const double height = normal.normalized().dot(p - x0);
-        return height * height;
+/// By the region of the plane that p lies over (Ericson 2005, Real-Time Collision Detection, 5.1.5).
+double ClosestPoint::Triangle::squared_distance(const Vector3& p, double known_bound) const {
+    const Vector3 from_a = p - corner;
+    const auto &ab = along[0], &ac = along[1];
+    if (is_flat) {
+        const Vector3 b = corner + ab, c = corner + ac;
+        return std::min(
+            {squared_distance_to_segment(p, corner, b), squared_distance_to_segment(p, b, c), squared_distance_to_segment(p, c, corner)});
     }
-    return std::min(
-        {squared_distance_to_segment(p, x0, x1), squared_distance_to_segment(p, x1, x2), squared_distance_to_segment(p, x2, x0)});
+    const double height = normal.dot(from_a);
+    if (height * height >= known_bound) return known_bound;
+
+    const double ab_a = ab.dot(from_a), ac_a = ac.dot(from_a);
+    if (ab_a <= 0 && ac_a <= 0) return from_a.squaredNorm();
+    const Vector3 from_b = from_a - ab, from_c = from_a - ac;
+    const double ab_b = ab.dot(from_b), ac_b = ac.dot(from_b), ab_c = ab.dot(from_c), ac_c = ac.dot(from_c);
+    if (ab_b >= 0 && ac_b <= ab_b) return from_b.squaredNorm();
+    if (ac_c >= 0 && ab_c <= ac_c) return from_c.squaredNorm();
+    // The weights of the corners, times twice the squared area: negative beyond the edge opposite.
+    const double of_c = ab_a * ac_b - ab_b * ac_a, of_b = ab_c * ac_a - ab_a * ac_c, of_a = ab_b * ac_c - ab_c * ac_b;
+    if (of_c <= 0 && ab_a >= 0 && ab_b <= 0) return (from_a - ab_a / (ab_a - ab_b) * ab).squaredNorm();
+    if (of_b <= 0 && ac_a >= 0 && ac_c <= 0) return (from_a - ac_a / (ac_a - ac_c) * ac).squaredNorm();
+    const double to_c = ac_b - ab_b, to_b = ab_c - ac_c;
+    if (of_a <= 0 && to_c >= 0 && to_b >= 0) return (from_b - to_c / (to_c + to_b) * (ac - ab)).squaredNorm();
+    return height * height;
+}
+
+double squared_distance_to_triangle(const Vector3& p, const Vector3& x0, const Vector3& x1, const Vector3& x2) {
+    return ClosestPoint::Triangle(x0, x1, x2).squared_distance(p, infinity);
 }
 
 double ClosestPoint::Node::squared_distance(const Vector3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm(); }
@@ -55,7 +78,10 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) {
     nodes_.reserve(2 * triangles.size() / triangles_in_a_leaf + 2);
     build(order, triangles, 0, mesh.face_count());
     triangles_.reserve(triangles.size());
-    for (const Placed& placed : order) triangles_.push_back(triangles[static_cast<std::size_t>(placed.triangle)]);
+    for (const Placed& placed : order) {
+        const Corners& x = triangles[static_cast<std::size_t>(placed.triangle)];
+        triangles_.emplace_back(x[0], x[1], x[2]);
+    }
 }
 
 /// Splits [first, last) of `order` at the median along the longest side of the box of the centroids; returns the node's number.
@@ -103,10 +129,8 @@ double ClosestPoint::squared_distance(const Vector3& p, double known_bound, doub
         const Visit visit = pending[--size];
         if (visit.distance >= nearest) continue;
         const Node& node = nodes_[static_cast<std::size_t>(visit.node)];
-        for (int i = node.first; i < node.first + node.count; ++i) {
-            const Corners& x = triangles_[static_cast<std::size_t>(i)];
-            nearest = std::min(nearest, squared_distance_to_triangle(p, x[0], x[1], x[2]));
-        }
+        for (int i = node.first; i < node.first + node.count; ++i)
+            nearest = std::min(nearest, triangles_[static_cast<std::size_t>(i)].squared_distance(p, nearest));
         if (node.count > 0) continue;
         const Visit left{visit.node + 1, nodes_[static_cast<std::size_t>(visit.node) + 1].squared_distance(p)};
         const Visit right{node.right, nodes_[static_cast<std::size_t>(node.right)].squared_distance(p)};

@@ -23,6 +23,16 @@ public:
     /// the search may stop with any value ≤ `enough` that is not below the true one. [length²]
     double squared_distance(const Vector3& p, double known_bound = std::numeric_limits<double>::infinity(), double enough = 0) const;
 
+    /// What the distance to a triangle needs of it.
+    struct Triangle {
+        Vector3 corner, normal;         // the normal of length 1, where it has a plane
+        std::array<Vector3, 2> along;   // to the other corners
+        bool is_flat = false;           // without area, but for rounding
+        Triangle(const Vector3& x0, const Vector3& x1, const Vector3& x2);
+        /// min(squared distance, known_bound) [length²]
+        double squared_distance(const Vector3& p, double known_bound) const;
+    };
+
 private:
     using Corners = std::array<Vector3, 3>;
     struct Node {
@@ -40,7 +50,7 @@ private:
     int build(std::vector<Placed>& order, const std::vector<Corners>& triangles, int first, int last);
 
     std::vector<Node> nodes_;
-    std::vector<Corners> triangles_;   // in the order of the leaves
+    std::vector<Triangle> triangles_;   // in the order of the leaves
 };
 
 }   // namespace meshfolio

@@ -113,7 +113,7 @@ Vector shape_distances(const TriangleMesh& clean, const Incidence& vertex_faces,
         double nearest = (X.row(v) - clean.X.row(v)).squaredNorm();
         for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
             const auto corner = [&](int k) -> Vector3 { return clean.X.row(clean.F(*t, k)); };
-            nearest = std::min(nearest, squared_distance_to_triangle(x, corner(0), corner(1), corner(2)));
+            nearest = std::min(nearest, ClosestPoint::Triangle(corner(0), corner(1), corner(2)).squared_distance(x, nearest));
         }
         distances[v] = std::sqrt(nearest);
     }

@@ -203,6 +203,8 @@ PdfContents contents_of_pdf(std::string_view bytes) try {
     open(pdf, bytes);
     std::map<QPDFObjGen, int> pages;
     PdfContents contents;
+    if (QPDFObjectHandle info = pdf.getTrailer().getKey("/Info"); info.isDictionary() && info.getKey("/Title").isString())
+        contents.title = info.getKey("/Title").getUTF8Value();
     for (const auto& page : QPDFPageDocumentHelper(pdf).getAllPages()) pages[page.getObjectHandle().getObjGen()] = ++contents.pages;
     for (auto& [item, level] : outline_of(pdf)) {
         const auto page = pages.find(item.getDestPage().getObjGen());

@@ -16,6 +16,7 @@ struct OutlineEntry {
 };
 
 struct PdfContents {
+    std::string title;
     int pages = 0;
     std::vector<OutlineEntry> outline;   // in reading order
 };

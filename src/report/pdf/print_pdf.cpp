@@ -36,17 +36,19 @@ void require_self_contained(const PrintJob& job) {
     }
 }
 
-/// @return whether there is any
-bool fill_in(std::string& html, const PageNumbers& numbers) {
-    bool any = false;
+/// The numbers in place of the marks; "00" for one that is not known, which a browser's script replaces (templates/print_float.js).
+/// @return the numbers in their order, parted by blanks
+std::string fill_in(std::string& html, const PageNumbers& numbers) {
+    std::string all;
     for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, at + 1)) {
         const std::size_t begin = at + mark.size(), end = html.find('@', begin);
         if (end == std::string::npos) break;
         const auto number = numbers.find(html.substr(begin, end - begin));
-        html.replace(at, end + 1 - at, number == numbers.end() ? "00" : std::to_string(number->second));
-        any = true;
+        const std::string digits = number == numbers.end() ? "00" : std::to_string(number->second);
+        html.replace(at, end + 1 - at, digits);
+        all += (all.empty() ? "" : " ") + digits;
     }
-    return any;
+    return all;
 }
 
 PageNumbers page_numbers(const std::vector<PageHeading>& headings, const PdfContents& contents) {
@@ -118,13 +120,13 @@ std::string printed(const PdfEngine& engine, const std::string& html, const fs::
     return read_file(pdf);
 }
 
-void write_files(const PrintJob& job, const fs::path& scratch, bool draft) {
+void write_files(const PrintJob& job, const fs::path& scratch) {
     for (const auto& [name, bytes] : job.files) {
         const fs::path folder = (scratch / name).parent_path();
         std::error_code error;
         fs::create_directory(folder, error);   // not its parents: a scratch folder that a signal had removed must not come again
         if (error) throw OutputError(folder.string(), "cannot create the folder (" + error.message() + ")");
-        write_file(scratch / name, draft ? draft_of_jpeg(bytes) : bytes);
+        write_file(scratch / name, bytes);
     }
 }
 
@@ -133,37 +135,24 @@ void write_files(const PrintJob& job, const fs::path& scratch, bool draft) {
 std::string print_pdf(const PrintJob& job, const PdfEngine& engine, const fs::path& scratch) {
     require_self_contained(job);
     const std::vector<PageHeading> headings = headings_of(job.html);
+    write_files(job, scratch);
     PageNumbers numbers;
     std::string pdf;
-    // A browser is half as fast with pictures; those of the first pass, which is printed for its page numbers only, show nothing.
-    const bool drafted = engine.kind == PdfEngine::Kind::chromium && job.html.find(mark) != std::string::npos;
     for (int pass = 0; pass < most_passes; ++pass) {
-        const bool draft = drafted && pass == 0;
-        if (pass <= (drafted ? 1 : 0)) write_files(job, scratch, draft);
         std::string html = job.html;
-        const bool asks = fill_in(html, numbers);
+        const std::string told = fill_in(html, numbers);
         pdf = printed(engine, html, scratch);
         const PdfContents contents = contents_of_pdf(pdf);
         if (contents.pages < 1) throw EngineError(engine.version + " printed no page");
         const PageNumbers now = page_numbers(headings, contents);
-        if (!draft && (!asks || now == numbers)) break;
+        std::string unfilled = job.html;
+        const std::string right = fill_in(unfilled, now);
+        if (told == right || contents.title == right) break;   // the script has left in the title what it filled in
         numbers = now;
     }
     PdfDetails details{job.title, job.author, job.creator, job.date, {}, job.attachment_name, job.attachment};
     for (const PageHeading& heading : headings) details.outline.push_back(heading.title);
     return finish_pdf(pdf, details);
-}
-
-std::string draft_of_jpeg(const std::string& jpeg) {
-    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(jpeg[at]); };
-    if (!jpeg.starts_with("\xff\xd8")) return jpeg;
-    for (std::size_t at = 2; at + 4 <= jpeg.size() && byte(at) == 0xff;) {
-        const bool scan = byte(at + 1) == 0xda;
-        at += 2 + (byte(at + 2) << 8 | byte(at + 3));
-        if (scan && at <= jpeg.size()) return jpeg.substr(0, at) + "\xff\xd9";
-        if (scan) break;
-    }
-    return jpeg;
 }
 
 }   // namespace meshfolio::report

@@ -23,8 +23,4 @@ struct PrintJob {
 /// @throws EngineError saying what the engine did instead
 std::string print_pdf(const PrintJob& job, const PdfEngine& engine, const std::filesystem::path& scratch);
 
-/// A picture that takes the room of another: the page is laid out and not yet to be read. A JPEG without what is drawn: decoders see its
-/// size and a grey area. What is no JPEG stays as it is.
-std::string draft_of_jpeg(const std::string& jpeg);
-
 }   // namespace meshfolio::report
