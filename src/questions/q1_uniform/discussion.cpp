@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/number_text.h"
+#include "output/draw/figure_request.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
@@ -88,9 +89,12 @@ report::Text K_picture(const MeshCurvature& c) {
         if (odd.area_is_why()) go_on(t, words.say("k.irregular.area"));
         return t;
     }
-    const double negative = double((c.K.array() < 0).count()) / K.count;
-    if (negative == 0) return words.say("k.positive", "mesh"_a = s.name());
-    return words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(negative, 2));
+    if (!(c.K.array() < 0).any()) return words.say("k.positive", "mesh"_a = s.name());
+    output::Panel panel;
+    panel.values = c.K;
+    const double pale = 0.05 * output::robust_range({panel}, "diverging", "", "", 0).high;   // as good as white in the picture
+    const double negative = double((c.K.array() < -pale).count()) / K.count, flat = double((c.K.array().abs() <= pale).count()) / K.count;
+    return words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(negative, 2), "flat"_a = readable_percent(flat, 2));
 }
 
 report::Text about_K_picture(const Findings& found) {

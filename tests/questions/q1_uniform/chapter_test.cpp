@@ -96,6 +96,20 @@ TEST(Q1, TheTextFollowsTheData) {
     EXPECT_TRUE(says(ball, "Their areas are to blame"));
 }
 
+// Half of the vertices of a hill on a nearly flat field have a K below 0, and none that the picture shows.
+TEST(Q1, SaddlesAreThoseOneSees) {
+    TriangleMesh hill = grid_mesh(30, 30, 1, 1);
+    NormalNumbers random(3);
+    for (Eigen::Index v = 0; v < hill.X.rows(); ++v) {
+        const double x = hill.X(v, 0) - 0.5, y = hill.X(v, 1) - 0.5;
+        hill.X(v, 2) = 0.3 * std::exp(-30 * (x * x + y * y)) + 1e-7 * random.next();
+    }
+    const std::string prose = prose_of(answer_for(hill, "hill").section);
+    const std::size_t at = prose.find("% of the vertices; ", prose.find("the saddles are blue"));
+    ASSERT_NE(at, std::string::npos) << prose;
+    EXPECT_GT(std::stod(prose.substr(at + 19)), 40) << prose.substr(at - 60, 140);
+}
+
 TEST(Q1, TangentialDriftOnAnIrregularPlaneIsNamed) {
     TriangleMesh mesh = grid_mesh(9, 9, 1, 1);
     mesh.X = jittered(mesh, topology_of(mesh), 0.2, 1, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
