@@ -79,6 +79,14 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
     return vertex;
 }
 
+/// The upper one of two; 0 of none. Reorders them.
+static double median_of(std::vector<double>& values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 std::string_view title_of(MeshClass kind) {
     static constexpr std::array<std::string_view, 4> titles{"flat", "smooth", "sharp-edged", "rough or coarse"};
     return titles[static_cast<std::size_t>(kind)];
@@ -90,6 +98,12 @@ MeshClass MeshCharacter::kind() const {
     return typical_angle < 10 ? MeshClass::sharp_edged : MeshClass::rough;
 }
 
+double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology) {
+    std::vector<double> angles;
+    for (const EdgeAngle& edge : edge_angles(mesh, topology)) angles.push_back(edge.degrees);
+    return median_of(angles);
+}
+
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology) {
     MeshCharacter character;
     std::vector<double> others;
@@ -97,11 +111,7 @@ MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topol
         character.largest_angle = std::max(character.largest_angle, edge.degrees);
         if (edge.degrees <= feature_angle) others.push_back(edge.degrees);
     }
-    if (!others.empty()) {
-        const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
-        std::nth_element(others.begin(), middle, others.end());
-        character.typical_angle = *middle;
-    }
+    character.typical_angle = median_of(others);
     const std::vector<char> on_feature = feature_vertices(mesh, topology);
     if (!on_feature.empty())
         character.feature_share = static_cast<double>(std::ranges::count(on_feature, 1)) / static_cast<double>(on_feature.size());

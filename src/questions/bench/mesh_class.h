@@ -32,4 +32,7 @@ struct MeshCharacter {
 };
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology);
 
+/// Median angle between the faces at all inner edges: one set of edges, whatever smoothing makes of them [°].
+double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology);
+
 }   // namespace meshfolio

@@ -56,6 +56,25 @@ std::size_t largest_that_flips(const ExplicitStudy& study) {
     return i > 0 && !keeps_signs(study.subject, study.runs[i - 1].lambda) ? i - 1 : study.runs.size();
 }
 
+/// The energy that the larger and the smaller step leave at the same λt, on the mesh where they differ most.
+report::Text energy_at_equal_time(const Studies& studies, int larger_steps) {
+    const ExplicitStudy* most = nullptr;
+    double gap = 0, of_larger = 0, of_smaller = 0;
+    for (const ExplicitStudy& study : studies) {
+        const std::size_t larger = largest_that_flips(study);
+        if (larger == study.runs.size() || !study.recommended) continue;
+        const SmoothingRun &run = study.runs[larger], &small = study.runs[study.recommended->run];
+        const auto t = static_cast<std::size_t>(larger_steps),
+                   u = static_cast<std::size_t>(std::lround(larger_steps * run.lambda / small.lambda));
+        if (t >= run.energy.size() || u >= small.energy.size()) continue;
+        if (const double here = run.energy[t] / small.energy[u] - 1; !most || std::abs(here) > std::abs(gap))
+            most = &study, gap = here, of_larger = run.energy[t], of_smaller = small.energy[u];
+    }
+    if (most == nullptr) return {};
+    return words.say(gap > 0.02 ? "good.flips.energy" : "good.flips.alike", "mesh"_a = most->name(), "larger"_a = share_left(of_larger),
+                     "smaller"_a = share_left(of_smaller), "gap"_a = readable_percent(std::abs(gap), 2));
+}
+
 /// Why a step that keeps signs and not the largest stable one: what is left of the top mode.
 report::Text why_half(const Studies& studies) {
     Names smaller;   // than half the limit, although that was tried
@@ -81,7 +100,8 @@ report::Text why_half(const Studies& studies) {
                           "small_left"_a = share_left(std::pow(std::abs(1 - small * study.subject.top.value), steps)));
         break;   // the same on all
     }
-    return paragraph_of({words.say("good.keeps_signs"), said_of(smaller, words, "good.smaller"), flips});
+    return paragraph_of({words.say("good.keeps_signs"), said_of(smaller, words, "good.smaller"), flips,
+                         flips.empty() ? report::Text() : energy_at_equal_time(studies, 20)});
 }
 
 /// What the larger step takes with the energy, on the first mesh where it shows.

@@ -37,8 +37,8 @@ void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
     const MeshTopology& topology = subject.source->prepared->topology;
     const TriangleMesh smoothed = moved_to(subject.mesh(), recommendation.stopped.result.X);
     const MeshCharacter before = mesh_character(subject.mesh(), topology);
-    recommendation.roughness_before = before.typical_angle;
-    recommendation.roughness_after = mesh_character(smoothed, topology).typical_angle;
+    recommendation.roughness_before = median_face_angle(subject.mesh(), topology);
+    recommendation.roughness_after = median_face_angle(smoothed, topology);
     if (before.kind() == MeshClass::sharp_edged)
         recommendation.on_features = moved_ratio(subject.mesh().X, smoothed.X, feature_vertices(subject.mesh(), topology));
     if (before.open) recommendation.on_boundary = moved_ratio(subject.mesh().X, smoothed.X, topology.on_boundary);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "base/number_text.h"
 #include "questions/bench/mesh_class.h"
@@ -49,10 +50,11 @@ report::Text recommendation(const Studies& studies) {
 /// How far apart the two schemes end within the explicit limit, as a share of the motion: where most, and from which t on by little.
 struct Gaps {
     static constexpr double little = 0.05;
-    double worst = 0, last = 0;   // last: largest after the last number of iterations compared
-    std::string mesh;             // of the worst
-    int iterations = 0;           // of the worst
-    int little_from = 0;          // 0: never
+    double worst = 0, last = 0;     // last: largest after the last number of iterations compared
+    std::string mesh;               // of the worst
+    int iterations = 0;             // of the worst
+    int little_from = 0;            // 0: never
+    std::set<std::string> limits;   // the steps compared, in λ_crit
 };
 
 std::optional<Gaps> gaps_within_the_limit(const Studies& studies) {
@@ -63,6 +65,7 @@ std::optional<Gaps> gaps_within_the_limit(const Studies& studies) {
             const double moved = vertex_rms(study.subject.mesh().X, cell.implicit_X);
             if (!cell.has_explicit() || moved <= 0 || cell.lambda > study.subject.critical || cell.implicit_energy < 1e-3) continue;
             const double gap = vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
+            gaps.limits.insert(in_limits(study.subject, cell.lambda));
             largest[cell.iterations] = std::max(largest[cell.iterations], gap);
             if (gap > gaps.worst) gaps.worst = gap, gaps.mesh = study.name(), gaps.iterations = cell.iterations;
         }
@@ -74,8 +77,12 @@ std::optional<Gaps> gaps_within_the_limit(const Studies& studies) {
 }
 
 report::Facts facts_of(const Gaps& gaps) {
-    return {"gap"_a = readable_percent(gaps.worst, 2), "mesh"_a = gaps.mesh, "t"_a = gaps.iterations,
-            "little"_a = readable_percent(Gaps::little, 1), "from"_a = gaps.little_from};
+    return {"gap"_a = readable_percent(gaps.worst, 2),
+            "mesh"_a = gaps.mesh,
+            "t"_a = gaps.iterations,
+            "little"_a = readable_percent(Gaps::little, 1),
+            "from"_a = gaps.little_from,
+            "limits"_a = listed({gaps.limits.begin(), gaps.limits.end()})};
 }
 
 /// "gap.fades" where it becomes little with t, "gap.little" where it always is, else "gap.stays".
@@ -102,6 +109,20 @@ std::string price_key(const std::vector<double>& ratios) {
 report::Text price_of(const std::vector<double>& ratios, const std::string& amount) {
     if (ratios.empty()) return {};
     return words.say("price." + amount + "." + price_key(ratios), "ratios"_a = span_of(ratios));
+}
+
+/// How much of the size is left where the price is told far beyond the limit.
+report::Text left_far_beyond(const Studies& studies) {
+    double least = INFINITY, most = 0;
+    for (const ImplicitStudy& study : studies) {
+        for (const SmoothingCost& cost : study.costs) {
+            if (cost.recommended || std::isnan(cost.ratio())) continue;
+            least = std::min(least, cost.cell.kept);
+            most = std::max(most, cost.cell.kept);
+        }
+    }
+    if (!(least < size_to_keep)) return {};
+    return words.say("price.far.kept", "least"_a = readable_percent(least, 2), "most"_a = readable_percent(most, 2));
 }
 
 /// How many times as far as the others these vertices moved; NaN where all are alike, or more than half are of them.
@@ -140,10 +161,12 @@ report::Text where_it_goes(const ImplicitStudy& study) {
 report::Text reading(const ImplicitStudy& study) {
     const SmoothingCell* good = study.good();
     if (good == nullptr) return {};
-    return paragraph_of({words.say("reading.good", "mesh"_a = study.name(), "cell"_a = title_of(study, *good)), where_it_goes(study),
-                         good->inverted_faces > 0
-                             ? words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count())
-                             : report::Text()});
+    return paragraph_of(
+        {words.say("reading.good", "mesh"_a = study.name(), "figure"_a = matrix_of(study), "cell"_a = title_of(study, *good)),
+         where_it_goes(study),
+         good->inverted_faces > 0
+             ? words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count())
+             : report::Text()});
 }
 
 report::Text too_much(const ImplicitStudy& study) {
@@ -227,9 +250,7 @@ report::Text iterations_against_steps(const Studies& studies) {
          words.say("equal_time.why")});
 }
 
-bool was_rough(const ImplicitStudy& study) {
-    return mesh_character(study.subject.mesh(), study.subject.source->prepared->topology).typical_angle > 5;
-}
+bool was_rough(const ImplicitStudy& study) { return median_face_angle(study.subject.mesh(), study.subject.source->prepared->topology) > 5; }
 
 /// How smooth both schemes leave what is recommended, at the same energy: "plane_ns (1.0° and 0.9°)".
 report::Text quality(const Studies& studies) {
@@ -266,7 +287,8 @@ report::Text price(const Studies& studies) {
     const report::Text good = price_of(of_good, "good"), far = always ? report::Text() : price_of(of_far, "far");
     const report::Text unreached = said_of(only, words, "price.only");
     if (good.empty() && far.empty() && unreached.empty()) return {};
-    return paragraph_of({words.say("price"), good, far, factorisation(studies), unreached});
+    return paragraph_of(
+        {words.say("price"), good, far, far.empty() ? report::Text() : left_far_beyond(studies), factorisation(studies), unreached});
 }
 
 }   // namespace

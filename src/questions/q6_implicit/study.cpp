@@ -107,7 +107,7 @@ std::size_t far_cell(const ImplicitStudy& study) {
 }
 
 double roughness_of(const SmoothingSubject& subject, const Positions& X) {
-    return mesh_character(moved_to(subject.mesh(), X), subject.source->prepared->topology).typical_angle;
+    return median_face_angle(moved_to(subject.mesh(), X), subject.source->prepared->topology);
 }
 
 void count_operations(SmoothingCost& cost, const ImplicitStudy& study, const FactorOperations& factor) {

@@ -36,7 +36,7 @@ struct SmoothingCost {
     int explicit_steps = 0;                                    // 0: more than the limit tried
     double factorisation = 0;                                  // over one implicit step; 0: conjugate gradients need none
     double implicit_operations = 0, explicit_operations = 0;   // multiply–adds
-    double roughness = NAN, explicit_roughness = NAN;          // median angle between neighbouring faces, off feature edges [°]
+    double roughness = NAN, explicit_roughness = NAN;          // median angle between neighbouring faces [°]
 
     bool reached() const { return explicit_steps > 0; }
     /// Of the operations, explicit over implicit; NaN where one is not known.

@@ -25,3 +25,10 @@ TEST(MeshClass, AnEdgeOfThreeFacesIsAFeatureWhereAFinStands) {
     EXPECT_EQ(features_with_third_vertex_at({0.5, 0.5, 1}), 2) << "the ends of the edge that the fin stands on";
     EXPECT_EQ(features_with_third_vertex_at({0.6, 0.3, 0}), 0) << "folded flat onto the sheet";
 }
+
+// All edges count, the sharp ones too: else the median would fall because smoothing takes edges out of what is measured.
+TEST(MeshClass, TheMedianFaceAngleIsThatOfAllEdges) {
+    const TriangleMesh icosahedron = icosphere(0);
+    EXPECT_NEAR(median_face_angle(icosahedron, topology_of(icosahedron)), 180 - 138.189685104221, 1e-9);
+    EXPECT_EQ(mesh_character(icosahedron, topology_of(icosahedron)).typical_angle, 0) << "off the feature edges there is none";
+}
