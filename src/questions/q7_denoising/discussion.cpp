@@ -31,9 +31,7 @@ report::Text price_of(const Grids& grids) {
     Names losses;
     if (most_rounded(grids)) losses.push_back(words.line("loss.edges"));
     if (most_shrunk(grids)) losses.push_back(words.line("loss.volume"));
-    const DenoisingGrid* drift = most_drifting(grids);
-    const bool along_least = drift && drift->pictured().kept_along() > 2 * drift->pictured().kept_across();
-    return paragraph_of({said_of(losses, words, "loss"), along_least ? words.say("loss.along") : report::Text()});
+    return paragraph_of({said_of(losses, words, "loss"), most_drifting(grids) ? words.say("loss.along") : report::Text()});
 }
 
 /// In how many cases smoothing works and helps, measure by measure.
@@ -55,13 +53,6 @@ report::Text shrunk(const Grids& grids) {
     for (const Case& c : cases_of(grids))
         if (c.part.shrinks() && c.part.gain(measures[0]) >= helps) told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
     return told.empty() ? report::Text() : words.say("shrunk", "cases"_a = listed(told));
-}
-
-/// The vertices themselves come back less than the surface does.
-report::Text failing_by_places(const Grids& grids) {
-    const Count helped = count_of(grids, measures[1], helps);
-    if (helped.reached == helped.measured) return {};
-    return words.say("answer.places", "fails"_a = helped.measured - helped.reached, "cases"_a = helped.measured);
 }
 
 report::Facts facts_of(const NoiseSplit& split) {
@@ -129,7 +120,6 @@ report::Text reading(const DenoisingGrid& grid) {
     const Remains& left = trial.remains;
     const bool at_edges = grid.has_features() && left.features.times() > 1.2;
     const bool at_bends = !at_edges && left.curved.times() > 1.2;
-    facts.push_back("times"_a = readable(at_edges ? left.features.times() : left.curved.times(), 2));
     const std::string verdict = verdict_on(trial);
     return paragraph_of({words.say(verdict == "works"     ? "reading.works"
                                    : verdict == "shrinks" ? "reading.shrinks"
@@ -204,11 +194,7 @@ report::Text cannot(const Grids& grids) {
     const auto degrees = [](double angle) { return readable(180 / pi * angle, 2); };
     return paragraph_of(
         {words.say("cannot"),
-         drift ? words.say(drift->pictured().kept_along() > drift->pictured().kept_across() ? "cannot.drift" : "cannot.drift.alike",
-                           "mesh"_a = drift->name(), "share"_a = readable_percent(left(drift).along, 2),
-                           "along"_a = readable_percent(drift->pictured().kept_along(), 2),
-                           "across"_a = readable_percent(drift->pictured().kept_across(), 2))
-               : report::Text(),
+         drift ? words.say("cannot.drift", "mesh"_a = drift->name(), "share"_a = readable_percent(left(drift).along, 2)) : report::Text(),
          edges ? words.say("cannot.edges", "mesh"_a = edges->name(), "times"_a = readable(edges->pictured().taken.features.times(), 2),
                            "there"_a = degrees(left(edges).feature_angle), "elsewhere"_a = degrees(left(edges).other_angle))
                : report::Text(),
@@ -233,7 +219,7 @@ report::Text answer_of(const Grids& grids) {
     report::Text told =
         split.decides() ? words.say("answer.split", facts_of(split))
                         : words.say("answer.mixed", "helps"_a = helped.reached, "works"_a = halved.reached, "cases"_a = helped.measured);
-    return paragraph_of({told, least_gain(grids), shrunk(grids), failing_by_places(grids), price_of(grids)});
+    return paragraph_of({told, least_gain(grids), shrunk(grids), price_of(grids)});
 }
 
 report::Text summary_of(const Grids& grids) { return verdict(grids); }

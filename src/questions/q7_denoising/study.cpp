@@ -68,10 +68,8 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     Remains remains;
     const Vector distances = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, smoothed.X);
     const Vector along = drifts(grid, smoothed.X);
-    const double vertices = std::max(1.0, double(along.size())), error = (smoothed.X - clean.X).squaredNorm();
-    if (error > 0) remains.along = along.squaredNorm() / error;
-    remains.drift = std::sqrt(along.squaredNorm() / vertices);
-    remains.across = std::sqrt(std::max(0.0, error - along.squaredNorm()) / vertices);
+    if (const double error = (smoothed.X - clean.X).squaredNorm(); error > 0) remains.along = along.squaredNorm() / error;
+    remains.drift = std::sqrt(along.squaredNorm() / std::max(1.0, double(along.size())));
     remains.features = {rms_where(distances, grid.on_feature, 1), rms_where(distances, grid.on_feature, 0)};
     remains.curved = {rms_where(distances, grid.curved, 1), rms_where(distances, grid.curved, 0)};
 
@@ -109,7 +107,6 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     const SearchState& best = trial.found.by_shape;
     trial.over = best.step == 0 ? trial.noisy : moved_to(clean, smooth(trial.noisy, smoothing_by(grid, best.value, 4 * best.step)).X);
     trial.clean_alike = best.step == 0 ? clean : moved_to(clean, smooth(clean, smoothing_by(grid, best.value, best.step)).X);
-    trial.noise = remains_of(grid, normals, trial.noisy);
     trial.remains = remains_of(grid, normals, trial.best);
     trial.taken = remains_of(grid, normals, trial.clean_alike);
     return trial;

@@ -21,10 +21,10 @@ struct Uneven {
 
 /// What a smoothed mesh has not got back, or has lost.
 struct Remains {
-    double along = NAN;             // share of the squared vertex error that lies along the surface
-    double drift = 0, across = 0;   // rms distance of the vertices from their places, along the surface and across it [length]
-    Uneven features, curved;        // on edges sharper than 40°; where the clean mesh is most curved: a tenth of its vertices
-    double feature_angle = NAN;     // mean angle of the normals of faces at such edges, and of the others [rad]
+    double along = NAN;           // share of the squared vertex error that lies along the surface
+    double drift = 0;             // rms distance along the surface [length]
+    Uneven features, curved;      // on edges sharper than 40°; where the clean mesh is most curved: a tenth of its vertices
+    double feature_angle = NAN;   // mean angle of the normals of faces at such edges, and of the others [rad]
     double other_angle = NAN;
     double volume = NAN;   // over that of the clean mesh; NaN: open
 };
@@ -37,11 +37,8 @@ struct NoisyTrial {
     TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
-    Remains noise, remains, taken;   // of `noisy`, of `best`, of `clean_alike`
+    Remains remains, taken;   // of `best`, of `clean_alike`
 
-    /// What is left of the squared noise along the surface, and of that across it.
-    double kept_along() const { return std::pow(remains.drift / noise.drift, 2); }
-    double kept_across() const { return std::pow(remains.across / noise.across, 2); }
     bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
     /// Of a closed mesh more than 15 % of the volume, at the smallest distance to the surface.
     bool shrinks() const { return improved() && remains.volume < 0.85; }

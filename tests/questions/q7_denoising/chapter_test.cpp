@@ -70,8 +70,7 @@ TEST(Q7, TheTablesAreTheStudy) {
     expect_near(numbers(short_table, "places"), places);
     expect_near(numbers(short_table, "normals"), normals);
     const report::Table& remains = table_named(answer.section, "q7_remains");
-    expect_near(numbers(remains, "along surface"), {100 * grid.pictured().kept_along()});
-    expect_near(numbers(remains, "across"), {100 * grid.pictured().kept_across()});
+    expect_near(numbers(remains, "along surface"), {100 * grid.pictured().remains.along});
     expect_near(numbers(remains, "clean: volume"), {100 * grid.pictured().taken.volume});
 }
 
