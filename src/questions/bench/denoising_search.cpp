@@ -29,8 +29,13 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
     options.parameter = value * plan.unit;
     options.steps = plan.steps;
     options.after_step = [&](int step, const Positions& X) {
-        const SearchState state{value, step, shape_rms(input.clean, input.noisy.topology.vertex_faces, X), vertex_rms(input.clean.X, X),
-                                mean_normal_angle(input.clean_normals, face_normals(moved_to(input.clean, X)))};
+        const TriangleMesh smoothed = moved_to(input.clean, X);
+        const SearchState state{.value = value,
+                                .step = step,
+                                .shape = shape_rms(input.clean, input.noisy.topology.vertex_faces, X),
+                                .rms = vertex_rms(input.clean.X, X),
+                                .angle = mean_normal_angle(input.clean_normals, face_normals(smoothed)),
+                                .volume = signed_volume(smoothed)};
         ++result.steps;
         if (state.shape < result.by_shape.shape) {
             result.by_shape = state;
@@ -95,6 +100,7 @@ SearchResult search(const SearchInput& input, DenoisingMethod method, const Sear
     result.noisy.shape = shape_rms(input.clean, input.noisy.topology.vertex_faces, result.X);
     result.noisy.rms = vertex_rms(input.clean.X, result.X);
     result.noisy.angle = mean_normal_angle(input.clean_normals, face_normals(input.noisy.mesh));
+    result.noisy.volume = signed_volume(input.noisy.mesh);
     result.by_shape = result.by_rms = result.by_angle = result.noisy;
     result.defined = is_defined(method, input.noisy.mesh, input.noisy.topology);
     if (result.defined) {

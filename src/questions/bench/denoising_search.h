@@ -37,9 +37,10 @@ std::string parameter_words(DenoisingMethod method, double value);
 struct SearchState {
     double value = 0;   // in the plan's unit
     int step = 0;
-    double shape = 0;   // shape_rms() against the clean mesh [length]
-    double rms = 0;     // vertex_rms() against it [length]
-    double angle = 0;   // mean angle of the face normals against the clean ones [rad]
+    double shape = 0;    // shape_rms() against the clean mesh [length]
+    double rms = 0;      // vertex_rms() against it [length]
+    double angle = 0;    // mean angle of the face normals against the clean ones [rad]
+    double volume = 0;   // signed; means something where the mesh is closed [length³]
 };
 
 struct SearchResult {

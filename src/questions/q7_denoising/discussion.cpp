@@ -13,45 +13,71 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// In how many cases a measure gains so much, of those that have it: noise within a plane changes neither surface nor normals.
+/// The verdicts by a measure, of the cases that have it: noise within a plane changes neither surface nor normals.
 struct Count {
-    std::ptrdiff_t reached = 0, measured = 0;
+    int works = 0, helps = 0, fails = 0;
+    int cases() const { return works + helps + fails; }
 };
-Count count_of(const Grids& grids, const Measure& measure, double gain) {
+Count count_of(const Grids& grids, const Measure& measure) {
     Count count;
     for (const Case& c : cases_of(grids)) {
-        count.measured += std::isnan(c.part.gain(measure)) ? 0 : 1;
-        count.reached += c.part.gain(measure) >= gain ? 1 : 0;
+        const std::string verdict = verdict_on(c.part, measure);
+        count.works += verdict == "works" ? 1 : 0;
+        count.helps += verdict == "helps" ? 1 : 0;
+        count.fails += is_failure(verdict) ? 1 : 0;
     }
     return count;
 }
 
-/// "rounded edges and lost volume", and noise along the surface that stays, as far as they are seen.
+report::Facts facts_of(const Count& count, const Measure& measure) {
+    return {"works"_a = count.works, "helps"_a = count.helps, "fails"_a = count.fails, "cases"_a = count.cases(),
+            "measure"_a = words.line("by." + std::string(measure.key))};
+}
+
+/// What smoothing takes off along the surface and across it. @return  its facts
+report::Facts removed_on(const DenoisingGrid& grid) {
+    const NoisyTrial& trial = grid.pictured();
+    return {"mesh"_a = grid.name(), "along"_a = readable_percent(std::abs(trial.removed_along()), 2),
+            "across"_a = readable_percent(trial.removed_across(), 2)};
+}
+
+/// A message on the noise along the surface; it may also grow. @param key  of the message where it falls
+report::Text along_surface(const DenoisingGrid& grid, const std::string& key) {
+    return words.say(grid.pictured().removed_along() > 0 ? key : key + ".grows", removed_on(grid));
+}
+
+/// "rounded edges and lost volume", and noise along the surface, as far as they are seen.
 report::Text price_of(const Grids& grids) {
     Names losses;
     if (most_rounded(grids)) losses.push_back(words.line("loss.edges"));
     if (most_shrunk(grids)) losses.push_back(words.line("loss.volume"));
-    return paragraph_of({said_of(losses, words, "loss"), most_drifting(grids) ? words.say("loss.along") : report::Text()});
+    const DenoisingGrid* drift = most_drifting(grids);
+    return paragraph_of({said_of(losses, words, "loss"), drift ? along_surface(*drift, "loss.along") : report::Text()});
 }
 
 /// In how many cases smoothing works and helps, measure by measure.
-report::Text verdict(const Grids& grids) {
-    report::Text told;
-    for (const Measure& measure : measures) {
-        const Count working = count_of(grids, measure, works);
-        report::Facts facts{"works"_a = working.reached, "helps"_a = count_of(grids, measure, helps).reached, "cases"_a = working.measured};
-        if (working.measured == 0) continue;
-        if (&measure != &measures[0]) facts.push_back("measure"_a = words.line("by." + std::string(measure.key)));
-        told = paragraph_of({told, words.say(&measure == &measures[0] ? "verdict.measure" : "verdict.other", facts)});
-    }
-    return told;
+report::Text verdicts(const Grids& grids) {
+    Names told;
+    for (const Measure& measure : measures)
+        if (const Count count = count_of(grids, measure); count.cases() > 0)
+            told.push_back(words.line(told.empty() ? "verdict.first" : "verdict.other", facts_of(count, measure)));
+    return told.empty() ? report::Text() : words.say("verdict", "verdicts"_a = listed(told));
+}
+
+/// In how many cases it fails, measure by measure.
+report::Text failures(const Grids& grids) {
+    Names told;
+    for (const Measure& measure : measures)
+        if (const Count count = count_of(grids, measure); count.cases() > 0)
+            told.push_back(words.line(told.empty() ? "fails.first" : "fails.other", facts_of(count, measure)));
+    return told.empty() ? report::Text() : words.say("fails", "verdicts"_a = listed(told));
 }
 
 /// Where the surface is nearer, but the volume lost: no success.
 report::Text shrunk(const Grids& grids) {
     Names told;
     for (const Case& c : cases_of(grids))
-        if (c.part.shrinks() && c.part.gain(measures[0]) >= helps) told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
+        if (verdict_on(c.part) == "shrinks") told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
     return told.empty() ? report::Text() : words.say("shrunk", "cases"_a = listed(told));
 }
 
@@ -59,11 +85,11 @@ report::Facts facts_of(const NoiseSplit& split) {
     return {"halved"_a = readable(split.smallest_halved, 2), "other"_a = readable(split.largest_other, 2)};
 }
 
-/// Whether the noise in mean edges tells the cases that are halved from the others.
+/// That the noise in mean edges does not tell the cases that are halved from the others; that it does stands in the answer.
 report::Text noise_in_mean_edges(const Grids& grids) {
     const NoiseSplit split = noise_split(grids);
-    if (!std::isfinite(split.smallest_halved) || split.largest_other == 0) return {};
-    return words.say(split.decides() ? "split.clean" : "split.mixed", facts_of(split));
+    if (!std::isfinite(split.smallest_halved) || split.largest_other == 0 || split.decides()) return {};
+    return words.say("split.mixed", facts_of(split));
 }
 
 /// The case with the least gain.
@@ -76,6 +102,22 @@ report::Text least_gain(const Grids& grids) {
     return words.say(gain(least) < helps ? "least.fails" : "least", facts);
 }
 
+/// Where normals gain most at less than the strongest noise.
+report::Text strongest_by_normals(const Grids& grids) {
+    const Measure& normals = measures[2];
+    Names told;
+    for (const DenoisingGrid& grid : grids) {
+        const NoisyTrial& last = grid.trials.back();
+        const auto gain = [&](const NoisyTrial& trial) { return std::isnan(trial.gain(normals)) ? 0 : trial.gain(normals); };
+        const NoisyTrial& most = *std::ranges::max_element(grid.trials, {}, gain);
+        if (!(gain(most) > 1.05 * gain(last))) continue;
+        told.push_back(words.line("strong.normals.mesh", "mesh"_a = grid.name(), "most"_a = readable(gain(most), 2),
+                                  "noise"_a = readable_percent(most.relative, 2), "last"_a = readable(gain(last), 2),
+                                  "strongest"_a = readable_percent(last.relative, 2)));
+    }
+    return said_of(told, words, "strong.normals");
+}
+
 /// Where the strongest noise tried gains most, it is not too strong; what is left of it is a lot all the same.
 report::Text strongest_noise(const Grids& grids) {
     Names meshes;
@@ -83,16 +125,17 @@ report::Text strongest_noise(const Grids& grids) {
     for (const DenoisingGrid& grid : grids) {
         const auto gain = [](const NoisyTrial& trial) { return trial.gain(measures[0]); };
         const NoisyTrial& last = grid.trials.back();
-        if (grid.trials.size() < 2 || last.shrinks() ||
+        if (grid.trials.size() < 2 || verdict_on(last) == "shrinks" ||
             !std::ranges::all_of(grid.trials, [&](const NoisyTrial& t) { return gain(t) <= gain(last); }))
             continue;
         meshes.push_back(grid.name());
         angle = std::min(angle, last.found.by_angle.angle);
     }
     constexpr double crumpled = 10 * pi / 180;
-    return paragraph_of({said_of(meshes, words, "strong"), !meshes.empty() && angle > crumpled
-                                                               ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2))
-                                                               : report::Text()});
+    if (meshes.empty()) return {};
+    return paragraph_of(
+        {said_of(meshes, words, "strong"), strongest_by_normals(grids),
+         !meshes.empty() && angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
 }
 
 /// What one iteration takes from the clean mesh, beside the least and the most noise.
@@ -121,6 +164,7 @@ report::Text reading(const DenoisingGrid& grid) {
     const bool at_edges = grid.has_features() && left.features.times() > 1.2;
     const bool at_bends = !at_edges && left.curved.times() > 1.2;
     const std::string verdict = verdict_on(trial);
+    facts.push_back("times"_a = readable((at_edges ? left.features : left.curved).times(), 2));
     return paragraph_of({words.say(verdict == "works"     ? "reading.works"
                                    : verdict == "shrinks" ? "reading.shrinks"
                                    : verdict == "helps"   ? "reading.helps"
@@ -193,8 +237,7 @@ report::Text cannot(const Grids& grids) {
     if (!drift && !edges && !volume) return {};
     const auto degrees = [](double angle) { return readable(180 / pi * angle, 2); };
     return paragraph_of(
-        {words.say("cannot"),
-         drift ? words.say("cannot.drift", "mesh"_a = drift->name(), "share"_a = readable_percent(left(drift).along, 2)) : report::Text(),
+        {words.say("cannot"), drift ? along_surface(*drift, "cannot.drift") : report::Text(),
          edges ? words.say("cannot.edges", "mesh"_a = edges->name(), "times"_a = readable(edges->pictured().taken.features.times(), 2),
                            "there"_a = degrees(left(edges).feature_angle), "elsewhere"_a = degrees(left(edges).other_angle))
                : report::Text(),
@@ -213,16 +256,15 @@ report::Text no_edges(const Grids& grids) {
 }   // namespace
 
 report::Text answer_of(const Grids& grids) {
-    const Count helped = count_of(grids, measures[0], helps), halved = count_of(grids, measures[0], works);
-    if (helped.reached == 0) return paragraph_of({words.say("answer.none"), price_of(grids)});
+    const bool gained = std::ranges::any_of(cases_of(grids), [](const Case& c) { return c.part.gain(measures[0]) >= helps; });
+    if (!gained) return paragraph_of({words.say("answer.none"), price_of(grids)});
     const NoiseSplit split = noise_split(grids);
-    report::Text told =
-        split.decides() ? words.say("answer.split", facts_of(split))
-                        : words.say("answer.mixed", "helps"_a = helped.reached, "works"_a = halved.reached, "cases"_a = helped.measured);
-    return paragraph_of({told, least_gain(grids), shrunk(grids), price_of(grids)});
+    const report::Text told = split.decides() ? words.say("answer.split", facts_of(split))
+                                              : words.say("answer.mixed", facts_of(count_of(grids, measures[0]), measures[0]));
+    return paragraph_of({told, least_gain(grids), failures(grids), shrunk(grids), price_of(grids)});
 }
 
-report::Text summary_of(const Grids& grids) { return verdict(grids); }
+report::Text summary_of(const Grids& grids) { return verdicts(grids); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });

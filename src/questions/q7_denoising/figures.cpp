@@ -83,7 +83,7 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
             "edges"_a = readable(trial.sigma / grid.mean_edge, 2),
             "lambda"_a = readable(best.value, 2),
             "best"_a = best.step,
-            "volume"_a = readable_percent(trial.remains.volume, 2),
+            "volume"_a = readable_percent(trial.volume_by(measures[0]), 2),
             "over"_a = 4 * best.step,
             "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
 }
@@ -140,7 +140,9 @@ void add_levels(Answer& answer, const DenoisingGrid& grid) {
 }
 
 const DenoisingGrid* most_drifting(const Grids& grids) {
-    return most_of(grids, 0, [](const DenoisingGrid&, const NoisyTrial& trial) { return trial.remains.drift / trial.sigma; });
+    return most_of(grids, 0, [](const DenoisingGrid&, const NoisyTrial& trial) {
+        return trial.removed_along() < trial.removed_across() ? NoisyTrial::drift(trial.found.by_shape) / trial.sigma : 0;
+    });
 }
 
 const DenoisingGrid* most_rounded(const Grids& grids) {

@@ -30,7 +30,7 @@ void add_views(Answer& answer, const Grids& grids, const output::ColorRange& col
 void add_levels(Answer& answer, const DenoisingGrid& grid);
 /// What smoothing cannot do: drift, rounded edges, lost volume, each where it shows most.
 void add_limits(Answer& answer, const Grids& grids);
-/// Whose noise to look at shows most of it; null where none does.
+/// Whose noise to look at shows most of it; null where none does. Drift: where smoothing removes less along the surface than across it.
 const DenoisingGrid* most_drifting(const Grids& grids);
 const DenoisingGrid* most_rounded(const Grids& grids);
 const DenoisingGrid* most_shrunk(const Grids& grids);

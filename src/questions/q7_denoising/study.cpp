@@ -67,9 +67,6 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     const TriangleMesh& clean = grid.clean->mesh();
     Remains remains;
     const Vector distances = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, smoothed.X);
-    const Vector along = drifts(grid, smoothed.X);
-    if (const double error = (smoothed.X - clean.X).squaredNorm(); error > 0) remains.along = along.squaredNorm() / error;
-    remains.drift = std::sqrt(along.squaredNorm() / std::max(1.0, double(along.size())));
     remains.features = {rms_where(distances, grid.on_feature, 1), rms_where(distances, grid.on_feature, 0)};
     remains.curved = {rms_where(distances, grid.curved, 1), rms_where(distances, grid.curved, 0)};
 
@@ -95,6 +92,7 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     NoisyTrial trial;
     trial.relative = relative;
     trial.sigma = relative * grid.diagonal;
+    if (grid.clean->prepared->preflight.closed()) trial.clean_volume = signed_volume(clean);
     trial.noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchInput input{clean, normals, {trial.noisy, topology}, grid.mean_edge};
     Patience patience;
@@ -151,6 +149,8 @@ const NoisyTrial& DenoisingGrid::pictured() const {
     return halved != trials.end() ? *halved : *std::ranges::max_element(trials, {}, gain);
 }
 
+double NoisyTrial::removed_along() const { return 1 - std::pow(drift(found.by_shape) / drift(found.noisy), 2); }
+
 double DenoisingGrid::taken_at_once(const NoisyTrial& trial) const {
     return std::isnan(trial.found.gain()) || without_noise.size() < 2 ? std::nan("") : without_noise[1] / trial.found.noisy.shape;
 }
@@ -173,14 +173,13 @@ Vector sinkings(const DenoisingGrid& grid, const Positions& X) {
     return (clean.X - X).cwiseProduct(vertex_normals(clean)).rowwise().sum().cwiseMax(0.0);
 }
 
-std::string verdict_on(double gain) {
+std::string verdict_on(const NoisyTrial& trial, const Measure& measure) {
+    constexpr double volume_to_keep = 0.85;
+    const double gain = trial.gain(measure);
     if (std::isnan(gain)) return "–";
-    return gain >= works ? "works" : gain >= helps ? "helps" : "fails";
-}
-
-std::string verdict_on(const NoisyTrial& trial) {
-    const double gain = trial.gain(measures[0]);
-    return gain >= helps && trial.shrinks() ? "shrinks" : verdict_on(gain);
+    if (gain < helps) return "fails";
+    if (trial.volume_by(measure) < volume_to_keep) return "shrinks";
+    return gain >= works ? "works" : "helps";
 }
 
 NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids) {

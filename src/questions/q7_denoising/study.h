@@ -2,6 +2,7 @@
 /// What question 7 measures: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -21,8 +22,6 @@ struct Uneven {
 
 /// What a smoothed mesh has not got back, or has lost.
 struct Remains {
-    double along = NAN;           // share of the squared vertex error that lies along the surface
-    double drift = 0;             // rms distance along the surface [length]
     Uneven features, curved;      // on edges sharper than 40°; where the clean mesh is most curved: a tenth of its vertices
     double feature_angle = NAN;   // mean angle of the normals of faces at such edges, and of the others [rad]
     double other_angle = NAN;
@@ -32,6 +31,7 @@ struct Remains {
 /// One noisy mesh, and what the grid made of it. λ is in squared mean edges of the clean mesh, h̄².
 struct NoisyTrial {
     double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
+    double clean_volume = NAN;         // NaN: open [length³]
     TriangleMesh noisy, best;          // best: nearest to the clean surface
     TriangleMesh over;                 // four times as many iterations of the same λ
     TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
@@ -40,8 +40,13 @@ struct NoisyTrial {
     Remains remains, taken;   // of `best`, of `clean_alike`
 
     bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
-    /// Of a closed mesh more than 15 % of the volume, at the smallest distance to the surface.
-    bool shrinks() const { return improved() && remains.volume < 0.85; }
+    /// What the best by a measure has of the volume; NaN for an open mesh.
+    double volume_by(const Measure& measure) const { return best_by(measure).volume / clean_volume; }
+    /// How much of the noisy mesh's squared error the best by surface has lost: that along the surface, and that across it.
+    double removed_along() const;
+    double removed_across() const { return 1 - std::pow(found.by_shape.shape / found.noisy.shape, 2); }
+    /// rms distance along the surface of a state. [length]
+    static double drift(const SearchState& state) { return std::sqrt(std::max(0.0, state.rms * state.rms - state.shape * state.shape)); }
     /// NaN where the noise has nothing of the measure.
     double gain(const Measure& measure) const { return (found.*measure.gain)(); }
     const SearchState& best_by(const Measure& measure) const { return found.*measure.best; }
@@ -76,11 +81,11 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const Que
 Vector drifts(const DenoisingGrid& grid, const Positions& X);
 Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 
-/// By the distance to the surface: "works" (gain ≥ 2), "helps" (≥ 1.1), either "shrinks" where more than 15 % of the volume is lost;
-/// "fails" (below), "–" (nothing to measure).
-std::string verdict_on(const NoisyTrial& trial);
-/// By a gain alone.
-std::string verdict_on(double gain);
+/// Of smoothing at the best by this measure: "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "–" (nothing to measure). A gain of
+/// 1.1 or more that costs more than 15 % of the volume is a failure too, "shrinks".
+std::string verdict_on(const NoisyTrial& trial, const Measure& measure = measures[0]);
+/// Is this verdict one of failure?
+inline bool is_failure(const std::string& verdict) { return verdict == "fails" || verdict == "shrinks"; }
 
 /// The lowest noise whose distance to the surface is halved, ∞ for none, and the highest that is not, 0 for none. [mean edges]
 struct NoiseSplit {

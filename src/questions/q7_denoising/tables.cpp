@@ -95,7 +95,7 @@ report::Table measure_table(const Grids& grids) {
         .column("gain", {.unit = "×"}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
         .column("λ", {.unit = "h̄²"}, [](auto& r) { return cell_of(r.best().value, r.better()); })
         .column("t", {.digits = 5}, [](auto& r) { return cell_of(r.best().step, r.better()); })
-        .column("verdict", [](auto& r) { return verdict_on(r.trial.gain(r.measure)); });
+        .column("verdict", [](auto& r) { return verdict_on(r.trial, r.measure); });
 }
 
 report::Table remains_table(const Grids& grids) {
@@ -108,7 +108,8 @@ report::Table remains_table(const Grids& grids) {
     return table("q7_remains", caption, grids)
         .column("mesh", &DenoisingGrid::name)
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& g) { return 100 * g.pictured().relative; })
-        .column("along surface", {.unit = "% of error²", .digits = 2}, [&](auto& g) { return cell_of(100 * left(g).along); })
+        .column("removed along", {.unit = "% of error²", .digits = 2}, [](auto& g) { return cell_of(100 * g.pictured().removed_along()); })
+        .column("across", {.unit = "% of error²", .digits = 2}, [](auto& g) { return cell_of(100 * g.pictured().removed_across()); })
         .column("normals at edges", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(g, left(g).feature_angle); })
         .column("elsewhere", {.unit = "°", .digits = 2}, [&](auto& g) { return degrees(g, left(g).other_angle); })
         .column("volume", {.unit = "%"}, [&](auto& g) { return cell_of(100 * left(g).volume); })

@@ -17,9 +17,6 @@ using q5_explicit::ExplicitStudy;
 using q6_implicit::implicit_study;
 using q6_implicit::ImplicitStudy;
 using q6_implicit::SmoothingCell;
-using q7_denoising::denoising_grid;
-using q7_denoising::DenoisingGrid;
-using q7_denoising::NoisyTrial;
 
 namespace {
 
@@ -31,10 +28,6 @@ std::string told(void (*add)(report::Section&, const std::vector<Study>&), const
 }
 std::string told(const ExplicitStudy& study) { return told(q5_explicit::add_discussion, std::vector{study}); }
 std::string told(const ImplicitStudy& study) { return told(q6_implicit::add_discussion, std::vector{study}); }
-std::string told(const DenoisingGrid& grid) {
-    return report::plain(q7_denoising::answer_of({grid})) + " " + report::plain(q7_denoising::summary_of({grid})) +
-           told(q7_denoising::add_discussion, std::vector{grid});
-}
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
@@ -60,7 +53,8 @@ TEST(Discussions, NoParagraphIsWithoutItsNumber) {
     expect_a_number_in_every_paragraph([](report::Section& section) {
         q5_explicit::add_discussion(section, {explicit_study(cube, quick_settings()), explicit_study(ball, quick_settings())});
         q6_implicit::add_discussion(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
-        q7_denoising::add_discussion(section, {denoising_grid(cube, quick_settings()), denoising_grid(ball, quick_settings())});
+        q7_denoising::add_discussion(
+            section, {q7_denoising::denoising_grid(cube, quick_settings()), q7_denoising::denoising_grid(ball, quick_settings())});
     });
 }
 
@@ -214,105 +208,4 @@ TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
     study.costs[1].explicit_steps = 0;
     EXPECT_FALSE(has(told(study), "For strong smoothing implicit is cheaper")) << told(study);
     EXPECT_TRUE(has(told(study), "Only the implicit method reaches so much smoothing within 3000 steps on cube_told")) << told(study);
-}
-
-TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheDistanceIsLarger) {
-    DenoisingGrid grid = denoising_grid(ball, quick_settings());
-    EXPECT_TRUE(has(told(grid), "no edge to lose")) << told(grid);
-    grid.feature_vertices = 10;
-    for (NoisyTrial& trial : grid.trials) {
-        trial.found.by_shape.step = 3;
-        trial.taken.features = {2, 1};
-    }
-    EXPECT_TRUE(has(told(grid), "Edges are rounded even without noise: the clean ball_told, smoothed alike, is 2.0 times as far off"))
-        << told(grid);
-    for (NoisyTrial& trial : grid.trials) trial.taken.features = {1, 2};
-    EXPECT_FALSE(has(told(grid), "Edges are rounded")) << told(grid);
-    grid.feature_vertices = 100;   // of 162
-    EXPECT_TRUE(has(told(grid), "edges and tessellation cannot be told apart")) << told(grid);
-}
-
-TEST(DenoisingDiscussion, SaysWhereThePictureIsDarkest) {
-    DenoisingGrid grid = denoising_grid(ball, quick_settings());
-    const auto spread = [&](q7_denoising::Uneven features, q7_denoising::Uneven curved) {
-        for (NoisyTrial& trial : grid.trials) {
-            trial.found.by_shape.step = 3;
-            trial.remains.features = features;
-            trial.remains.curved = curved;
-        }
-        return told(grid);
-    };
-    EXPECT_FALSE(has(spread({1, 1}, {1, 1}), "darkest"));
-    EXPECT_TRUE(has(spread({3, 1}, {2, 1}), "darkest where it bends most.")) << "a ball has no edges";
-    grid.feature_vertices = 10;
-    EXPECT_TRUE(has(spread({3, 1}, {2, 1}), "darkest along the edges."));
-}
-
-TEST(DenoisingDiscussion, VerdictsCountTheCasesOfEachMeasure) {
-    DenoisingGrid grid = denoising_grid(cube, quick_settings());
-    for (NoisyTrial& trial : grid.trials) {
-        trial.found.by_rms.rms = trial.found.noisy.rms / 3;
-        trial.found.by_angle.angle = trial.found.noisy.angle / 1.5;
-        trial.found.by_shape.shape = trial.found.noisy.shape;
-    }
-    EXPECT_TRUE(has(told(grid), "The surface distance is halved in 0 of 2 cases and falls at least 1.1-fold in 0")) << told(grid);
-    EXPECT_TRUE(has(told(grid), "The distance to the vertices' places is halved in 2 and falls at least 1.1-fold in 2 of 2")) << told(grid);
-    EXPECT_TRUE(has(told(grid), "The mean angle of the normals is halved in 0 and falls at least 1.1-fold in 2 of 2")) << told(grid);
-}
-
-TEST(DenoisingDiscussion, WhereTheVolumeIsLostThereIsNoSuccess) {
-    DenoisingGrid grid = denoising_grid(ball, quick_settings());
-    for (NoisyTrial& trial : grid.trials) {
-        trial.found.by_shape.step = 3;
-        trial.found.by_shape.shape = trial.found.noisy.shape / 3;
-        trial.remains.volume = 0.95;
-    }
-    EXPECT_TRUE(has(told(grid), "On ball_told smoothing works")) << told(grid);
-    EXPECT_FALSE(has(report::plain(q7_denoising::answer_of({grid})), "It fails where more than 15"));
-    for (NoisyTrial& trial : grid.trials) trial.remains.volume = 0.74;
-    EXPECT_FALSE(has(told(grid), "smoothing works")) << told(grid);
-    EXPECT_TRUE(has(told(grid), "but only 74\u202f% of the volume is left")) << told(grid);
-    EXPECT_TRUE(has(report::plain(q7_denoising::answer_of({grid})), "It fails where more than 15"));
-}
-
-TEST(DenoisingDiscussion, TheErrorIsSaidToRiseAtOnceWhereItDoes) {
-    DenoisingGrid grid = denoising_grid(ball, quick_settings());
-    const auto with = [&](double taken, double after) {
-        NoisyTrial& trial = grid.trials.front();
-        grid.without_noise[1] = taken * trial.found.noisy.shape;
-        for (SearchState& state : trial.states)
-            if (state.step == 1) state.shape = after * trial.found.noisy.shape;
-        return has(told(grid), "the error rises at once");
-    };
-    EXPECT_TRUE(with(2, 1.5));
-    EXPECT_FALSE(with(0.5, 1.5)) << "the loss is small";
-    EXPECT_FALSE(with(2, 0.9)) << "it falls";
-}
-
-TEST(DenoisingDiscussion, TheAnswerNamesTheNoiseWhereItBeginsToHelp) {
-    DenoisingGrid grid = denoising_grid(ball, quick_settings());
-    const auto gains = [&](double low, double high) {
-        NoisyTrial &first = grid.trials.front(), &last = grid.trials.back();
-        first.found.by_shape.shape = first.found.noisy.shape / low;
-        last.found.by_shape.shape = last.found.noisy.shape / high;
-        return report::plain(q7_denoising::answer_of({grid}));
-    };
-    EXPECT_TRUE(has(gains(1.5, 3), "Of the noise tried, smoothing halves that of")) << gains(1.5, 3);
-    EXPECT_TRUE(has(gains(1.5, 3), "It gains least at")) << gains(1.5, 3);
-    EXPECT_TRUE(has(gains(1.05, 3), "It fails at")) << gains(1.05, 3);
-    EXPECT_TRUE(has(gains(3, 4), "in 2 of 2 cases and halves it in 2")) << gains(3, 4);
-    EXPECT_TRUE(has(gains(3, 1.05), "in 1 of 2 cases and halves it in 1")) << "more noise, less gain: no such limit";
-    EXPECT_TRUE(has(gains(1.05, 1.05), "Smoothing fails here")) << gains(1.05, 1.05);
-}
-
-TEST(DenoisingDiscussion, WhetherMoreNoiseAsksForMoreSmoothingIsRead) {
-    DenoisingGrid grid = denoising_grid(cube, quick_settings());
-    const auto best_at = [&](NoisyTrial& trial, int step) { trial.found.by_shape.value = 0.1, trial.found.by_shape.step = step; };
-    best_at(grid.trials.front(), 1);
-    best_at(grid.trials.back(), 5);
-    EXPECT_TRUE(has(told(grid), "the best λt grows from 0.10 to 0.50 h̄² on cube_told")) << told(grid);
-    best_at(grid.trials.front(), 7);
-    EXPECT_TRUE(has(told(grid), "the best λt falls from 0.70 to 0.50 h̄² on cube_told")) << told(grid);
-    best_at(grid.trials.front(), 5);
-    EXPECT_FALSE(has(told(grid), "More noise asks")) << told(grid);
 }

@@ -119,8 +119,12 @@ TEST(DenoisingGrid, DriftAndDistanceMakeUpTheVertexError) {
     const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_drift");
     for (const NoisyTrial& trial : grid.trials) {
         const double error = vertex_rms(grid.clean->mesh().X, trial.best.X);
-        EXPECT_NEAR(std::hypot(trial.remains.drift, trial.found.by_shape.shape), error, 1e-9 * error);
-        EXPECT_NEAR(trial.remains.along, std::pow(trial.remains.drift / error, 2), 1e-9);
+        const auto along = [&](const TriangleMesh& mesh) { return drifts(grid, mesh.X).squaredNorm(); };
+        const auto across = [&](const TriangleMesh& mesh) { return (mesh.X - grid.clean->mesh().X).squaredNorm() - along(mesh); };
+        const double n = grid.clean->mesh().vertex_count();
+        EXPECT_NEAR(n * std::pow(NoisyTrial::drift(trial.found.by_shape), 2), along(trial.best), 1e-9 * n * error * error);
+        EXPECT_NEAR(trial.removed_along(), 1 - along(trial.best) / along(trial.noisy), 1e-9);
+        EXPECT_NEAR(trial.removed_across(), 1 - across(trial.best) / across(trial.noisy), 1e-9);
     }
     const Positions& X = grid.clean->mesh().X;
     EXPECT_EQ(drifts(grid, X).cwiseAbs().maxCoeff(), 0);
