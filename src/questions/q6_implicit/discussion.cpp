@@ -122,7 +122,8 @@ report::Text left_far_beyond(const Studies& studies) {
         }
     }
     if (!(least < size_to_keep)) return {};
-    return words.say("price.far.kept", "least"_a = readable_percent(least, 2), "most"_a = readable_percent(most, 2));
+    const std::string from = readable_percent(least, 2), to = readable_percent(most, 2);
+    return words.say("price.far.kept", "kept"_a = from == to ? from : words.line("span", "low"_a = from, "high"_a = to));
 }
 
 /// How many times as far as the others these vertices moved; NaN where all are alike, or more than half are of them.
