@@ -206,6 +206,6 @@ TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
     EXPECT_TRUE(has(told(study), "both cost about the same")) << told(study);
     EXPECT_FALSE(has(told(study), "depends on the mesh")) << "there is one mesh";
     study.costs[1].explicit_steps = 0;
-    EXPECT_FALSE(has(told(study), "For strong smoothing implicit is cheaper")) << told(study);
+    EXPECT_FALSE(has(told(study), "Far beyond the limit implicit is cheaper")) << told(study);
     EXPECT_TRUE(has(told(study), "Only the implicit method reaches so much smoothing within 3000 steps on cube_told")) << told(study);
 }
