@@ -8,8 +8,12 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/parallel.h"
 #include "base/sha256.h"
 #include "embedded_data.h"
+#include "geometry/measures/closest_point.h"
+#include "mesh/decimation.h"
+#include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
@@ -118,6 +122,8 @@ struct MeshLibrary::Shelf {
     using Key = std::pair<MeshLookup, fs::path>;   // and the base folder
     std::map<Key, std::shared_ptr<const LibraryMesh>> meshes;
     std::map<Key, std::exception_ptr> unusable;   // a mesh that cannot be had is looked for once, too
+    std::mutex copies_mutex;
+    std::map<std::pair<std::shared_ptr<const LibraryMesh>, int>, std::shared_ptr<const LibraryMesh>> copies;   // and their vertices at most
     std::mutex digest_mutex;
     std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
 
@@ -292,6 +298,21 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
     return loaded({.by = MeshLookup::By::in_data, .path = file}, {});
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::decimated_to(int vertices, const std::shared_ptr<const LibraryMesh>& mesh) const {
+    const TriangleMesh& whole = mesh->mesh();
+    if (whole.vertex_count() <= vertices) return mesh;
+    const std::lock_guard lock(shelf_->copies_mutex);   // held while decimating: several sections want the same copy
+    auto& copy = shelf_->copies[{mesh, vertices}];
+    if (copy) return copy;
+    LibraryMesh small = *mesh;
+    small.is_copy = true;
+    small.prepared = std::make_shared<const PreparedMesh>(prepare_mesh({decimated(whole, vertices), mesh->prepared->file, {}, {}}));
+    const ClosestPoint surface(small.mesh());
+    const double sum = ordered_sum(whole.vertex_count(), [&](int v) { return surface.squared_distance(whole.X.row(v)); });
+    small.decimation_error = std::sqrt(sum / whole.vertex_count()) / bounding_box(whole).diagonal();
+    return copy = std::make_shared<const LibraryMesh>(std::move(small));
 }
 
 std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {

@@ -30,6 +30,8 @@ struct LibraryMesh {
     report::Input input;
     std::string name;   // short, for ids and file names: [a-z0-9_]
     std::shared_ptr<const PreparedMesh> prepared;
+    bool is_copy = false;          // decimated
+    double decimation_error = 0;   // rms distance of the file's vertices to the copy, over the box diagonal
     const TriangleMesh& mesh() const { return prepared->mesh; }
 };
 
@@ -73,6 +75,9 @@ public:
                                                 const std::filesystem::path& base) const;
     /// A mesh that only a data folder may have, by its file name; null where none has it.
     std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
+
+    /// A copy with at most so many vertices (mesh/decimation.h), made once; the mesh itself where it has no more.
+    std::shared_ptr<const LibraryMesh> decimated_to(int vertices, const std::shared_ptr<const LibraryMesh>& mesh) const;
 
     bool has_own_meshes() const { return !own_.empty(); }
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles; those that cannot be used are left out.

@@ -5,12 +5,22 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "base/number_text.h"
 
 namespace meshfolio {
 
 namespace {
 
 const std::string unusable = "meshes that cannot be used";
+constexpr int explored_vertices = 10000;   // of a mesh at most, for a first look
+
+void say_if_copy(const LibraryMesh& mesh, report::Section& section) {
+    if (!mesh.is_copy) return;
+    const std::string warning =
+        report::Words("figures").line("decimated", "file"_a = mesh.input.file, "vertices"_a = mesh.input.vertices,
+                                      "copy"_a = mesh.mesh().vertex_count(), "error"_a = readable_percent(mesh.decimation_error, 2));
+    if (std::ranges::find(section.warnings, warning) == section.warnings.end()) section.warnings.push_back(warning);
+}
 
 }   // namespace
 
@@ -25,6 +35,7 @@ report::Section section_of(std::string_view id) {
 }
 
 void enter_input(const LibraryMesh& mesh, report::Section& section) {
+    say_if_copy(mesh, section);
     const auto same = [&](const report::Input& input) { return input.file == mesh.input.file && input.sha256 == mesh.input.sha256; };
     if (std::any_of(section.inputs.begin(), section.inputs.end(), same)) return;
     section.inputs.push_back(mesh.input);
@@ -44,6 +55,21 @@ std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& li
         for (const std::string_view role : roles) meshes.push_back(library.role(std::string(role)));
     }
     for (const auto& mesh : meshes) enter_input(*mesh, section);
+    return meshes;
+}
+
+std::shared_ptr<const LibraryMesh> mesh_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
+                                                   std::shared_ptr<const LibraryMesh> mesh) {
+    return settings.quick ? library.decimated_to(explored_vertices, mesh) : mesh;
+}
+
+std::vector<std::shared_ptr<const LibraryMesh>> meshes_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
+                                                                  std::initializer_list<std::string_view> roles, report::Section& section) {
+    auto meshes = meshes_for(library, settings, roles, section);
+    for (auto& mesh : meshes) {
+        mesh = mesh_to_explore(library, settings, mesh);
+        say_if_copy(*mesh, section);
+    }
     return meshes;
 }
 

@@ -26,6 +26,14 @@ report::Section section_of(std::string_view id);
 std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& library, const QuestionSettings& settings,
                                                            std::initializer_list<std::string_view> roles, report::Section& section);
 
+/// The same for a section that explores beyond what is asked: in a quick report, copies of at most 10,000 vertices of larger meshes, which
+/// the section says.
+std::vector<std::shared_ptr<const LibraryMesh>> meshes_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
+                                                                  std::initializer_list<std::string_view> roles, report::Section& section);
+/// One of them, which enter_input() or the section itself has to name.
+std::shared_ptr<const LibraryMesh> mesh_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
+                                                   std::shared_ptr<const LibraryMesh> mesh);
+
 /// The failed check of a section that had to go without one of its meshes, and why.
 report::Check unusable_mesh_check(const std::string& reason);
 /// Whether such a check is there. Its answer is not cached: the mesh may be usable the next time, once it is mended or memory is free.

@@ -1,4 +1,5 @@
 #include "questions/reproductions/study.h"
+#include "questions/core/section_tools.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -105,7 +106,8 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
     std::vector<ExperimentMesh> meshes;
     if (experiment.meshes.empty()) return meshes;
     if (library.has_own_meshes()) {
-        for (const auto& own : library.own_meshes()) meshes.push_back(measured(experiment.meshes.front(), own, experiment));
+        for (const auto& own : library.own_meshes())
+            meshes.push_back(measured(experiment.meshes.front(), mesh_to_explore(library, settings, own), experiment));
         return meshes;
     }
     for (const OriginalMesh& original : experiment.meshes) {

@@ -10,6 +10,7 @@
 #include "base/sha256.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/samples/sample_shapes.h"
+#include "questions/core/section_tools.h"
 #include "source_dir.h"
 #include "temporary_folder.h"
 
@@ -201,4 +202,29 @@ TEST(MeshLibrary, AnIdentityChangesWithTheMeshItsNameAndItsPlace) {
     EXPECT_NE(identity(absent), none);
     const MeshLookup missing{.by = MeshLookup::By::file, .path = "missing.obj"};
     EXPECT_EQ(identity(missing).rfind("error ", 0), 0u);
+}
+
+// A copy is made once, keeps what a surface is, and says how far it lies away; a mesh that is small enough is itself.
+TEST(MeshLibrary, ALargeMeshIsExploredOnADecimatedCopyThatTheSectionNames) {
+    const TemporaryFolder folder("library_copy");
+    const fs::path large = put(folder.path() / "large.ply", icosphere(6)), small = put(folder.path() / "small.ply", icosphere(2));
+    const MeshLibrary library({}, {large, small});
+    const auto meshes = library.own_meshes();
+    ASSERT_EQ(meshes.size(), 2u);
+    QuestionSettings settings;
+    report::Section whole, quick;
+    const auto all = meshes_to_explore(library, settings, {}, whole);
+    EXPECT_EQ(all, meshes) << "without --quick";
+    EXPECT_TRUE(whole.warnings.empty());
+    settings.quick = true;
+    const auto explored = meshes_to_explore(library, settings, {}, quick);
+    EXPECT_EQ(explored[1], meshes[1]);
+    EXPECT_EQ(explored[0]->mesh().vertex_count(), 10000);
+    EXPECT_TRUE(explored[0]->prepared->preflight.closed());
+    EXPECT_EQ(explored[0], library.decimated_to(10000, meshes[0])) << "made once";
+    EXPECT_GT(explored[0]->decimation_error, 1e-7);
+    EXPECT_LT(explored[0]->decimation_error, 1e-3);
+    ASSERT_EQ(quick.warnings.size(), 1u);
+    EXPECT_NE(quick.warnings[0].find("large.ply: this section explores a decimated copy of 10000 of the 40962 vertices"), std::string::npos)
+        << quick.warnings[0];
 }
