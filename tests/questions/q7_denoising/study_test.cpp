@@ -102,8 +102,9 @@ TEST(DenoisingGrid, FurtherSamplesAreSmoothedAsTheFirst) {
     settings.seed = 6;   // the first of the further ones
     settings.lambda = {trial.found.by_shape.value * std::pow(mean_edge_length(cube_mesh(6)), 2)};
     const NoisyTrial next = grid_on(cube_mesh(6), "cube_samples", settings).trials[0];
-    for (const SearchState& state : next.states)
-        if (state.step == trial.found.by_shape.step) EXPECT_NEAR(trial.further_gains[0], next.found.noisy.shape / state.shape, 1e-9);
+    const auto alike = std::ranges::find(next.states, trial.found.by_shape.step, &SearchState::step);
+    ASSERT_NE(alike, next.states.end());
+    EXPECT_NEAR(trial.further_gains[0], next.found.noisy.shape / alike->shape, 1e-9);
     EXPECT_TRUE(grid_on(cube_mesh(6), "cube_one").trials[0].further_gains.empty());
 }
 
