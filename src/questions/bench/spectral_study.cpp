@@ -73,7 +73,9 @@ PowerLaw power_law(const SpectralStudy& study, int a, int b) {
     const Vector log_k = Vector::LinSpaced(b - a + 1, a, b).array().log(), log_rms = study.rms.segment(a, b - a + 1).array().log();
     const Vector dk = log_k.array() - log_k.mean();
     const double power = -dk.dot(log_rms) / dk.squaredNorm();
-    return {a, b, std::exp(log_rms.mean() + power * log_k.mean()), power};
+    PowerLaw law{a, b, std::exp(log_rms.mean() + power * log_k.mean()), power};
+    for (int k = a; k <= b; ++k) law.deviation = std::max(law.deviation, std::exp(std::abs(std::log(study.rms[k] / law.at(k)))));
+    return law;
 }
 
 std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study) {
@@ -82,6 +84,11 @@ std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study) {
     while (last > first && !(study.rms[last] > 1e-9 * study.diagonal)) --last;
     if (last < first + 4) return {};
     return power_law(study, first, last);
+}
+
+double share_made_worse(const SpectralStudy& study, const Reconstruction& earlier, const Reconstruction& later) {
+    const double rounding = 1e-9 * study.diagonal;
+    return (later.distance.array() > earlier.distance.array() + rounding).cast<double>().mean();
 }
 
 int zero_modes(const SpectralStudy& study) { return static_cast<int>((study.spectrum.eigenvalues.array() == 0).count()); }

@@ -49,6 +49,7 @@ int smallest_k_below(const SpectralStudy& study, double share);
 struct PowerLaw {
     int first = 0, last = 0;
     double factor = 0, power = 0;   // factor [length]
+    double deviation = 0;           // largest factor between the law and an error it was fitted to
     double at(double k) const;
 };
 /// @param a, b  a < b
@@ -56,6 +57,9 @@ PowerLaw power_law(const SpectralStudy& study, int a, int b);
 /// From the first k asked for on; not over the last modes of all, behind which nothing is left, nor over errors that are rounding. None
 /// where that leaves fewer than five k.
 std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study);
+
+/// Share of the vertices that are farther from their places with `later` than with `earlier`, by more than rounding.
+double share_made_worse(const SpectralStudy& study, const Reconstruction& earlier, const Reconstruction& later);
 
 /// Modes of eigenvalue 0: they say where each component is, and nothing of its shape.
 int zero_modes(const SpectralStudy& study);

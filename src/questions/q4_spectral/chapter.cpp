@@ -54,7 +54,7 @@ void add_appendix(Answer& answer, const std::vector<Subject>& subjects) {
         add_further_figure(answer, subject.study);
         if (subject.limbs.measured()) add(answer.section, limb_table(subject.study, subject.limbs));
         add(answer.section, eigenvalue_table(subject.study));
-        add(answer.section, cost_table(subject.study, subject.factor_entries));
+        if (!subject.study.spectrum.dense) add(answer.section, cost_table(subject.study, subject.factor_entries));
     }
 }
 
@@ -69,6 +69,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.answer = answer_in_short(subjects);
     add_paragraphs(section, {lead(subjects)});
     add_words(section, words, "method");
+    add_paragraphs(section, {solvers(subjects)});
     add_words(section, words, "results");
     for (const Subject& subject : subjects) {
         add_reconstruction_figure(answer, subject.study);

@@ -19,10 +19,16 @@ constexpr double clear_ratio = 1.5;   // less is no difference that one explains
 report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
     const bool closed = study.source->prepared->preflight.closed() && std::isfinite(r.difference.volume_ratio);
     const double volume = closed ? r.difference.volume_ratio : 1;
-    const report::Facts facts{"k"_a = r.k, "mesh"_a = study.name(), "rms"_a = percent_of_box(study, r.difference.area_weighted_rms),
-                              "angle"_a = readable(r.difference.mean_normal_angle * 180 / pi, 2), "volume"_a = readable_percent(volume, 2)};
+    const report::Facts facts{"k"_a = r.k,
+                              "mesh"_a = study.name(),
+                              "rms"_a = percent_of_box(study, r.difference.area_weighted_rms),
+                              "angle"_a = readable(r.difference.mean_normal_angle * 180 / pi, 2),
+                              "volume"_a = readable_percent(volume, 2),
+                              "largest"_a = percent_of_box(study, r.difference.max)};
     if (is_exact(study, r.k)) return words.say("picture.exact", facts);
-    if (r.difference.area_weighted_rms < 0.005 * study.diagonal) return words.say("picture.close", facts);
+    constexpr double rough = 5;   // degrees
+    if (r.difference.area_weighted_rms < 0.005 * study.diagonal)
+        return words.say(r.difference.mean_normal_angle * 180 / pi < rough ? "picture.close" : "picture.close_but_rough", facts);
     if (volume < 0.01) return words.say("picture.nothing", facts);
     if (volume < 0.3) return words.say("picture.collapsed", facts);
     return words.say(!closed ? "picture.open" : volume < 0.9 ? "picture.rounded" : "picture.whole", facts);
@@ -54,7 +60,25 @@ std::string times_to_halve(const PowerLaw& law) { return readable(std::pow(2, 1 
 report::Text rate(const SpectralStudy& study) {
     const auto law = fall_of_the_error(study);
     if (!law) return {};
-    return words.say("rate", "power"_a = readable(law->power, 2), "times"_a = times_to_halve(*law), "mesh"_a = study.name());
+    const report::Text told = words.say("rate", "power"_a = readable(law->power, 2), "times"_a = times_to_halve(*law),
+                                        "first"_a = law->first, "last"_a = law->last, "deviation"_a = readable(law->deviation, 3));
+    // Twice as far on, the error would be 2^−power of that at the end of the law.
+    const int beyond = std::min(study.modes(), 2 * law->last);
+    const bool knee = beyond > law->last && study.rms[beyond] < 0.5 * law->at(beyond);
+    return paragraph_of({told, knee ? words.say("rate.knee", "modes"_a = study.modes()) : report::Text()});
+}
+
+/// That single vertices may lose where the whole gains.
+report::Text single_vertices(const SpectralStudy& study) {
+    const std::vector<Reconstruction>& all = study.reconstructions;
+    const report::Text whole = words.say("never_worse", "mesh"_a = study.name());
+    double most = 0;
+    std::size_t at = 0;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (const double share = share_made_worse(study, all[i - 1], all[i]); share > most) most = share, at = i;
+    if (at == 0) return whole;
+    return paragraph_of({whole, words.say("vertices_worse", "share"_a = readable_percent(most, 2), "from"_a = all[at - 1].k,
+                                          "to"_a = all[at].k, "mesh"_a = study.name())});
 }
 
 /// The k for the errors that are told, and the first that no k computed reaches.
@@ -140,7 +164,10 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     if (first.k < row.k && first.thin < first.thick)
         go_on(t, words.say("thin.not_at_first", "k"_a = first.k, "ratio"_a = readable(first.thin / first.thick, 2)));
     if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
-    if (last.k > row.k && later >= clear_ratio) go_on(t, words.say("thin.curvature"));
+    const double round_limb = wavelength(study, row.k) / (pi * limbs.thin_diameter);
+    if (round_limb > 1 && row.rank_correlation < -0.3)
+        go_on(t, words.say("thin.wavelength", "k"_a = row.k, "times"_a = readable(round_limb, 2),
+                           "correlation"_a = readable(row.rank_correlation, 2)));
     return t;
 }
 
@@ -188,12 +215,23 @@ report::Text lead(const std::vector<Subject>& subjects) {
          std::move(thin), law ? words.say("lead.price", "times"_a = times_to_halve(*law)) : report::Text()});
 }
 
+report::Text solvers(const std::vector<Subject>& subjects) {
+    report::Text told;
+    for (const Subject& subject : subjects) {
+        const SpectralStudy& study = subject.study;
+        told = paragraph_of({told, words.say(study.spectrum.dense ? "solver.dense" : "solver.krylov", "mesh"_a = study.name(),
+                                             "vertices"_a = study.vertices(), "modes"_a = study.modes())});
+    }
+    return told;
+}
+
 void add_discussion(report::Section& section, const std::vector<Subject>& subjects) {
     for (const Subject& subject : subjects) {
         const SpectralStudy& study = subject.study;
-        add_paragraphs(section, {paragraph_of({what_is_seen(study), where_the_error_sits(study)}),
-                                 paragraph_of({rate(study), targets(study), wavelengths(study)}), what_modes_look_like(study),
-                                 thin_parts(study, subject.limbs), paragraph_of({why_this_large_k(subject), price_of_large_k(subject)})});
+        add_paragraphs(
+            section, {paragraph_of({what_is_seen(study), where_the_error_sits(study)}),
+                      paragraph_of({single_vertices(study), rate(study), targets(study), wavelengths(study)}), what_modes_look_like(study),
+                      thin_parts(study, subject.limbs), paragraph_of({why_this_large_k(subject), price_of_large_k(subject)})});
     }
 }
 

@@ -68,6 +68,8 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);
 report::Text answer_in_short(const std::vector<Subject>& subjects);
 /// What follows it.
 report::Text lead(const std::vector<Subject>& subjects);
+/// Which solver was run.
+report::Text solvers(const std::vector<Subject>& subjects);
 void add_discussion(report::Section& section, const std::vector<Subject>& subjects);
 // Its paragraphs; empty where there is nothing to say.
 report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs);

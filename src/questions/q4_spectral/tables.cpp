@@ -35,6 +35,8 @@ report::Table error_table(const SpectralStudy& study) {
         .column("k", {.digits = count_digits}, &Reconstruction::k)
         .column("share of all modes", {.unit = "%"}, [&](auto& r) { return 100.0 * r.k / study.vertices(); })
         .column("rms", share, of_box(study, [](auto& r) { return r.difference.area_weighted_rms; }))
+        .column("farther than before", {.unit = "% of vertices", .digits = 2},
+                [&](auto& r) { return cell_of(&r == &study.reconstructions.front() ? NAN : 100 * share_made_worse(study, *(&r - 1), r)); })
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
         .column("Hausdorff", share, of_box(study, [](auto& r) { return r.difference.hausdorff; }))
         .column("mean normal angle", {.unit = "°"},

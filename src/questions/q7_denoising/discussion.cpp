@@ -13,93 +13,11 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The verdicts by a measure, of the cases that have it: noise within a plane changes neither surface nor normals.
-struct Count {
-    int works = 0, helps = 0, fails = 0;
-    int cases() const { return works + helps + fails; }
-};
-Count count_of(const Grids& grids, const Measure& measure) {
-    Count count;
-    for (const Case& c : cases_of(grids)) {
-        const std::string verdict = verdict_on(c.part, measure);
-        count.works += verdict == "works" ? 1 : 0;
-        count.helps += verdict == "helps" ? 1 : 0;
-        count.fails += is_failure(verdict) ? 1 : 0;
-    }
-    return count;
-}
-
-report::Facts facts_of(const Count& count, const Measure& measure) {
-    return {"works"_a = count.works, "helps"_a = count.helps, "fails"_a = count.fails, "cases"_a = count.cases(),
-            "measure"_a = words.line("by." + std::string(measure.key))};
-}
-
-/// What smoothing takes off along the surface and across it. @return  its facts
-report::Facts removed_on(const DenoisingGrid& grid) {
-    const NoisyTrial& trial = grid.pictured();
-    return {"mesh"_a = grid.name(), "along"_a = readable_percent(std::abs(trial.removed_along()), 2),
-            "across"_a = readable_percent(trial.removed_across(), 2)};
-}
-
-/// A message on the noise along the surface; it may also grow. @param key  of the message where it falls
-report::Text along_surface(const DenoisingGrid& grid, const std::string& key) {
-    return words.say(grid.pictured().removed_along() > 0 ? key : key + ".grows", removed_on(grid));
-}
-
-/// "rounded edges and lost volume", and noise along the surface, as far as they are seen.
-report::Text price_of(const Grids& grids) {
-    Names losses;
-    if (most_rounded(grids)) losses.push_back(words.line("loss.edges"));
-    if (most_shrunk(grids)) losses.push_back(words.line("loss.volume"));
-    const DenoisingGrid* drift = most_drifting(grids);
-    return paragraph_of({said_of(losses, words, "loss"), drift ? along_surface(*drift, "loss.along") : report::Text()});
-}
-
-/// In how many cases smoothing works and helps, measure by measure.
-report::Text verdicts(const Grids& grids) {
-    Names told;
-    for (const Measure& measure : measures)
-        if (const Count count = count_of(grids, measure); count.cases() > 0)
-            told.push_back(words.line(told.empty() ? "verdict.first" : "verdict.other", facts_of(count, measure)));
-    return told.empty() ? report::Text() : words.say("verdict", "verdicts"_a = listed(told));
-}
-
-/// In how many cases it fails, measure by measure.
-report::Text failures(const Grids& grids) {
-    Names told;
-    for (const Measure& measure : measures)
-        if (const Count count = count_of(grids, measure); count.cases() > 0)
-            told.push_back(words.line(told.empty() ? "fails.first" : "fails.other", facts_of(count, measure)));
-    return told.empty() ? report::Text() : words.say("fails", "verdicts"_a = listed(told));
-}
-
-/// Where the surface is nearer, but the volume lost: no success.
-report::Text shrunk(const Grids& grids) {
-    Names told;
-    for (const Case& c : cases_of(grids))
-        if (verdict_on(c.part) == "shrinks") told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
-    return told.empty() ? report::Text() : words.say("shrunk", "cases"_a = listed(told));
-}
-
-report::Facts facts_of(const NoiseSplit& split) {
-    return {"halved"_a = readable(split.smallest_halved, 2), "other"_a = readable(split.largest_other, 2)};
-}
-
 /// That the noise in mean edges does not tell the cases that are halved from the others; that it does stands in the answer.
 report::Text noise_in_mean_edges(const Grids& grids) {
     const NoiseSplit split = noise_split(grids);
     if (!std::isfinite(split.smallest_halved) || split.largest_other == 0 || split.decides()) return {};
-    return words.say("split.mixed", facts_of(split));
-}
-
-/// The case with the least gain.
-report::Text least_gain(const Grids& grids) {
-    const DenoisingGrid& grid = hardest(grids);
-    const auto gain = [](const NoisyTrial& trial) { return std::isnan(trial.gain(measures[0])) ? infinity : trial.gain(measures[0]); };
-    const NoisyTrial& least = *std::ranges::min_element(grid.trials, {}, gain);
-    report::Facts facts = facts_of(grid, least);
-    facts.push_back("fall"_a = readable_percent(1 - 1 / gain(least), 2));
-    return words.say(gain(least) < helps ? "least.fails" : "least", facts);
+    return words.say("split.mixed", "halved"_a = readable(split.smallest_halved, 2), "other"_a = readable(split.largest_other, 2));
 }
 
 /// Where normals gain most at less than the strongest noise.
@@ -230,6 +148,14 @@ report::Text going_on(const Grids& grids) {
     return words.say("going_on", facts);
 }
 
+/// Why the clean mesh, smoothed alike, loses more than the noisy one: said where the larger area explains at least half of it.
+report::Text less_by_area(const DenoisingGrid& grid) {
+    const double kept = grid.pictured().volume_by(measures[0]), alike = grid.pictured().taken.volume, less = grid.kept_by_less;
+    if (!(kept > alike + 0.02 && less - alike > 0.5 * (kept - alike) && grid.noisy_area > 1.05)) return {};
+    return words.say("cannot.area", "kept"_a = readable_percent(kept, 2), "area"_a = readable(grid.noisy_area, 2),
+                     "less"_a = readable_percent(less, 2));
+}
+
 /// What smoothing cannot do, picture by picture.
 report::Text cannot(const Grids& grids) {
     const auto left = [](const DenoisingGrid* grid) -> const Remains& { return grid->pictured().remains; };
@@ -242,7 +168,8 @@ report::Text cannot(const Grids& grids) {
                            "there"_a = degrees(left(edges).feature_angle), "elsewhere"_a = degrees(left(edges).other_angle))
                : report::Text(),
          volume ? words.say("cannot.volume", "mesh"_a = volume->name(), "lost"_a = readable_percent(1 - volume->pictured().taken.volume, 2))
-                : report::Text()});
+                : report::Text(),
+         volume ? less_by_area(*volume) : report::Text()});
 }
 
 /// Meshes whose edges cannot be looked at, and why.
@@ -254,17 +181,6 @@ report::Text no_edges(const Grids& grids) {
 }
 
 }   // namespace
-
-report::Text answer_of(const Grids& grids) {
-    const bool gained = std::ranges::any_of(cases_of(grids), [](const Case& c) { return c.part.gain(measures[0]) >= helps; });
-    if (!gained) return paragraph_of({words.say("answer.none"), price_of(grids)});
-    const NoiseSplit split = noise_split(grids);
-    const report::Text told = split.decides() ? words.say("answer.split", facts_of(split))
-                                              : words.say("answer.mixed", facts_of(count_of(grids, measures[0]), measures[0]));
-    return paragraph_of({told, least_gain(grids), failures(grids), shrunk(grids), price_of(grids)});
-}
-
-report::Text summary_of(const Grids& grids) { return verdicts(grids); }
 
 void add_discussion(report::Section& section, const Grids& grids) {
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });

@@ -53,6 +53,8 @@ report::Map gain_map(const DenoisingGrid& grid);
 /// One sentence, and the few that stand first in the section.
 report::Text answer_of(const Grids& grids);
 report::Text summary_of(const Grids& grids);
+/// A message on the noise along the surface, at the noise to look at; it may also grow. @param key  of the message where it falls
+report::Text along_surface(const DenoisingGrid& grid, const std::string& key);
 /// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const Grids& grids);
 

@@ -15,6 +15,9 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
+/// Samples of the same noise beside the first.
+constexpr int further_seeds = 4;
+
 /// σ over the box diagonal: from barely visible to hopeless.
 const std::vector<double> default_noise{0.001, 0.003, 0.01, 0.03};
 
@@ -86,7 +89,16 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     return remains;
 }
 
-NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed) {
+/// The gain by surface of another sample of the same noise, smoothed as is best for the first.
+double gain_of(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t seed, ImplicitSolver& solver) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
+    const SearchState& best = trial.found.by_shape;
+    const auto error = [&](const Positions& X) { return shape_rms(clean, grid.clean->prepared->topology.vertex_faces, X); };
+    return error(noisy.X) / error(smooth(noisy, smoothing_by(grid, best.value, best.step), solver).X);
+}
+
+NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {
     const TriangleMesh& clean = grid.clean->mesh();
     const MeshTopology& topology = grid.clean->prepared->topology;
     NoisyTrial trial;
@@ -103,11 +115,26 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
                          });
     trial.best = moved_to(clean, trial.found.X);
     const SearchState& best = trial.found.by_shape;
-    trial.over = best.step == 0 ? trial.noisy : moved_to(clean, smooth(trial.noisy, smoothing_by(grid, best.value, 4 * best.step)).X);
-    trial.clean_alike = best.step == 0 ? clean : moved_to(clean, smooth(clean, smoothing_by(grid, best.value, best.step)).X);
+    ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all
+    trial.over =
+        best.step == 0 ? trial.noisy : moved_to(clean, smooth(trial.noisy, smoothing_by(grid, best.value, 4 * best.step), solver).X);
+    trial.clean_alike = best.step == 0 ? clean : moved_to(clean, smooth(clean, smoothing_by(grid, best.value, best.step), solver).X);
     trial.remains = remains_of(grid, normals, trial.best);
     trial.taken = remains_of(grid, normals, trial.clean_alike);
+    for (int i = 1; trial.improved() && i <= further; ++i)
+        trial.further_gains.push_back(gain_of(grid, trial, seed + static_cast<std::uint64_t>(i), solver));
     return trial;
+}
+
+/// Noise enlarges the triangles, and with them M: the same λ smooths less.
+void compare_areas(DenoisingGrid& grid) {
+    const NoisyTrial& trial = grid.pictured();
+    const TriangleMesh& clean = grid.clean->mesh();
+    const SearchState& best = trial.found.by_shape;
+    grid.noisy_area = surface_area(trial.noisy) / surface_area(clean);
+    if (best.step == 0 || std::isnan(trial.clean_volume)) return;
+    const SmoothingOptions less = smoothing_by(grid, best.value / grid.noisy_area, best.step);
+    grid.kept_by_less = signed_volume(moved_to(clean, smooth(clean, less).X)) / trial.clean_volume;
 }
 
 }   // namespace
@@ -139,7 +166,10 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     levels = each_once(levels);
     grid.trials.resize(levels.size());
     const Positions normals = face_normals(clean);
-    for_each_task(levels.size(), [&](std::size_t i) { grid.trials[i] = trial_of(grid, normals, levels[i], settings.seed); });
+    for_each_task(levels.size(), [&](std::size_t i) {
+        grid.trials[i] = trial_of(grid, normals, levels[i], settings.seed, settings.quick ? 0 : further_seeds);
+    });
+    compare_areas(grid);
     return grid;
 }
 
@@ -147,6 +177,14 @@ const NoisyTrial& DenoisingGrid::pictured() const {
     const auto gain = [](const NoisyTrial& trial) { return trial.improved() ? trial.gain(measures[0]) : 0; };
     const auto halved = std::ranges::find_if(trials, [&](const NoisyTrial& trial) { return gain(trial) >= works; });
     return halved != trials.end() ? *halved : *std::ranges::max_element(trials, {}, gain);
+}
+
+double NoisyTrial::spread() const {
+    if (further_gains.empty()) return NAN;
+    std::vector<double> gains = further_gains;
+    gains.push_back(gain(measures[0]));
+    const Eigen::Map<const Vector> all(gains.data(), static_cast<Eigen::Index>(gains.size()));
+    return std::sqrt((all.array() - all.mean()).square().sum() / static_cast<double>(further_gains.size()));
 }
 
 double NoisyTrial::removed_along() const { return 1 - std::pow(drift(found.by_shape) / drift(found.noisy), 2); }
@@ -180,6 +218,11 @@ std::string verdict_on(const NoisyTrial& trial, const Measure& measure) {
     if (gain < helps) return "fails";
     if (trial.volume_by(measure) < volume_to_keep) return "shrinks";
     return gain >= works ? "works" : "helps";
+}
+
+bool is_unended(const DenoisingGrid& grid, const SearchState& best) {
+    if (best.step == 0) return false;
+    return best.step == grid.iterations || best.value == grid.lambdas.back() || (best.value == grid.lambdas.front() && best.step == 1);
 }
 
 NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids) {

@@ -37,7 +37,8 @@ struct NoisyTrial {
     TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
-    Remains remains, taken;   // of `best`, of `clean_alike`
+    Remains remains, taken;              // of `best`, of `clean_alike`
+    std::vector<double> further_gains;   // by surface, of further seeds at the λ and t that are best for this one
 
     bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
     /// What the best by a measure has of the volume; NaN for an open mesh.
@@ -49,6 +50,8 @@ struct NoisyTrial {
     static double drift(const SearchState& state) { return std::sqrt(std::max(0.0, state.rms * state.rms - state.shape * state.shape)); }
     /// NaN where the noise has nothing of the measure.
     double gain(const Measure& measure) const { return (found.*measure.gain)(); }
+    /// Standard deviation of the gain by surface over all seeds; NaN where there is one alone.
+    double spread() const;
     const SearchState& best_by(const Measure& measure) const { return found.*measure.best; }
 };
 
@@ -61,6 +64,9 @@ struct DenoisingGrid {
     int feature_vertices = 0;
     std::vector<NoisyTrial> trials;      // ascending σ
     std::vector<double> without_noise;   // distance to the surface after t = 0, 1, … iterations of middle_lambda() from the clean mesh
+
+    double noisy_area = 1;       // of pictured(), over the area of the clean mesh
+    double kept_by_less = NAN;   // volume of the clean mesh smoothed as pictured() was, but with λ divided by that; NaN: open
 
     const std::string& name() const { return clean->name; }
     /// What one iteration of middle_lambda() takes from the clean mesh, over the noise. NaN where the noise is along the surface.
@@ -84,6 +90,10 @@ Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 /// Of smoothing at the best by this measure: "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "–" (nothing to measure). A gain of
 /// 1.1 or more that costs more than 15 % of the volume is a failure too, "shrinks".
 std::string verdict_on(const NoisyTrial& trial, const Measure& measure = measures[0]);
+/// Is the best the least or the most smoothing tried in some respect? A smaller λ with t to spare is no such end: more steps of it do
+/// the same.
+bool is_unended(const DenoisingGrid& grid, const SearchState& best);
+
 /// Is this verdict one of failure?
 inline bool is_failure(const std::string& verdict) { return verdict == "fails" || verdict == "shrinks"; }
 

@@ -28,14 +28,6 @@ std::vector<Judged> judged_in(const Grids& grids) {
     return rows;
 }
 
-/// Is the best the least or the most smoothing tried in some respect? A smaller λ with t to spare is no such end: more steps of it do
-/// the same.
-bool is_unended(const Judged& row) {
-    const SearchState& best = row.best();
-    return row.better() && (best.step == row.grid.iterations || best.value == row.grid.lambdas.back() ||
-                            (best.value == row.grid.lambdas.front() && best.step == 1));
-}
-
 /// From the noisy mesh, t = 0, on. [% of the box diagonal]
 report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) {
     report::Series series{
@@ -69,13 +61,19 @@ const DenoisingGrid& hardest(const Grids& grids) {
 report::Table result_table(const Grids& grids) {
     const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
     const report::Column gain{.unit = "×", .heat = report::Column::Heat{1, 8}};
-    return table("q7_results", words.line("results.table"), cases_of(grids))
+    const std::vector<Case> cases = cases_of(grids);
+    std::string caption = words.line("results.table");
+    const auto most = std::ranges::max_element(cases, {}, [](const Case& c) { return c.part.further_gains.size(); });
+    if (const std::size_t samples = most->part.further_gains.size(); samples > 0)
+        caption += " " + words.line("results.samples", "samples"_a = samples + 1);
+    return table("q7_results", std::move(caption), cases)
         .column("mesh", [](auto& c) { return c.whole.name(); })
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) { return 100 * c.part.relative; })
         .column("σ", {.unit = "mean edges", .digits = 2}, [](auto& c) { return c.part.sigma / c.whole.mean_edge; })
         .column("λt", {.unit = "h̄²", .digits = 2},
                 [](auto& c) { return cell_of(c.part.found.by_shape.value * c.part.found.by_shape.step, c.part.improved()); })
         .column("gain: surface", gain, gain_by(0))
+        .column("±", {.digits = 2}, [](auto& c) { return cell_of(c.part.spread()); })
         .column("places", gain, gain_by(1))
         .column("normals", gain, gain_by(2))
         .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.remains.volume); })
@@ -85,7 +83,8 @@ report::Table result_table(const Grids& grids) {
 report::Table measure_table(const Grids& grids) {
     const std::vector<Judged> rows = judged_in(grids);
     std::string caption = words.line("measures.table");
-    if (std::ranges::any_of(rows, is_unended)) caption += " " + words.line("results.unended");
+    if (std::ranges::any_of(rows, [](const Judged& row) { return is_unended(row.grid, row.best()); }))
+        caption += " " + words.line("results.unended");
     return table("q7_measures", caption, rows)
         .column("mesh", [](auto& r) { return r.grid.name(); })
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& r) { return 100 * r.trial.relative; })

@@ -17,16 +17,81 @@ TEST(SpectralUseDiscussion, ThinPartsAreExplainedOnlyWhereTheyClearlySufferAtEve
         return report::plain(thin_parts(study, limbs));
     };
     const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
-    EXPECT_TRUE(has(told(3, 2.9), "Curvature explains it"));
+    limbs.thin_diameter = 0.5 * wavelength(study, 15) / M_PI;   // half as far round as the shortest wave of k = 15
+    limbs.errors[1].rank_correlation = -0.6;
+    EXPECT_TRUE(has(told(3, 2.9), "the shortest wavelength is 2.0 times the thin girth")) << told(3, 2.9);
+    limbs.errors[1].rank_correlation = -0.1;
+    EXPECT_FALSE(has(told(3, 2.9), "thin girth")) << "the error does not go with the thickness";
+    limbs.errors[1].rank_correlation = -0.6;
+    limbs.thin_diameter *= 3;
+    EXPECT_FALSE(has(told(3, 2.9), "thin girth")) << "the modes are short enough";
     EXPECT_TRUE(has(told(3, 2.9), "There they have collapsed"));
-    EXPECT_FALSE(has(told(3, 1.2), "Curvature explains it")) << "later thin parts are as good";
     EXPECT_TRUE(has(told(3, 1.2), "nearly as good as thick ones"));
     EXPECT_TRUE(has(told(1.2, 3), "do not clearly suffer more"));
-    EXPECT_FALSE(has(told(1.2, 3), "explains")) << "nothing is to be explained";
+    EXPECT_FALSE(has(told(1.2, 3), "thin girth")) << "nothing is to be explained";
     limbs.errors[1].thin = 0.2 * limbs.thin_diameter;
     limbs.errors[1].thick = limbs.errors[1].thin / 3;
     EXPECT_FALSE(has(report::plain(thin_parts(study, limbs)), "collapsed"));
     EXPECT_TRUE(thin_parts(study, LimbStudy()).empty());
+}
+
+TEST(SpectralUseDiscussion, TheLawSaysHowWellItFitsAndWhereItEnds) {
+    SpectralStudy study = spectral_study_on(icosphere(2), "ball_law", {5, 162});
+    const auto said = [&] {
+        report::Section section;
+        add_discussion(section, {Subject{study, {}, 0, true}});
+        return prose_of(section);
+    };
+    const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+    for (int k = 1; k <= study.modes(); ++k) study.rms[k] = study.diagonal / k;
+    EXPECT_NEAR(fall_of_the_error(study)->deviation, 1, 1e-9);
+    EXPECT_FALSE(has(said(), "Beyond it falls faster")) << said();
+    study.rms[study.modes()] *= 0.1;
+    EXPECT_TRUE(has(said(), "Beyond it falls faster")) << said();
+    study.rms[20] *= 2;   // the law hardly moves
+    EXPECT_NEAR(fall_of_the_error(study)->deviation, 2, 0.1);
+}
+
+TEST(SpectralUseDiscussion, SingleVerticesThatGetWorseAreCounted) {
+    SpectralStudy study = spectral_study_on(icosphere(2), "ball_worse", {5, 20});
+    std::vector<Reconstruction>& all = study.reconstructions;
+    const auto said = [&] {
+        report::Section section;
+        add_discussion(section, {Subject{study, {}, 0, true}});
+        return prose_of(section);
+    };
+    all[1].distance = 0.5 * all[0].distance;
+    EXPECT_EQ(share_made_worse(study, all[0], all[1]), 0);
+    EXPECT_EQ(said().find("Single vertices may"), std::string::npos);
+    all[0].distance.setConstant(1), all[1].distance.setConstant(0.5);
+    all[1].distance.head(81).setConstant(2);   // of 162
+    EXPECT_EQ(share_made_worse(study, all[0], all[1]), 0.5);
+    EXPECT_NE(said().find("Single vertices may: 50\u202f% of them are farther from their places at k = 20 than at k = 5"),
+              std::string::npos);
+}
+
+TEST(SpectralUseDiscussion, ARoughReconstructionIsNotCalledClose) {
+    SpectralStudy study = spectral_study_on(icosphere(2), "ball_rough", {5, 60});
+    MeshDifference& d = study.reconstructions[1].difference;
+    d.area_weighted_rms = 0.004 * study.diagonal;
+    const auto close = [&](double degrees) {
+        d.mean_normal_angle = degrees * M_PI / 180;
+        report::Section section;
+        add_discussion(section, {Subject{study, {}, 0, true}});
+        return prose_of(section).find("k = 60 is close to the original") != std::string::npos;
+    };
+    EXPECT_TRUE(close(4.9));
+    EXPECT_FALSE(close(5.1));
+}
+
+TEST(SpectralUseDiscussion, TheSolverToldIsTheOneThatWasRun) {
+    SpectralStudy study = spectral_study_on(icosphere(2), "ball_solver", {5});
+    const auto said = [&](bool dense) {
+        study.spectrum.dense = dense;
+        return report::plain(solvers({Subject{study, {}, 0, true}}));
+    };
+    EXPECT_EQ(said(true), "On ball_solver a dense solver found all 162 eigenvectors.");
+    EXPECT_EQ(said(false), "On ball_solver shift-invert Lanczos found the first 5 of 162 eigenvectors.");
 }
 
 TEST(SpectralUseDiscussion, LowModesPeakFarOutOnlyWhereTheyDo) {

@@ -181,4 +181,48 @@ TEST(DenoisingDiscussion, NoiseAlongTheSurfaceIsToldByWhatSmoothingRemoves) {
     EXPECT_FALSE(has(grown, "removes less")) << grown;
 }
 
+TEST(DenoisingDiscussion, OtherSamplesAreToldWhereTheyWereTaken) {
+    DenoisingGrid grid = denoising_grid(ball, quick_settings());
+    EXPECT_FALSE(has(told(grid), "samples of the noise")) << "a quick run has one alone";
+    for (NoisyTrial& trial : grid.trials) {
+        trial.found.by_shape = {
+            .step = 1, .shape = trial.found.noisy.shape / 3, .rms = trial.found.noisy.rms, .volume = trial.clean_volume};
+        trial.further_gains = {3, 3};
+    }
+    grid.trials[0].further_gains = {3.3, 2.7};   // deviations 0.3 and −0.3 of three: 0.3
+    EXPECT_NEAR(grid.trials[0].spread(), 0.3, 1e-12);
+    EXPECT_TRUE(has(told(grid), "Over 3 samples of the noise")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "at most 10\u202f%; none crosses")) << told(grid);
+    grid.trials[1].further_gains = {3, 1.9};
+    EXPECT_TRUE(has(told(grid), "In 1 case it lies so near")) << told(grid);
+}
+
+TEST(DenoisingDiscussion, OptimaAtTheEndOfTheGridAreCounted) {
+    DenoisingGrid grid = denoising_grid(ball, quick_settings());
+    const auto with = [&](int step) {
+        for (NoisyTrial& trial : grid.trials)
+            for (const Measure& measure : measures)
+                trial.found.*measure.best = {.value = 0.1, .step = step, .shape = 1, .rms = 1, .angle = 1};
+        return told(grid);
+    };
+    EXPECT_FALSE(has(with(grid.iterations - 2), "end of the grid"));
+    EXPECT_TRUE(has(with(grid.iterations - 1), "0 of 6 optima lie at the end of the grid and 6 one iteration"));
+    EXPECT_TRUE(has(with(grid.iterations), "6 of 6 optima lie at the end of the grid and 0 one iteration"));
+}
+
+TEST(DenoisingDiscussion, TheLargerAreaIsTheReasonOnlyWhereItExplainsTheVolume) {
+    DenoisingGrid grid = denoising_grid(ball, quick_settings());
+    const auto with = [&](double kept, double alike, double less) {
+        for (NoisyTrial& trial : grid.trials) {
+            trial.found.by_shape = {.value = 0.1, .step = 3, .shape = 0.5, .rms = 1, .volume = kept * trial.clean_volume};
+            trial.taken.volume = alike;
+        }
+        grid.noisy_area = 2.5, grid.kept_by_less = less;
+        return has(told(grid), "noise makes its area 2.5 times as large");
+    };
+    EXPECT_TRUE(with(0.74, 0.47, 0.68));
+    EXPECT_FALSE(with(0.74, 0.47, 0.5)) << "a smaller λ does not bring it back";
+    EXPECT_FALSE(with(0.74, 0.74, 0.8)) << "nothing to explain";
+}
+
 }   // namespace meshfolio::q7_denoising

@@ -93,6 +93,33 @@ TEST(DenoisingGrid, WithoutNoiseTheDistanceIsThatOfSmoothingAlone) {
     for (std::size_t t = 1; t < grid.without_noise.size(); ++t) EXPECT_GT(grid.without_noise[t], grid.without_noise[t - 1]);
 }
 
+TEST(DenoisingGrid, FurtherSamplesAreSmoothedAsTheFirst) {
+    QuestionSettings settings;
+    settings.noise = {0.01};
+    settings.seed = 5;
+    const NoisyTrial trial = grid_on(cube_mesh(6), "cube_samples", settings).trials[0];
+    ASSERT_EQ(trial.further_gains.size(), 4u);
+    settings.seed = 6;   // the first of the further ones
+    settings.lambda = {trial.found.by_shape.value * std::pow(mean_edge_length(cube_mesh(6)), 2)};
+    const NoisyTrial next = grid_on(cube_mesh(6), "cube_samples", settings).trials[0];
+    const auto alike = std::ranges::find(next.states, trial.found.by_shape.step, &SearchState::step);
+    ASSERT_NE(alike, next.states.end());
+    EXPECT_NEAR(trial.further_gains[0], next.found.noisy.shape / alike->shape, 1e-9);
+    EXPECT_TRUE(grid_on(cube_mesh(6), "cube_one").trials[0].further_gains.empty());
+}
+
+TEST(DenoisingGrid, TheVolumeKeptByLessIsThatOfTheStepDividedByTheArea) {
+    const DenoisingGrid grid = grid_on(cube_mesh(10), "cube_area");
+    const NoisyTrial& trial = grid.pictured();
+    const TriangleMesh& clean = grid.clean->mesh();
+    EXPECT_NEAR(grid.noisy_area, surface_area(trial.noisy) / surface_area(clean), 1e-12);
+    SmoothingOptions options;
+    options.scheme = SmoothingScheme::implicit_euler;
+    options.lambda = trial.found.by_shape.value * grid.mean_edge * grid.mean_edge / grid.noisy_area;
+    options.iterations = trial.found.by_shape.step;
+    EXPECT_NEAR(grid.kept_by_less, signed_volume(moved_to(clean, smooth(clean, options).X)) / signed_volume(clean), 1e-9);
+}
+
 TEST(DenoisingGrid, FeaturesOfACubeAreItsEdges) {
     const DenoisingGrid cube = grid_on(cube_mesh(8), "cube_edges");
     EXPECT_EQ(cube.feature_vertices, 12 * 7 + 8);
