@@ -1,5 +1,4 @@
 #include "questions/reproductions/study.h"
-#include "questions/core/section_tools.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::reproductions {
 
