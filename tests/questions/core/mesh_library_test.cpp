@@ -206,7 +206,7 @@ TEST(MeshLibrary, AnIdentityChangesWithTheMeshItsNameAndItsPlace) {
 
 // A copy is made once, keeps what a surface is, and says how far it lies away; a mesh that is small enough is itself.
 TEST(MeshLibrary, ALargeMeshIsExploredOnADecimatedCopyThatTheSectionNames) {
-    const TemporaryFolder folder("library_copy");
+    const TemporaryFolder folder;
     const fs::path large = put(folder.path() / "large.ply", icosphere(6)), small = put(folder.path() / "small.ply", icosphere(2));
     const MeshLibrary library({}, {large, small});
     const auto meshes = library.own_meshes();
