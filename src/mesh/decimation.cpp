@@ -1,5 +1,6 @@
 #include "mesh/decimation.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
