@@ -77,7 +77,8 @@ class Lab {
         this.view = new View(this.models, "Mesh before and after the filter. Arrow keys turn, plus and minus zoom, 0 resets, Escape closes.", { closed: (byReader) => (byReader ? this.stop(true) : this.loseView()) });
         this.frame = Object.assign(element("img", "lab-frame"), { alt: "The mesh before and after the filter" });
         const bar = element("div", "model-bar"), columns = element("div", "lab-columns"), settings = element("div", ""), plots = element("div", "");
-        bar.append(panel.told, button("Reset view", () => this.view.reset()), button("Close", () => this.stop(true)));
+        this.reset = button("Reset view", () => this.view.reset());
+        bar.append(panel.told, this.reset, button("Close", () => this.stop(true)));
         settings.append(panel.controls, panel.table);
         plots.append(this.spectrum.picture, this.errors.picture);
         columns.append(settings, plots);
@@ -102,14 +103,15 @@ class Lab {
             this.loseView();
         }
     }
-    /// The report's last figure before the panel stands in its place.
+    /// A link to the question's last figure of this mesh stands in its place.
     loseView() {
         this.isDrawn = false;
-        const note = element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the numbers and curves below still follow."), { block } = this;
-        const isBefore = (figure) => figure.compareDocumentPosition(block) & Node.DOCUMENT_POSITION_FOLLOWING;
-        const figure = [...document.querySelectorAll("figure:has(img)")].filter(isBefore).at(-1);
-        if (figure) note.append(" Figure of the report: ", Object.assign(figure.querySelector("img").cloneNode(), { id: "", className: "lab-still" }));
+        const note = element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the numbers and curves below still follow.");
+        const figures = [...this.block.closest("section")?.querySelectorAll("figure[id]") ?? []];
+        const figure = figures.filter((one) => [...one.querySelectorAll("img")].some(({ alt }) => alt.includes(this.data.name))).at(-1);
+        if (figure) note.append(" The report shows such results in ", Object.assign(element("a", "", figure.querySelector("b").textContent), { href: `#${figure.id}` }));
         this.view.stage.replaceWith(note);
+        this.reset.remove();
     }
 
     // ---- what is set --------------------------------------------------------------------------------------------------

@@ -217,7 +217,9 @@ describe("the panel", options, () => {
         await block(page, "q5").getByRole("button").click();
         await page.locator(".lab-no-view", { hasText: "cannot show it in three dimensions" }).waitFor();
         await set(page, "t", 25);
-        assert.ok(await page.locator(".lab-still").evaluate((picture) => picture.naturalWidth > 0));
+        assert.equal(await page.getByRole("button", { name: "Reset view" }).count(), 0);
+        const figure = page.locator(await page.locator(".lab-no-view a").getAttribute("href"));
+        assert.ok((await figure.locator("img").evaluateAll((pictures) => pictures.map(({ alt }) => alt).join())).includes("cube"));
         assert.ok(await page.locator('.lab-panel select[name="scheme"]').isVisible());
         const data = dataOf(reportPage, "q5"), state = { ...states.startOf(data, "q5"), t: 25 };
         const energy = lab.energy(data, lab.filter(data, state), data.coefficients);
@@ -238,7 +240,8 @@ describe("the panel", options, () => {
         const frame = page.locator(".lab-frame");
         assert.ok(await frame.isVisible());
         assert.match(await frame.getAttribute("src"), /^data:image\/png;base64,.{2000}/);
-        assert.equal(await page.locator(".lab-panel canvas:visible").count(), 0);
+        assert.equal(await page.locator(".lab-panel :is(canvas, button):visible").count(), 0);
+        assert.ok(await page.locator(".lab-told").isVisible());
         await page.context().close();
     });
 
