@@ -119,7 +119,7 @@ describe("the panel", options, () => {
         await settled(page);
         assert.ok(!(await page.locator('input[name="t-slider"]').isVisible()));
         await moves("k");
-        await page.keyboard.press("End");
+        await page.locator('input[name="k-slider"]').press("End");
         await settled(page);
         assert.equal(Number(await page.locator('input[name="k"]').inputValue()), dataOf(reportPage, "q7").modes);
         await page.context().close();
