@@ -57,7 +57,7 @@ std::string legend_colours(const Legend& legend, double top) {
 
 /// Round numbers that stand apart and within the drawing.
 std::string legend_ticks(const Legend& legend, double top) {
-    const Axis axis = Axis::exactly(legend.low, legend.high, false);
+    const Axis axis = Axis::exactly(legend.low, legend.high, legend.log);
     std::size_t labelled = 0;
     double widest = 0;
     for (const Tick& tick : axis.ticks()) {
