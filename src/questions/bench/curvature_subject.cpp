@@ -169,13 +169,13 @@ output::ColorRange range_for(const output::ColorRange& shared, const std::vector
 }
 
 UndefinedVertices undefined_vertices(const CurvatureSubject& subject) {
-    UndefinedVertices undefined;
+    UndefinedVertices vertices;
     for (int i = 0; i < subject.mesh().vertex_count(); ++i) {
         const bool isolated = subject.topology().neighbours.size(i) == 0;
         if (isolated || subject.inside(i)) continue;
-        (subject.topology().nonmanifold[static_cast<std::size_t>(i)] ? undefined.nonmanifold : undefined.boundary) += 1;
+        (subject.topology().nonmanifold[static_cast<std::size_t>(i)] ? vertices.nonmanifold : vertices.boundary) += 1;
     }
-    return undefined;
+    return vertices;
 }
 
 std::string undefined_words(const UndefinedVertices& vertices) {
