@@ -17,6 +17,8 @@
 
 namespace meshfolio {
 
+using namespace report::literals;
+
 namespace {
 
 constexpr double rounding = 1e-9;        // errors below have no order

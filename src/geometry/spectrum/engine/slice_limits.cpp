@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "base/parallel_tasks.h"
+#include "geometry/linear/special_values.h"
 
 namespace meshfolio {
 
