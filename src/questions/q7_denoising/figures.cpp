@@ -5,6 +5,7 @@
 #include "geometry/measures/mesh_error.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/curvature_subject.h"
+#include "questions/core/six_view_figure.h"
 #include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
