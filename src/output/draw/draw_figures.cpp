@@ -172,7 +172,7 @@ void set_legend(FigureJob& job, render::FigureSheet& sheet) {
     const ColorRange& range = *job.request->range;
     sheet.color_bar = color_bar_of(range, has_undefined(*job.request), render::DrawOptions().undefined_color);
     // of these panels: several figures may share a range
-    sheet.color_bar->histogram = histogram(finite_values(job.request->panels), range.low, range.high);
+    sheet.color_bar->histogram = histogram_of(finite_values(job.request->panels), sheet.color_bar->range);
     job.drawn.legend = legend_of(*sheet.color_bar);
 }
 
@@ -210,7 +210,7 @@ void finish_figure(FigureJob& job, const std::filesystem::path& folder, const Dr
     render::FigureSheet sheet = arranged(request, std::move(job.pictures), std::max(13.0, 21 * scale_of(settings)));
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
-    if (request.range) set_legend(job, sheet);
+    if (request.range && !request.range->quantity.empty()) set_legend(job, sheet);
     const render::ComposedFigure composed = render::compose(sheet);
     name_pictures(job, sheet, composed, settings);
     job.drawn.sheet = "images/" + request.id + "_sheet.png";

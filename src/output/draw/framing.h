@@ -28,6 +28,13 @@ struct SixFrames {
 };
 SixFrames six_frames(const FigureRequest& request, int side);
 
+/// X as it fits into the three-quarter picture of `mesh`: as it is, or where that would cut it off scaled down about the middle.
+struct FittedPositions {
+    Positions X;
+    double scale = 1;
+};
+FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
+
 /// Of single pictures in full size, where meshes are framed as in the others but pictures are not cut.
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool three_quarters, int width, int height);
 

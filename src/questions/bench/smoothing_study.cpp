@@ -204,13 +204,6 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
     return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};
 }
 
-double top_mode_in(const SmoothingSubject& subject) {
-    const Vector& M = subject.laplacian.M;
-    const Positions X = subject.mesh().X.rowwise() - subject.mesh().X.row(0);
-    const double mode = M.dot(subject.top.mode.cwiseAbs2()), mesh = M.dot(X.rowwise().squaredNorm());
-    return mode_amplitude(subject, subject.mesh().X) / std::sqrt(mode * mesh);
-}
-
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     const TriangleMesh mesh = moved_to(subject.mesh(), X);
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));

@@ -99,9 +99,6 @@ struct Amplification {
 };
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
 
-/// How much of the top mode is in the input, over the M-norm of the mesh about its first vertex: symmetry may leave rounding.
-double top_mode_in(const SmoothingSubject& subject);
-
 /// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
 /// figures are coloured by. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "base/number_text.h"
 #include "report/escape.h"
@@ -53,8 +55,9 @@ std::string legend_colours(const Legend& legend, double top) {
 
 /// Round numbers that stand apart and within the drawing.
 std::string legend_ticks(const Legend& legend, double top) {
-    const Axis axis = Axis::exactly(legend.low, legend.high, false);
-    const std::vector<Tick>& ticks = axis.ticks();
+    const Axis axis = Axis::exactly(legend.low, legend.high, legend.log);
+    std::vector<Tick> ticks;   // a logarithmic axis has others without a number
+    std::ranges::copy_if(axis.ticks(), std::back_inserter(ticks), [](const Tick& tick) { return !tick.label.empty(); });
     const double room = (last_colour - first_colour) / static_cast<double>(std::max<std::size_t>(1, ticks.size()));
     const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil((widest_label(axis) + 10) / room)));
     std::size_t zero = 0;   // keeps its number

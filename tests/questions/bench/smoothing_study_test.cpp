@@ -153,16 +153,3 @@ TEST(SmoothingStudy, TheSizeIsThatOfTheComponentThatLosesMost) {
     };
     EXPECT_NEAR(run.size.back(), spread(run.result.X) / spread(sheet.mesh().X), 1e-12);
 }
-
-TEST(SmoothingStudy, HowMuchOfTheTopModeIsInTheInput) {
-    SmoothingSubject subject = ball_subject();
-    Vector& mode = subject.top.mode;
-    const double share = top_mode_in(subject);
-    mode *= 7;
-    EXPECT_NEAR(top_mode_in(subject), share, 1e-12) << "no matter how long the mode is";
-    mode = subject.mesh().X.col(0);
-    EXPECT_GT(top_mode_in(subject), 0.1) << "a coordinate itself";
-    mode.setZero();
-    mode[0] = 1;
-    EXPECT_EQ(top_mode_in(subject), 0) << "at the origin alone";
-}
