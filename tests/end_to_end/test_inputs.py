@@ -36,7 +36,7 @@ class NamedInputs(InFolder):
     def test_a_typing_error_in_any_command(self):
         commands = [[*QUICK, "MESH"], [*QUICK, "torus.obj", "MESH"], ["render", "MESH", "--out", "pictures"], ["inspect", "MESH"],
                     ["curvature", "MESH", "--csv", "a.csv"], ["spectrum", "MESH", "-k", 3, "--csv", "a.csv"], ["smooth", "MESH", "-o", "a.ply"],
-                    ["noise", "MESH", "--sigma", 0.1, "-o", "a.ply"], ["compare", "torus.obj", "MESH"], ["lab", "MESH", "-o", "a.html"]]
+                    ["noise", "MESH", "--sigma", 0.1, "-o", "a.ply"], ["compare", "torus.obj", "MESH"]]
         for words in commands:
             for mesh, remedy in (("tours.obj", "did you mean 'torus.obj'?"), ("meshes/none.obj", "check its name"), ("broken.obj", "")):
                 err = self.refused(*[mesh if word == "MESH" else word for word in words])

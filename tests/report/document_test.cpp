@@ -65,7 +65,8 @@ TEST(Check, ScoresCountTheThreeStatesApart) {
 }
 
 TEST(Check, IdsAreUniqueAndMadeOfPlainWords) {
-    Section section{.id = "q5"};
+    Section section;
+    section.id = "q5";
     for (const char* name : {"Energy falls on Cube", "energy falls: on cube", "energy falls on cube 2", "λ ≤ 2", "2", "Σ"})
         section.checks.push_back(check_near(name, 1, 1, 0));
     EXPECT_EQ(check_ids(section), (std::vector<std::string>{"q5-energy-falls-on-cube", "q5-energy-falls-on-cube-2",
@@ -73,7 +74,11 @@ TEST(Check, IdsAreUniqueAndMadeOfPlainWords) {
 }
 
 TEST(JUnit, HasACaseACheckAndOneForWhatIsMissing) {
-    Section good{.id = "q1", .title = "A & B"}, broken{.id = "q2"}, left{.id = "q3"};
+    Section good, broken, left;
+    good.id = "q1";
+    good.title = "A & B";
+    broken.id = "q2";
+    left.id = "q3";
     good.checks = {check_near("a", 1, 1, 0), check_near("b", 1, 2, 0), undecided(check_near("c", 1, 2, 0), "why")};
     good.timings = {{"whole question", 61.0625}};
     broken.status = Status::failed;
