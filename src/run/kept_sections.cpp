@@ -49,7 +49,6 @@ StoredAnswer placed(const EarlierReport& earlier, const report::Section& section
     answer.section = section;
     answer.section.timings.clear();   // of that run
     answer.figures = std::move(figures);
-    const auto refuse_missing = [](const std::string& file) { throw InputError({file}, "is missing", "make the report anew"); };
     for (auto& [id, figure] : answer.figures) {
         if (!earlier.restore(figure)) refuse_missing(figure.sheet);
     }
