@@ -18,7 +18,7 @@ TEST(NearestWord, TheFirstOnATie) { EXPECT_EQ(nearest_word("c", {"a", "b"}), "a"
 TEST(NearestWord, NothingKnownGivesNothing) { EXPECT_EQ(nearest_word("word", {}), ""); }
 
 TEST(NearestWord, ThoseThatMayHaveBeenMeantAreNearAndFew) {
-    const std::vector<std::string> known{"torus.obj", "tours.obj", "torus.ply", "terse.obj", "cube.obj"};
-    EXPECT_EQ(near_words("torus.objj", known), (std::vector<std::string>{"torus.obj", "tours.obj", "terse.obj"}));
+    const std::vector<std::string> known{"torus.obj", "tours.obj", "torus2.obj", "toru.objj", "terse.obj", "cube.obj"};
+    EXPECT_EQ(near_words("torus.objj", known), (std::vector<std::string>{"toru.objj", "torus.obj", "torus2.obj"}));
     EXPECT_EQ(near_words("sphere", {"cube", "plane"}), std::vector<std::string>());
 }

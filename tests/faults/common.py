@@ -138,7 +138,7 @@ class Faults(unittest.TestCase):
         old, parts = self.report_tree(72), [self.folder / "part-q1", self.folder / "part-q2"]
         for part in parts:
             self.assertEqual(self.run_program("report", "--quick", "--size", 64, "--part", part, "--only", part.name[-2:]).code, 0)
-        words = ["merge", *parts, "--pdf", "off", "--no-cache", "--out", self.out]
+        words = ["merge", *parts, "--pdf", "off", "--out", self.out]
         self.sweep()
         shutil.rmtree(self.out, ignore_errors=True)
         self.assertEqual(self.run_program(*words).code, 0)
