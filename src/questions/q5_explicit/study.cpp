@@ -44,6 +44,27 @@ void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
     if (before.open) recommendation.on_boundary = moved_ratio(subject.mesh().X, smoothed.X, topology.on_boundary);
 }
 
+/// Does triangle t face away from the others at its vertices?
+bool is_folded(const Positions& normals, const TriangleMesh& mesh, const MeshTopology& topology, int t) {
+    Vector3 around = Vector3::Zero();
+    for (const int v : mesh.F.row(t))
+        for (const int* other = topology.vertex_faces.begin(v); other != topology.vertex_faces.end(v); ++other)
+            if (*other != t) around += normals.row(*other).transpose();
+    return normals.row(t).dot(around) < 0;
+}
+
+/// What the faces turned over are like, before and after: folds that smoothing has undone, or made.
+void count_folds(Recommendation& recommendation, const SmoothingSubject& subject) {
+    const TriangleMesh& mesh = subject.mesh();
+    const MeshTopology& topology = subject.source->prepared->topology;
+    const Positions before = face_normals(mesh), after = face_normals(moved_to(mesh, recommendation.stopped.result.X));
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        if (!(before.row(t).dot(after.row(t)) < 0)) continue;
+        recommendation.folded_before += is_folded(before, mesh, topology, t) ? 1 : 0;
+        recommendation.folded_after += is_folded(after, mesh, topology, t) ? 1 : 0;
+    }
+}
+
 constexpr int patience = 10;   // times the iterations of the other runs: where λ_crit is small, many steps are little smoothing
 
 /// The run that goes on for as long as enough of the size is left.
@@ -57,6 +78,7 @@ Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, in
     }
     if (!recommendation.all_kept) recommendation.stopped = run_smoothing(study.subject, run.scheme, run.lambda, kept);
     look_at(recommendation, study.subject);
+    count_folds(recommendation, study.subject);
     return recommendation;
 }
 

@@ -25,6 +25,7 @@ struct Recommendation {
     bool all_kept = false;                              // 95 % would be left after more iterations too
     double roughness_before = 0, roughness_after = 0;   // median angle between neighbouring faces, off feature edges [°]
     double on_features = 0, on_boundary = 0;            // how far these vertices moved, rms, over how far the others did; 0: there are none
+    int folded_before = 0, folded_after = 0;            // of the faces turned over, how many face away from those around them
 
     double time() const { return stopped.lambda * stopped.iterations; }   // λt [length²]
 };
