@@ -112,16 +112,34 @@ report::Text K_picture(const MeshCurvature& c) {
     }
     if (!(c.K.array() < 0).any()) return words.say("k.positive", "mesh"_a = s.name());
     const SignsByDistance seen = signs_by_distance(s, c.K, 0.05 * colour_range(c.K));   // what is paler is as good as white
-    report::Text t = words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(seen.negative, 2),
-                               "flat"_a = readable_percent(1 - seen.positive - seen.negative, 2));
-    if (seen.caps_outside()) go_on(t, words.say("k.saddles.inside", "outer"_a = readable_percent(seen.outer_positive, 2)));
-    return t;
+    return words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(seen.negative, 2),
+                     "flat"_a = readable_percent(1 - seen.positive - seen.negative, 2));
 }
 
+/// Caps outside and saddles between them: what several meshes show alike is said once.
+struct Caps {
+    std::vector<std::string> meshes, negative, outer;
+
+    /// Does the mesh show them?
+    bool take(const MeshCurvature& c) {
+        const SignsByDistance seen = signs_by_distance(c.subject, c.K, 0.05 * colour_range(c.K));
+        if (irregular_vertices(c).ringed() || !(c.K.array() < 0).any() || !seen.caps_outside()) return false;
+        meshes.push_back(c.subject.name());
+        negative.push_back(readable_percent(seen.negative, 2));
+        outer.push_back(readable_percent(seen.outer_positive, 2));
+        return true;
+    }
+};
+
 report::Text about_K_picture(const Findings& found) {
-    report::Text t = words.say("k.read");
+    report::Text t = words.say("k.read"), others;
+    Caps caps;
     for (const MeshCurvature& c : found.meshes)
-        if (!c.subject.plane_normal) go_on(t, K_picture(c));
+        if (!c.subject.plane_normal && !caps.take(c)) go_on(others, K_picture(c));
+    if (!caps.meshes.empty())
+        go_on(t,
+              words.say("k.caps", "meshes"_a = listed(caps.meshes), "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
+    report::extend(t, others);
     for (const FlatMesh& f : found.flat)
         if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
     return t;

@@ -121,8 +121,7 @@ report::Text why_half(const Studies& studies) {
         const double small = study.runs[study.recommended->run].lambda;
         const int steps = static_cast<int>(std::lround(20 * study.runs[larger].lambda / small));
         flips = words.say("good.flips", "limits"_a = in_limits(study.subject, study.runs[larger].lambda),
-                          "left"_a = share_left(study.amplification[larger].measured), "steps"_a = steps,
-                          "small"_a = in_limits(study.subject, small),
+                          "left"_a = share_left(study.amplification[larger].measured),
                           "small_left"_a = share_left(std::pow(std::abs(1 - small * study.subject.top.value), steps)));
         break;   // the same on all
     }
