@@ -44,15 +44,6 @@ void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
     if (before.open) recommendation.on_boundary = moved_ratio(subject.mesh().X, smoothed.X, topology.on_boundary);
 }
 
-/// Does triangle t face away from the others at its vertices?
-bool is_folded(const Positions& normals, const TriangleMesh& mesh, const MeshTopology& topology, int t) {
-    Vector3 around = Vector3::Zero();
-    for (const int v : mesh.F.row(t))
-        for (const int* other = topology.vertex_faces.begin(v); other != topology.vertex_faces.end(v); ++other)
-            if (*other != t) around += normals.row(*other).transpose();
-    return normals.row(t).dot(around) < 0;
-}
-
 /// What the faces turned over are like, before and after: folds that smoothing has undone, or made.
 void count_folds(Recommendation& recommendation, const SmoothingSubject& subject) {
     const TriangleMesh& mesh = subject.mesh();
@@ -60,8 +51,8 @@ void count_folds(Recommendation& recommendation, const SmoothingSubject& subject
     const Positions before = face_normals(mesh), after = face_normals(moved_to(mesh, recommendation.stopped.result.X));
     for (int t = 0; t < mesh.face_count(); ++t) {
         if (!(before.row(t).dot(after.row(t)) < 0)) continue;
-        recommendation.folded_before += is_folded(before, mesh, topology, t) ? 1 : 0;
-        recommendation.folded_after += is_folded(after, mesh, topology, t) ? 1 : 0;
+        recommendation.folded_before += is_folded(mesh, topology, before, t) ? 1 : 0;
+        recommendation.folded_after += is_folded(mesh, topology, after, t) ? 1 : 0;
     }
 }
 
@@ -161,6 +152,14 @@ bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda
 
 int faces_turned(const TriangleMesh& mesh, const Positions& X) {
     return static_cast<int>((face_normals(mesh).cwiseProduct(face_normals(moved_to(mesh, X))).rowwise().sum().array() < 0).count());
+}
+
+bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t) {
+    Vector3 around = Vector3::Zero();
+    for (const int v : mesh.F.row(t))
+        for (const int* other = topology.vertex_faces.begin(v); other != topology.vertex_faces.end(v); ++other)
+            if (*other != t) around += normals.row(*other).transpose();
+    return normals.row(t).dot(around) < 0;
 }
 
 int earliest_blow_up(const SmoothingSubject& subject, double lambda) {

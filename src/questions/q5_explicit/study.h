@@ -65,6 +65,9 @@ bool keeps_signs(const SmoothingSubject& subject, double lambda);
 /// Of the triangles of `mesh`, how many face away from where they did when its vertices are at X.
 int faces_turned(const TriangleMesh& mesh, const Positions& X);
 
+/// Does triangle t, of these unit normals, face away from the others at its vertices?
+bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t);
+
 /// No vertex is blown up in an earlier iteration than this: modes grow by |1 − λμ_max| a step at most, all coordinates together.
 int earliest_blow_up(const SmoothingSubject& subject, double lambda);
 
