@@ -98,8 +98,8 @@ void add_all(Answer& answer, const Studies& studies, const std::string& id) {
     figure.caption = words.line("results.caption", "frames"_a = telling(studies).name(), "ring"_a = on_rings(studies),
                                 "sharp"_a = on_sharp_edges(studies));
     figure.range = range_of(studies);
-    figure.range->quantity.clear();   // the colour bar is that of the frames
     add_figure(answer, std::move(figure));
+    answer.figures.back().range->quantity.clear();   // the colour bar is that of the frames
 }
 
 }   // namespace
