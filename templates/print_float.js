@@ -51,19 +51,17 @@ const pagesOf = (block) => [...block.getClientRects()].filter(({ height }) => he
 
 /// Each figure `factor` times as wide as the style sheets say, at most as wide as the page.
 function widen(figures, factor) {
-    for (const part of figures.flatMap((figure) => [...figure.querySelectorAll("[class*=tenths-], svg:not(.legend)")])) {
-        part.style.maxWidth = part.style.width = "";
-        const { maxWidth, width } = getComputedStyle(part);
-        if (part.matches("svg")) part.style.width = `${factor * parseFloat(width)}px`;
-        else part.style.maxWidth = `${Math.min(100, factor * parseFloat(maxWidth))}%`;
+    for (const part of figures.flatMap((figure) => [...figure.querySelectorAll("[class*=tenths-]")])) {
+        part.style.maxWidth = "";
+        part.style.maxWidth = `${Math.min(100, factor * parseFloat(getComputedStyle(part).maxWidth))}%`;
     }
 }
 
-/// Widens the figures of every page that ends early, as long as no block of the document leaves its page.
+/// Widens the pictures of every page that ends early, as long as no block of the document leaves its page. Plots are large enough.
 function growFigures() {
     const blocks = [...document.querySelectorAll("main > section > *")].filter((block) => pagesOf(block).length > 0);
     const asItIs = () => blocks.map(pagesOf).join();
-    const before = asItIs(), figures = Map.groupBy(blocks.filter((block) => block.matches(".picture, .plot")), (figure) => pagesOf(figure)[0]);
+    const before = asItIs(), figures = Map.groupBy(blocks.filter((block) => block.matches(".picture")), (figure) => pagesOf(figure)[0]);
     const full = new Set(blocks.map(pagesOf).filter((pages) => pages.length > 1).flatMap((pages) => pages.slice(0, -1)));
     for (const [page, onPage] of figures) {
         if (full.has(page)) continue;

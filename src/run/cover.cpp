@@ -13,8 +13,7 @@ double bending(const TriangleMesh& mesh) { return angle_deficit(mesh, topology_o
 
 CoverOffer offer_with(const output::FigureRequest& figure) {
     const std::string mesh = figure.subtitle.empty() ? "a surface" : figure.subtitle;
-    return {figure.turnable, 1 + bending(*figure.panels.front().mesh),
-            figure.range->quantity + " on " + mesh + ", seen from the right front and above"};
+    return {figure.turnable, 1 + bending(*figure.panels.front().mesh), figure.range->quantity + " on " + mesh};
 }
 
 /// The figure of an answer that is best on the first page; null: none will do.

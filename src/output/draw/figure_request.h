@@ -47,7 +47,10 @@ struct FigureRequest {
     bool turnable = false;        // readers of the page can turn the first panel, and with it the second if it has the same triangles
     double isoline_spacing = 0;   // lines where a value is a multiple of this; 0: none
     std::vector<std::string> columns = {}, rows = {};   // heads of a matrix of panels, which are given row by row (one_frame, multiples)
-    bool view_files = false;   // each view is a file of full size as well, for what the assignment asks to be handed in
+    bool view_files = false;     // each view is a file of full size as well, for what the assignment asks to be handed in
+    bool coarse_edges = false;   // edges of the meshes so coarse that their shape is not seen without
+    int states =
+        1;   // panels in groups of so many, each one mesh in several states: from three quarters it fills the frame as the first does
 };
 
 /// Robust range of the finite values of all panels: percentiles [clip, 1 − clip]; for a diverging map symmetric about 0 and at least 1.25

@@ -77,18 +77,23 @@ render::Frame own_frame(const TriangleMesh& mesh, const render::View& view, int 
     return render::frame_of(surface.positions, surface.triangles, view, width, height, fill);
 }
 
+/// The mesh of which a panel shows a state.
+const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel) {
+    return *request.panels[panel - panel % static_cast<std::size_t>(request.states)].mesh;
+}
+
 }   // namespace
 
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side) {
     const render::View view = render::three_quarter_view();
-    const bool own = request.layout == Layout::multiples;
+    const bool own = request.layout == Layout::multiples || request.states > 1;
     const render::Frame common = own ? render::Frame{} : common_frame(request, view, side, side, share_framed);
     std::vector<PictureFrame> frames(request.panels.size());
     std::optional<render::Bounds> box;
     for (std::size_t p = 0; p < frames.size(); ++p) {
         if (!request.panels[p].mesh) continue;
         const TriangleMesh& mesh = *request.panels[p].mesh;
-        frames[p].frame = own ? own_frame(mesh, view, side, side, share_framed) : common;
+        frames[p].frame = own ? own_frame(first_state(request, p), view, side, side, share_framed) : common;
         const render::Bounds one = within_square(seen(mesh, view, frames[p].frame), side);
         box = box ? render::Bounds{glm::min(box->low, one.low), glm::max(box->high, one.high)} : one;
     }
@@ -141,7 +146,7 @@ render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool t
     const render::View view = render::three_quarter_view();
     if (!three_quarters)
         return render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p); }), width, height, fill);
-    if (request.layout == Layout::multiples) return own_frame(*request.panels[panel].mesh, view, width, height, fill);
+    if (request.layout == Layout::multiples || request.states > 1) return own_frame(first_state(request, panel), view, width, height, fill);
     return common_frame(request, view, width, height, fill);
 }
 

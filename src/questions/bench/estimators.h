@@ -23,7 +23,7 @@ struct Estimator {
     Quantity quantity;
     Vector (*estimate)(const BenchMesh& mesh);   // n values, NaN where there is none
     bool in_panel = true;                        // false: measured, but without a row in the ground-truth panel
-    std::string_view in_q3 = {};                 // its row in the errors of question 3; empty: none
+    std::string_view in_q3 = {};                 // its column in the errors of question 3; empty: none
 
     std::string name() const { return curvature_words.line(words); }   // "cotangent ½‖Δx‖, mixed"
 };

@@ -132,6 +132,15 @@ std::vector<DiagramPoint> cell_of(const FlatRing& ring, AreaForm form) {
     return cell;
 }
 
+double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topology, int vertex) {
+    double smallest = pi;
+    for (const int* t = topology.vertex_faces.begin(vertex); t != topology.vertex_faces.end(vertex); ++t) {
+        const TriangleShape shape = triangle_shape(mesh, *t, 1);
+        for (std::size_t k = 0; k < 3; ++k) smallest = std::min(smallest, shape.angle(k));
+    }
+    return smallest;
+}
+
 SampleRing ring_on_a_sphere() {
     SampleRing sample{icosphere(0), {}};
     sample.topology = topology_of(sample.mesh);

@@ -33,6 +33,9 @@ std::vector<report::DiagramPoint> cell_of(const FlatRing& ring, AreaForm form);
 /// Is triangle t obtuse at the vertex, or at the corner before or behind it?
 bool is_obtuse(const FlatRing& ring, int t);
 
+/// The smallest angle of the triangles around a vertex, at whatever corner [rad].
+double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topology, int vertex);
+
 // Rings that diagrams draw, of meshes made for them.
 
 struct SampleRing {

@@ -41,6 +41,8 @@ void add_figure(Answer& answer, SixViewFigure figure) {
     answer.section.blocks.push_back(report::Figure{figure.id, figure.caption, alternative_text(figure)});
     answer.figures.push_back({std::move(figure.id), std::move(figure.title), std::move(figure.subtitle), std::move(figure.panels),
                               std::move(figure.range), figure.edges, figure.frame_panel});
+    answer.figures.back().coarse_edges = figure.coarse_edges;
+    answer.figures.back().states = figure.states;
     answer.figures.back().turnable = figure.turnable;
     answer.figures.back().view_files = figure.view_files;
     answer.figures.back().layout = figure.layout;

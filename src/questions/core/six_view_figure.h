@@ -15,8 +15,9 @@ struct SixViewFigure {
     std::string caption = {};                 // says what to see
     std::vector<output::Panel> panels = {};   // one: a 2 × 3 sheet; several share camera, scale and range
     std::optional<output::ColorRange> range = {};
-    bool edges = false;
+    bool edges = false, coarse_edges = false;
     int frame_panel = 0;       // −1: frame on all panels
+    int states = 1;            // of each mesh, one panel behind the other
     bool turnable = false;     // readers of the page can turn the first panel in three dimensions
     bool view_files = false;   // the assignment asks for these pictures: each view is a file as well
     output::Layout layout = output::Layout::six_views;

@@ -62,9 +62,7 @@ Diagram::Panel laplacian_panel() {
     const DiagramPoint left = *std::ranges::min_element(corners, {}, [](const DiagramPoint& p) { return p[0]; });
     panel.labels.push_back({.x = left[0], .y = left[1], .words = text(math("x_j")), .side = Side::left, .dot = true});
     panel.labels.push_back({.x = tip[0], .y = tip[1], .words = text(math("Δx")), .side = Side::below_right, .accent = true});
-    // Above the ring, where no line crosses it.
-    const double top = (*std::ranges::max_element(corners, {}, [](const DiagramPoint& p) { return p[1]; }))[1];
-    panel.labels.push_back({.x = foot[0], .y = top, .words = words.say("diagram.drift"), .side = Side::above});
+    panel.labels.push_back({.x = foot[0], .y = foot[1], .words = words.say("diagram.drift"), .side = Side::right});
     return panel;
 }
 
@@ -82,13 +80,16 @@ Diagram::Panel deficit_panel() {
     const auto first = ring.corners.begin();
     for (auto corner = first + 1; corner + 1 != ring.corners.end(); ++corner)
         panel.paths.push_back(path_through({{0, 0}, *corner}, Style::thin));
-    const double shortest = std::hypot(ring.corners.front()[0], ring.corners.front()[1]);
-    panel.paths.push_back(report::arc({0, 0}, 0.6 * shortest, -pi / 2 - gap / 2, -pi / 2 + gap / 2, Style::accent));
-    panel.labels.push_back({.x = 0, .y = -0.6 * shortest, .words = text(math("2π − Σθ")), .side = Side::below, .accent = true});
+    const auto length = [](const DiagramPoint& p) { return std::hypot(p[0], p[1]); };
+    const double cut = length(ring.corners.front()), shortest = length(*std::ranges::min_element(ring.corners, {}, length));
+    panel.paths.push_back(report::arc({0, 0}, 0.6 * cut, -pi / 2 - gap / 2, -pi / 2 + gap / 2, Style::accent));
+    panel.labels.push_back({.x = 0, .y = -0.6 * cut, .words = text(math("2π − Σθ")), .side = Side::below, .accent = true});
     for (int t = 0; t < ring.triangles(); ++t) {
         const DiagramPoint &p = first[t], &q = first[t + 1];
         panel.paths.push_back(report::angle_arc({0, 0}, p, q, 0.25 * shortest, Style::thin));
-        const DiagramPoint at = report::inside_angle({0, 0}, p, q, 0.45 * shortest);
+        // On the line that halves the angle, before the side that ends it.
+        const double halving = 2 * length(p) * length(q) * std::cos(ring.angles[static_cast<std::size_t>(t)] / 2) / (length(p) + length(q));
+        const DiagramPoint at = report::inside_angle({0, 0}, p, q, 0.65 * halving);
         panel.labels.push_back({.x = at[0], .y = at[1], .words = text(math("θ_" + std::to_string(t + 1))), .side = Side::centre});
     }
     return panel;

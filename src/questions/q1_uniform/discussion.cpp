@@ -103,27 +103,43 @@ report::Text K_picture(const MeshCurvature& c) {
     const CurvatureSubject& s = c.subject;
     const ValueSummary K = summary_of(c.K);
     if (K.count == 0) return words.say("k.nothing", "mesh"_a = s.name());
-    if (const IrregularVertices odd = irregular_vertices(c); odd.stand_out()) {
+    if (const IrregularVertices odd = irregular_vertices(c); odd.ringed()) {
         report::Text t =
-            words.say(odd.seen() ? "k.irregular" : "k.irregular.unseen", "mesh"_a = s.name(), "vertices"_a = odd.vertices.size(),
+            words.say(odd.seen() ? "k.irregular" : "k.irregular.faint", "mesh"_a = s.name(), "vertices"_a = odd.vertices.size(),
                       "off"_a = readable_percent(odd.off, 2), "elsewhere"_a = readable_percent(odd.off_elsewhere, 2));
         if (odd.area_is_why()) go_on(t, words.say("k.irregular.area", "voronoi"_a = readable_percent(odd.off_with_voronoi, 2)));
         return t;
     }
     if (!(c.K.array() < 0).any()) return words.say("k.positive", "mesh"_a = s.name());
     const SignsByDistance seen = signs_by_distance(s, c.K, 0.05 * colour_range(c.K));   // what is paler is as good as white
-    report::Text t = words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(seen.negative, 2),
-                               "flat"_a = readable_percent(1 - seen.positive - seen.negative, 2));
-    if (seen.caps_outside())
-        go_on(t, words.say("k.saddles.inside", "outer"_a = readable_percent(seen.outer_positive, 2),
-                           "inner"_a = readable_percent(seen.inner_negative, 2)));
-    return t;
+    return words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(seen.negative, 2),
+                     "flat"_a = readable_percent(1 - seen.positive - seen.negative, 2));
 }
 
+/// Caps outside and saddles between them: what several meshes show alike is said once.
+struct Caps {
+    std::vector<std::string> meshes, negative, outer;
+
+    /// Does the mesh show them?
+    bool take(const MeshCurvature& c) {
+        const SignsByDistance seen = signs_by_distance(c.subject, c.K, 0.05 * colour_range(c.K));
+        if (irregular_vertices(c).ringed() || !(c.K.array() < 0).any() || !seen.caps_outside()) return false;
+        meshes.push_back(c.subject.name());
+        negative.push_back(readable_percent(seen.negative, 2));
+        outer.push_back(readable_percent(seen.outer_positive, 2));
+        return true;
+    }
+};
+
 report::Text about_K_picture(const Findings& found) {
-    report::Text t = words.say("k.read");
+    report::Text t = words.say("k.read"), others;
+    Caps caps;
     for (const MeshCurvature& c : found.meshes)
-        if (!c.subject.plane_normal) go_on(t, K_picture(c));
+        if (!c.subject.plane_normal && !caps.take(c)) go_on(others, K_picture(c));
+    if (!caps.meshes.empty())
+        go_on(t,
+              words.say("k.caps", "meshes"_a = listed(caps.meshes), "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
+    report::extend(t, others);
     for (const FlatMesh& f : found.flat)
         if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
     return t;
@@ -152,7 +168,7 @@ report::Text about_errors(const BenchRuns& runs, const BenchRuns& panel) {
     go_on(t, words.say("errors.h", "drifting"_a = drifting, "runs"_a = runs.size(), "regular"_a = on_sphere(MeshKind::regular),
                        "jittered"_a = on_sphere(MeshKind::jittered), "rest"_a = readable_percent(worst(runs, normal_H), 2)));
     const auto worse = std::ranges::count_if(runs, [](const BenchRun& run) { return run.errors(uniform_H).order().exponent < -0.5; });
-    if (2 * worse > std::ssize(runs)) go_on(t, words.say("errors.worse"));
+    if (2 * worse > std::ssize(runs)) go_on(t, words.say("errors.worse", "worse"_a = worse, "runs"_a = runs.size()));
     go_on(t, words.say("errors.panel", "converging"_a = converging, "runs"_a = panel.size()));
     return t;
 }
@@ -169,14 +185,13 @@ report::Text about_areas(const BenchRuns& runs) {
     }
     report::Text t =
         winners.size() == 1 ? words.say("areas.one", "best"_a = area_name(*winners.begin())) : words.say("areas", "best"_a = listed(told));
-    int mixed = 0;
-    double price = 0;   // of barycentric areas, at most
-    for (const BenchRun& run : runs) {
-        const double gain = run.finest().error(K_with(AreaForm::barycentric)).l2 - run.finest().error(K_with(AreaForm::mixed)).l2;
-        mixed += gain > 0 ? 1 : 0;
-        price = std::max(price, gain);
-    }
-    go_on(t, words.say("areas.mixed", "mixed"_a = mixed, "runs"_a = runs.size(), "price"_a = readable(100 * price, 2)));
+    const auto price = [&](AreaForm form) {   // of barycentric areas, at most [percentage points]
+        double most = 0;
+        for (const BenchRun& run : runs)
+            most = std::max(most, run.finest().error(K_with(AreaForm::barycentric)).l2 - run.finest().error(K_with(form)).l2);
+        return readable(100 * most, 2);
+    };
+    go_on(t, words.say("areas.mixed", "mixed"_a = price(AreaForm::mixed), "voronoi"_a = price(AreaForm::voronoi)));
     const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::jittered).finest();
     if (sphere.error(K_with(AreaForm::voronoi)).l2 < 0.1 * sphere.error(K_with(AreaForm::barycentric)).l2)
         go_on(t, words.say("areas.sphere"));

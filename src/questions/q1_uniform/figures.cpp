@@ -35,9 +35,9 @@ output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
 }
 
-/// Irregular vertices that the text reads are too small to be found without rings. Are there any?
+/// Irregular vertices that the text reads are too small, or too faint, to be found without rings. Are there any?
 bool mark_irregular_vertices(output::Panel& panel, const MeshCurvature& c) {
-    if (const IrregularVertices odd = irregular_vertices(c); odd.seen() && odd.stand_out()) panel.marked_vertices = odd.vertices;
+    if (const IrregularVertices odd = irregular_vertices(c); odd.ringed()) panel.marked_vertices = odd.vertices;
     return !panel.marked_vertices.empty();
 }
 

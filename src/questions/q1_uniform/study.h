@@ -82,7 +82,8 @@ struct IrregularVertices {
     std::vector<int> vertices;
     double off = 0, off_elsewhere = 0, off_with_voronoi = 0;
 
-    bool seen() const { return off > 0.1; }   // in a colour range about 0
+    bool ringed() const { return stand_out() && off > 0.1; }   // where less is off there is nothing to look for
+    bool seen() const { return off > 0.25; }                   // in a colour range about 0
     bool stand_out() const { return !vertices.empty() && off > 5 * off_elsewhere; }
     bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
 };

@@ -90,7 +90,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const PlaneTest plane = irregular_plane(settings.seed);
     const BenchRuns panel = panel_runs(settings.seed, settings.quick, progress);
 
-    section.answer = answer_of(runs, panel);
+    section.answer = answer_of(runs);
     add_paragraph(section, lead_of(runs, plane));
     add_words(section, words, "method");
     add(section, weight_diagram());

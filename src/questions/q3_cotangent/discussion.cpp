@@ -4,7 +4,7 @@
 
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/operators/triangle_shape.h"
+#include "questions/bench/one_ring.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
@@ -52,16 +52,6 @@ report::Text flat_picture(const CotangentComparison& c) {
     return t;
 }
 
-/// The smallest angle of the triangles around a vertex [rad].
-double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topology, int vertex) {
-    double smallest = pi;
-    for (const int* t = topology.vertex_faces.begin(vertex); t != topology.vertex_faces.end(vertex); ++t) {
-        const TriangleShape shape = triangle_shape(mesh, *t, 1);
-        for (std::size_t k = 0; k < 3; ++k) smallest = std::min(smallest, shape.angle(k));
-    }
-    return smallest;
-}
-
 /// Where one vertex with a thin triangle is far beyond all the others.
 void go_on_about_outlier(report::Text& t, const CotangentComparison& c) {
     Eigen::Index vertex = 0;
@@ -98,7 +88,7 @@ report::Text curved_picture(const CotangentComparison& c) {
 // ---- what the errors say
 
 std::string times_smaller(double factor) {
-    if (factor > 1000) return words.line("times.over_1000");
+    if (factor >= 100) return words.line("times.over", "factor"_a = readable(rounded_down(factor, 1), 1));
     return factor >= 1 ? words.line("times.smaller", "factor"_a = readable(factor, 2))
                        : words.line("times.larger", "factor"_a = readable(1 / factor, 2));
 }
@@ -119,7 +109,7 @@ report::Text about_errors(const BenchRuns& runs) {
     go_on(t, smallest_gain(runs, MeshKind::jittered, "errors.jittered"));
     const auto mixed =
         std::ranges::count_if(runs, [](const BenchRun& run) { return cotangent_error(run, AreaForm::mixed) < cotangent_error(run); });
-    go_on(t, words.say("errors.mixed", "mixed"_a = mixed, "runs"_a = runs.size()));
+    go_on(t, words.say(mixed == std::ssize(runs) ? "errors.mixed.all" : "errors.mixed", "mixed"_a = mixed, "runs"_a = runs.size()));
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
     if (const double special = cotangent_error(sphere, AreaForm::voronoi); special < 0.1 * cotangent_error(sphere))
         go_on(t, words.say("errors.sphere", "error"_a = readable_percent(special, 2)));
@@ -196,13 +186,15 @@ report::Text about_sphere(const BenchRun& regular) {
 
 }   // namespace
 
-report::Text answer_of(const BenchRuns& runs, const BenchRuns& panel) {
-    const auto nearer = std::ranges::count_if(panel, wins), all = std::ssize(panel);
+report::Text answer_of(const BenchRuns& runs) {
+    const auto nearer = std::ranges::count_if(runs, wins), all = std::ssize(runs);
+    double times = infinity;   // uniform H's error over cotangent H's, where that is least
+    for (const BenchRun& run : runs) times = std::min(times, uniform_error(run) / cotangent_error(run));
     const Tally jittered = tally(runs, MeshKind::jittered);
     const bool converges = jittered.converging == jittered.surfaces;
     const char* key = 2 * nearer <= all ? "answer.no" : converges ? "answer.yes" : "answer.yes_but";
-    return words.say(key, "wins"_a = nearer == all ? words.line("answer.all", "runs"_a = all)
-                                                   : words.line("answer.some", "wins"_a = nearer, "runs"_a = all));
+    return words.say(key, "wins"_a = times >= 2 ? words.line("answer.far", "runs"_a = all, "times"_a = readable(rounded_down(times, 1), 1))
+                                                : words.line("answer.some", "wins"_a = nearer, "runs"_a = all));
 }
 
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane) {

@@ -42,7 +42,7 @@ report::Diagram weight_diagram();
 /// What the indicator is worth, and where it doubts H on the meshes.
 void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchRuns& runs, const QuestionSettings& settings);
 // What the numbers and pictures say, in words that follow them.
-report::Text answer_of(const BenchRuns& runs, const BenchRuns& panel);
+report::Text answer_of(const BenchRuns& runs);
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane);
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel);

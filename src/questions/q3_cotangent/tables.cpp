@@ -49,18 +49,22 @@ report::Table variant_table(const Comparisons& meshes) {
 }
 
 report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
-    const auto undefined_of = [&](const Estimator* row) {
+    const auto undefined_of = [](const BenchRun& run) {
         int undefined = 0;
-        for (const BenchRun& run : runs) undefined += run.finest().error(row->key).undefined;
+        for (const Estimator* e : compared_estimators()) undefined += run.finest().error(e->key).undefined;
         return undefined;
     };
-    const bool some_undefined = std::ranges::any_of(compared_estimators(), undefined_of);
+    const bool some_undefined = std::ranges::any_of(runs, undefined_of);
     std::string caption = words.line("errors", "norm"_a = name);
     if (some_undefined) caption += " " + words.line("errors.undefined");
-    auto errors = table("q3_errors_" + key, caption, compared_estimators());
-    errors.column("estimator", &Estimator::in_q3);
-    for (const BenchRun& run : runs)
-        errors.column(run.title(), {.unit = "%", .best = smallest}, [&](auto* row) { return 100 * run.finest().error(row->key).*norm; });
+    auto errors = table("q3_errors_" + key, caption, runs);
+    errors.column("surface", &BenchRun::surface).column("triangulation", [](auto& run) { return name_of(run.kind); });
+    for (const Estimator* e : compared_estimators()) {
+        errors.column(std::string(e->in_q3), {.unit = "%"}, [=](auto& run) { return 100 * run.finest().error(e->key).*norm; });
+        if (e->key == H_with(areas_used))
+            errors.column("order", {.digits = 2},
+                          [=](auto& run) { return cell_of(std::round(10 * run.errors(e->key, norm).order().exponent) / 10); });
+    }
     if (some_undefined) errors.column("without H", {.unit = "vertices"}, undefined_of);
     return errors;
 }

@@ -65,9 +65,8 @@ std::string times_to_halve(const PowerLaw& law) { return readable(std::pow(2, 1 
 report::Text rate(const SpectralStudy& study) {
     const auto law = fall_of_the_error(study);
     if (!law) return {};
-    const report::Text told =
-        words.say("rate", "power"_a = readable(law->power, 2), "times"_a = times_to_halve(*law), "first"_a = law->first,
-                  "last"_a = law->last, "deviation"_a = readable(law->deviation, 3), "mesh"_a = study.name());
+    const report::Text told = words.say("rate", "power"_a = readable(law->power, 2), "first"_a = law->first, "last"_a = law->last,
+                                        "deviation"_a = readable_percent(law->deviation - 1, 2), "mesh"_a = study.name());
     // Twice as far on, the error would be 2^−power of that at the end of the law.
     const int beyond = std::min(study.modes(), 2 * law->last);
     const bool knee = beyond > law->last && study.rms[beyond] < 0.5 * law->at(beyond);
@@ -112,9 +111,8 @@ report::Text wavelengths(const SpectralStudy& study) {
     const auto law = fall_of_the_error(study);
     if (!law || quarter <= zero_modes(study) + 4) return {};
     const double edge = study.source->prepared->preflight.mean_edge, shortest = wavelength(study, end);
-    return words.say(shortest >= 2 * edge ? "wavelengths" : "wavelengths.unresolved", "quarter"_a = quarter, "end"_a = end,
-                     "longer"_a = percent_of_box(study, wavelength(study, quarter)), "shorter"_a = percent_of_box(study, shortest),
-                     "edges"_a = readable(shortest / edge, 2));
+    return words.say(shortest >= 2 * edge ? "wavelengths" : "wavelengths.unresolved", "end"_a = end,
+                     "shorter"_a = percent_of_box(study, shortest), "edges"_a = readable(shortest / edge, 2));
 }
 
 // ---- what a large k costs

@@ -9,8 +9,9 @@ namespace meshfolio::q4_spectral {
 
 namespace {
 
-/// Colours of errors in % of the box diagonal: the same for every k and every mesh, so that all pictures can be compared.
-constexpr double palest = 0.1, darkest = 20;
+/// Colours of errors in % of the box diagonal: the same for every k and every mesh, so that all pictures can be compared. The end is
+/// never reached: under the darkest colours no form is seen.
+constexpr double palest = 0.1, darkest = 100;
 
 output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
     return meshfolio::panel_of(

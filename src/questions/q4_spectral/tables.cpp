@@ -29,12 +29,13 @@ void add_point(report::Series& series, double x, double y) {
 
 report::Table error_table(const SpectralStudy& study) {
     const report::Column share{.unit = "% of box"};
-    std::string caption = words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal));
+    std::string caption =
+        words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal), "limit"_a = readable_percent(seen_error, 1));
     if (is_exact(study, study.modes())) caption += " " + words.line("errors.exact");
     return table(id_of(study, "errors"), std::move(caption), study.reconstructions)
         .column("k", {.digits = count_digits}, &Reconstruction::k)
-        .column("share of all modes", {.unit = "%"}, [&](auto& r) { return 100.0 * r.k / study.vertices(); })
         .column("rms", share, of_box(study, [](auto& r) { return r.difference.area_weighted_rms; }))
+        .column("off", {.unit = "% of area", .digits = 2}, [&](auto& r) { return 100 * share_seen(study, r); })
         .column("farther off", {.unit = "% of vertices", .digits = 2},
                 [&](auto& r) { return cell_of(&r == &study.reconstructions.front() ? NAN : 100 * share_made_worse(study, *(&r - 1), r)); })
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))

@@ -84,11 +84,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "results");
     add_paragraphs(section, {how_large(studies)});
     add(section, limit_table(studies));
-    add_paragraphs(section, {which_step(studies), when_to_stop(studies)});
-    add_recommended_figure(answer, studies);
-    add_paragraphs(section, {too_large(studies)});
+    add_paragraphs(section, {which_step(studies), too_large(studies)});
     add_frames_figure(answer, telling(studies), studies);
     add(section, steps_table(studies));
+    add_paragraphs(section, {when_to_stop(studies)});
+    add_recommended_figure(answer, studies);
     add_paragraphs(section, {units_of_lambda(studies)});
     for (const ExplicitStudy& study : studies) add_checks(section, study);
     add_appendix(answer, studies);

@@ -2,6 +2,9 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "geometry/linear/special_values.h"
+#include "mesh/triangle_measures.h"
+#include "questions/bench/one_ring.h"
 #include "questions/bench/sentences.h"
 #include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
@@ -33,7 +36,26 @@ report::Text places(const Studies& studies, Extent extent, const char* key) {
     return said_of(names, words, key);
 }
 
+/// Which vertex sets the limit, of the first mesh where a few do and its figure rings them.
+report::Text ringed(const Studies& studies) {
+    for (const ExplicitStudy& study : studies) {
+        const std::vector<int> spot = limiting_spot(study);
+        if (spot.empty() || !study.recommended) continue;
+        const TriangleMesh& mesh = study.subject.mesh();
+        double beside = pi;
+        for (const int v : spot) beside = std::min(beside, smallest_angle_around(mesh, study.subject.source->prepared->topology, v));
+        const bool thinnest = beside <= corner_angles(mesh).minCoeff() * (1 + 1e-9);
+        return words.say(thinnest ? "limit.ringed.thinnest" : "limit.ringed", "mesh"_a = study.name(), "peaks"_a = spot.size(),
+                         "figure"_a = recommended_figure(studies), "angle"_a = readable(beside * 180 / pi, 2));
+    }
+    return {};
+}
+
 }   // namespace
+
+std::vector<int> limiting_spot(const ExplicitStudy& study) {
+    return extent_of_top_mode(study) == Extent::spot ? study.peaks : std::vector<int>();
+}
 
 report::Text how_large(const Studies& studies) {
     const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
@@ -47,7 +69,7 @@ report::Text how_large(const Studies& studies) {
     return paragraph_of({words.say(studies.size() > 1 ? "limit.several" : "limit.one", facts),
                          words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
                          places(studies, Extent::whole, "limit.whole"), places(studies, Extent::region, "limit.region"),
-                         places(studies, Extent::spot, "limit.spot")});
+                         places(studies, Extent::spot, "limit.spot"), ringed(studies), words.say("limit.why")});
 }
 
 // ---- which one to take
@@ -99,8 +121,7 @@ report::Text why_half(const Studies& studies) {
         const double small = study.runs[study.recommended->run].lambda;
         const int steps = static_cast<int>(std::lround(20 * study.runs[larger].lambda / small));
         flips = words.say("good.flips", "limits"_a = in_limits(study.subject, study.runs[larger].lambda),
-                          "left"_a = share_left(study.amplification[larger].measured), "steps"_a = steps,
-                          "small"_a = in_limits(study.subject, small),
+                          "left"_a = share_left(study.amplification[larger].measured),
                           "small_left"_a = share_left(std::pow(std::abs(1 - small * study.subject.top.value), steps)));
         break;   // the same on all
     }
@@ -143,10 +164,14 @@ report::Text effect_of(const ExplicitStudy& study) {
                               "boundary"_a = readable(best.on_boundary, 2),
                               "time"_a = readable(study.in_edges(best.time()), 2),
                               "turned"_a = run.moved.inverted_faces,
+                              "before"_a = best.folded_before,
+                              "after"_a = best.folded_after,
                               "faces"_a = study.subject.mesh().face_count()};
     const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
+    const bool unfolded = 2 * best.folded_before > run.moved.inverted_faces && 10 * best.folded_after < best.folded_before;
     return paragraph_of({if_so(best.all_kept, "stop.kept"), if_so(best.on_features > 1.5, "stop.features"),
-                         if_so(best.on_boundary > 1.5, "stop.boundary"), if_so(run.moved.inverted_faces > 0, "stop.turned")});
+                         if_so(best.on_boundary > 1.5, "stop.boundary"), if_so(run.moved.inverted_faces > 0, "stop.turned"),
+                         if_so(unfolded, "stop.turned.unfolded"), if_so(!unfolded && best.folded_after > 0, "stop.turned.folded")});
 }
 
 }   // namespace
@@ -160,7 +185,9 @@ report::Text when_to_stop(const Studies& studies) {
             continue;
         }
         const Recommendation& best = *study.recommended;
-        if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before) smoother.push_back(study.name());
+        if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before)
+            smoother.push_back(words.line("stop.roughness.mesh", "mesh"_a = study.name(), "before"_a = readable(best.roughness_before, 2),
+                                          "after"_a = readable(best.roughness_after, 2)));
         effects = paragraph_of({effects, effect_of(study)});
     }
     report::Text stop;
@@ -243,17 +270,14 @@ report::Text where_it_breaks(const StudyPointers& beyond) {
 /// Where the pictures show the growth: all over the surface, or at one place.
 report::Text where_it_shows(const StudyPointers& beyond) {
     Names whole, spot;
-    std::string frames;
     for (const ExplicitStudy* study : beyond) {
         if (!study->runs.back().result.blew_up) continue;
         const Extent extent = extent_of_top_mode(*study);
         if (extent == Extent::whole) whole.push_back(study->name());
         if (extent == Extent::whole) continue;
         spot.push_back(study->name());
-        if (frames.empty()) frames = id_of("q5", study->name(), "frames");
     }
-    return paragraph_of({said_of(whole, words, "beyond.everywhere"),
-                         spot.empty() ? report::Text() : words.say("beyond.one_place", "meshes"_a = listed(spot), "frames"_a = frames)});
+    return paragraph_of({said_of(whole, words, "beyond.everywhere"), said_of(spot, words, "beyond.one_place")});
 }
 
 /// Just beyond the limit the energy may still fall, although the top mode grows.
@@ -294,13 +318,16 @@ report::Text too_large(const Studies& studies) {
 // ---- what a number for λ means
 
 report::Text units_of_lambda(const Studies& studies) {
-    const auto limit = [](const ExplicitStudy& study) { return study.subject.critical; };
     const auto uniform = [](const ExplicitStudy& study) { return study.uniform.critical; };
-    const auto [low, high] = std::ranges::minmax_element(studies, {}, limit);
+    const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
     const auto [uniform_low, uniform_high] = std::ranges::minmax_element(studies, {}, uniform);
-    const bool several = studies.size() > 1, known = uniform(*uniform_low) > 1 && uniform(*uniform_high) < 1.5;
+    const double times = high->critical_in_edges() / low->critical_in_edges();
+    double safe = 1;   // the least of Gershgorin's limits, over λ_crit; 0: not all are proved
+    for (const ExplicitStudy& study : studies) safe = std::min(safe, study.subject.safe() / study.subject.critical);
+    const bool known = uniform(*uniform_low) > 1 && uniform(*uniform_high) < 1.5;
     const std::string from = readable(uniform(*uniform_low), 3), to = readable(uniform(*uniform_high), 3);
-    return paragraph_of({words.say(several ? "units.several" : "units.one", "times"_a = readable(limit(*high) / limit(*low), 2)),
+    return paragraph_of({words.say(times > 1.1 ? "units.several" : "units.one", "times"_a = readable(times, 2)),
+                         safe > 0 ? words.say("units.gershgorin", "share"_a = readable_percent(rounded_down(safe, 2), 2)) : report::Text(),
                          words.say(known ? "units.known" : "units.uniform",
                                    "limit"_a = from != to ? words.line("units.range", "low"_a = from, "high"_a = to) : from)});
 }
@@ -347,12 +374,12 @@ report::Text answer_in_short(const Studies& studies) {
 }
 
 report::Text lead(const Studies& studies) {
-    Names stops;
-    for (const ExplicitStudy& study : studies)
-        if (study.recommended)
-            stops.push_back(words.line("lead.stop", "lambda"_a = readable(study.recommended->stopped.lambda, 2),
-                                       "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name()));
-    return paragraph_of({words.say("lead"), stops.empty() ? report::Text() : words.say("lead.stops", "stops"_a = listed(stops))});
+    const auto first = std::ranges::find_if(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); });
+    if (first == studies.end()) return {};
+    const double lambda = first->recommended->stopped.lambda;
+    const std::string limits = in_limits(first->subject, lambda);
+    return words.say(limits == "0.5" ? "lead.half" : "lead", "limits"_a = limits, "lambda"_a = readable(lambda, 2),
+                     "mesh"_a = first->name());
 }
 
 }   // namespace meshfolio::q5_explicit

@@ -13,9 +13,6 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-/// Few enough triangles to be drawn with their edges.
-bool shows_edges(const ExplicitStudy& study) { return study.subject.mesh().face_count() < 3000; }
-
 /// A state of a run in one of its frames. Where spikes would be cut off it is drawn smaller, by `scale`.
 struct Frame {
     output::Panel panel;   // an empty cell once the mesh is blown up or too wide
@@ -52,6 +49,12 @@ std::string on_sharp_edges(const Studies& studies) {
     return sharp ? " " + words.line("figure.sharp") : "";
 }
 
+/// Likewise where a few vertices set the limit.
+std::string on_rings(const Studies& studies) {
+    const bool ringed = std::ranges::any_of(studies, [](const ExplicitStudy& s) { return s.recommended && !limiting_spot(s).empty(); });
+    return ringed ? " " + words.line("figure.ring") : "";
+}
+
 report::Facts facts_of(const ExplicitStudy& study) {
     const SmoothingRun& run = study.recommended->stopped;
     return {"mesh"_a = study.name(), "iterations"_a = run.result.iterations, "limits"_a = in_limits(study.subject, run.lambda)};
@@ -62,15 +65,17 @@ void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
     report::Facts facts = facts_of(study);
+    facts.push_back("ring"_a = on_rings(studies));
     facts.push_back("sharp"_a = on_sharp_edges(studies));
     SixViewFigure figure{.id = id,
                          .title = words.line("recommended.title", facts),
                          .subtitle = subtitle_of(*study.subject.source),
                          .caption = words.line("recommended.caption", facts),
-                         .edges = shows_edges(study),
+                         .coarse_edges = true,
                          .turnable = true};
     figure.panels = {smoothing_panel(study.subject, run.result.X, id + "_smoothed", words.line("recommended.after", facts))};
     add_smoothing_figure(answer, study.subject, id + "_input", std::move(figure));
+    answer.figures.back().panels.front().marked_vertices = limiting_spot(study);
 }
 
 /// At the size and place in which all inputs have the same box diagonal.
@@ -82,16 +87,19 @@ output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, cons
 
 /// Several meshes: each input beside its result.
 void add_all(Answer& answer, const Studies& studies, const std::string& id) {
-    SixViewFigure figure{.id = id, .title = words.line("results.title"), .frame_panel = -1};
+    SixViewFigure figure{.id = id, .title = words.line("results.title"), .coarse_edges = true, .frame_panel = -1, .states = 2};
     for (const ExplicitStudy& study : studies) {
         if (!study.recommended) continue;
         const report::Facts facts = facts_of(study);
         figure.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", words.line("results.input", facts)));
+        figure.panels.back().marked_vertices = limiting_spot(study);
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
     }
-    figure.caption = words.line("results.caption", "sharp"_a = on_sharp_edges(studies));
+    figure.caption = words.line("results.caption", "frames"_a = telling(studies).name(), "ring"_a = on_rings(studies),
+                                "sharp"_a = on_sharp_edges(studies));
     figure.range = range_of(studies);
     add_figure(answer, std::move(figure));
+    answer.figures.back().range->quantity.clear();   // the colour bar is that of the frames
 }
 
 }   // namespace
@@ -114,7 +122,7 @@ void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies
     request.title = words.line("frames.title", "mesh"_a = study.name());
     request.subtitle = subtitle_of(*study.subject.source);
     request.layout = output::Layout::one_frame;
-    request.edges = shows_edges(study);
+    request.coarse_edges = true;
     std::vector<std::string> shrunk;
     for (const int t : study.frame_times) request.columns.push_back("t = " + std::to_string(t));
     for (const Strip& strip : study.strips) {

@@ -16,10 +16,12 @@ using Studies = std::vector<ExplicitStudy>;
 const ExplicitStudy& telling(const Studies& studies);
 
 // Figures.
+/// Where the top mode is largest, on meshes where a few vertices set the limit; else none.
+std::vector<int> limiting_spot(const ExplicitStudy& study);
 /// The inputs, and what the recommended steps make of them from six directions; nothing where none is recommended.
 void add_recommended_figure(Answer& answer, const Studies& studies);
 std::string recommended_figure(const Studies& studies);
-/// Frames of a stable step, of one just beyond the limit, and of one far beyond, in the colours of the figure above.
+/// Frames of a stable step, of one just beyond the limit, and of one far beyond, in the colours of that figure.
 void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies& studies);
 
 // Tables and plots.

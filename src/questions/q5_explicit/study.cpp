@@ -44,6 +44,18 @@ void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
     if (before.open) recommendation.on_boundary = moved_ratio(subject.mesh().X, smoothed.X, topology.on_boundary);
 }
 
+/// What the faces turned over are like, before and after: folds that smoothing has undone, or made.
+void count_folds(Recommendation& recommendation, const SmoothingSubject& subject) {
+    const TriangleMesh& mesh = subject.mesh();
+    const MeshTopology& topology = subject.source->prepared->topology;
+    const Positions before = face_normals(mesh), after = face_normals(moved_to(mesh, recommendation.stopped.result.X));
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        if (!(before.row(t).dot(after.row(t)) < 0)) continue;
+        recommendation.folded_before += is_folded(mesh, topology, before, t) ? 1 : 0;
+        recommendation.folded_after += is_folded(mesh, topology, after, t) ? 1 : 0;
+    }
+}
+
 constexpr int patience = 10;   // times the iterations of the other runs: where λ_crit is small, many steps are little smoothing
 
 /// The run that goes on for as long as enough of the size is left.
@@ -57,6 +69,7 @@ Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, in
     }
     if (!recommendation.all_kept) recommendation.stopped = run_smoothing(study.subject, run.scheme, run.lambda, kept);
     look_at(recommendation, study.subject);
+    count_folds(recommendation, study.subject);
     return recommendation;
 }
 
@@ -139,6 +152,14 @@ bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda
 
 int faces_turned(const TriangleMesh& mesh, const Positions& X) {
     return static_cast<int>((face_normals(mesh).cwiseProduct(face_normals(moved_to(mesh, X))).rowwise().sum().array() < 0).count());
+}
+
+bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t) {
+    Vector3 around = Vector3::Zero();
+    for (const int v : mesh.F.row(t))
+        for (const int* other = topology.vertex_faces.begin(v); other != topology.vertex_faces.end(v); ++other)
+            if (*other != t) around += normals.row(*other).transpose();
+    return normals.row(t).dot(around) < 0;
 }
 
 int earliest_blow_up(const SmoothingSubject& subject, double lambda) {

@@ -25,6 +25,7 @@ struct Recommendation {
     bool all_kept = false;                              // 95 % would be left after more iterations too
     double roughness_before = 0, roughness_after = 0;   // median angle between neighbouring faces, off feature edges [°]
     double on_features = 0, on_boundary = 0;            // how far these vertices moved, rms, over how far the others did; 0: there are none
+    int folded_before = 0, folded_after = 0;            // of the faces turned over, how many face away from those around them
 
     double time() const { return stopped.lambda * stopped.iterations; }   // λt [length²]
 };
@@ -63,6 +64,9 @@ bool keeps_signs(const SmoothingSubject& subject, double lambda);
 
 /// Of the triangles of `mesh`, how many face away from where they did when its vertices are at X.
 int faces_turned(const TriangleMesh& mesh, const Positions& X);
+
+/// Does triangle t, of these unit normals, face away from the others at its vertices?
+bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t);
 
 /// No vertex is blown up in an earlier iteration than this: modes grow by |1 − λμ_max| a step at most, all coordinates together.
 int earliest_blow_up(const SmoothingSubject& subject, double lambda);

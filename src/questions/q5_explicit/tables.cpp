@@ -101,7 +101,6 @@ report::Table steps_table(const Studies& studies) {
     return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials)
         .column("mesh", [](auto& t) { return t.study.name(); })
         .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
-        .column("top mode ×", [](auto& t) { return above_rounding(t.growth.measured); })
         .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
         .column("size", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.size.back()); })
         .column("faces turned over", {.digits = 6}, [](auto& t) { return cell_of(t.run.moved.inverted_faces, !t.run.result.blew_up); })
@@ -129,6 +128,7 @@ report::Table sweep_table(const ExplicitStudy& study) {
         .column("λ/λ_crit", [&](auto& t) { return t.run.lambda / s.critical; })
         .column("λ/h̄²", [&](auto& t) { return t.run.lambda / (s.mean_edge * s.mean_edge); })
         .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
+        .column("measured", [](auto& t) { return above_rounding(t.growth.measured); })
         .column("iterations", {.digits = 6}, [](auto& t) { return t.run.result.iterations; })
         .column("rms moved", {.unit = "% of box"},
                 [&](auto& t) { return cell_of(100 * t.run.moved.rms / s.diagonal, !t.run.result.blew_up); })

@@ -11,7 +11,7 @@ namespace meshfolio::report {
 
 namespace {
 
-constexpr double plot_height = 190, small_height = 150, right_margin = 18, between_panels = 16, between_rows = 10, numbers_height = 24;
+constexpr double plot_height = 150, right_margin = 18, between_panels = 16, between_rows = 10, numbers_height = 24;
 
 class PlotDrawing {
 public:
@@ -108,7 +108,7 @@ private:
         const double name_columns = curves_recur_ ? 1 : columns;
         const double width = (drawing_width - numbers - name_columns * names - (columns - 1) * between_panels) / columns;
         const double step = width + between_panels + (curves_recur_ ? 0 : names);
-        double height = panels_.size() == 1 ? plot_height : small_height;
+        double height = plot_height;
         std::size_t title_rows = 0;
         for (const PlotPanel& panel : panels_) {
             height = std::max(height, panel.height_of_names(name_width_) - 10);

@@ -360,6 +360,25 @@ FigureRequest shrunk_ball() {
 
 }   // namespace
 
+TEST(DrawFigures, StatesOfAMeshAreFramedOnItsFirst) {
+    FigureRequest request = balls({1, 1.5, 4, 3}, true);
+    request.states = 2;
+    const std::vector<PictureFrame> frames = three_quarter_frames(request, 200);
+    EXPECT_EQ(frames[1].frame.pixels_per_unit, frames[0].frame.pixels_per_unit) << "one scale for both states";
+    EXPECT_EQ(frames[3].frame.pixels_per_unit, frames[2].frame.pixels_per_unit);
+    EXPECT_NEAR(frames[0].frame.pixels_per_unit / frames[2].frame.pixels_per_unit, 4, 1e-9) << "each mesh fills its frame";
+}
+
+TEST(DrawFigures, OnlyCoarseMeshesHaveEdgesWhereSuchAreAskedFor) {
+    FigureRequest request = balls({1, 1}, false);   // 320 triangles each
+    request.panels[1] = panel_of(icosphere(5), "q4_fine_ball", true);
+    const auto plain = files_of(request);
+    request.coarse_edges = true;
+    const auto edged = files_of(request);
+    EXPECT_NE(edged[0], plain[0]);
+    EXPECT_EQ(edged[1], plain[1]);
+}
+
 TEST(DrawFigures, CoarseMeshesShowTheirTrianglesWhereShapesAreCompared) {
     const TemporaryFolder folder;
     FigureRequest request = shrunk_ball();

@@ -8,6 +8,7 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/operators/cotangent_laplacian.h"
+#include "mesh/samples/sample_shapes.h"
 #include "questions/bench/tangential_share.h"
 
 namespace meshfolio {
@@ -77,6 +78,15 @@ TEST(Cells, MixedIsVoronoiWithoutObtuseTriangle) {
     EXPECT_EQ(obtuse_in(ring_of(acute)), 0);
     EXPECT_EQ(cell_of(ring_of(acute), AreaForm::mixed), cell_of(ring_of(acute), AreaForm::voronoi));
     EXPECT_NE(cell_of(ring_of(obtuse), AreaForm::mixed), cell_of(ring_of(obtuse), AreaForm::voronoi));
+}
+
+TEST(OneRing, TheSmallestAngleAroundAVertexMayBeAtAnotherCorner) {
+    const TriangleMesh ball = icosphere(0);
+    EXPECT_NEAR(smallest_angle_around(ball, topology_of(ball), 0), pi / 3, 1e-12);
+    TriangleMesh needle;
+    needle.X = Positions{{0, 0, 0}, {1, 0, 0}, {0, 0.1, 0}};
+    needle.F = Faces{{0, 1, 2}};
+    EXPECT_NEAR(smallest_angle_around(needle, topology_of(needle), 0), std::atan(0.1), 1e-12) << "at vertex 1";
 }
 
 // Question 3's reason why cotangents cancel the drift: a quarter turn makes w_ij (x_j − x_i) the side of the Voronoi cell.

@@ -87,6 +87,9 @@ TEST(ExplicitDiscussion, BlamesASpotARegionOrTheWhole) {
     ExplicitStudy study = explicit_study(ball, quick_settings());
     study.subject.top.support = 1.5;
     EXPECT_TRUE(has(told(study), "a few vertices set the limit")) << told(study);
+    EXPECT_TRUE(has(told(study), "at the ringed vert")) << told(study);
+    study.recommended.reset();   // no figure, no ring
+    EXPECT_FALSE(has(told(study), "ringed")) << told(study);
     study.subject.top.support = 100;
     EXPECT_TRUE(has(told(study), "spreads over the triangulation")) << told(study);
     EXPECT_FALSE(has(told(study), "a few vertices")) << told(study);
@@ -124,9 +127,29 @@ TEST(ExplicitDiscussion, SaysOfTheResultOnlyWhatItsFigureShows) {
     EXPECT_TRUE(has(told(study), "it moved 2.0 times as far as the inside")) << told(study);
     study.recommended->roughness_before = 30;
     study.recommended->roughness_after = 16;
-    EXPECT_FALSE(has(told(study), "more than halved")) << told(study);
+    EXPECT_FALSE(has(told(study), "median face angle")) << told(study);
     study.recommended->roughness_after = 14;
-    EXPECT_TRUE(has(told(study), "more than halved by then on cube_told")) << told(study);
+    EXPECT_TRUE(has(told(study), "The median face angle falls from 30° to 14° on cube_told")) << told(study);
+}
+
+TEST(ExplicitDiscussion, FacesTurnedOverAreFoldsUndoneOrMade) {
+    ExplicitStudy study = explicit_study(cube, quick_settings());
+    study.recommended->stopped.moved.inverted_faces = 90;
+    study.recommended->folded_before = 60, study.recommended->folded_after = 0;
+    EXPECT_TRUE(has(told(study), "folds of the input: 60 faced away")) << told(study);
+    study.recommended->folded_before = 10, study.recommended->folded_after = 30;
+    EXPECT_FALSE(has(told(study), "folds of the input")) << told(study);
+    EXPECT_TRUE(has(told(study), "Of these 30 now face away")) << told(study);
+    study.recommended->folded_after = 0;
+    EXPECT_FALSE(has(told(study), "face away")) << told(study);
+}
+
+TEST(ExplicitDiscussion, TheLimitsOfMeshesAreComparedInTheirOwnEdges) {
+    TriangleMesh large = icosphere(2);
+    large.X *= 10;
+    const std::vector studies{explicit_study(ball, quick_settings()),
+                              explicit_study(library_mesh(std::move(large), "large_told"), quick_settings())};
+    EXPECT_FALSE(has(report::plain(q5_explicit::units_of_lambda(studies)), "-fold")) << "one triangulation, two sizes";
 }
 
 TEST(ExplicitDiscussion, TellsWhatTheEnergyHidesOnlyWhereItDoes) {
@@ -170,9 +193,9 @@ TEST(ExplicitDiscussion, FacesTurnedOverAreThoseOfTheLastFrameUpToFive) {
     ASSERT_GE(strip.frames.size(), 3u);
     ASSERT_EQ(study.frame_times[2], 5);
     strip.frames[2] = strip.frames[0];
-    EXPECT_FALSE(has(told(study), "By t = 5")) << told(study);
+    EXPECT_FALSE(has(told(study), "turned over by t = 5")) << told(study);
     strip.frames[2].col(0) *= -1;   // a mirror image: its four other sides face inwards
-    EXPECT_TRUE(has(told(study), "By t = 5 800 of the 1200 faces of cube_told have turned over")) << told(study);
+    EXPECT_TRUE(has(told(study), "Of the 1200 faces of cube_told, 800 have turned over by t = 5")) << told(study);
 }
 
 TEST(ImplicitDiscussion, CallsTooMuchOnlyWhatLosesItsSize) {

@@ -42,7 +42,7 @@ TEST(Q4, AllModesGiveTheMeshBack) {
     }
     const std::vector<output::Panel>& panels = figure_named(answer, "q4_torus_all_reconstructions").panels;
     ASSERT_EQ(panels.size(), 2u) << "all modes look like the original: one picture for both";
-    EXPECT_EQ(panels.front().label, "original = k = 288");
+    EXPECT_EQ(panels.front().label, "original; k = 288 looks the same");
 }
 
 TEST(Q4, MoreModesThanVerticesAreCut) {
@@ -56,7 +56,7 @@ TEST(Q4, ErrorFallsWithK) {
     const Answer answer = answer_on(ellipsoid_mesh(3, {1.7, 1.1, 0.6}), "egg", {4, 9, 16, 25});
     const report::Table& table = table_named(answer.section, "q4_egg_errors");
     for (std::size_t i = 1; i < table.rows.size(); ++i)
-        EXPECT_LT(std::get<double>(table.rows[i][2]), std::get<double>(table.rows[i - 1][2]));
+        EXPECT_LT(std::get<double>(table.rows[i][1]), std::get<double>(table.rows[i - 1][1]));
 }
 
 TEST(Q4, TheTableHasTheErrorsOfTheMeshesWrittenOut) {
@@ -80,7 +80,9 @@ TEST(Q4, TheTableHasTheErrorsOfTheMeshesWrittenOut) {
     expect_near(numbers(table, "Hausdorff"), hausdorff, 1e-5);
     expect_near(numbers(table, "mean normal angle"), angle, 1e-4);
     expect_near(numbers(table, "volume"), volume, 1e-5);
-    expect_near(numbers(table, "share of all modes"), {100.0 * 6 / mesh.vertex_count(), 100.0 * 30 / mesh.vertex_count()});
+    const std::vector<double> off = numbers(table, "off");
+    EXPECT_GE(off[0], off[1]) << "less of the area is off with more modes";
+    EXPECT_LE(off[0], 100);
 }
 
 TEST(Q4, EigenvaluesStandBesideTheirWavelengths) {

@@ -65,8 +65,7 @@ TEST(SpectralUseDiscussion, WhatIsStillSeenIsCalledThinOnlyWhereItIs) {
     const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
     first.setConstant(0.02 * study.diagonal);
     last.setConstant(0.009 * study.diagonal);
-    EXPECT_TRUE(has(said(NAN), "at k = 5 100\u202f% of the area is more than 1\u202f% of the box diagonal off, at k = 60 nothing is"))
-        << said(NAN);
+    EXPECT_TRUE(has(said(NAN), "at k = 5, 100\u202f% of the area is off by more than 1\u202f%, at k = 60 nothing is")) << said(NAN);
     last[0] = 0.02 * study.diagonal;
     EXPECT_EQ(share_seen(study, study.reconstructions[1]), study.laplacian.M[0] / study.laplacian.M.sum());
     EXPECT_TRUE(has(said(0.7), "70\u202f% of this area is on the thinner half")) << said(0.7);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mesh/mesh_topology.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -169,6 +170,24 @@ TEST(ExplicitStudy, DriftOfAMovedMeshIsItsWay) {
     constexpr double large = 1e70;   // whose fifth powers are no numbers
     const SmoothingSubject grown = smoothing_subject(library_mesh({large * cube_mesh(3).X, cube_mesh(3).F}, "grown"));
     EXPECT_NEAR(barycentre_drift(grown, large * moved), 0.5 / subject.diagonal, 1e-12);
+}
+
+// A vertex of a flat grid pushed across the side of its ring turns some of its triangles over, and those are the folds.
+TEST(ExplicitStudy, FoldedFacesAreThoseThatFaceAwayFromTheirSurroundings) {
+    TriangleMesh mesh = grid_mesh(9, 9, 1, 1);
+    const MeshTopology topology = topology_of(mesh);
+    mesh.X(40, 0) += 0.2;   // the middle one, by 1.6 sides
+    const Positions normals = face_normals(mesh);
+    int folded = 0;
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        const bool turned = normals(t, 2) < 0;
+        EXPECT_EQ(is_folded(mesh, topology, normals, t), turned) << t;
+        folded += turned ? 1 : 0;
+    }
+    EXPECT_GT(folded, 0);
+    const ExplicitStudy smooth = explicit_study_on(cube_mesh(6), "cube_unfolded");
+    ASSERT_TRUE(smooth.recommended);
+    EXPECT_EQ(smooth.recommended->folded_before, 0);
 }
 
 }   // namespace meshfolio::q5_explicit

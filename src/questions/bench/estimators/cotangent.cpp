@@ -44,10 +44,10 @@ Vector clamped(const BenchMesh& b) {
 
 }   // namespace
 
-extern const Estimator H_barycentric{"H.barycentric", "cotangent.barycentric", Quantity::H, H<barycentric>, true, "cotangent, barycentric"};
-extern const Estimator H_voronoi{"H.voronoi", "cotangent.voronoi", Quantity::H, H<voronoi>, true, "cotangent, Voronoi"};
-extern const Estimator H_mixed{"H.mixed", "cotangent.mixed", Quantity::H, H<mixed>, true, "cotangent, mixed"};
-extern const Estimator H_clamped{"H.clamped", "cotangent.clamped", Quantity::H, clamped, false, "cotangent, clamped"};
+extern const Estimator H_barycentric{"H.barycentric", "cotangent.barycentric", Quantity::H, H<barycentric>, true, "barycentric"};
+extern const Estimator H_voronoi{"H.voronoi", "cotangent.voronoi", Quantity::H, H<voronoi>, true, "Voronoi"};
+extern const Estimator H_mixed{"H.mixed", "cotangent.mixed", Quantity::H, H<mixed>, true, "mixed"};
+extern const Estimator H_clamped{"H.clamped", "cotangent.clamped", Quantity::H, clamped, false, "clamped"};
 
 extern const Estimator H_barycentric_along_normal{"H.barycentric_n", "cotangent.barycentric.along_normal", Quantity::H,
                                                   H_along_normal<barycentric>};

@@ -20,7 +20,7 @@ Vector along(const Positions& normals, const BenchMesh& b) {
 
 extern const Estimator H_uniform{"H.uniform", "uniform",
                                  Quantity::H, [](const BenchMesh& b) { return uniform_mean_curvature_scaled(b.mesh, b.topology); },
-                                 true,        "uniform, × 4/h²"};
+                                 true,        "uniform"};
 
 extern const Estimator H_uniform_along_normal{"H.uniform_n", "uniform.along_normal", Quantity::H,
                                               [](const BenchMesh& b) { return along(b.normals, b); }};
