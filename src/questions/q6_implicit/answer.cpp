@@ -114,15 +114,18 @@ report::Text quality_of(const Studies& studies) {
     return paragraph_of({told, roundness(studies)});
 }
 
-/// What a step and a factorisation cost, and why the amount decides.
+/// What a step and a factorisation cost, and which λ can pay: as (1 − h)ᵏ ≤ 1/(1 + kh) for 0 ≤ h ≤ 1, no more than about 2λ/λ_crit explicit
+/// steps of half of λ_crit damp every mode as much as one implicit step.
 report::Text price_of(const Studies& studies) {
-    std::vector<double> factorisations, steps;
+    std::vector<double> factorisations, steps, least;
     for (const ImplicitStudy& study : studies) {
         if (!study.prices.counted()) continue;
         factorisations.push_back(study.prices.factorisation / study.prices.implicit_step);
         steps.push_back(study.prices.implicit_step / study.prices.explicit_step);
+        least.push_back(steps.back() / 2);
     }
-    return steps.empty() ? report::Text() : words.say("price", "step"_a = span_of(steps), "factorisation"_a = span_of(factorisations));
+    if (steps.empty()) return {};
+    return words.say("price", "step"_a = span_of(steps), "least"_a = span_of(least), "factorisation"_a = span_of(factorisations));
 }
 
 }   // namespace meshfolio::q6_implicit

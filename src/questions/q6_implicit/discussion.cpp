@@ -127,7 +127,8 @@ report::Text too_large(const ImplicitStudy& study) {
                               : first.explicit_energy > 1 ? words.say("first.amplified", facts)
                               : smoother                  ? words.say("first.smoother", facts)
                                                           : report::Text();
-    return paragraph_of({seen, risen ? words.say("spikes", facts) : report::Text()});
+    const bool looks_best = !seen.empty() && !(inside > 0.5) && !(first.explicit_energy > 1);
+    return paragraph_of({seen, risen ? words.say("spikes", facts) : looks_best ? words.say("first.ends", facts) : report::Text()});
 }
 
 /// How much more curved than the median vertex the hundredth is that is most curved, on meshes without sharp edges.

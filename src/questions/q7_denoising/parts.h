@@ -76,5 +76,7 @@ report::Text reading_of(const Grids& grids);
 report::Text strength_of(const Grids& grids);
 report::Text amount_of(const Grids& grids);
 report::Text limits_of(const Grids& grids);
+/// Who has no clean mesh, and other noise.
+report::Text beyond_of(const Grids& grids);
 
 }   // namespace meshfolio::q7_denoising
