@@ -48,8 +48,9 @@ report::Text roundness(const Studies& studies) {
         if (study.roughness > rough || !study.cost || !study.cost->reached()) continue;
         const SmoothingCost& cost = *study.cost;
         if (!(cost.roughness > 1.1 * study.roughness + 0.01)) continue;
-        told = paragraph_of({told, words.say("quality.round", "mesh"_a = study.name(), "input"_a = readable(study.roughness, 2),
-                                             "implicit"_a = readable(cost.roughness, 2), "explicit"_a = readable(cost.explicit_roughness, 2))});
+        told = paragraph_of(
+            {told, words.say("quality.round", "mesh"_a = study.name(), "input"_a = readable(study.roughness, 2),
+                             "implicit"_a = readable(cost.roughness, 2), "explicit"_a = readable(cost.explicit_roughness, 2))});
     }
     return told;
 }

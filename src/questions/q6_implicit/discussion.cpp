@@ -170,8 +170,7 @@ report::Text recommended(const ImplicitStudy& study) {
 report::Text pays(const ImplicitStudy& study) {
     const std::optional<BreakEven> even = study.break_even();
     if (!even) return {};
-    const std::string cell =
-        words.line("cell", "limits"_a = in_limits(study.subject, even->lambda), "iterations"_a = even->iterations);
+    const std::string cell = words.line("cell", "limits"_a = in_limits(study.subject, even->lambda), "iterations"_a = even->iterations);
     return words.say("reading.even", "cell"_a = cell, "kept"_a = readable_percent(even->kept, 2));
 }
 

@@ -34,8 +34,8 @@ struct SmoothingCell {
 /// What the steps of both schemes cost, counted on the matrices. [multiply–adds]
 struct StepPrices {
     double explicit_step = 0;
-    double implicit_step = 0;    // 0: not counted, as by conjugate gradients, whose number of iterations varies
-    double factorisation = 0;    // once for all steps of one λ
+    double implicit_step = 0;   // 0: not counted, as by conjugate gradients, whose number of iterations varies
+    double factorisation = 0;   // once for all steps of one λ
 
     bool counted() const { return explicit_step > 0 && implicit_step > 0; }
 };

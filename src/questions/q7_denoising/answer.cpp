@@ -121,8 +121,7 @@ report::Text summary_of(const Grids& grids) {
     if (surface.fails > 0 && surface.fails == static_cast<int>(surface.shrinking.size())) go_on(counted, words.say("summary.volume"));
     if (surface.cases() > 0 && normals.cases() > 0)
         go_on(counted, words.say("summary.others", "places"_a = places.fails, "normals"_a = normals.fails));
-    return paragraph_of(
-        {counted, untested(grids), other_samples(grids), at_the_end_of_the_grid(grids)});
+    return paragraph_of({counted, untested(grids), other_samples(grids), at_the_end_of_the_grid(grids)});
 }
 
 }   // namespace meshfolio::q7_denoising

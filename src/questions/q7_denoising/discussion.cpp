@@ -105,6 +105,19 @@ report::Text noise_and_amount(const Grids& grids) {
     return paragraph_of({said_of(more, words, "amount.more"), said_of(less, words, "amount.less")});
 }
 
+/// Another step that reaches nearly as much at nearly the same λt, where there is one.
+report::Text as_good_at_equal_time(const DenoisingGrid& grid, const NoisyTrial& trial) {
+    const SearchState& best = trial.found.by_shape;
+    const SearchState* other = nullptr;
+    for (const SearchState& state : trial.states)
+        if (state.value != best.value && (!other || state.shape < other->shape)) other = &state;
+    if (!trial.improved() || !other || is_unended(grid, best)) return {};
+    const double share = best.shape / other->shape, times = other->value * other->step / (best.value * best.step);
+    if (share < 0.9 || times < 1 / 1.5 || times > 1.5) return {};
+    return words.say("map.time", "noise"_a = readable_percent(trial.relative, 2), "other"_a = readable(other->value, 2),
+                     "share"_a = readable_percent(share, 2));
+}
+
 /// What the map of the gain shows: where the best cell goes as the noise grows, that λt counts, and which steps only harm.
 report::Text map_read(const Grids& grids) {
     const DenoisingGrid& grid = leading(grids);
@@ -112,10 +125,12 @@ report::Text map_read(const Grids& grids) {
     const double low = first.found.by_shape.value, high = last.found.by_shape.value;
     report::Facts facts{"map"_a = id_of("q7", grid.name(), "gains"), "low"_a = readable(low, 2), "high"_a = readable(high, 2),
                         "noise"_a = readable_percent(first.relative, 2), "largest"_a = readable(grid.lambdas.back(), 2)};
-    const auto gains = [&](const SearchState& state) { return state.value == grid.lambdas.back() && state.shape < first.found.noisy.shape; };
+    const auto gains = [&](const SearchState& state) {
+        return state.value == grid.lambdas.back() && state.shape < first.found.noisy.shape;
+    };
     const bool harms = grid.lambdas.size() > 1 && first.improved() && std::ranges::none_of(first.states, gains);
     return paragraph_of({words.say(first.improved() && last.improved() && low < high ? "map.grows" : "map", facts),
-                         harms ? words.say("map.harms", facts) : report::Text()});
+                         as_good_at_equal_time(grid, last), harms ? words.say("map.harms", facts) : report::Text()});
 }
 
 /// Of all cases the one where the measures differ most in how much smoothing they ask for.
@@ -195,7 +210,7 @@ report::Text thin(const Grids& grids) {
     return paragraph_of({words.say("thin", facts), others ? words.say("thin.elsewhere", facts) : report::Text()});
 }
 
-/// Who has no clean mesh: what the rule that needs none reaches of the best gain.
+/// For whoever has no clean mesh: what the rule that needs none reaches of the best gain.
 report::Text without_clean(const Grids& grids) {
     double sum = 0, worst = infinity;
     int cases = 0;
@@ -282,7 +297,7 @@ report::Text strength_of(const Grids& grids) { return paragraph_of({noise_in_mea
 
 report::Text amount_of(const Grids& grids) { return paragraph_of({map_read(grids), noise_and_amount(grids), measures_disagree(grids)}); }
 
-report::Text beyond_of(const Grids& grids) { return paragraph_of({without_clean(grids), other_noise(grids), words.say("elsewhere")}); }
+report::Text beyond_of(const Grids& grids) { return paragraph_of({without_clean(grids), other_noise(grids)}); }
 
 report::Text limits_of(const Grids& grids) { return paragraph_of({cannot(grids), no_edges(grids)}); }
 

@@ -125,7 +125,9 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
     };
     smooth(moved_to(noisy, noisy.X + amount * z), options, solver);
     residual.resize(divergence.size());
-    const auto vector = [](std::vector<double>& values) { return Eigen::Map<Vector>(values.data(), static_cast<Eigen::Index>(values.size())); };
+    const auto vector = [](std::vector<double>& values) {
+        return Eigen::Map<Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+    };
     const int best = RiskEstimate{vector(residual), vector(divergence), divergence[0]}.best(sigma);
     return {best, shape[0] / shape[static_cast<std::size_t>(best)]};
 }

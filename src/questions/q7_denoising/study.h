@@ -43,7 +43,7 @@ struct NoisyTrial {
     TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
-    Remains remains, taken;              // of `best`, of `clean_alike`
+    Remains remains, taken;   // of `best`, of `clean_alike`
     Stopped stopped;
     std::vector<double> further_gains;   // by surface, of further seeds at the λ and t that are best for this one
 
@@ -73,8 +73,9 @@ struct DenoisingGrid {
     std::vector<NoisyTrial> trials;      // ascending σ
     std::vector<double> without_noise;   // distance to the surface after t = 0, 1, … iterations of middle_lambda() from the clean mesh
 
-    double noisy_area = 1;       // of pictured(), over the area of the clean mesh
-    std::vector<double> other_gains;   // by surface, of pictured()'s λ and t on noise as strong along the normals, and on a tenth of the vertices
+    double noisy_area = 1;   // of pictured(), over the area of the clean mesh
+    std::vector<double>
+        other_gains;   // by surface, of pictured()'s λ and t on noise as strong along the normals, and on a tenth of the vertices
     double kept_by_less = NAN;   // volume of the clean mesh smoothed as pictured() was, but with λ divided by that; NaN: open
 
     const std::string& name() const { return clean->name; }

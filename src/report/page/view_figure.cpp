@@ -17,7 +17,7 @@ constexpr std::size_t views_in_a_line = 3;
 // Against the width of the text, on paper 59, 44, 99 and 90 mm. A block may be as high as a line.
 constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52;
 constexpr double lowest_row = 0.15, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
-constexpr std::size_t most_across = 5;   // of figure.css
+constexpr std::size_t most_across = 5;                     // of figure.css
 constexpr int tenths_of_heads = 2;                         // of the width, beside the rows of a matrix: 24 mm on paper
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
@@ -55,7 +55,8 @@ struct PictureOf {
     }
 };
 
-/// A panel as a cell of a line or of a matrix: its picture from three quarters and its label; `across`: of so many cells, empty for one reason.
+/// A panel as a cell of a line or of a matrix: its picture from three quarters and its label; `across`: of so many cells, empty for one
+/// reason.
 json cell_view(const PictureOf& of, std::size_t p, std::size_t across) {
     const DrawnPanel& panel = of.drawn.panels[p];
     return view_of({{"has_picture", "it shows a mesh; an empty cell's label says why there is none", !panel.pictures.empty()},
