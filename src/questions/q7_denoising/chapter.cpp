@@ -46,7 +46,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method", "seed"_a = settings.seed, "own"_a = own_fandisk(grids));
 
     add_words(section, words, "results");
-    add(section, error_plot(hardest(grids)));
     add_paragraphs(section, {explanation_of(grids)});
     const output::ColorRange colours = add_states(answer, grids);
     add_paragraphs(section, {reading_of(grids)});
@@ -64,7 +63,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const DenoisingGrid& grid : grids) {
         add_levels(answer, grid);
         if (&grid != &leading(grids)) add(section, gain_map(grid));
-        if (&grid != &hardest(grids)) add(section, error_plot(grid));
+        add(section, error_plot(grid));
         add_checks(section, grid);
     }
     add(section, measure_table(grids));

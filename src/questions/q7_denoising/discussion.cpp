@@ -275,13 +275,14 @@ report::Text explanation_of(const Grids& grids) {
     const auto told = [&](const NoisyTrial& trial, const char* key) {
         report::Facts facts = facts_of(grid, trial);
         facts.push_back("taken"_a = readable(grid.taken_at_once(trial), 2));
+        facts.push_back("middle"_a = readable(grid.middle_lambda(), 2));
         return words.say(key, facts);
     };
     const NoisyTrial &least = grid.trials.front(), &most = grid.trials.back();
     const bool rises = grid.after_one(least) > 1 && grid.taken_at_once(least) > 1;
     const bool falls = grid.after_one(most) < 1 && grid.taken_at_once(most) < 0.5;
     const bool smaller = least.improved() && least.found.by_shape.value < grid.middle_lambda();
-    return paragraph_of({words.say("explained", "mesh"_a = grid.name()), rises ? told(least, "explained.rises") : report::Text(),
+    return paragraph_of({words.say("explained"), rises ? told(least, "explained.rises") : report::Text(),
                          rises && smaller ? words.say("explained.smaller") : report::Text(),
                          falls ? told(most, "explained.falls") : report::Text()});
 }
