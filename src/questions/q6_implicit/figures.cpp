@@ -89,6 +89,7 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
     output::FigureRequest request;
     request.id = id_of("q6", study.name(), "matrix");
     request.layout = output::Layout::one_frame;
+    request.edges = study.subject.mesh().face_count() < 3000;   // else the shape of a coarse mesh is not seen
     const std::size_t below = states_below_input(study);
     request.columns = {words.line("head.input")};
     if (below > 0) {

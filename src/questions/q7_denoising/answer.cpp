@@ -118,7 +118,8 @@ report::Text summary_of(const Grids& grids) {
     report::Text counted;
     if (surface.cases() > 0)
         counted = words.say("summary", "works"_a = surface.works, "helps"_a = surface.helps, "cases"_a = surface.cases());
-    if (surface.fails > 0 && surface.fails == static_cast<int>(surface.shrinking.size())) go_on(counted, words.say("summary.volume"));
+    if (surface.fails > 0 && surface.fails == static_cast<int>(surface.shrinking.size()))
+        go_on(counted, words.say("summary.volume", "fails"_a = surface.fails));
     if (surface.cases() > 0 && normals.cases() > 0)
         go_on(counted, words.say("summary.others", "places"_a = places.fails, "normals"_a = normals.fails));
     return paragraph_of({counted, untested(grids), other_samples(grids), at_the_end_of_the_grid(grids)});

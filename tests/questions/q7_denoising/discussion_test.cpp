@@ -284,7 +284,7 @@ TEST(DenoisingDiscussion, OtherSamplesAreToldWhereTheyWereTaken) {
     grid.trials[0].further_gains = {3.3, 2.7};   // deviations 0.3 and −0.3 of three: 0.3
     EXPECT_NEAR(grid.trials[0].spread(), 0.3, 1e-12);
     EXPECT_TRUE(has(told(grid), "Over 3 samples of the noise")) << told(grid);
-    EXPECT_TRUE(has(told(grid), "at most 10\u202f%; none crosses")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "at most 10\u202f%. None crosses")) << told(grid);
     grid.trials[1].further_gains = {3, 1.9};
     EXPECT_TRUE(has(told(grid), "So near 1.1 or 2 that samples fall on both sides lies 1 case: ball_told at 1.0")) << told(grid);
 }
