@@ -216,7 +216,7 @@ report::Text without_clean(const Grids& grids) {
     int cases = 0;
     report::Facts facts;
     for (const Case& c : cases_of(grids)) {
-        const double share = c.part.stopped.gain / c.part.gain(measures[0]);
+        const double share = c.part.stopped.share();
         if (std::isnan(share)) continue;
         sum += share, ++cases;
         if (share >= worst) continue;

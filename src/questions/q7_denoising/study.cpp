@@ -129,7 +129,7 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
         return Eigen::Map<Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
     };
     const int best = RiskEstimate{vector(residual), vector(divergence), divergence[0]}.best(sigma);
-    return {best, shape[0] / shape[static_cast<std::size_t>(best)]};
+    return {best, shape[0] / shape[static_cast<std::size_t>(best)], shape[0] / std::ranges::min(shape)};
 }
 
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {

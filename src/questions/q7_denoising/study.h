@@ -32,6 +32,9 @@ struct Remains {
 struct Stopped {
     int step = 0;
     double gain = NAN;   // by surface; NaN: no σ, or nothing to measure
+    double best = NAN;   // at any iteration of that run
+
+    double share() const { return gain / best; }
 };
 
 /// One noisy mesh, and what the grid made of it. λ is in squared mean edges of the clean mesh, h̄².
