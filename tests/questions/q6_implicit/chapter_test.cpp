@@ -26,7 +26,7 @@ TEST(Q6, AbsurdStepsStayStable) {
 }
 
 TEST(Q6, TheTablesAreTheStudy) {
-    const TriangleMesh mesh = ellipsoid_mesh(2, {1.5, 1, 0.8});
+    const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "egg6"), quick_settings(), no_progress);
     const ImplicitStudy study = implicit_study(library_mesh(mesh, "egg6"), quick_settings());
     const report::Table& table = table_named(answer.section, "q6_egg6_grid");
