@@ -143,6 +143,7 @@ void add_views(Answer& answer, const Grids& grids, const output::ColorRange& col
         if (!trial.improved()) continue;
         figure.panels.push_back(panel_of(unit_sized(grid.clean->mesh(), trial.best.X), "q7_views_" + grid.name(),
                                          words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
+        figure.panels.back().edges = shows_edges(grid);
     }
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);
