@@ -91,7 +91,8 @@ void require_good_names(std::span<const FigureRequest> requests) {
 constexpr Eigen::Index coarse_mesh = 3000;
 bool shows_edges(const FigureRequest& request, const Panel& panel) {
     const bool plain = panel.values.size() == 0 || !request.range;
-    return request.edges || ((request.coarse_edges || (plain && !has_six_views(request))) && panel.mesh->face_count() < coarse_mesh);
+    const bool coarse = panel.mesh->face_count() < coarse_mesh;
+    return request.edges || panel.edges || (coarse && (request.coarse_edges || (plain && !has_six_views(request))));
 }
 
 render::DrawOptions options_of(const FigureRequest& request, const Panel& panel) {

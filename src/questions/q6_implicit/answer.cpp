@@ -1,6 +1,7 @@
 // The answer to question 6, and what it rests on: the prices of the two schemes, and how smooth both leave a mesh.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/number_text.h"
 #include "questions/bench/sentences.h"
@@ -15,51 +16,41 @@ using Names = std::vector<std::string>;
 
 bool blows_up(const ImplicitStudy& study) { return study.first_blown().has_value(); }
 
-/// Of the priced results far beyond the limit, where that is not all: ", which leaves 2.8 % to 78 % of the size".
-std::string left_far_beyond(const Studies& studies) {
-    double least = INFINITY, most = 0;
-    for (const ImplicitStudy& study : studies) {
-        for (const SmoothingCost& cost : study.costs) {
-            if (cost.recommended || std::isnan(cost.ratio())) continue;
-            least = std::min(least, cost.cell.kept);
-            most = std::max(most, cost.cell.kept);
-        }
-    }
-    if (!(least < size_to_keep)) return "";
-    const std::string from = readable_percent(least, 2), to = readable_percent(most, 2);
-    return words.line("answer.shrinks", "kept"_a = from == to ? from : words.line("span", "low"_a = from, "high"_a = to));
-}
-
 /// Which scheme is cheaper for what is recommended.
 report::Text price_of_recommended(const Studies& studies) {
-    const std::vector<double> ratios = prices(studies, true);
-    if (ratios.empty()) return {};
-    const std::string smoothness = smoothness_key(studies);
-    return words.say("answer.good." + price_key(ratios), "ratios"_a = span_of(ratios),
-                     "smooth"_a = smoothness.empty() ? "" : words.line("answer.smooth." + smoothness));
+    const std::vector<double> ratios = prices(studies);
+    return ratios.empty() ? report::Text() : words.say("answer.good." + price_key(ratios), "ratios"_a = span_of(ratios));
 }
 
-/// Which scheme is cheaper far beyond the limit: "dearer.too" where implicit smoothing wins anyway, else "dearer.only".
-report::Text price_far_beyond(const Studies& studies) {
-    const std::vector<double> ratios = prices(studies, false), recommended = prices(studies, true);
-    if (ratios.empty()) return {};
-    std::string key = price_key(ratios);
-    if (key == "dearer") key += !recommended.empty() && price_key(recommended) == "dearer" ? ".too" : ".only";
-    return words.say("answer.far." + key, "ratios"_a = span_of(ratios), "shrinks"_a = left_far_beyond(studies));
+/// From which amount on implicit steps pay, and what is left of the size there; on which meshes they do at no amount tried.
+report::Text pays_from(const Studies& studies) {
+    Names paying, never;
+    std::vector<double> times, kept;
+    for (const ImplicitStudy& study : studies) {
+        if (!study.prices.counted()) continue;
+        const std::optional<BreakEven> even = study.break_even();
+        (even ? paying : never).push_back(study.name());
+        if (!even) continue;
+        times.push_back(in_edges(study, even->time()));
+        kept.push_back(100 * even->kept);
+    }
+    report::Text paid;
+    if (!times.empty())
+        paid = words.say(never.empty() ? "answer.even" : "answer.even.some", "times"_a = span_of(times), "kept"_a = span_of(kept),
+                         "meshes"_a = listed(paying));
+    return paragraph_of({paid, said_of(never, words, "answer.even.never")});
 }
 
 /// Meshes on which the angle grows from almost none: it measures how round the shape has become.
 report::Text roundness(const Studies& studies) {
     report::Text told;
     for (const ImplicitStudy& study : studies) {
-        if (study.roughness > rough) continue;
-        for (const SmoothingCost& cost : study.costs) {
-            if (!cost.reached() || !(cost.roughness > 1.1 * study.roughness + 0.01)) continue;
-            const report::Facts facts{"mesh"_a = study.name(), "input"_a = readable(study.roughness, 2),
-                                      "implicit"_a = readable(cost.roughness, 2), "explicit"_a = readable(cost.explicit_roughness, 2),
-                                      "kept"_a = readable_percent(cost.cell.kept, 2)};
-            told = paragraph_of({told, words.say(told.empty() ? "quality.round" : "quality.round.more", facts)});
-        }
+        if (study.roughness > rough || !study.cost || !study.cost->reached()) continue;
+        const SmoothingCost& cost = *study.cost;
+        if (!(cost.roughness > 1.1 * study.roughness + 0.01)) continue;
+        told = paragraph_of(
+            {told, words.say("quality.round", "mesh"_a = study.name(), "input"_a = readable(study.roughness, 2),
+                             "implicit"_a = readable(cost.roughness, 2), "explicit"_a = readable(cost.explicit_roughness, 2))});
     }
     return told;
 }
@@ -72,11 +63,10 @@ std::string span_of(const std::vector<double>& values) {
     return from == to ? from : words.line("span", "low"_a = from, "high"_a = to);
 }
 
-std::vector<double> prices(const Studies& studies, bool recommended) {
+std::vector<double> prices(const Studies& studies) {
     std::vector<double> ratios;
     for (const ImplicitStudy& study : studies)
-        for (const SmoothingCost& cost : study.costs)
-            if (cost.recommended == recommended && !std::isnan(cost.ratio())) ratios.push_back(cost.ratio());
+        if (study.cost && !std::isnan(study.cost->ratio)) ratios.push_back(study.cost->ratio);
     return ratios;
 }
 
@@ -86,26 +76,17 @@ std::string price_key(const std::vector<double>& ratios) {
     return low >= 1 ? "dearer" : high <= 1 ? "cheaper" : "either";
 }
 
-std::string smoothness_key(const Studies& studies) {
-    double least = INFINITY, most = 0;   // implicit over explicit
-    for (const ImplicitStudy& study : studies) {
-        for (const SmoothingCost& cost : study.costs) {
-            if (!cost.recommended || !cost.reached() || study.roughness <= rough || !(cost.explicit_roughness > 0)) continue;
-            const double ratio = cost.roughness / cost.explicit_roughness;
-            least = std::min(least, ratio);
-            most = std::max(most, ratio);
-        }
-    }
-    if (most == 0) return "";
-    if (least > 0.9 && most < 1.1) return "alike";
-    return least > 0.98 ? "smoother" : most < 1.02 ? "rougher" : "mixed";
+std::string smoothness_key(const ImplicitStudy& study) {
+    if (!study.cost || !study.cost->reached() || study.roughness <= rough || !(study.cost->explicit_roughness > 0)) return "";
+    const double ratio = study.cost->roughness / study.cost->explicit_roughness;
+    return ratio > 1.05 ? "smoother" : ratio < 1 / 1.05 ? "rougher" : "alike";
 }
 
 report::Text answer_of(const Studies& studies) {
     double largest = 0;
     for (const ImplicitStudy& study : studies) largest = std::max(largest, study.lambdas.back() / study.subject.critical);
     return paragraph_of({words.say(std::ranges::any_of(studies, blows_up) ? "answer" : "answer.alike", "limits"_a = readable(largest, 2)),
-                         price_of_recommended(studies), price_far_beyond(studies)});
+                         price_of_recommended(studies), pays_from(studies)});
 }
 
 /// What is recommended: "λt = 0.91 h̄² on plane".
@@ -123,31 +104,29 @@ report::Text summary_of(const Studies& studies) {
 
 /// How smooth both schemes leave what is recommended, at the same energy; on smooth meshes the angle tells something else.
 report::Text quality_of(const Studies& studies) {
-    Names told;
-    for (const ImplicitStudy& study : studies)
-        for (const SmoothingCost& cost : study.costs)
-            if (cost.recommended && cost.reached() && study.roughness > rough && cost.explicit_roughness > 0)
-                told.push_back(words.line("quality.mesh", "mesh"_a = study.name(), "implicit"_a = readable(cost.roughness, 2),
-                                          "explicit"_a = readable(cost.explicit_roughness, 2)));
-    return paragraph_of({said_of(told, words, "quality." + smoothness_key(studies)), roundness(studies)});
+    report::Text told;
+    for (const ImplicitStudy& study : studies) {
+        const std::string key = smoothness_key(study);
+        if (key.empty()) continue;
+        told = paragraph_of({told, words.say("quality." + key, "mesh"_a = study.name(), "implicit"_a = readable(study.cost->roughness, 2),
+                                             "explicit"_a = readable(study.cost->explicit_roughness, 2))});
+    }
+    if (!told.empty()) told = paragraph_of({words.say("quality"), told});
+    return paragraph_of({told, roundness(studies)});
 }
 
-/// What a step and a factorisation cost; where explicit smoothing is too slow to be priced.
+/// What a step and a factorisation cost, and which λ can pay: as (1 − h)ᵏ ≤ 1/(1 + kh) for 0 ≤ h ≤ 1, no more than about 2λ/λ_crit explicit
+/// steps of half of λ_crit damp every mode as much as one implicit step.
 report::Text price_of(const Studies& studies) {
-    Names only;
-    std::vector<double> factorisations, steps;
+    std::vector<double> factorisations, steps, least;
     for (const ImplicitStudy& study : studies) {
-        for (const SmoothingCost& cost : study.costs) {
-            if (!(cost.factorisation > 0)) continue;
-            factorisations.push_back(cost.factorisation);
-            steps.push_back(cost.step);
-        }
-        if (!std::ranges::all_of(study.costs, &SmoothingCost::reached)) only.push_back(study.name());
+        if (!study.prices.counted()) continue;
+        factorisations.push_back(study.prices.factorisation / study.prices.implicit_step);
+        steps.push_back(study.prices.implicit_step / study.prices.explicit_step);
+        least.push_back(steps.back() / 2);
     }
-    return paragraph_of({factorisations.empty()
-                             ? report::Text()
-                             : words.say("price", "step"_a = span_of(steps), "factorisation"_a = span_of(factorisations)),
-                         said_of(only, words, "price.only")});
+    if (steps.empty()) return {};
+    return words.say("price", "step"_a = span_of(steps), "least"_a = span_of(least), "factorisation"_a = span_of(factorisations));
 }
 
 }   // namespace meshfolio::q6_implicit

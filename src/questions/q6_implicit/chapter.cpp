@@ -45,13 +45,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         add_paragraphs(section, {reading_of(*study)});
     }
     add_views(answer, studies, colours);
-    add_paragraphs(section, {views_of(studies)});
-    if (report::Plot gaps = gap_plot(studies); !gaps.series.empty()) add(section, std::move(gaps));
     add_paragraphs(section, {comparison_of(studies), larger_steps_of(studies)});
     if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
-    add_paragraphs(section, {quality_of(studies), price_of(studies)});
+    if (report::Table prices = price_table(studies); !prices.rows.empty()) add(section, std::move(prices));
+    add_paragraphs(section, {price_of(studies), quality_of(studies)});
 
     begin_appendix(section);
+    if (report::Plot gaps = gap_plot(studies); !gaps.series.empty()) add(section, std::move(gaps));
     for (auto study = pictured; study != studies.end(); ++study) add_matrix(answer, *study, colours, !has_views);
     for (const ImplicitStudy& study : studies) {
         add(section, grid_table(study));

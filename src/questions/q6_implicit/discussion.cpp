@@ -96,63 +96,39 @@ double share_pulled_inside(const ImplicitStudy& study, const Positions& X) {
     return convex > 0 ? double(inside) / convex : 0;
 }
 
-/// What one explicit step too large does: it pulls edges in, it amplifies noise, or it looks well, as yet.
-report::Text first_step(const ImplicitStudy& study) {
+/// The last explicit picture, where there is one, whose energy has risen far above that of the input.
+const SmoothingCell* with_spikes(const ImplicitStudy& study, std::size_t blown) {
+    const SmoothingCell* risen = nullptr;
+    for (std::size_t t = 1; t < study.iterations.size(); ++t)   // the first is told apart
+        if (const SmoothingCell& cell = study.cell(blown, t);
+            cell.has_explicit() && cell.explicit_energy > 2 && fits_a_frame(study.subject, cell.explicit_X))
+            risen = &cell;
+    return risen;
+}
+
+/// What explicit steps too large do: the first pulls edges in, amplifies noise, or looks well as yet; then spikes grow and the run ends.
+report::Text too_large(const ImplicitStudy& study) {
     const std::optional<std::size_t> blown = study.first_blown();
     if (!blown || !study.cell(*blown, 0).has_explicit()) return {};
-    const SmoothingCell& first = study.cell(*blown, 0);
+    const SmoothingCell &first = study.cell(*blown, 0), *risen = with_spikes(study, *blown);
     const double inside = share_pulled_inside(study, first.explicit_X);
     const auto angle = [&](const Positions& X) { return median_face_angle(moved_to(study.subject.mesh(), X), topology_of(study)); };
     const double by_explicit = angle(first.explicit_X), by_implicit = angle(first.implicit_X);
-    const report::Facts facts{"cell"_a = title_of(study, first),
-                              "inside"_a = readable_percent(inside, 2),
-                              "energy"_a = readable_percent(first.explicit_energy, 2),
-                              "explicit"_a = readable(by_explicit, 2),
-                              "implicit"_a = readable(by_implicit, 2),
-                              "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration};
-    if (inside > 0.5) return words.say("first.inside", facts);
-    if (first.explicit_energy > 1) return words.say("first.amplified", facts);
-    return study.roughness > rough && by_explicit < 0.95 * by_implicit ? words.say("first.smoother", facts) : report::Text();
-}
-
-/// The last explicit picture, where there is one, whose energy has risen far above that of the input.
-report::Text spikes(const ImplicitStudy& study) {
-    const std::optional<std::size_t> blown = study.first_blown();
-    const SmoothingCell* risen = nullptr;
-    for (std::size_t t = 0; blown && t < study.iterations.size(); ++t)
-        if (const SmoothingCell& cell = study.cell(*blown, t);
-            cell.has_explicit() && cell.explicit_energy > 2 && fits_a_frame(study.subject, cell.explicit_X))
-            risen = &cell;
-    if (risen == nullptr || risen->iterations == study.iterations.front()) return {};   // that is told of the first step
-    return words.say("spikes", "cell"_a = title_of(study, *risen), "times"_a = readable(risen->explicit_energy, 2),
-                     "table"_a = id_of("q6", study.name(), "grid"));
-}
-
-report::Text recommended(const ImplicitStudy& study) {
-    const SmoothingCell* good = study.good();
-    if (good == nullptr) return {};
-    report::Text turned;
-    if (good->inverted_faces > 0)
-        turned = words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count(),
-                           "count"_a = readable(study.subject.mesh().face_count(), 9));
-    return paragraph_of({words.say("reading.good", "cell"_a = title_of(study, *good)), where_it_goes(study, *good), turned});
-}
-
-report::Text too_much(const ImplicitStudy& study) {
-    const SmoothingCell* much = study.too_much();
-    if (much == nullptr) return {};
-    return words.say("reading.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2));
-}
-
-/// Where the explicit runs end, one entry a mesh that has one: at the smallest step that blew up.
-std::vector<Observed> explicit_ends(const Studies& studies) {
-    std::vector<Observed> ends;
-    for (const ImplicitStudy& study : studies)
-        if (const std::optional<std::size_t> blown = study.first_blown())
-            ends.push_back(
-                {words.line("beyond.mesh", "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration, "mesh"_a = study.name()),
-                 at_step(study.subject, study.lambdas[*blown])});
-    return ends;
+    report::Facts facts{"limits"_a = in_limits(study.subject, first.lambda),
+                        "t"_a = first.iterations,
+                        "inside"_a = readable_percent(inside, 2),
+                        "energy"_a = readable_percent(first.explicit_energy, 2),
+                        "explicit"_a = readable(by_explicit, 2),
+                        "implicit"_a = readable(by_implicit, 2),
+                        "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration};
+    if (risen) facts.insert(facts.end(), {"later"_a = risen->iterations, "times"_a = readable(risen->explicit_energy, 2)});
+    const bool smoother = study.roughness > rough && by_explicit < 0.95 * by_implicit;
+    const report::Text seen = inside > 0.5                ? words.say("first.inside", facts)
+                              : first.explicit_energy > 1 ? words.say("first.amplified", facts)
+                              : smoother                  ? words.say("first.smoother", facts)
+                                                          : report::Text();
+    const bool looks_best = !seen.empty() && !(inside > 0.5) && !(first.explicit_energy > 1);
+    return paragraph_of({seen, risen ? words.say("spikes", facts) : looks_best ? words.say("first.ends", facts) : report::Text()});
 }
 
 /// How much more curved than the median vertex the hundredth is that is most curved, on meshes without sharp edges.
@@ -167,6 +143,60 @@ double speckles_of(const ImplicitStudy& study, const SmoothingCell& good) {
     return sizes[sizes.size() - sizes.size() / 100 - 1] / sizes[sizes.size() / 2];
 }
 
+/// Where steps beyond the explicit limit have left speckles.
+report::Text speckles(const ImplicitStudy& study, const SmoothingCell& good) {
+    constexpr double bell = 3.8;   // of normally distributed values
+    if (!(good.lambda > study.subject.critical) || !(speckles_of(study, good) > 1.2 * bell)) return {};
+    return words.say("reading.speckles", "t"_a = good.iterations);
+}
+
+/// Which method to use for as much: where implicit steps within the explicit limit cost more for the same, explicit ones.
+report::Text which_method(const ImplicitStudy& study, const SmoothingCell& good) {
+    if (!study.cost || !(study.cost->ratio < 1 / 1.2) || good.lambda > study.subject.critical) return {};
+    return words.say("reading.explicit", "times"_a = readable(1 / study.cost->ratio, 2));
+}
+
+report::Text recommended(const ImplicitStudy& study) {
+    const SmoothingCell* good = study.good();
+    if (good == nullptr) return {};
+    report::Text turned;
+    if (good->inverted_faces > 0)
+        turned = words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count());
+    return paragraph_of({words.say("reading.good", "cell"_a = title_of(study, *good)), which_method(study, *good),
+                         where_it_goes(study, *good), turned, speckles(study, *good)});
+}
+
+/// From where on implicit steps pay.
+report::Text pays(const ImplicitStudy& study) {
+    const std::optional<BreakEven> even = study.break_even();
+    if (!even) return {};
+    const std::string cell = words.line("cell", "limits"_a = in_limits(study.subject, even->lambda), "iterations"_a = even->iterations);
+    return words.say("reading.even", "cell"_a = cell, "kept"_a = readable_percent(even->kept, 2));
+}
+
+report::Text too_much(const ImplicitStudy& study) {
+    const SmoothingCell* much = study.too_much();
+    if (much == nullptr) return {};
+    return words.say("reading.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2));
+}
+
+/// Where the explicit runs end at the smallest step that blew up: "6 (cube and plane)".
+report::Text explicit_ends(const Studies& studies) {
+    std::map<std::string, std::map<int, std::vector<std::string>>> ended;   // by step and iteration
+    for (const ImplicitStudy& study : studies)
+        if (const std::optional<std::size_t> blown = study.first_blown())
+            ended[in_limits(study.subject, study.lambdas[*blown])][study.explicit_runs[*blown].result.blow_up_iteration].push_back(
+                study.name());
+    report::Text told;
+    for (const auto& [limits, iterations] : ended) {
+        std::vector<std::string> ends;
+        for (const auto& [iteration, meshes] : iterations)
+            ends.push_back(words.line("beyond.end", "iteration"_a = iteration, "meshes"_a = listed(meshes)));
+        told = paragraph_of({told, words.say("beyond", "limits"_a = limits, "ends"_a = listed(ends))});
+    }
+    return told;
+}
+
 }   // namespace
 
 report::Text rule_of(const Studies& studies) {
@@ -175,26 +205,15 @@ report::Text rule_of(const Studies& studies) {
 }
 
 report::Text reading_of(const ImplicitStudy& study) {
-    const report::Text seen = paragraph_of({recommended(study), first_step(study), spikes(study), too_much(study)});
+    const report::Text seen = paragraph_of({recommended(study), pays(study), too_much(study), too_large(study)});
     if (seen.empty()) return {};
     return paragraph_of({words.say("reading.mesh", "mesh"_a = study.name(), "figure"_a = matrix_of(study)), seen});
-}
-
-report::Text views_of(const Studies& studies) {
-    constexpr double bell = 3.8;   // of normally distributed values
-    report::Text told;
-    for (const ImplicitStudy& study : studies) {
-        const double times = study.good() ? speckles_of(study, *study.good()) : 0;
-        if (times > 1.2 * bell)
-            told = paragraph_of({told, words.say("views.speckles", "mesh"_a = study.name(), "times"_a = readable(times, 2))});
-    }
-    return told;
 }
 
 report::Text comparison_of(const Studies& studies) {
     report::Text agreed;
     if (const auto gaps = gaps_within_the_limit(studies)) agreed = paragraph_of({agreement(*gaps), words.say("agreement.why")});
-    return paragraph_of({agreed, said_of(explicit_ends(studies), words, "beyond")});
+    return paragraph_of({agreed, explicit_ends(studies)});
 }
 
 report::Text larger_steps_of(const Studies& studies) {
@@ -205,12 +224,15 @@ report::Text larger_steps_of(const Studies& studies) {
             if (cell.fewer_steps > 0 && (!most || cell.apart > most->apart)) most = &cell, worst = &study;
     if (most == nullptr) return {};
     const std::string key = most->apart < 0.05 ? "near" : most->apart < 0.4 ? "rough" : "far";
+    const double larger = most->time() / most->fewer_steps;
+    // λμ of the top mode is twice λ/λ_crit
+    const auto damping = [&](double lambda, int steps) { return readable(std::pow(1 + 2 * lambda / worst->subject.critical, steps), 2); };
     return paragraph_of(
         {words.say("equal_time." + key),
          words.say("equal_time", "share"_a = readable_percent(most->apart, 2), "mesh"_a = worst->name(), "many"_a = most->iterations,
                    "few"_a = most->fewer_steps, "small"_a = in_limits(worst->subject, most->lambda),
-                   "large"_a = in_limits(worst->subject, most->time() / most->fewer_steps), "table"_a = id_of("q6", worst->name(), "grid")),
-         words.say("equal_time.why")});
+                   "large"_a = in_limits(worst->subject, larger)),
+         words.say("equal_time.why", "many"_a = damping(most->lambda, most->iterations), "few"_a = damping(larger, most->fewer_steps))});
 }
 
 }   // namespace meshfolio::q6_implicit

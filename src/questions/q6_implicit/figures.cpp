@@ -10,22 +10,32 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-/// A row of the matrix: the input, and what one scheme makes of it with one λ.
+/// The triangles of a mesh so coarse that its shape is not seen without them.
+bool shows_edges(const ImplicitStudy& study) { return study.subject.mesh().face_count() < 3000; }
+
+/// A row of the matrix: what one scheme makes of the input with one λ.
 struct Row {
     std::size_t lambda = 0;
     bool is_explicit = false;
 };
 
-/// Explicit above implicit, λ by λ; beyond the first λ whose explicit run blows up the implicit scheme alone.
+/// Explicit above implicit, λ by λ; from the first λ whose explicit run blows up on the implicit scheme alone.
 std::vector<Row> rows_of(const ImplicitStudy& study) {
     std::vector<Row> rows;
-    bool blown = false;
+    const std::size_t blown = study.first_blown().value_or(study.lambdas.size());
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
-        if (!blown) rows.push_back({l, true});
+        if (l < blown) rows.push_back({l, true});
         rows.push_back({l, false});
-        blown = blown || study.explicit_runs[l].result.blew_up;
     }
     return rows;
+}
+
+/// Of the first run that blew up as many iterations as have a place in the column below the input, its end among them.
+std::size_t states_below_input(const ImplicitStudy& study) {
+    if (!study.first_blown()) return 0;
+    std::size_t states = 0;
+    while (states < study.iterations.size() && study.cell(*study.first_blown(), states).has_explicit()) ++states;
+    return std::min(std::min(states + 1, study.iterations.size()), rows_of(study).size() - 1);
 }
 
 /// Smaller than one sees: a fiftieth of the box of the input.
@@ -56,7 +66,8 @@ TriangleMesh unit_sized(const TriangleMesh& mesh, const Positions& X) {
 /// The explicit runs that are left out: at larger λ than the first that blew up.
 std::string left_out(const ImplicitStudy& study) {
     std::vector<std::string> runs;
-    for (std::size_t l = study.first_blown().value_or(study.lambdas.size()) + 1; l < study.lambdas.size(); ++l) {
+    for (std::size_t l = study.first_blown().value_or(study.lambdas.size()); l < study.lambdas.size(); ++l) {
+        if (l == study.first_blown() && states_below_input(study) > 0) continue;
         const Smoothed& run = study.explicit_runs[l].result;
         if (run.blew_up)
             runs.push_back(words.line("matrix.not_drawn.run", "limits"_a = in_limits(study.subject, study.lambdas[l]),
@@ -81,14 +92,31 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
     output::FigureRequest request;
     request.id = id_of("q6", study.name(), "matrix");
     request.layout = output::Layout::one_frame;
+    request.edges = shows_edges(study);
+    const std::size_t below = states_below_input(study);
     request.columns = {words.line("head.input")};
+    if (below > 0) {
+        std::vector<std::string> times;
+        for (std::size_t t = 0; t < below; ++t)
+            if (study.cell(*study.first_blown(), t).has_explicit()) times.push_back(std::to_string(study.iterations[t]));
+        const std::string limits = in_limits(study.subject, study.lambdas[*study.first_blown()]);
+        request.columns = {times.empty() ? words.line("head.input.ended", "limits"_a = limits)
+                                         : words.line("head.input.below", "limits"_a = limits, "times"_a = listed(times))};
+    }
     for (const int t : study.iterations) request.columns.push_back(words.line("head.time", "iterations"_a = t));
     std::vector<std::string> labels;
     for (const Row& row : rows_of(study)) {
+        const std::size_t r = request.rows.size();
         request.rows.push_back(words.line(row.is_explicit ? "head.explicit" : "head.implicit",
                                           "limits"_a = in_limits(study.subject, study.lambdas[row.lambda])));
-        request.panels.push_back(panel_of(*study.subject.source, request.id + "_input" + std::to_string(request.rows.size()),
-                                          words.line("head.input"), curvature_colours(study.subject, study.subject.mesh().X)));
+        if (r == 0)
+            request.panels.push_back(panel_of(*study.subject.source, request.id + "_input", words.line("head.input"),
+                                              curvature_colours(study.subject, study.subject.mesh().X)));
+        else if (r <= below)
+            request.panels.push_back(panel_of_cell(study, study.cell(*study.first_blown(), r - 1), true));
+        else
+            request.panels.push_back({request.id + "_none" + std::to_string(r), "", nullptr});
+        if (r > 0 && r <= below) labels.push_back(request.panels.back().label);
         for (std::size_t t = 0; t < study.iterations.size(); ++t) {
             request.panels.push_back(panel_of_cell(study, study.cell(row.lambda, t), row.is_explicit));
             labels.push_back(request.panels.back().label);
@@ -116,6 +144,7 @@ void add_views(Answer& answer, const Studies& studies, const output::ColorRange&
         figure.panels.push_back(panel_of(unit_sized(study.subject.mesh(), good->implicit_X), "q6_views_" + study.name(),
                                          words.line("views.panel", "mesh"_a = study.name(), "cell"_a = title_of(study, *good)),
                                          curvature_colours(study.subject, good->implicit_X)));
+        figure.panels.back().edges = shows_edges(study);
     }
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);

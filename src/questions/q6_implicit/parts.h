@@ -25,8 +25,10 @@ void add_views(Answer& answer, const Studies& studies, const output::ColorRange&
 
 // Tables and plots.
 report::Table grid_table(const ImplicitStudy& study);
-/// What is recommended and what is far beyond the explicit limit, with their price.
+/// What is recommended, how smooth it is, and its price.
 report::Table cost_table(const Studies& studies);
+/// The price of every λ × t, and from where on the implicit steps of each λ pay; no rows where nothing is counted.
+report::Table price_table(const Studies& studies);
 /// The gap between the schemes over t, a curve a mesh; no curves where no λ is within the limit.
 report::Plot gap_plot(const Studies& studies);
 
@@ -37,21 +39,22 @@ report::Text summary_of(const Studies& studies);
 /// Paragraphs; empty where there is nothing to say.
 report::Text rule_of(const Studies& studies);
 report::Text reading_of(const ImplicitStudy& study);
-report::Text views_of(const Studies& studies);
 report::Text comparison_of(const Studies& studies);
 report::Text larger_steps_of(const Studies& studies);
 report::Text quality_of(const Studies& studies);
 report::Text price_of(const Studies& studies);
 
-/// Explicit over implicit arithmetic of what is recommended, or of what is far beyond; where it is known.
-std::vector<double> prices(const Studies& studies, bool recommended);
+/// A λt in squared mean edges.
+inline double in_edges(const ImplicitStudy& study, double time) { return time / (study.subject.mean_edge * study.subject.mean_edge); }
+/// Explicit over implicit arithmetic of what is recommended, where it is known.
+std::vector<double> prices(const Studies& studies);
 /// Median face angle of a rough input; below it the angle measures the shape [°].
 inline constexpr double rough = 5;
 /// "alike" within a fifth; else "dearer" or "cheaper", where explicit smoothing is so on all meshes, or "either".
 std::string price_key(const std::vector<double>& ratios);
-/// How smooth explicit steps leave rough meshes at the energy that is recommended, beside implicit ones: "alike", "smoother" (nowhere
-/// rougher), "rougher", "mixed"; "" where no mesh was rough.
-std::string smoothness_key(const Studies& studies);
+/// Whether explicit steps leave a rough mesh "smoother" or "rougher" than implicit ones at the energy that is recommended, or "alike", to a
+/// twentieth; "": the mesh was not rough.
+std::string smoothness_key(const ImplicitStudy& study);
 /// "0.25 to 4.0".
 std::string span_of(const std::vector<double>& values);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "geometry/measures/mesh_error.h"
@@ -110,59 +111,49 @@ std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, Implic
     return implicit_cell(study, *best, t, run.result.X);
 }
 
-/// The largest λ below 100 λ_crit after the middle number of iterations, or fewer where that leaves nothing to look at.
-std::size_t far_cell(const ImplicitStudy& study) {
-    std::size_t l = 0;
-    for (std::size_t i = 0; i < study.lambdas.size(); ++i)
-        if (study.lambdas[i] < 100 * study.subject.critical) l = i;
-    std::size_t t = study.middle_iteration();
-    while (t > 0 && study.cell(l, t).kept < nothing_left) --t;
-    return l * study.iterations.size() + t;
-}
-
 /// Median angle between neighbouring faces; that of flat faces is 0, not rounding [°].
 double roughness_of(const SmoothingSubject& subject, const Positions& X) {
     const double angle = median_face_angle(moved_to(subject.mesh(), X), subject.source->prepared->topology);
     return angle < 1e-6 ? 0 : angle;
 }
 
-void count_operations(SmoothingCost& cost, const ImplicitStudy& study, const FactorOperations& factor) {
-    const auto run = std::ranges::find(study.implicit_runs, cost.cell.lambda, &SmoothingRun::lambda);
-    const double step = 3 * 2 * double(run->result.factor_nonzeros);   // forward and back, three columns
-    if (run->result.solver == LinearSolver::direct) cost.factorisation = factor.factorisation / step;
-    cost.implicit_operations = (cost.cell.iterations + cost.factorisation) * step;
-    const double explicit_step = 3.0 * double(study.subject.laplacian.C.nonZeros());
-    cost.step = step / explicit_step;
-    cost.explicit_operations = cost.explicit_steps * explicit_step;
+StepPrices step_prices(const ImplicitStudy& study) {
+    const Smoothed& run = study.implicit_runs.front().result;   // one pattern for all λ
+    StepPrices prices{.explicit_step = 3.0 * double(study.subject.laplacian.C.nonZeros())};
+    if (run.solver != LinearSolver::direct) return prices;
+    prices.implicit_step = 3 * 2 * double(run.factor_nonzeros);   // forward and back, three columns
+    prices.factorisation = implicit_operations_of(study.subject).factorisation;
+    return prices;
 }
 
-/// One explicit run counts the steps to every energy.
-std::vector<SmoothingCost> costs_of(const ImplicitStudy& study) {
-    constexpr int most_steps = 3000;
-    std::vector<SmoothingCost> costs;
-    if (const SmoothingCell* good = study.good()) costs.push_back({.cell = *good, .recommended = true});
-    const SmoothingCell& far = study.grid[far_cell(study)];
-    const bool same = study.good() && far.lambda == study.good()->lambda && far.iterations == study.good()->iterations;
-    if (!same && !far.collapsed()) costs.push_back({.cell = far});
-    if (costs.empty()) return costs;
+Smoothed explicit_run(const ImplicitStudy& study, int steps, const std::function<bool(int, const Positions&)>& after_step = {}) {
+    SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = 0.5 * study.subject.critical, .iterations = steps};
+    options.after_step = after_step;
+    return smooth(study.subject.mesh(), options);
+}
 
-    SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = 0.5 * study.subject.critical, .iterations = most_steps};
-    options.after_step = [&](int iteration, const Positions& X) {
-        const double energy = dirichlet_energy(study.subject.laplacian.C, X) / study.subject.initial_energy;
-        for (SmoothingCost& cost : costs) {
-            if (cost.reached() || energy > cost.cell.implicit_energy) continue;
-            cost.explicit_steps = iteration;
-            cost.explicit_roughness = roughness_of(study.subject, X);
-        }
-        return !std::ranges::all_of(costs, &SmoothingCost::reached);
-    };
-    smooth(study.subject.mesh(), options);
-    const FactorOperations factor = implicit_operations_of(study.subject);
-    for (SmoothingCost& cost : costs) {
-        cost.roughness = roughness_of(study.subject, cost.cell.implicit_X);
-        count_operations(cost, study, factor);
-    }
-    return costs;
+/// As far as the least energy of a result that leaves something to look at.
+std::vector<double> explicit_energies(const ImplicitStudy& study) {
+    double least = study.good() ? study.good()->implicit_energy : 1;
+    for (const SmoothingCell& cell : study.grid)
+        if (cell.kept >= nothing_left) least = std::min(least, cell.implicit_energy);
+    std::vector<double> energies{1};
+    if (!(study.subject.critical > 0) || !(study.subject.initial_energy > 0)) return energies;
+    explicit_run(study, most_priced_steps, [&](int, const Positions& X) {
+        energies.push_back(dirichlet_energy(study.subject.laplacian.C, X) / study.subject.initial_energy);
+        return energies.back() > least;
+    });
+    return energies;
+}
+
+SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good) {
+    SmoothingCost cost;
+    const auto run = std::ranges::find(study.lambdas, good.lambda);
+    cost.roughness = roughness_of(study.subject, good.implicit_X);
+    cost.explicit_steps = study.explicit_steps_to(good.implicit_energy);
+    cost.ratio = study.price(static_cast<std::size_t>(run - study.lambdas.begin()), good.iterations);
+    if (cost.reached()) cost.explicit_roughness = roughness_of(study.subject, explicit_run(study, cost.explicit_steps).X);
+    return cost;
 }
 
 }   // namespace
@@ -189,6 +180,36 @@ std::optional<std::size_t> ImplicitStudy::first_blown() const {
     const auto blown = std::ranges::find(explicit_runs, true, [](const SmoothingRun& run) { return run.result.blew_up; });
     if (blown == explicit_runs.end()) return {};
     return static_cast<std::size_t>(blown - explicit_runs.begin());
+}
+
+int ImplicitStudy::explicit_steps_to(double energy) const {
+    const auto reached = std::ranges::find_if(explicit_energy, [&](double found) { return found <= energy; });
+    return reached != explicit_energy.end() ? static_cast<int>(reached - explicit_energy.begin()) : 0;
+}
+
+double ImplicitStudy::price(std::size_t l, int t) const {
+    const int steps = explicit_steps_to(implicit_runs[l].energy[static_cast<std::size_t>(t)]);
+    if (steps == 0 || !prices.counted()) return NAN;
+    return steps * prices.explicit_step / (t * prices.implicit_step + prices.factorisation);
+}
+
+std::optional<BreakEven> ImplicitStudy::break_even(std::size_t l) const {
+    const SmoothingRun& run = implicit_runs[l];
+    int from = 0;
+    for (int t = static_cast<int>(run.energy.size()) - 1; t > 0; --t) {
+        const double ratio = price(l, t);
+        if (ratio < 1) break;
+        if (ratio >= 1) from = t;
+    }
+    if (from == 0) return {};
+    return BreakEven{lambdas[l], from, *std::min_element(run.size.begin(), run.size.begin() + from + 1)};
+}
+
+std::optional<BreakEven> ImplicitStudy::break_even() const {
+    std::optional<BreakEven> least;
+    for (std::size_t l = 0; l < lambdas.size(); ++l)
+        if (const auto found = break_even(l); found && (!least || found->time() < least->time())) least = found;
+    return least;
 }
 
 const SmoothingCell* ImplicitStudy::too_much() const {
@@ -222,7 +243,9 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);
     study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;
     study.recommended = recommended_cell(study, solver);
-    study.costs = costs_of(study);
+    study.prices = step_prices(study);
+    study.explicit_energy = explicit_energies(study);
+    if (study.recommended) study.cost = cost_of(study, *study.recommended);
     return study;
 }
 

@@ -31,19 +31,31 @@ struct SmoothingCell {
     double time() const { return lambda * iterations; }   // λt [length²]
 };
 
-/// What a result costs: its factorisation and implicit steps, and the explicit steps at half of λ_crit that reach the same energy.
+/// What the steps of both schemes cost, counted on the matrices. [multiply–adds]
+struct StepPrices {
+    double explicit_step = 0;
+    double implicit_step = 0;   // 0: not counted, as by conjugate gradients, whose number of iterations varies
+    double factorisation = 0;   // once for all steps of one λ
+
+    bool counted() const { return explicit_step > 0 && implicit_step > 0; }
+};
+
+/// What is recommended, beside explicit steps of half of λ_crit to the same energy.
 struct SmoothingCost {
-    SmoothingCell cell;
-    bool recommended = false;
-    int explicit_steps = 0;                                    // 0: more than the limit tried
-    double step = 0;                                           // an implicit one, over an explicit one [operations]
-    double factorisation = 0;                                  // over one implicit step; 0: conjugate gradients need none
-    double implicit_operations = 0, explicit_operations = 0;   // multiply–adds
-    double roughness = NAN, explicit_roughness = NAN;          // median angle between neighbouring faces [°]
+    int explicit_steps = 0;                             // 0: more than were tried
+    double ratio = NAN;                                 // of the operations, explicit over implicit
+    double roughness = NAN, explicit_roughness = NAN;   // median angle between neighbouring faces [°]
 
     bool reached() const { return explicit_steps > 0; }
-    /// Of the operations, explicit over implicit; NaN where one is not known.
-    double ratio() const { return reached() && implicit_operations > 0 ? explicit_operations / implicit_operations : NAN; }
+};
+
+/// From so many iterations on, at all that are priced, the implicit steps of a λ cost no more than explicit ones to the same energy.
+struct BreakEven {
+    double lambda = 0;
+    int iterations = 0;
+    double kept = 1;   // of the size, then
+
+    double time() const { return lambda * iterations; }   // λt [length²]
 };
 
 /// How far apart the two schemes end after t steps, over the distance moved.
@@ -63,7 +75,9 @@ struct ImplicitStudy {
     int damped_modes = 0;                                     // modes that went into it
     double huge_step_energy = 0;                              // after one implicit step at a million times the explicit limit, of input
     std::optional<SmoothingCell> recommended;                 // as many steps as keep the size; none: one already goes too far
-    std::vector<SmoothingCost> costs;                         // of the recommended cell, and of one far beyond the explicit limit
+    std::optional<SmoothingCost> cost;                        // of that
+    StepPrices prices;
+    std::vector<double> explicit_energy;   // after n = 0, 1, … explicit steps of half of λ_crit, over that of the input
 
     const std::string& name() const { return subject.name(); }
     bool is_closed() const { return subject.source->prepared->preflight.closed(); }
@@ -80,9 +94,19 @@ struct ImplicitStudy {
     /// The most smoothing that leaves 95 % of the size: of each λ as many steps as do; among those within 1 % of the least energy the one
     /// with the fewest steps. Null: none.
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
+    /// Explicit steps of half of λ_crit to this share of the energy of the input; 0: none, or more than were tried.
+    int explicit_steps_to(double energy) const;
+    /// Of those steps, over t implicit ones of the l-th λ and their factorisation [operations]; NaN where one is not known.
+    double price(std::size_t l, int t) const;
+    /// Of the l-th λ, and of the λ that breaks even at the least λt. None: explicit steps are cheaper at all that is priced.
+    std::optional<BreakEven> break_even(std::size_t l) const;
+    std::optional<BreakEven> break_even() const;
     /// Of the cells that leave less the one nearest to half of the size: what too much looks like. Null: none, or only points.
     const SmoothingCell* too_much() const;
 };
+
+/// Explicit steps that prices are counted with, at most.
+inline constexpr int most_priced_steps = 1000;
 
 /// With the steps of the settings, else three in units of the explicit limit: within it, a little beyond, far beyond.
 ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "base/number_text.h"
@@ -30,25 +31,49 @@ report::Table grid_table(const ImplicitStudy& study) {
 }
 
 report::Table cost_table(const Studies& studies) {
-    const auto rows = parts_within(studies, &ImplicitStudy::costs);
-    using Row = Within<ImplicitStudy, SmoothingCost>;
-    const auto cell = [](const Row& r) -> const SmoothingCell& { return r.part.cell; };
-    const bool reached = std::ranges::all_of(rows, [](const Row& r) { return r.part.reached(); });
-    return table("q6_cost", words.line("cost") + (reached ? "" : " " + words.line("cost.unreached")), rows)
-        .column("mesh", [](auto& r) { return r.whole.name(); })
-        .column("amount", [](auto& r) { return words.line(r.part.recommended ? "amount.good" : "amount.far"); })
-        .column("λ/λ_crit", {.digits = 2}, [&](auto& r) { return cell(r).lambda / r.whole.subject.critical; })
-        .column("t", {.digits = 4}, [&](auto& r) { return cell(r).iterations; })
-        .column("λt", {.unit = "h̄²", .digits = 2},
-                [&](auto& r) { return cell(r).time() / (r.whole.subject.mean_edge * r.whole.subject.mean_edge); })
-        .column("energy", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).implicit_energy; })
-        .column("size", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).kept; })
-        .column("faces turned", {.digits = 6}, [&](auto& r) { return cell(r).inverted_faces; })
-        .column("face angle: input", {.unit = "°", .digits = 2}, [](auto& r) { return r.whole.roughness; })
-        .column("implicit", {.unit = "°", .digits = 2}, [](auto& r) { return r.part.roughness; })
-        .column("explicit", {.unit = "°", .digits = 2}, [](auto& r) { return cell_of(r.part.explicit_roughness); })
-        .column("explicit steps", {.digits = 5}, [](auto& r) { return cell_of(r.part.explicit_steps, r.part.reached()); })
-        .column("price, explicit", {.unit = "× implicit", .digits = 2}, [](auto& r) { return cell_of(r.part.ratio()); });
+    std::vector<const ImplicitStudy*> rows;
+    for (const ImplicitStudy& study : studies)
+        if (study.good() && study.cost) rows.push_back(&study);
+    const bool reached = std::ranges::all_of(rows, [](const ImplicitStudy* study) { return study->cost->reached(); });
+    return table("q6_cost", words.line("cost") + (reached ? "" : " " + words.line("cost.unreached", "most"_a = most_priced_steps)), rows)
+        .column("mesh", [](auto* s) { return s->name(); })
+        .column("λ/λ_crit", {.digits = 2}, [](auto* s) { return s->good()->lambda / s->subject.critical; })
+        .column("t", {.digits = 4}, [](auto* s) { return s->good()->iterations; })
+        .column("λt", {.unit = "h̄²", .digits = 2}, [](auto* s) { return in_edges(*s, s->good()->time()); })
+        .column("energy", {.unit = "% of input"}, [](auto* s) { return 100 * s->good()->implicit_energy; })
+        .column("size", {.unit = "% of input"}, [](auto* s) { return 100 * s->good()->kept; })
+        .column("faces turned", {.digits = 6}, [](auto* s) { return s->good()->inverted_faces; })
+        .column("face angle: input", {.unit = "°", .digits = 2}, [](auto* s) { return s->roughness; })
+        .column("implicit", {.unit = "°", .digits = 2}, [](auto* s) { return s->cost->roughness; })
+        .column("explicit", {.unit = "°", .digits = 2}, [](auto* s) { return cell_of(s->cost->explicit_roughness); })
+        .column("explicit steps", {.digits = 5}, [](auto* s) { return cell_of(s->cost->explicit_steps, s->cost->reached()); })
+        .column("price, explicit", {.unit = "× implicit", .digits = 2}, [](auto* s) { return cell_of(s->cost->ratio); });
+}
+
+report::Table price_table(const Studies& studies) {
+    struct Row {
+        const ImplicitStudy& study;
+        std::size_t lambda;
+        std::optional<BreakEven> even;
+    };
+    std::vector<Row> rows;
+    std::vector<int> times;   // of all studies: the settings give them
+    for (const ImplicitStudy& study : studies) {
+        if (!study.prices.counted()) continue;
+        times = study.iterations;
+        for (std::size_t l = 0; l < study.lambdas.size(); ++l) rows.push_back({study, l, study.break_even(l)});
+    }
+    auto built = table("q6_prices", words.line("prices", "most"_a = most_priced_steps), rows);
+    built.column("mesh", [](auto& r) { return r.study.name(); });
+    built.column("λ/λ_crit", {.digits = 2}, [](auto& r) { return r.study.lambdas[r.lambda] / r.study.subject.critical; });
+    for (const int t : times)
+        built.column(words.line("head.time", "iterations"_a = t), {.digits = 2, .heat = report::Column::Heat{1, 16}},
+                     [&](auto& r) { return cell_of(r.study.price(r.lambda, t)); });
+    built.column("pays from t", {.digits = 4}, [](auto& r) { return cell_of(r.even ? r.even->iterations : 0, r.even.has_value()); });
+    built.column("λt", {.unit = "h̄²", .digits = 2},
+                 [](auto& r) { return cell_of(r.even ? in_edges(r.study, r.even->time()) : 0, r.even.has_value()); });
+    built.column("size", {.unit = "% of input"}, [](auto& r) { return cell_of(r.even ? 100 * r.even->kept : 0, r.even.has_value()); });
+    return built;
 }
 
 report::Plot gap_plot(const Studies& studies) {

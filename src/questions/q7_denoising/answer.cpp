@@ -14,40 +14,19 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The thin shapes fail: every closed mesh on which the volume goes is thinner, in mean edges, than every one on which it does not.
-bool thin_ones_shrink(const Grids& grids) {
-    double thickest_shrinking = 0, thinnest_other = infinity;
-    for (const DenoisingGrid& grid : grids) {
-        if (std::isnan(grid.thickness)) continue;
-        const bool shrinks = std::ranges::any_of(grid.trials, [](const NoisyTrial& trial) { return verdict_on(trial) == "shrinks"; });
-        if (shrinks)
-            thickest_shrinking = std::max(thickest_shrinking, grid.thickness);
-        else
-            thinnest_other = std::min(thinnest_other, grid.thickness);
-    }
-    return thinnest_other < infinity && thickest_shrinking < thinnest_other;
-}
-
 /// Where the surface is nearer, but the volume lost: no success.
 report::Text shrunk(const Grids& grids) {
     Names told;
     for (const Case& c : cases_of(grids))
         if (verdict_on(c.part) == "shrinks") told.push_back(words.line("shrunk.case", facts_of(c.whole, c.part)));
-    return said_of(told, words, thin_ones_shrink(grids) ? "shrunk.thin" : "shrunk");
+    return said_of(told, words, "shrunk");
 }
 
-/// Sharp edges suffer: in every case that has some, or in these.
+/// Sharp edges suffer, here most.
 report::Text rounded(const Grids& grids) {
-    Names told;
-    bool always = true;
-    for (const DenoisingGrid& grid : grids) {
-        const auto is_rounded = [](const NoisyTrial& trial) { return !trial.improved() || trial.taken.features.times() > 1.2; };
-        if (!grid.has_features()) continue;
-        const bool all = std::ranges::all_of(grid.trials, is_rounded);
-        if (all && std::ranges::any_of(grid.trials, &NoisyTrial::improved)) told.push_back(grid.name());
-        always = always && all;
-    }
-    return said_of(told, words, always ? "rounded.always" : "rounded");
+    const DenoisingGrid* most = most_rounded(grids);
+    const double times = most ? most->pictured().taken.features.times() : 0;
+    return times > 1.2 ? words.say("rounded", "mesh"_a = most->name(), "times"_a = readable(times, 2)) : report::Text();
 }
 
 /// Whether further samples of the noise gain as much by surface, and which cases they leave open.
@@ -89,10 +68,13 @@ report::Text least_gain(const Grids& grids) {
     const NoisyTrial& least = hardest_in(grid);
     const double gain = least.gain(measures[0]);
     if (std::isnan(gain)) return {};
-    report::Facts facts = facts_of(grid, least);
-    facts.push_back("fall"_a = readable_percent(1 - 1 / gain, 2));
     const bool is_weak = least.sigma < weak * grid.mean_edge && gain < 1.25;
-    return words.say("least" + std::string(is_weak ? ".weak" : "") + (gain < helps ? ".fails" : ""), facts);
+    return words.say("least" + std::string(is_weak ? ".weak" : "") + (gain < helps ? ".fails" : ""), facts_of(grid, least));
+}
+
+/// The cases in which the distance to the surface is halved, whatever becomes of the volume.
+std::ptrdiff_t halved(const Grids& grids) {
+    return std::ranges::count_if(cases_of(grids), [](const Case& c) { return c.part.gain(measures[0]) >= works; });
 }
 
 /// Between which noise levels lies the one from which smoothing works: nothing there was tried.
@@ -125,15 +107,22 @@ report::Text answer_of(const Grids& grids) {
     const NoiseSplit split = noise_split(grids);
     const Count count = count_of(grids, measures[0]);
     const report::Text told = split.decides()
-                                  ? words.say("answer.split", "halved"_a = readable(split.smallest_halved, 1))
+                                  ? words.say("answer.split", "halved"_a = readable(split.smallest_halved, 2), "count"_a = halved(grids),
+                                              "cases"_a = count.cases())
                                   : words.say("answer.mixed", "works"_a = count.works, "helps"_a = count.helps, "cases"_a = count.cases());
     return paragraph_of({told, least_gain(grids), shrunk(grids), rounded(grids)});
 }
 
 report::Text summary_of(const Grids& grids) {
-    const bool counted = std::ranges::any_of(measures, [&](const Measure& measure) { return count_of(grids, measure).cases() > 0; });
-    return paragraph_of(
-        {counted ? words.say("summary") : report::Text(), untested(grids), other_samples(grids), at_the_end_of_the_grid(grids)});
+    const Count surface = count_of(grids, measures[0]), places = count_of(grids, measures[1]), normals = count_of(grids, measures[2]);
+    report::Text counted;
+    if (surface.cases() > 0)
+        counted = words.say("summary", "works"_a = surface.works, "helps"_a = surface.helps, "cases"_a = surface.cases());
+    if (surface.fails > 0 && surface.fails == static_cast<int>(surface.shrinking.size()))
+        go_on(counted, words.say("summary.volume", "fails"_a = surface.fails));
+    if (surface.cases() > 0 && normals.cases() > 0)
+        go_on(counted, words.say("summary.others", "places"_a = places.fails, "normals"_a = normals.fails));
+    return paragraph_of({counted, untested(grids), other_samples(grids), at_the_end_of_the_grid(grids)});
 }
 
 }   // namespace meshfolio::q7_denoising

@@ -43,29 +43,27 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const auto meshes = meshes_for(library, settings, {"cube", "fandisk", "armadillo"}, section);
     const auto grids = studies_of(meshes, "denoising", settings, progress, section, denoising_grid);
     section.answer = answer_of(grids);
-    add_paragraphs(section, {summary_of(grids)});
     add_words(section, words, "method", "seed"_a = settings.seed, "own"_a = own_fandisk(grids));
 
     add_words(section, words, "results");
-    add(section, error_plot(hardest(grids)));
     add_paragraphs(section, {explanation_of(grids)});
     const output::ColorRange colours = add_states(answer, grids);
     add_paragraphs(section, {reading_of(grids)});
     add(section, result_table(grids));
-    if (report::Table counts = count_table(grids); !counts.rows.empty()) add(section, std::move(counts));
-    add_paragraphs(section, {strength_of(grids)});
+    add_paragraphs(section, {summary_of(grids), strength_of(grids)});
     add(section, gain_map(leading(grids)));
     add_paragraphs(section, {amount_of(grids)});
     add_views(answer, grids, colours);
     add_limits(answer, grids);
     add(section, remains_table(grids));
-    add_paragraphs(section, {limits_of(grids)});
+    add_paragraphs(section, {limits_of(grids), beyond_of(grids)});
 
     begin_appendix(section);
+    if (report::Table counts = count_table(grids); !counts.rows.empty()) add(section, std::move(counts));
     for (const DenoisingGrid& grid : grids) {
         add_levels(answer, grid);
         if (&grid != &leading(grids)) add(section, gain_map(grid));
-        if (&grid != &hardest(grids)) add(section, error_plot(grid));
+        add(section, error_plot(grid));
         add_checks(section, grid);
     }
     add(section, measure_table(grids));

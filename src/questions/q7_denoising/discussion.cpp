@@ -83,7 +83,11 @@ report::Text extremes(const Grids& grids) {
     for (const Case& c : pictured_cases(grids)) {
         if (&c.part == &c.whole.pictured() || !c.part.improved()) continue;
         const bool is_least = &c.part == &hardest_in(hardest(grids));
-        told = paragraph_of({told, words.say(is_least ? "reading.least" : "reading.most", facts_of(c.whole, c.part))});
+        const bool alike = is_least && c.part.gain(measures[0]) < 1.2;
+        told = paragraph_of({told, words.say(alike      ? "reading.least.alike"
+                                             : is_least ? "reading.least"
+                                                        : "reading.most",
+                                             facts_of(c.whole, c.part))});
     }
     return told;
 }
@@ -99,6 +103,34 @@ report::Text noise_and_amount(const Grids& grids) {
             .push_back(words.line("amount.mesh", "mesh"_a = grid.name(), "low"_a = readable(low, 2), "high"_a = readable(high, 2)));
     }
     return paragraph_of({said_of(more, words, "amount.more"), said_of(less, words, "amount.less")});
+}
+
+/// Another step that reaches nearly as much at nearly the same λt, where there is one.
+report::Text as_good_at_equal_time(const DenoisingGrid& grid, const NoisyTrial& trial) {
+    const SearchState& best = trial.found.by_shape;
+    const SearchState* other = nullptr;
+    for (const SearchState& state : trial.states)
+        if (state.value != best.value && (!other || state.shape < other->shape)) other = &state;
+    if (!trial.improved() || !other || is_unended(grid, best)) return {};
+    const double share = best.shape / other->shape, times = other->value * other->step / (best.value * best.step);
+    if (share < 0.9 || times < 1 / 1.5 || times > 1.5) return {};
+    return words.say("map.time", "noise"_a = readable_percent(trial.relative, 2), "other"_a = readable(other->value, 2),
+                     "share"_a = readable_percent(share, 2));
+}
+
+/// What the map of the gain shows: where the best cell goes as the noise grows, that λt counts, and which steps only harm.
+report::Text map_read(const Grids& grids) {
+    const DenoisingGrid& grid = leading(grids);
+    const NoisyTrial &first = grid.trials.front(), &last = grid.trials.back();
+    const double low = first.found.by_shape.value, high = last.found.by_shape.value;
+    report::Facts facts{"map"_a = id_of("q7", grid.name(), "gains"), "low"_a = readable(low, 2), "high"_a = readable(high, 2),
+                        "noise"_a = readable_percent(first.relative, 2), "largest"_a = readable(grid.lambdas.back(), 2)};
+    const auto gains = [&](const SearchState& state) {
+        return state.value == grid.lambdas.back() && state.shape < first.found.noisy.shape;
+    };
+    const bool harms = grid.lambdas.size() > 1 && first.improved() && std::ranges::none_of(first.states, gains);
+    return paragraph_of({words.say(first.improved() && last.improved() && low < high ? "map.grows" : "map", facts),
+                         as_good_at_equal_time(grid, last), harms ? words.say("map.harms", facts) : report::Text()});
 }
 
 /// Of all cases the one where the measures differ most in how much smoothing they ask for.
@@ -159,6 +191,58 @@ report::Text along_surface(const DenoisingGrid& grid) {
                      "across"_a = readable_percent(trial.removed_across(), 2));
 }
 
+/// Where the volume goes: the shape is thin for so much smoothing.
+report::Text thin(const Grids& grids) {
+    const DenoisingGrid* thinnest = nullptr;
+    double elsewhere = 1;
+    for (const DenoisingGrid& grid : grids)
+        if (verdict_on(grid.pictured()) == "shrinks" && (!thinnest || grid.ball_kept() < thinnest->ball_kept())) thinnest = &grid;
+    if (!thinnest) return {};
+    bool others = false;
+    for (const DenoisingGrid& grid : grids) {
+        if (&grid == thinnest || std::isnan(grid.ball_kept()) || !grid.pictured().improved()) continue;
+        elsewhere = std::min(elsewhere, grid.ball_kept());
+        others = true;
+    }
+    if (!(thinnest->ball_kept() < elsewhere)) return {};
+    const report::Facts facts{"mesh"_a = thinnest->name(), "radius"_a = readable(thinnest->thickness, 2),
+                              "kept"_a = readable_percent(thinnest->ball_kept(), 2), "elsewhere"_a = readable_percent(elsewhere, 2)};
+    return paragraph_of({words.say("thin", facts), others ? words.say("thin.elsewhere", facts) : report::Text()});
+}
+
+/// For whoever has no clean mesh: what the rule that needs none reaches of the best gain.
+report::Text without_clean(const Grids& grids) {
+    double sum = 0, worst = infinity;
+    int cases = 0;
+    report::Facts facts;
+    for (const Case& c : cases_of(grids)) {
+        const double share = c.part.stopped.share();
+        if (std::isnan(share)) continue;
+        sum += share, ++cases;
+        if (share >= worst) continue;
+        worst = share;
+        facts = facts_of(c.whole, c.part);
+    }
+    if (cases == 0) return {};
+    facts.push_back("mean"_a = readable_percent(sum / cases, 2));
+    facts.push_back("worst"_a = readable_percent(worst, 2));
+    facts.push_back("middle"_a = readable(grids.front().middle_lambda(), 2));
+    return words.say("stopped", facts);
+}
+
+/// Noise along the normals alone, and on few vertices.
+report::Text other_noise(const Grids& grids) {
+    std::vector<double> normal, impulsive;
+    for (const DenoisingGrid& grid : grids) {
+        if (grid.other_gains.size() != 2 || std::isnan(grid.other_gains[0] + grid.other_gains[1])) continue;
+        normal.push_back(grid.other_gains[0]);
+        impulsive.push_back(grid.other_gains[1]);
+    }
+    if (normal.empty()) return {};
+    const auto least = [](const std::vector<double>& gains) { return readable(std::ranges::min(gains), 2); };
+    return words.say("other_noise", "normal"_a = least(normal), "impulsive"_a = least(impulsive));
+}
+
 /// What smoothing cannot do, picture by picture.
 report::Text cannot(const Grids& grids) {
     const auto left = [](const DenoisingGrid* grid) -> const Remains& { return grid->pictured().remains; };
@@ -170,6 +254,7 @@ report::Text cannot(const Grids& grids) {
          edges ? words.say("cannot.edges", "mesh"_a = edges->name(), "times"_a = readable(edges->pictured().taken.features.times(), 2),
                            "there"_a = degrees(left(edges).feature_angle), "elsewhere"_a = degrees(left(edges).other_angle))
                : report::Text(),
+         thin(grids),
          volume ? words.say("cannot.volume", "mesh"_a = volume->name(), "lost"_a = readable_percent(1 - volume->pictured().taken.volume, 2))
                 : report::Text(),
          volume ? less_by_area(*volume) : report::Text()});
@@ -190,13 +275,14 @@ report::Text explanation_of(const Grids& grids) {
     const auto told = [&](const NoisyTrial& trial, const char* key) {
         report::Facts facts = facts_of(grid, trial);
         facts.push_back("taken"_a = readable(grid.taken_at_once(trial), 2));
+        facts.push_back("middle"_a = readable(grid.middle_lambda(), 2));
         return words.say(key, facts);
     };
     const NoisyTrial &least = grid.trials.front(), &most = grid.trials.back();
     const bool rises = grid.after_one(least) > 1 && grid.taken_at_once(least) > 1;
     const bool falls = grid.after_one(most) < 1 && grid.taken_at_once(most) < 0.5;
     const bool smaller = least.improved() && least.found.by_shape.value < grid.middle_lambda();
-    return paragraph_of({words.say("explained", "mesh"_a = grid.name()), rises ? told(least, "explained.rises") : report::Text(),
+    return paragraph_of({words.say("explained"), rises ? told(least, "explained.rises") : report::Text(),
                          rises && smaller ? words.say("explained.smaller") : report::Text(),
                          falls ? told(most, "explained.falls") : report::Text()});
 }
@@ -210,8 +296,10 @@ report::Text reading_of(const Grids& grids) {
 
 report::Text strength_of(const Grids& grids) { return paragraph_of({noise_in_mean_edges(grids), strongest_noise(grids)}); }
 
-report::Text amount_of(const Grids& grids) { return paragraph_of({noise_and_amount(grids), measures_disagree(grids)}); }
+report::Text amount_of(const Grids& grids) { return paragraph_of({map_read(grids), noise_and_amount(grids), measures_disagree(grids)}); }
 
-report::Text limits_of(const Grids& grids) { return paragraph_of({cannot(grids), no_edges(grids), words.say("elsewhere")}); }
+report::Text beyond_of(const Grids& grids) { return paragraph_of({without_clean(grids), other_noise(grids)}); }
+
+report::Text limits_of(const Grids& grids) { return paragraph_of({cannot(grids), no_edges(grids)}); }
 
 }   // namespace meshfolio::q7_denoising

@@ -14,6 +14,9 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
+/// Cases that have room beside each other.
+constexpr std::size_t most_beside = 6;
+
 /// For ids and file names: σ in hundred-thousandths of the box diagonal, "sigma00300" for 0.3 %.
 std::string sigma_name(double relative) {
     const std::string digits = std::to_string(std::llround(1e5 * relative));
@@ -64,6 +67,15 @@ void add_pictures(Answer& answer, output::FigureRequest request, const std::stri
     answer.figures.push_back(std::move(request));
 }
 
+/// Rows become columns.
+void transpose(output::FigureRequest& request) {
+    std::vector<output::Panel> panels;
+    for (std::size_t c = 0; c < request.columns.size(); ++c)
+        for (std::size_t r = 0; r < request.rows.size(); ++r) panels.push_back(std::move(request.panels[r * request.columns.size() + c]));
+    request.panels = std::move(panels);
+    std::swap(request.rows, request.columns);
+}
+
 /// The grid whose noise to look at shows most of something, above `floor`; null where none does.
 template <class Amount>
 const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amount) {
@@ -87,6 +99,7 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
             "best"_a = best.step,
             "volume"_a = readable_percent(trial.volume_by(measures[0]), 2),
             "over"_a = 4 * best.step,
+            "verdict"_a = verdict_on(trial),
             "angle"_a = readable(180 / pi * best.angle, 2),
             "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
 }
@@ -114,6 +127,7 @@ output::ColorRange add_states(Answer& answer, const Grids& grids) {
     }
     const output::ColorRange colours = range_in_sigma(request.panels, "colours.surface");
     request.range = colours;
+    if (request.rows.size() > request.columns.size() && request.rows.size() <= most_beside) transpose(request);
     add_pictures(answer, std::move(request), "states", {});
     return colours;
 }
@@ -129,6 +143,7 @@ void add_views(Answer& answer, const Grids& grids, const output::ColorRange& col
         if (!trial.improved()) continue;
         figure.panels.push_back(panel_of(unit_sized(grid.clean->mesh(), trial.best.X), "q7_views_" + grid.name(),
                                          words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
+        figure.panels.back().edges = shows_edges(grid);
     }
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);

@@ -45,7 +45,7 @@ void add_limits(Answer& answer, const Grids& grids);
 const DenoisingGrid* most_drifting(const Grids& grids);
 const DenoisingGrid* most_rounded(const Grids& grids);
 const DenoisingGrid* most_shrunk(const Grids& grids);
-/// The one whose surface gains most, of which the map is looked at, and the one with the least gain, of which the curves are.
+/// The one whose surface gains most, of which the map is looked at, and the one with the least gain.
 const DenoisingGrid& leading(const Grids& grids);
 const DenoisingGrid& hardest(const Grids& grids);
 /// Of one grid the noise with the largest and that with the least gain; the first where none has any.
@@ -76,5 +76,7 @@ report::Text reading_of(const Grids& grids);
 report::Text strength_of(const Grids& grids);
 report::Text amount_of(const Grids& grids);
 report::Text limits_of(const Grids& grids);
+/// Who has no clean mesh, and other noise.
+report::Text beyond_of(const Grids& grids);
 
 }   // namespace meshfolio::q7_denoising

@@ -5,6 +5,9 @@
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
+#include "geometry/denoising/denoising_prediction.h"
+#include "geometry/denoising/noise_level.h"
+#include "geometry/denoising/risk_estimate.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "mesh/triangle_measures.h"
@@ -99,6 +102,36 @@ double gain_of(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t
     return error(noisy.X) / error(smooth(noisy, smoothing_by(grid, best.value, best.step), solver).X);
 }
 
+/// Two runs, from Y and from Y + εz, whose difference along z is the divergence of Stein's estimate.
+Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t seed, ImplicitSolver& solver) {
+    const TriangleMesh &clean = grid.clean->mesh(), &noisy = trial.noisy;
+    const MeshTopology& topology = grid.clean->prepared->topology;
+    const double sigma = noise_level(noisy, topology).sigma, amount = 1e-4 * grid.mean_edge;
+    if (!(sigma > 0) || !(trial.found.noisy.shape > 0)) return {};
+    const Positions z = random_signs(noisy.X.rows(), seed);
+    std::vector<double> residual{0}, divergence{3.0 * noisy.vertex_count()}, shape{trial.found.noisy.shape}, along{0};
+    SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), grid.iterations);
+    options.after_step = [&](int, const Positions& X) {
+        residual.push_back((X - noisy.X).squaredNorm());
+        along.push_back(z.cwiseProduct(X - noisy.X).sum());
+        shape.push_back(shape_rms(clean, topology.vertex_faces, X));
+        return true;
+    };
+    smooth(noisy, options, solver);
+    options.after_step = [&](int t, const Positions& X) {
+        if (static_cast<std::size_t>(t) == along.size()) return false;   // the first run ended earlier
+        divergence.push_back((z.cwiseProduct(X - noisy.X).sum() - along[static_cast<std::size_t>(t)]) / amount);
+        return true;
+    };
+    smooth(moved_to(noisy, noisy.X + amount * z), options, solver);
+    residual.resize(divergence.size());
+    const auto vector = [](std::vector<double>& values) {
+        return Eigen::Map<Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+    };
+    const int best = RiskEstimate{vector(residual), vector(divergence), divergence[0]}.best(sigma);
+    return {best, shape[0] / shape[static_cast<std::size_t>(best)], shape[0] / std::ranges::min(shape)};
+}
+
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {
     const TriangleMesh& clean = grid.clean->mesh();
     const MeshTopology& topology = grid.clean->prepared->topology;
@@ -122,6 +155,7 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     trial.clean_alike = best.step == 0 ? clean : moved_to(clean, smooth(clean, smoothing_by(grid, best.value, best.step), solver).X);
     trial.remains = remains_of(grid, normals, trial.best);
     trial.taken = remains_of(grid, normals, trial.clean_alike);
+    trial.stopped = stopped_without_clean(grid, trial, seed, solver);
     for (int i = 1; trial.improved() && i <= further; ++i)
         trial.further_gains.push_back(gain_of(grid, trial, seed + static_cast<std::uint64_t>(i), solver));
     return trial;
@@ -136,6 +170,19 @@ void compare_areas(DenoisingGrid& grid) {
     if (best.step == 0 || std::isnan(trial.clean_volume)) return;
     const SmoothingOptions less = smoothing_by(grid, best.value / grid.noisy_area, best.step);
     grid.kept_by_less = signed_volume(moved_to(clean, smooth(clean, less).X)) / trial.clean_volume;
+}
+
+/// As strong as that of pictured(), but along the normals, or on a tenth of the vertices.
+void try_other_noise(DenoisingGrid& grid, std::uint64_t seed) {
+    const NoisyTrial& trial = grid.pictured();
+    const TriangleMesh& clean = grid.clean->mesh();
+    if (!trial.improved()) return;
+    const auto error = [&](const Positions& X) { return shape_rms(clean, grid.clean->prepared->topology.vertex_faces, X); };
+    for (const NoiseKind kind : {NoiseKind::normal, NoiseKind::impulsive}) {
+        const TriangleMesh noisy = moved_to(clean, with_noise(clean, kind, trial.sigma, seed));
+        const Positions X = smooth(noisy, smoothing_by(grid, trial.found.by_shape.value, trial.found.by_shape.step)).X;
+        grid.other_gains.push_back(error(noisy.X) / error(X));
+    }
 }
 
 }   // namespace
@@ -172,6 +219,7 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
         grid.trials[i] = trial_of(grid, normals, levels[i], settings.seed, settings.quick ? 0 : further_seeds);
     });
     compare_areas(grid);
+    try_other_noise(grid, settings.seed);
     return grid;
 }
 
@@ -193,6 +241,11 @@ double NoisyTrial::removed_along() const { return 1 - std::pow(drift(found.by_sh
 
 double DenoisingGrid::taken_at_once(const NoisyTrial& trial) const {
     return std::isnan(trial.found.gain()) || without_noise.size() < 2 ? std::nan("") : without_noise[1] / trial.found.noisy.shape;
+}
+
+double DenoisingGrid::ball_kept() const {
+    const SearchState& best = pictured().found.by_shape;
+    return std::pow(1 + 2 * best.value / (thickness * thickness), -best.step);
 }
 
 double DenoisingGrid::after_one(const NoisyTrial& trial) const {

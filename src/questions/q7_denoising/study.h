@@ -28,6 +28,15 @@ struct Remains {
     double volume = NAN;   // over that of the clean mesh; NaN: open
 };
 
+/// Where one stops who has the noisy mesh alone, by Stein's estimate with the σ fitted to it, at the step in the middle of the grid.
+struct Stopped {
+    int step = 0;
+    double gain = NAN;   // by surface; NaN: no σ, or nothing to measure
+    double best = NAN;   // at any iteration of that run
+
+    double share() const { return gain / best; }
+};
+
 /// One noisy mesh, and what the grid made of it. λ is in squared mean edges of the clean mesh, h̄².
 struct NoisyTrial {
     double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
@@ -37,7 +46,8 @@ struct NoisyTrial {
     TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
-    Remains remains, taken;              // of `best`, of `clean_alike`
+    Remains remains, taken;   // of `best`, of `clean_alike`
+    Stopped stopped;
     std::vector<double> further_gains;   // by surface, of further seeds at the λ and t that are best for this one
 
     bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
@@ -66,7 +76,9 @@ struct DenoisingGrid {
     std::vector<NoisyTrial> trials;      // ascending σ
     std::vector<double> without_noise;   // distance to the surface after t = 0, 1, … iterations of middle_lambda() from the clean mesh
 
-    double noisy_area = 1;       // of pictured(), over the area of the clean mesh
+    double noisy_area = 1;   // of pictured(), over the area of the clean mesh
+    std::vector<double>
+        other_gains;   // by surface, of pictured()'s λ and t on noise as strong along the normals, and on a tenth of the vertices
     double kept_by_less = NAN;   // volume of the clean mesh smoothed as pictured() was, but with λ divided by that; NaN: open
 
     const std::string& name() const { return clean->name; }
@@ -74,6 +86,8 @@ struct DenoisingGrid {
     double taken_at_once(const NoisyTrial& trial) const;
     /// The distance to the surface after that iteration, over that of the noisy mesh; NaN as above.
     double after_one(const NoisyTrial& trial) const;
+    /// What pictured()'s λ and t leave of the radius r = 3V/A of a ball: on it the coordinates are modes with μ = 2/r². NaN: open.
+    double ball_kept() const;
     double middle_lambda() const { return lambdas[lambdas.size() / 2]; }
     /// Do edges stand out from the tessellation?
     bool has_features() const { return feature_vertices > 0 && 2 * feature_vertices <= clean->mesh().vertex_count(); }

@@ -106,8 +106,8 @@ report::Table count_table(const Grids& grids) {
         .column("works", {.digits = 5}, [](auto& r) { return r.count.works; })
         .column("helps", {.digits = 5}, [](auto& r) { return r.count.helps; })
         .column("fails", {.digits = 5}, [](auto& r) { return r.count.fails; })
-        .column("of these, shrinks", {.digits = 5}, [](auto& r) { return static_cast<double>(r.count.shrinking.size()); })
-        .column("namely", [](auto& r) { return listed(r.count.shrinking); });
+        .column("fails by shrinking", {.digits = 5}, [](auto& r) { return static_cast<double>(r.count.shrinking.size()); })
+        .column("volume left", [](auto& r) { return listed(r.count.shrinking); });
 }
 
 report::Table measure_table(const Grids& grids) {

@@ -16,7 +16,8 @@ using nlohmann::json;
 constexpr std::size_t views_in_a_line = 3;
 // Against the width of the text, on paper 59, 44, 99 and 90 mm. A block may be as high as a line.
 constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52;
-constexpr double lowest_row = 0.11, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
+constexpr double lowest_row = 0.15, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
+constexpr std::size_t most_across = 5;                     // of figure.css
 constexpr int tenths_of_heads = 2;                         // of the width, beside the rows of a matrix: 24 mm on paper
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
@@ -54,13 +55,23 @@ struct PictureOf {
     }
 };
 
-/// A panel as a cell of a line or of a matrix: its picture from three quarters and its label.
-json cell_view(const PictureOf& of, std::size_t p) {
+/// A panel as a cell of a line or of a matrix: its picture from three quarters and its label; `across`: of so many cells, empty for one
+/// reason.
+json cell_view(const PictureOf& of, std::size_t p, std::size_t across) {
     const DrawnPanel& panel = of.drawn.panels[p];
     return view_of({{"has_picture", "it shows a mesh; an empty cell's label says why there is none", !panel.pictures.empty()},
                     {"picture", "seen from three quarters; false: there is none", panel.pictures.empty() ? json(false) : of.view(p, 0)},
                     {"label", "what it shows", prose_view(panel.label)},
-                    {"has_label", "it has one", !panel.label.empty()}});
+                    {"has_label", "it has one", !panel.label.empty()},
+                    {"across", "columns of a matrix that it takes", std::to_string(across)}});
+}
+
+/// How many cells up to `last`, from an empty one on, are empty for the same reason.
+std::size_t empty_alike(const std::vector<DrawnPanel>& panels, std::size_t p, std::size_t last) {
+    std::size_t next = p + 1;
+    if (panels[p].pictures.empty())
+        while (next < std::min(last, p + most_across) && panels[next].pictures.empty() && panels[next].label == panels[p].label) ++next;
+    return next - p;
 }
 
 /// Tenths of the width that pictures so wide and so high together may take, so as not to be higher than a share of that width.
@@ -98,7 +109,11 @@ json lines_view(const PictureOf& of) {
     const auto columns = static_cast<std::size_t>(std::max(1, of.drawn.in_a_line));
     for (std::size_t first = 0; first < of.drawn.panels.size(); first += columns) {
         json cells = json::array();
-        for (std::size_t p = first; p < std::min(first + columns, of.drawn.panels.size()); ++p) cells.push_back(cell_view(of, p));
+        const std::size_t last = std::min(first + columns, of.drawn.panels.size());
+        for (std::size_t p = first, across = 1; p < last; p += across) {
+            across = empty_alike(of.drawn.panels, p, last);
+            cells.push_back(cell_view(of, p, across));
+        }
         const std::size_t row = first / columns;
         lines.push_back(view_of({{"head", "of a row of a matrix", prose_view(row < of.drawn.rows.size() ? of.drawn.rows[row] : "")},
                                  {"cells", "of the line", std::move(cells)}}));

@@ -127,24 +127,61 @@ TEST(ImplicitStudy, DampingIsMeasuredAndAsPredicted) {
 
 TEST(ImplicitStudy, BothWaysOfTheCostReachTheSameEnergy) {
     const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(4, {1.5, 1, 0.8}), "egg_cost");
-    ASSERT_EQ(study.costs.size(), 2u);
-    EXPECT_TRUE(study.costs[0].recommended);
-    EXPECT_EQ(study.costs[0].cell.implicit_X, study.good()->implicit_X);
-    EXPECT_FALSE(study.costs[1].recommended);
-    EXPECT_EQ(study.costs[1].cell.lambda, study.lambdas.back()) << "the largest below 100 λ_crit";
+    ASSERT_TRUE(study.good() && study.cost);
+    const SmoothingCell& cell = *study.good();
+    const SmoothingCost& cost = *study.cost;
     const double step = 0.5 * study.subject.critical;
-    for (const SmoothingCost& cost : study.costs) {
-        const SmoothingCell& cell = cost.cell;
-        ASSERT_GT(cost.explicit_steps, 0);
-        EXPECT_LE(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps)), cell.implicit_energy);
-        if (cost.explicit_steps > 1) {
-            EXPECT_GT(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps - 1)),
-                      cell.implicit_energy);
+    ASSERT_GT(cost.explicit_steps, 0);
+    EXPECT_LE(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps)), cell.implicit_energy);
+    if (cost.explicit_steps > 1) {
+        EXPECT_GT(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps - 1)), cell.implicit_energy);
+    }
+    const double a_step = 6.0 * double(study.implicit_runs.front().result.factor_nonzeros);   // forward and back, three columns
+    const double factor = implicit_operations_of(study.subject).factorisation;
+    const double all_explicit = 3.0 * cost.explicit_steps * double(study.subject.laplacian.C.nonZeros());
+    EXPECT_NEAR(cost.ratio, all_explicit / (cell.iterations * a_step + factor), 1e-12 * cost.ratio);
+}
+
+TEST(ImplicitStudy, AnImplicitStepReplacesNoMoreExplicitOnesThanBernoulliAllows) {
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(3, {1.5, 1, 0.8}), "egg_bernoulli");
+    int counted = 0;
+    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
+        for (int t = 1; t <= study.iterations.back(); ++t) {
+            const int steps = study.explicit_steps_to(study.implicit_runs[l].energy[static_cast<std::size_t>(t)]);
+            counted += steps > 0 ? 1 : 0;
+            EXPECT_LE(steps, std::ceil(2 * t * study.lambdas[l] / study.subject.critical - 1e-9)) << l << ' ' << t;
         }
-        const double a_step = 6.0 * double(study.implicit_runs.front().result.factor_nonzeros);   // forward and back, three columns
-        const double factor = implicit_operations_of(study.subject).factorisation;
-        EXPECT_NEAR(cost.implicit_operations, cell.iterations * a_step + factor, 1e-9 * factor);
-        EXPECT_EQ(cost.explicit_operations, 3.0 * cost.explicit_steps * double(study.subject.laplacian.C.nonZeros()));
+    }
+    EXPECT_GT(counted, 10);
+}
+
+TEST(ImplicitStudy, BreaksEvenAtTheLeastAmountFromWhichOnImplicitStepsPay) {
+    ImplicitStudy study = implicit_study_on(ellipsoid_mesh(3, {1.5, 1, 0.8}), "egg_even");
+    const auto with = [&](double implicit_step, double factorisation) {
+        study.prices = {.explicit_step = 1, .implicit_step = implicit_step, .factorisation = factorisation};
+        return study.break_even();
+    };
+    EXPECT_FALSE(with(1e9, 0)) << "dearer at any amount";
+    EXPECT_FALSE(with(0, 0)) << "not counted";
+    ASSERT_TRUE(with(1e-9, 0));
+    EXPECT_EQ(with(1e-9, 0)->time(), study.lambdas.front()) << "cheaper from the first step on";
+    const auto even = with(4, 8);
+    ASSERT_TRUE(even);
+    EXPECT_GT(even->lambda, study.subject.critical) << "a step within the limit replaces too few";
+    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
+        const auto found = study.break_even(l);
+        if (found) {
+            EXPECT_LE(even->time(), found->time());
+        }
+        for (int t = 1; t <= study.iterations.back(); ++t)
+            if (const double price = study.price(l, t); !std::isnan(price)) {
+                if (found && t >= found->iterations) {
+                    EXPECT_GE(price, 1);
+                }
+                if (found && t == found->iterations - 1) {
+                    EXPECT_LT(price, 1);
+                }
+            }
     }
 }
 

@@ -123,6 +123,21 @@ TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedOn) {
     EXPECT_EQ(limits.panels[1].mesh->X, seen.clean_alike.X);
 }
 
+TEST(Q7, CasesStandBesideEachOtherWhereTheyAreMoreThanTheirStates) {
+    const Answer answer = chapter_of_id("q7").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    const output::FigureRequest& states = answer.figures.front();
+    ASSERT_EQ(states.panels.size(), states.columns.size() * states.rows.size());
+    const bool beside = states.rows.front() == "clean";
+    EXPECT_EQ((beside ? states.rows : states.columns).size(), 4u);
+    EXPECT_EQ(beside, states.panels.size() > 16);
+    for (std::size_t i = 0; i < states.panels.size() / 4; ++i) {   // the clean meshes, and the name of each with its case
+        const output::Panel& clean = states.panels[beside ? i : 4 * i];
+        const std::string name = (beside ? states.columns : states.rows)[i];
+        EXPECT_TRUE(clean.label.ends_with("clean")) << clean.label;
+        EXPECT_EQ(name.substr(0, name.find(',')), clean.label.substr(0, clean.label.find(',')));
+    }
+}
+
 TEST(Q7, AnOpenSheetHasNoVolumeToLose) {
     const Answer answer = chapter_of_id("q7").answer(library_of(grid_mesh(9, 9, 1, 1), "sheet7"), quick_settings(), no_progress);
     expect_well_formed(answer);

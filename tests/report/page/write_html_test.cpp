@@ -233,6 +233,20 @@ TEST(WriteHtml, AMatrixHasHeadsAndItsEmptyCellsSayWhy) {
     EXPECT_EQ(count_of(page, "<p class=\"head row\">"), 2u);
 }
 
+TEST(WriteHtml, CellsBesideEachOtherThatAreEmptyForOneReasonAreOne) {
+    DrawnFigures figures = sample_layouts();
+    DrawnFigure& matrix = figures["q1_before_after"];
+    matrix.in_a_line = 3;
+    matrix.columns = {"t = 1", "t = 3", "t = 10"};
+    matrix.rows = {"explicit", "implicit"};
+    const DrawnPanel drawn = matrix.panels[0], dead{"blew up", {}}, dot{"a dot", {}};
+    matrix.panels = {drawn, dead, dead, dead, dot, drawn};
+    const std::string page = write_html(sample_document(), figures, Templates());
+    EXPECT_EQ(count_of(page, "<p class=\"empty\">blew up</p>"), 2u) << "one a row";
+    EXPECT_EQ(count_of(page, "across-2\"><p class=\"empty\">blew up</p>"), 1u);
+    EXPECT_EQ(count_of(page, "across-1\"><p class=\"empty\">a dot</p>"), 1u) << "for another reason";
+}
+
 TEST(WriteHtml, PanelsLieInALineEachWithItsName) {
     const std::string page = sample_page();
     const auto positions = positions_of(
