@@ -130,7 +130,8 @@ std::vector<report::Lab> earlier_labs(const EarlierFiles& files) try {
 void refuse_computing_options(const ReportFlags& flags) {
     const std::pair<const char*, bool> options[] = {{"MESH", !flags.meshes.empty()}, {"--only", !flags.only.empty()},
                                                     {"--data", !flags.data.empty()}, {"--size", !flags.size.empty()},
-                                                    {"--quick", flags.quick},        {"--fail-fast", flags.fail_fast}};
+                                                    {"--quick", flags.quick},        {"--fail-fast", flags.fail_fast},
+                                                    {"--time", !flags.time.empty()}, {"--plan", flags.plan || flags.json}};
     for (const auto& [name, is_given] : options) {
         if (is_given) throw UsageError(std::string(name) + " cannot be given with --from", "nothing is computed; leave one of them out");
     }

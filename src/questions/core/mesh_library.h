@@ -76,9 +76,6 @@ public:
     /// A mesh that only a data folder may have, by its file name; null where none has it.
     std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
 
-    /// A copy with at most so many vertices (mesh/decimation.h), made once; the mesh itself where it has no more.
-    std::shared_ptr<const LibraryMesh> decimated_to(int vertices, const std::shared_ptr<const LibraryMesh>& mesh) const;
-
     bool has_own_meshes() const { return !own_.empty(); }
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles; those that cannot be used are left out.
     /// @throws InputError, MeshError if none can be used
@@ -88,6 +85,9 @@ public:
 
     /// The same library with the same meshes, which enters into `record` what it is asked for from now on. `record` must outlive it.
     MeshLibrary recorded_in(LookupRecord& record) const;
+    /// The same library, which hands out copies of at most so many vertices (mesh/decimation.h) of larger meshes, each made once; 0: the
+    /// meshes themselves.
+    MeshLibrary limited_to(int vertices) const;
     /// Everything that the answer to a lookup depends on, without preparing the mesh: what it is called and the SHA-256 of its bytes, or
     /// why it cannot be had. Equal words, equal mesh.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
@@ -98,6 +98,7 @@ private:
     std::map<std::string, std::string> names_;   // path as given → name
     std::shared_ptr<Shelf> shelf_;
     LookupRecord* record_ = nullptr;
+    int most_vertices_ = 0;   // 0: any number
 
     struct Found;
     void note(const MeshLookup& lookup) const;
@@ -108,6 +109,7 @@ private:
     std::optional<Found> found_in_data(const std::filesystem::path& file) const;
     Found found_own(const std::filesystem::path& path) const;
     std::shared_ptr<const LibraryMesh> loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    std::shared_ptr<const LibraryMesh> whole(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::shared_ptr<const LibraryMesh> read(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::string name_of(const std::filesystem::path& path) const;
 };
