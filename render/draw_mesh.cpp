@@ -14,6 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -156,6 +157,11 @@ std::vector<Image> draw_framed(const Surface& surface, std::span<const View> vie
 }
 
 }   // namespace
+
+double ValueRange::position(double value) const {
+    if (logarithmic) return std::log(std::max(value, low) / low) / std::log(high / low);
+    return (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low);   // halves: the width may overflow
+}
 
 std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& wanted) {
     check(surface, wanted);

@@ -25,6 +25,10 @@ struct Surface {
 struct ValueRange {
     const Colormap* colormap = nullptr;
     double low = 0, high = 1;   // ends of the map; values beyond are clamped
+    bool logarithmic = false;   // equal ratios are equally far apart; low > 0, and what is below counts as low
+
+    /// Where a value lies: 0 at the low end, 1 at the high one.
+    double position(double value) const;
 };
 
 struct DrawOptions {

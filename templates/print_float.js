@@ -1,5 +1,5 @@
 // Fills the pages of report.pdf: where a figure or table would leave the rest of a page empty, the text behind it comes first, as in any
-// typeset paper. Columns of a page's size break as pages do, so the browser's own layout tells where pages end. Engines without scripts
+// typeset paper; what stays empty goes to the pictures of that page. Columns of a page's size break as pages do, so the browser's own layout tells where pages end. Engines without scripts
 // (weasyprint) keep the document's order, and some of their pages end early. The same columns tell the numbers of the pages in the contents;
 // the title says them, so that whoever prints can hold them against the pages of the PDF (src/report/pdf/print_pdf.cpp).
 const main = document.querySelector("main");
@@ -39,10 +39,46 @@ function fillPageBefore(float) {
     }
 }
 
-function fillInPageNumbers() {
+/// The page of a place, from 0.
+function pageAt(x) {
     const { left } = main.getBoundingClientRect(), { columnWidth, columnGap } = getComputedStyle(main);
-    const pitch = parseFloat(columnWidth) + parseFloat(columnGap), unknown = [...document.querySelectorAll(".page-of")].filter((place) => place.textContent === "00");
-    const numbers = unknown.map((place) => 1 + Math.round((document.getElementById(place.dataset.of).getClientRects()[0].left - left) / pitch));
+    return Math.round((x - left) / (parseFloat(columnWidth) + parseFloat(columnGap)));
+}
+
+/// The pages on which parts of a block lie.
+const pagesOf = (block) => [...block.getClientRects()].filter(({ height }) => height > 1).map(({ left }) => pageAt(left));
+
+/// Each figure `factor` times as wide as the style sheets say, at most as wide as the page.
+function widen(figures, factor) {
+    for (const part of figures.flatMap((figure) => [...figure.querySelectorAll("[class*=tenths-], svg:not(.legend)")])) {
+        part.style.maxWidth = part.style.width = "";
+        const { maxWidth, width } = getComputedStyle(part);
+        if (part.matches("svg")) part.style.width = `${factor * parseFloat(width)}px`;
+        else part.style.maxWidth = `${Math.min(100, factor * parseFloat(maxWidth))}%`;
+    }
+}
+
+/// Widens the figures of every page that ends early, as long as no block of the document leaves its page.
+function growFigures() {
+    const blocks = [...document.querySelectorAll("main > section > *")].filter((block) => pagesOf(block).length > 0);
+    const asItIs = () => blocks.map(pagesOf).join();
+    const before = asItIs(), figures = Map.groupBy(blocks.filter((block) => block.matches(".picture, .plot")), (figure) => pagesOf(figure)[0]);
+    const full = new Set(blocks.map(pagesOf).filter((pages) => pages.length > 1).flatMap((pages) => pages.slice(0, -1)));
+    for (const [page, onPage] of figures) {
+        if (full.has(page)) continue;
+        let least = 1, most = 1.5;
+        for (let step = 0; step < 5; ++step) {
+            const factor = (least + most) / 2;
+            widen(onPage, factor);
+            asItIs() === before ? least = factor : most = factor;
+        }
+        widen(onPage, 1 + 0.9 * (least - 1));   // printed lines may be a little higher
+    }
+}
+
+function fillInPageNumbers() {
+    const unknown = [...document.querySelectorAll(".page-of")].filter((place) => place.textContent === "00");
+    const numbers = unknown.map((place) => 1 + pageAt(document.getElementById(place.dataset.of).getClientRects()[0].left));
     unknown.forEach((place, i) => { place.textContent = numbers[i]; });
     document.title = numbers.join(" ");
 }
@@ -50,6 +86,7 @@ function fillInPageNumbers() {
 addEventListener("load", () => {
     main.classList.add("paged");
     document.querySelectorAll("main > section > figure").forEach(fillPageBefore);
+    if (main.matches(".paper")) growFigures();   // the appendix is long and nobody looks at its page ends
     fillInPageNumbers();
     main.classList.remove("paged");
 });

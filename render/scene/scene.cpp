@@ -34,13 +34,11 @@ std::array<std::int32_t, 3> snapped(const glm::dvec3& pixels) {
             static_cast<std::int32_t>(std::lrint(steps.z))};
 }
 
-/// Where `value` lies between the ends of the range. Halves and the limit keep huge and infinite values from becoming NaN.
 float map_position(double value, const ValueRange& range) {
     constexpr double limit = 1e6;   // ranges beyond the ends, where everything has the colour of the end
-    const double width = 0.5 * range.high - 0.5 * range.low, beyond = 0.5 * value - 0.5 * range.low;
     if (std::isnan(value)) return std::numeric_limits<float>::quiet_NaN();
-    if (width == 0) return value < range.low ? 0.0F : value > range.low ? 1.0F : 0.5F;
-    return static_cast<float>(std::clamp(beyond / width, -limit, limit));
+    if (0.5 * range.high - 0.5 * range.low == 0) return value < range.low ? 0.0F : value > range.low ? 1.0F : 0.5F;
+    return static_cast<float>(std::clamp(range.position(value), -limit, limit));
 }
 
 /// Not normalised: twice the area long, cut down where float would overflow. 0 where it is undefined.

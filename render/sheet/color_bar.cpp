@@ -26,9 +26,7 @@ int histogram_rows(const ColorBar& bar, double em) { return has_histogram(bar) ?
 struct BarBox {
     int x0, x1, top, bottom;
 
-    double x_of(const ValueRange& range, double value) const {
-        return x0 + (x1 - x0) * ((value / 2 - range.low / 2) / (range.high / 2 - range.low / 2));
-    }
+    double x_of(const ValueRange& range, double value) const { return x0 + (x1 - x0) * range.position(value); }
 };
 
 void draw_tip(Image& image, const BarBox& e, int base, int direction, Rgba color) {
@@ -81,6 +79,7 @@ void draw_histogram(Image& image, const ColorBar& bar, const BarBox& e, int bott
 
 /// As many ticks as stand apart, seven at most.
 std::vector<double> readable_ticks(const ColorBar& bar, const BarBox& e, const TextStyle& style) {
+    if (bar.range.logarithmic) return decade_ticks(bar.range.low, bar.range.high);
     for (int wanted = 7; wanted > 1; --wanted) {
         std::vector<double> ticks = round_ticks(bar.range.low, bar.range.high, wanted);
         const TickLabels labels = tick_labels(ticks);

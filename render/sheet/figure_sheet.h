@@ -27,7 +27,9 @@ struct FigureSheet {
     std::vector<Picture> pictures = {};
     std::vector<Words> words = {};
     std::optional<ColorBar> color_bar = {};
-    double em = 16;   // text size
+    double em = 16;        // text size
+    int least_width = 0;   // of the body
+    Rgba background{255, 255, 255, 255};
 };
 
 struct ComposedFigure {

@@ -83,6 +83,18 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
     return ticks;
 }
 
+std::vector<double> decade_ticks(double low, double high) {
+    const int first = static_cast<int>(std::floor(std::log10(low) + 1e-9)), last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
+    std::vector<double> ticks;
+    for (int exponent = first; exponent <= last; ++exponent)
+        for (const double mantissa : {1.0, 2.0, 5.0}) {
+            const double tick = scaled(mantissa, exponent);
+            if (mantissa > 1 && last - first > 3) continue;
+            if (tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9)) ticks.push_back(tick);
+        }
+    return ticks;
+}
+
 TickLabels tick_labels(const std::vector<double>& ticks) {
     TickLabels labels;
     if (ticks.empty()) return labels;

@@ -12,7 +12,10 @@ struct TickLabels {
     std::string power;               // "10⁻⁷", by which all are to be multiplied; empty: 1
 };
 
-/// @param ticks  ascending and equally spaced, as round_ticks makes them
+/// The powers of ten in [low, high], and twice and five times them where they are four or fewer.
+std::vector<double> decade_ticks(double low, double high);
+
+/// @param ticks  ascending, as round_ticks and decade_ticks make them
 TickLabels tick_labels(const std::vector<double>& ticks);
 
 /// A share for people: "1.9 %", "< 0.1 %".

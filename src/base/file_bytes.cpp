@@ -35,7 +35,7 @@ private:
     int fd_;
 };
 
-/// A text of `size` bytes. A file may say that it is larger than the memory.
+/// A string of `size` bytes. @throws InputError where they do not fit into memory: a file may claim any size
 std::string room_for(std::uintmax_t size, const Location& where) try {
     std::string bytes;
     bytes.reserve(size);

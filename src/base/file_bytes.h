@@ -11,7 +11,7 @@
 namespace meshfolio {
 
 /// Is anything there of that name, whether or not it can be read? Links that lead nowhere and folders that are closed count: reading them
-/// tells what is wrong.
+/// reports what is wrong.
 bool may_be_there(const std::filesystem::path& path);
 
 /// The bytes of a regular file.

@@ -1,5 +1,6 @@
 /// @file
-/// Large pages behind large arrays: writing to an array for the first time, and reading it in no order, then take a fraction of the time.
+/// Large pages behind large arrays: writing to an array for the first time, and reading it in random order, then take a fraction of the
+/// time.
 #pragma once
 
 #include <sys/mman.h>

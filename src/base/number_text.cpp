@@ -128,7 +128,7 @@ std::optional<double> parse_number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
     if (end != text.data() + text.size()) return {};
     if (error == std::errc::result_out_of_range) {
-        // Too small is a good number (0 or a denormal), too large is not; strtod tells which. The view may lack a final NUL.
+        // Underflow is a valid number (0 or a denormal), overflow is not; strtod tells them apart. The view may lack a final NUL.
         x = std::strtod(std::string(text).c_str(), nullptr);
         return std::isfinite(x) ? std::optional(x) : std::nullopt;
     }

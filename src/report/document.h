@@ -290,6 +290,7 @@ struct Legend {
     double clipped_below = 0, clipped_above = 0;   // share of the values beyond
     std::string undefined = {};                    // colour of what has no value; empty: everything has one
     std::vector<double> histogram = {};            // share of the values in equal bins
+    bool log = false;                              // equal ratios are equally far apart
     bool operator==(const Legend&) const = default;
 };
 

@@ -240,7 +240,12 @@ std::vector<std::string> facts_in(const Message& message) {
 Text Words::say(std::string_view key, const Facts& facts) const { return running_text(only_paragraph(message_of(file_, key)), facts); }
 
 std::string Words::line(std::string_view key, const Facts& facts) const {
-    return plain(Reader(only_paragraph(message_of(file_, key)), facts, false).text());
+    const Message& message = message_of(file_, key);
+    const std::string paragraph = only_paragraph(message);
+    if (paragraph.find("[[") != std::string::npos)
+        throw UsageError("the message " + message.key + " is a caption or a label, where a reference stays as it is written",
+                         "take the [[…]] out", {std::string(folder) + std::string(file_) + std::string(ending), message.line});
+    return plain(Reader(paragraph, facts, false).text());
 }
 
 std::vector<Block> Words::blocks(std::string_view key, const Facts& facts) const {

@@ -25,7 +25,7 @@ namespace meshfolio::report {
 
 class Templates;
 
-/// What a sentence tells: words, running text, or a count, which also chooses between singular and plural.
+/// A fact that a sentence states: words, running text, or a count, which also chooses between singular and plural.
 struct Fact {
     std::string_view name;
     std::variant<std::string, Text, long long> value;

@@ -49,6 +49,8 @@ class Lab {
         this.onPrint = () => { if (this.isDrawn) this.view.draw(), this.frame.src = this.view.canvas.toDataURL(); };
         addEventListener("beforeprint", this.onPrint);
         this.set(linked() ?? this.state);
+        this.panel.firstSlider().focus({ preventScroll: true });
+        this.root.scrollIntoView({ block: "nearest" });
     }
 
     makeModels() {
@@ -74,41 +76,42 @@ class Lab {
         this.root.addEventListener("keydown", (event) => { if (event.key === "Escape") this.stop(true); });
         this.view = new View(this.models, "Mesh before and after the filter. Arrow keys turn, plus and minus zoom, 0 resets, Escape closes.", { closed: (byReader) => (byReader ? this.stop(true) : this.loseView()) });
         this.frame = Object.assign(element("img", "lab-frame"), { alt: "The mesh before and after the filter" });
-        const bar = element("div", "model-bar"), plots = element("div", "lab-plots"), side = element("div", "lab-side");
-        bar.append(panel.told, button("Reset view", () => this.view.reset()), button("Close", () => this.stop(true)));
+        const bar = element("div", "model-bar"), columns = element("div", "lab-columns"), settings = element("div", ""), plots = element("div", "");
+        this.reset = button("Reset view", () => this.view.reset());
+        bar.append(panel.told, this.reset, button("Close", () => this.stop(true)));
+        settings.append(panel.controls, panel.table);
         plots.append(this.spectrum.picture, this.errors.picture);
-        side.append(panel.controls, panel.table);
-        this.root.append(panel.presets, this.view.stage, this.frame, bar, side, plots, element("p", "lab-mesh", this.aboutMesh()));
+        columns.append(settings, plots);
+        this.root.append(panel.presets, this.view.stage, this.frame, bar, columns, element("p", "lab-mesh", this.aboutMesh()));
         this.block = block;
         block.append(this.root);
     }
 
     aboutMesh() {
-        const { name, vertices, modes, isDecimated, sourceVertices, quantisationShift, orthonormalityError } = this.data;
+        const { name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError } = this.data;
         const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
-        const all = modes >= vertices ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
+        const all = hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
         return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
-            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The program's own numbers are stored for what is offered to try.";
+            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. “The program”: what meshfolio itself computes on this mesh, stored for the settings to try; – elsewhere.";
     }
 
     openView() {
         try {
             this.view.open();
             this.isDrawn = true;
-            this.view.canvas.focus({ preventScroll: true });
         } catch {
             this.loseView();
-            this.panel.scheme.focus({ preventScroll: true });
         }
     }
-    /// The report's last figure before the panel stands in its place.
+    /// A link to the question's last figure of this mesh stands in its place.
     loseView() {
         this.isDrawn = false;
-        const note = element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the numbers and curves below still follow."), { block } = this;
-        const isBefore = (figure) => figure.compareDocumentPosition(block) & Node.DOCUMENT_POSITION_FOLLOWING;
-        const figure = [...document.querySelectorAll("figure:has(img)")].filter(isBefore).at(-1);
-        if (figure) note.append(" Figure of the report: ", Object.assign(figure.querySelector("img").cloneNode(), { id: "", className: "lab-still" }));
+        const note = element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the numbers and curves below still follow.");
+        const figures = [...this.block.closest("section")?.querySelectorAll("figure[id]") ?? []];
+        const figure = figures.filter((one) => [...one.querySelectorAll("img")].some(({ alt }) => alt.includes(this.data.name))).at(-1);
+        if (figure) note.append(" The report shows such results in ", Object.assign(element("a", "", figure.querySelector("b").textContent), { href: `#${figure.id}` }));
         this.view.stage.replaceWith(note);
+        this.reset.remove();
     }
 
     // ---- what is set --------------------------------------------------------------------------------------------------
@@ -122,7 +125,7 @@ class Lab {
     set(state) {
         const { data } = this, before = this.state;
         this.state = held(state, data.modes);
-        if (data.modes < data.vertices) this.state.sigma = 0;   // noise lies in the modes that are cut off
+        if (!data.hasAllModes) this.state.sigma = 0;   // noise lies in the modes that are cut off
         const { sigma, seed } = this.state;
         if (!this.noisy || sigma !== before.sigma || seed !== before.seed) this.makeNoise(sigma, seed);
         const { scheme, lambda } = this.state;
@@ -232,7 +235,7 @@ class Lab {
         const none = lab.isMeasurable(f) ? null : NaN;
         const energy = none ?? lab.energy(data, f, this.noisy), volume = none ?? lab.volume(data, this.x), rms = none ?? lab.rms(data, f, this.noisy);
         const percent = 100 / data.diagonal;
-        const numbers = [["energy", "length²", energy, program.energy]];
+        const numbers = [["Dirichlet energy", "length²", energy, program.energy]];
         if (data.isClosed) numbers.push(["volume", "length³", volume, program.volume], ["volume kept", "%", 100 * volume / this.startVolume, 100 * program.volume / this.startVolume]);
         numbers.push([state.sigma > 0 ? "rms to the clean mesh" : "rms to the original", "% of the box", percent * rms, percent * program.rms]);
         if (state.sigma > 0) numbers.push(["of it along the surface", "%", 100 * (none ?? lab.shareAlong(data, this.normals, this.x)), NaN]);
@@ -261,12 +264,12 @@ class Lab {
     words() {
         const { state, data } = this;
         if (this.hasNoStep) return "Taubin's second step does not exist for so large a λ.";
-        const set = state.scheme === "projection" ? `The ${state.k} smoothest modes` : `${capital(schemeNames[state.scheme])}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
+        const set = state.scheme === "projection" ? `The ${state.k} smoothest of ${data.modes} modes` : `${capital(schemeNames[state.scheme])}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
         const { rms: size } = this.measured;
         const rms = Number.isNaN(size) ? "rms beyond all measure" : `rms ${digits(Number((100 * size / data.diagonal).toPrecision(3)))} % of the box`;
         const finest = state.scheme === "projection" ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
         const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";
-        const rim = this.clamped > 0 ? ` ${this.clamped} of ${data.vertices} vertices have flown out of the view and are drawn at its rim.` : "";
+        const rim = this.clamped > 0 ? ` Flown out of the view, and drawn at its rim: ${this.clamped} of ${data.vertices} vertices.` : "";
         const best = this.best === null ? "" : this.best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean mesh.` : ` Nearest to the clean mesh at t = ${this.best}.`;
         const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long: no smoothing knows that place.` : "";
         return `${set}: ${rms}.${growth}${rim}${best}${lines}`;

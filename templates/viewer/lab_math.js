@@ -16,6 +16,8 @@ export function decoded(buffer) {
     const high = new Int8Array(buffer, at, n * count), low = new Uint8Array(buffer, at + n * count, n * count);
     data.numbers = Int16Array.from(high, (byte, i) => 256 * byte + low[i]);   // mode by mode
     data.critical = 2 / data.largestEigenvalue;
+    data.isConstant = (mu) => mu <= 1e-9 * data.largestEigenvalue;   // 0 but for rounding: one mode a component
+    data.hasAllModes = count >= data.area.filter((a) => a > 0).length;
     data.totalArea = data.area.reduce((sum, a) => sum + a, 0);
     return data;
 }
@@ -51,8 +53,8 @@ export function filter(data, { scheme, k, lambda, t }) {
 
 /// The largest |factor| of one step over all modes but the constant ones; those beyond the page's own count.
 export function largestFactor(data, { scheme, lambda }) {
-    const factor = factorOfStep(data, scheme, lambda * data.critical), constant = 1e-9 * data.largestEigenvalue;
-    return Math.max(...[data.largestEigenvalue, ...data.mu].filter((mu) => mu > constant).map((mu) => Math.abs(factor(mu))));
+    const factor = factorOfStep(data, scheme, lambda * data.critical);
+    return Math.max(...[data.largestEigenvalue, ...data.mu].filter((mu) => !data.isConstant(mu)).map((mu) => Math.abs(factor(mu))));
 }
 
 /// c + Φᵀ M (shift), 3 numbers a mode.

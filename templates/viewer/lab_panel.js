@@ -1,38 +1,40 @@
 // The controls of the laboratory and the table of what is measured. What is set is told to `changed(state)`.
-import { lambdaAt, largestLambda, largestNoise, linkOf, mostSteps, placeOf, presetsOf, sameState, schemeNames, shownSteps } from "./lab_state.js";
+import { indexOfLeast } from "./lab_math.js";
+import { lambdaAt, largestLambda, largestNoise, linkOf, mostSteps, placeOf, presetsOf, sameState, schemeNames, shownSteps, stopsOf } from "./lab_state.js";
 import { button, element } from "./view.js";
 
 let count = 0;   // of labels
 const subjects = { q4: "Reconstruction", q5: "Explicit smoothing", q6: "Implicit smoothing", q7: "Denoising" };
 
-const rows = {
-    k: { words: "modes k", unit: (data) => `of ${data.modes}`, slider: (data) => ({ min: 1, max: data.modes, step: 1 }), number: { step: 1 } },
-    lambda: { words: "step λ", unit: () => "λ_crit", slider: () => ({ min: 0, max: 1, step: 0.001 }), to: placeOf, from: (place) => Number(lambdaAt(place).toPrecision(3)), number: { step: "any", min: 0, max: largestLambda } },
-    t: { words: "steps t", unit: () => "", slider: () => ({ min: 0, max: shownSteps, step: 1 }), number: { step: 1, min: 0, max: mostSteps } },
-    sigma: { words: "noise σ", unit: () => "% of the box", slider: () => ({ min: 0, max: 2, step: 0.05 }), number: { step: "any", min: 0, max: largestNoise } },
-    seed: { words: "seed", unit: () => "of the noise", number: { step: 1, min: 0 } },
-};
+/// A slider whose places are the stops, so that few steps have as much room as many.
+const along = (stops) => ({ slider: { min: 0, max: stops.length - 1, step: 1 }, from: (place) => stops[place], to: (value) => indexOfLeast(stops.map((stop) => Math.abs(stop - value))) });
+
+const rowsOf = ({ modes }) => ({
+    k: { words: "modes k", unit: `of ${modes}`, ...along(stopsOf(1, modes)), number: { step: 1, min: 1, max: modes } },
+    lambda: { words: "step λ", unit: "λ_crit", slider: { min: 0, max: 1, step: 0.001 }, to: placeOf, from: (place) => Number(lambdaAt(place).toPrecision(3)), number: { step: "any", min: 0, max: largestLambda } },
+    t: { words: "steps t", unit: "", ...along(stopsOf(0, shownSteps)), number: { step: 1, min: 0, max: mostSteps } },
+    sigma: { words: "noise σ", unit: "% of the box", slider: { min: 0, max: 2, step: 0.05 }, number: { step: "any", min: 0, max: largestNoise } },
+    seed: { words: "seed", unit: "of the noise", number: { step: 1, min: 0 } },
+});
 
 /// A slider, a number field and a unit, named alike.
 class Row {
-    constructor(name, data, changed) {
-        const { words, unit, slider, number, to = (x) => x, from = (x) => x } = rows[name], id = `lab-${name}-${++count}`;
+    constructor(name, { words, unit, slider, number, to = (x) => x, from = (x) => x }, changed) {
+        const id = `lab-${name}-${++count}`;
         this.to = to;
         this.box = element("div", "lab-row");
         const label = Object.assign(element("label", "", words), { htmlFor: id });
-        this.number = Object.assign(element("input", ""), { type: "number", id, ...number, ...(name === "k" && slider(data)) });
-        this.number.name = name;
+        this.number = Object.assign(element("input", ""), { type: "number", id, name, ...number });
         this.number.addEventListener("change", () => changed({ [name]: this.number.value === "" ? NaN : Number(this.number.value) }));
         this.box.append(label);
         if (slider) {
-            this.slider = Object.assign(element("input", ""), { type: "range", ...slider(data) });
-            this.slider.name = `${name}-slider`;
+            this.slider = Object.assign(element("input", ""), { type: "range", name: `${name}-slider`, ...slider });
             this.slider.setAttribute("aria-label", `${words}, slider`);
             this.slider.addEventListener("input", () => changed({ [name]: from(Number(this.slider.value)) }));
             this.box.append(this.slider);
         }
-        this.box.append(this.number, element("span", "lab-unit", unit(data)));
-        this.words = [`${words} %`, unit(data)].filter(Boolean).join(", ");
+        this.box.append(this.number, element("span", "lab-unit", unit));
+        this.words = [`${words} %`, unit].filter(Boolean).join(", ");
     }
     show(exact) {
         const value = Number(exact.toPrecision(10));
@@ -53,14 +55,14 @@ export class Panel {
         this.scheme.addEventListener("change", () => act.changed({ scheme: this.scheme.value }));
         const first = element("div", "lab-row");
         first.append(label, this.scheme);
-        this.rows = Object.fromEntries(Object.keys(rows).map((name) => [name, new Row(name, data, act.changed)]));
+        this.rows = Object.fromEntries(Object.entries(rowsOf(data)).map(([name, row]) => [name, new Row(name, row, act.changed)]));
         this.play = button("Play", act.play);
         const lines = element("label", "lab-lines", " drift along the surface");
         this.lines = Object.assign(element("input", ""), { type: "checkbox", name: "lines" });
         this.lines.addEventListener("change", () => act.changed({ lines: this.lines.checked }));
         lines.prepend(this.lines);
         this.controls.append(first, ...Object.values(this.rows).map((row) => row.box), this.play, lines);
-        this.isTruncated = data.modes < data.vertices;
+        this.hasNoise = data.hasAllModes;
         this.makePresets(question, data, act.preset);
         this.table = element("table", "lab-numbers");
         this.told = element("output", "lab-told");
@@ -95,12 +97,16 @@ export class Panel {
         const projects = state.scheme === "projection";
         this.rows.k.box.hidden = !projects;
         for (const name of ["lambda", "t"]) this.rows[name].box.hidden = projects;
-        this.rows.sigma.box.hidden = this.isTruncated;
+        this.rows.sigma.box.hidden = !this.hasNoise;
         this.rows.seed.box.hidden = state.sigma === 0;
         this.play.hidden = projects;
         this.play.textContent = isPlaying ? "Pause" : matchMedia("(prefers-reduced-motion: reduce)").matches ? "One step" : "Play over t";
         this.lines.checked = state.lines;
         for (const [name, row] of Object.entries(this.rows)) row.show(state[name]);
+    }
+
+    firstSlider() {
+        return Object.values(this.rows).find(({ box }) => !box.hidden).slider;
     }
 
     /// @param measured  [[words, unit, here, the program's; NaN: none], …]

@@ -48,3 +48,10 @@ export const sameState = (a, b) => ["scheme", "sigma", "lines", ...(a.scheme ===
 const bend = 0.6, atBend = 3;
 export const lambdaAt = (place) => (place <= bend ? place / bend * atBend : atBend * (largestLambda / atBend) ** ((place - bend) / (1 - bend)));
 export const placeOf = (lambda) => (lambda <= atBend ? lambda / atBend * bend : bend + (1 - bend) * Math.log(lambda / atBend) / Math.log(largestLambda / atBend));
+
+/// Whole numbers on a slider: every one up to 50, beyond in steps of 2 %.
+export function stopsOf(low, high) {
+    const stops = [];
+    for (let stop = low; stop < high; stop = Math.max(stop + 1, Math.round(1.02 * stop))) stops.push(stop);
+    return [...stops, high];
+}

@@ -31,7 +31,8 @@ function sharpnessOf(geometry) {
 }
 
 /// Places in the colour map, 0 at the low end and 1 at the high one; computed here because the shader's numbers are short.
-function placesOf(values, [low, high]) {
+function placesOf(values, { range: [low, high], logarithmic }) {
+    if (logarithmic) return Float32Array.from(values, (value) => Math.log(Math.max(value, low) / low) / Math.log(high / low));
     return Float32Array.from(values, (value) => (value / 2 - low / 2) / (high / 2 - low / 2));
 }
 
@@ -64,7 +65,7 @@ export class Model {
         const mask = geometry.attributes._defined;
         this.isDefined = (v) => !mask || mask.getX(v) === 1;
         geometry.setAttribute("sharpness", new BufferAttribute(sharpnessOf(geometry), 1));
-        if (this.values) geometry.setAttribute("place", new BufferAttribute(placesOf(this.values, this.value.range), 1));
+        if (this.values) geometry.setAttribute("place", new BufferAttribute(placesOf(this.values, this.value), 1));
         const plain = this.mesh.material.color;
         this.mesh.material.dispose();
         this.mesh.material = materialFor(this.value, mask !== undefined, plain);

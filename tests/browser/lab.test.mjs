@@ -56,6 +56,10 @@ describe("the panel", options, () => {
             await page.locator(".lab-numbers td").first().waitFor();
             assert.equal(await page.locator(".lab-panel").count(), 1);
             assert.equal(await page.locator('.lab-panel select[name="scheme"]').inputValue(), scheme);
+            const slider = page.locator(`.lab-panel input[name="${scheme === "projection" ? "k" : "lambda"}-slider"]`);
+            assert.ok(await slider.evaluate((input) => input === document.activeElement), "the first slider has the keys");
+            const { y, height } = await slider.boundingBox();
+            assert.ok(y > 0 && y + height < small.viewport.height, `and is seen: ${y}`);
             await page.locator(scheme === "explicit" ? ".lab-panel canvas" : '.lab-panel select[name="scheme"]').focus();
             await page.keyboard.press("Escape");
             assert.equal(await page.locator(".lab-panel").count(), 0);
@@ -91,7 +95,7 @@ describe("the panel", options, () => {
     test("every slider moves what it names, by pointer and by keys", async () => {
         const page = await opened("q7");
         const measured = async () => JSON.stringify(await table(page));
-        for (const name of ["lambda", "t", "sigma"]) {
+        const moves = async (name) => {
             const slider = page.locator(`.lab-panel input[name="${name}-slider"]`), number = page.locator(`.lab-panel input[name="${name}"]`);
             const [value, before] = [await number.inputValue(), await measured()];
             await slider.focus();
@@ -106,41 +110,40 @@ describe("the panel", options, () => {
             await page.mouse.click(box.x + 0.8 * box.width, box.y + box.height / 2);
             assert.ok(Number(await number.inputValue()) > Number(value), `${name} by pointer`);
             await set(page, name, value);
-        }
+        };
+        for (const name of ["lambda", "t", "sigma"]) await moves(name);
         const before = await measured();
         await set(page, "seed", 5);
         assert.notEqual(await measured(), before);
         await page.locator('select[name="scheme"]').selectOption("projection");
         await settled(page);
-        const k = page.locator('input[name="k-slider"]');
-        assert.ok(await k.isVisible() && !(await page.locator('input[name="t-slider"]').isVisible()));
-        const few = await measured();
-        await k.focus();
-        await page.keyboard.press("End");
+        assert.ok(!(await page.locator('input[name="t-slider"]').isVisible()));
+        await moves("k");
+        await page.locator('input[name="k-slider"]').press("End");
         await settled(page);
-        assert.notEqual(await measured(), few);
+        assert.equal(Number(await page.locator('input[name="k"]').inputValue()), dataOf(reportPage, "q7").modes);
         await page.context().close();
     });
 
     test("just beyond the limit a mode grows, far beyond vertices leave the view, and it is said", async () => {
         const told = (page) => page.locator(".lab-told").textContent();
         const page = await opened("q5", { link: "#lab=q5,lambda=0.99,t=40" });
-        assert.doesNotMatch(await told(page), /Beyond the limit|flown/);
+        assert.doesNotMatch(await told(page), /Beyond the limit|Flown/);
         await page.evaluate(() => { location.hash = "#lab=q5,lambda=1.01,t=40"; });
         await settled(page);
         assert.match(await told(page), /λ = 1\.01 λ_crit, t = 40.*multiplies the finest mode by 1\.02/);
         assert.equal((await table(page))["largest |1 − λμ|"][0], "1.02");
         await page.evaluate(() => { location.hash = "#lab=q5,lambda=2,t=60"; });
         await settled(page);
-        assert.match(await told(page), /\d+ of \d+ vertices have flown out of the view/);
+        assert.match(await told(page), /Flown out of the view, and drawn at its rim: \d+ of \d+ vertices/);
         await set(page, "t", 10000);
         assert.match(await told(page), /beyond all measure/);
-        assert.equal((await table(page))["energy length²"][0], "–");
+        assert.equal((await table(page))["Dirichlet energy length²"][0], "–");
         assert.deepEqual(problemsOf(page), []);
         await page.evaluate(() => { location.hash = "#lab=q6,scheme=implicit,lambda=100,t=1"; });
         await page.locator('.lab[data-question="q6"] .lab-panel').waitFor();
         await settled(page);
-        assert.doesNotMatch(await told(page), /Beyond the limit|flown/);
+        assert.doesNotMatch(await told(page), /Beyond the limit|Flown/);
         assert.equal(await page.locator(".lab-panel").count(), 1);
         await page.context().close();
     });
@@ -201,7 +204,7 @@ describe("the panel", options, () => {
         });
         await settled(page);
         const state = { ...states.startOf(data, "q5"), lambda: 1 }, energy = lab.energy(data, lab.filter(data, state), data.coefficients);
-        assert.ok(Math.abs(numberIn((await table(page))["energy length²"][0]) / energy - 1) < 1e-5);
+        assert.ok(Math.abs(numberIn((await table(page))["Dirichlet energy length²"][0]) / energy - 1) < 1e-5);
         await page.context().close();
     });
 
@@ -214,11 +217,13 @@ describe("the panel", options, () => {
         await block(page, "q5").getByRole("button").click();
         await page.locator(".lab-no-view", { hasText: "cannot show it in three dimensions" }).waitFor();
         await set(page, "t", 25);
-        assert.ok(await page.locator(".lab-still").evaluate((picture) => picture.naturalWidth > 0));
+        assert.equal(await page.getByRole("button", { name: "Reset view" }).count(), 0);
+        const figure = page.locator(await page.locator(".lab-no-view a").getAttribute("href"));
+        assert.ok((await figure.locator("img").evaluateAll((pictures) => pictures.map(({ alt }) => alt).join())).includes("cube"));
         assert.ok(await page.locator('.lab-panel select[name="scheme"]').isVisible());
         const data = dataOf(reportPage, "q5"), state = { ...states.startOf(data, "q5"), t: 25 };
         const energy = lab.energy(data, lab.filter(data, state), data.coefficients);
-        assert.ok(Math.abs(numberIn((await table(page))["energy length²"][0]) / energy - 1) < 1e-5);
+        assert.ok(Math.abs(numberIn((await table(page))["Dirichlet energy length²"][0]) / energy - 1) < 1e-5);
         await page.context().close();
     });
 
@@ -235,7 +240,8 @@ describe("the panel", options, () => {
         const frame = page.locator(".lab-frame");
         assert.ok(await frame.isVisible());
         assert.match(await frame.getAttribute("src"), /^data:image\/png;base64,.{2000}/);
-        assert.equal(await page.locator(".lab-panel canvas:visible").count(), 0);
+        assert.equal(await page.locator(".lab-panel :is(canvas, button):visible").count(), 0);
+        assert.ok(await page.locator(".lab-told").isVisible());
         await page.context().close();
     });
 

@@ -1,7 +1,9 @@
 // The mathematics of the laboratory against the program's own commands.
 import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import path from "node:path";
 import { before, describe, test } from "node:test";
-import { dataOf, lab, normalNumbers, options, run, states, written } from "./lab_tools.mjs";
+import { dataOf, folder, lab, normalNumbers, options, run, states, written } from "./lab_tools.mjs";
 
 const positionsOf = (file) => Float64Array.from(written(file).match(/^v .*$/gm).flatMap((row) => row.split(/\s+/).slice(1, 4).map(Number)));
 const start = (change) => ({ scheme: "projection", k: 15, lambda: 0.5, t: 10, sigma: 0, seed: 1, lines: false, ...change });
@@ -89,6 +91,25 @@ describe("sums over modes in 16 bits are what the program computes", options, ()
             assert.ok(Math.abs(lab.rms(few, f, few.coefficients) / rms - 1) < 1e-4, `k = ${k}`);
         }
     });
+});
+
+test("a vertex without area has no mode, and the others are all there", options, () => {
+    const points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [2, 2, 2], [3, 3, 3], [4, 4, 4]];
+    const triangles = [[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4], [5, 6, 7]];
+    writeFileSync(path.join(folder, "line.obj"), [...points.map((p) => `v ${p.join(" ")}`), ...triangles.map((f) => `f ${f.join(" ")}`)].join("\n") + "\n");
+    assert.doesNotMatch(run("lab", "line.obj", "-o", "line.html"), /truncation/);
+    const data = dataOf(written("line.html"), "lab");
+    assert.deepEqual([data.vertices, data.modes, data.hasAllModes], [7, 4, true]);
+    assert.ok(data.presets.some(({ state }) => state.scheme === "explicit"));
+});
+
+test("a slider stops at every small number, at both ends, and nowhere far beyond 2 %", () => {
+    for (const [low, high] of [[0, 200], [1, 361], [1, 2000], [1, 4], [1, 1]]) {
+        const stops = states.stopsOf(low, high);
+        assert.deepEqual([stops[0], stops.at(-1)], [low, high]);
+        assert.ok(stops.every((stop, i) => i === 0 || (stop > stops[i - 1] && stop - stops[i - 1] <= Math.max(1, 0.03 * stop))), `${stops}`);
+        for (let k = low; k <= Math.min(50, high); ++k) assert.ok(stops.includes(k));
+    }
 });
 
 test("a link restores the state, whatever it holds", () => {

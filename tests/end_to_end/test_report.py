@@ -45,6 +45,13 @@ def ids_in(value):
             yield from ids_in(part)
 
 
+def words_in(value):
+    if isinstance(value, str):
+        yield value
+    for part in value.values() if isinstance(value, dict) else value if isinstance(value, list) else []:
+        yield from words_in(part)
+
+
 def digest(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
@@ -145,6 +152,10 @@ class QuickReport(unittest.TestCase):
     def test_nothing_undefined_is_written_as_a_number(self):
         for path in [*self.out.glob("tables/*.csv"), self.out / "results.json", self.out / "summary.md"]:
             self.assertIsNone(re.search(r"(?<![a-z])-?(nan|inf|infinity)(?![a-z])", path.read_text(), re.I), path)
+
+    def test_no_mark_of_the_templates_is_left(self):
+        for words in words_in(self.results):
+            self.assertIsNone(re.search(r"\[\[|\{\{", words), words)
 
     def test_tables_are_rectangular(self):
         for path in self.out.glob("tables/*.csv"):

@@ -12,6 +12,7 @@
 
 #include "color/cielab.h"
 #include "color/srgb.h"
+#include "render/color_difference.h"
 #include "render/picture_box.h"
 #include "render/shapes.h"
 #include "scene/outline.h"

@@ -9,6 +9,7 @@
 
 #include "color/cielab.h"
 #include "color/colormap.h"
+#include "render/color_difference.h"
 
 namespace render {
 

@@ -290,7 +290,7 @@ DrawnFigures hostile_figures() {
     DrawnFigure& figure = drawn["q1_hostile"];
     figure = {.sheet = "images/" + hostile, .columns = {hostile, hostile}, .rows = {hostile}, .in_a_line = 2};
     figure.panels = {{hostile, {{hostile, 0, 0, 1, 1, "images/" + hostile, ""}}}, {hostile, {}}};
-    figure.legend = Legend{hostile, hostile, 0, 1, {hostile}, 1, 1, hostile, {1}};
+    figure.legend = Legend{hostile, hostile, 0, 1, {hostile}, 1, 1, hostile, {1}, true};
     return drawn;
 }
 

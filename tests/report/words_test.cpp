@@ -57,6 +57,11 @@ TEST(Words, WhatIsMissingIsAMistakeOfTheProgram) {
     EXPECT_THROW(Words("q3").line("plane.subtitle"), std::logic_error) << "without its fact";
 }
 
+TEST(Words, ACaptionHasNoReference) {
+    EXPECT_NO_THROW(Words("q5").say("stop.lambda_t"));
+    EXPECT_THROW(Words("q5").line("stop.lambda_t"), UsageError) << "[[q5_limits]] would be printed as it is written";
+}
+
 TEST(Words, EveryMessageOfTheProgramCanBeRead) {
     const Templates templates;
     for (const std::string& name : templates.names()) {

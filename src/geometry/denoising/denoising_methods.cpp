@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/denoising/normal_filters.h"
@@ -40,13 +39,14 @@ constexpr std::array methods{
                    "The same, similarity being judged by the mean normals of the most consistent patches near."},
 };
 
+constexpr int vertex_updates = 10;   // of each step of a filter of normals
+
 void check(const DenoisingInput& input, const DenoisingOptions& options) {
     const std::string name(denoising_entry(options.method).name);
     if (!(std::isfinite(options.parameter) && options.parameter > 0)) {
         throw MeshError("denoising, " + name + ": parameter = " + plain_text(options.parameter), "it must be positive and finite");
     }
     if (options.steps < 0) throw MeshError("denoising, " + name + ": " + std::to_string(options.steps) + " steps");
-    if (options.vertex_sweeps < 1) throw MeshError("denoising, " + name + ": " + std::to_string(options.vertex_sweeps) + " sweeps");
     if (options.method == DenoisingMethod::taubin && !(input.largest_eigenvalue > 0)) {
         throw MeshError("denoising, " + name + ": largest eigenvalue = " + plain_text(input.largest_eigenvalue));
     }
@@ -103,7 +103,7 @@ DenoisingRun by_normals(const DenoisingInput& input, const DenoisingOptions& opt
         } else {
             N = filtered_normals(kernel, N, N, options.parameter);
         }
-        current.X = moved_to_normals(current, input.topology.vertex_faces, N, options.vertex_sweeps);
+        current.X = moved_to_normals(current, input.topology.vertex_faces, N, vertex_updates);
         run.X = current.X;
         ++run.steps;
         if (options.after_step && !options.after_step(run.steps, run.X)) break;
@@ -117,18 +117,6 @@ std::span<const DenoisingEntry> denoising_list() { return methods; }
 
 const DenoisingEntry& denoising_entry(DenoisingMethod method) {
     return *std::find_if(methods.begin(), methods.end(), [&](const DenoisingEntry& entry) { return entry.method == method; });
-}
-
-DenoisingMethod denoising_method_named(const std::string& name) {
-    std::vector<std::string> known;
-    std::string all;
-    for (const DenoisingEntry& entry : methods) {
-        if (entry.name == name) return entry.method;
-        known.emplace_back(entry.name);
-        all += (all.empty() ? "" : ", ") + known.back();
-    }
-    throw UsageError("unknown denoising method '" + printable(name) + "'",
-                     "did you mean '" + nearest_word(name, known) + "'? Known are " + all);
 }
 
 bool filters_normals(DenoisingMethod method) {

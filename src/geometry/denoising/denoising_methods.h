@@ -32,8 +32,6 @@ struct DenoisingEntry {
 };
 std::span<const DenoisingEntry> denoising_list();
 const DenoisingEntry& denoising_entry(DenoisingMethod method);
-/// @throws UsageError with the nearest name and all known ones
-DenoisingMethod denoising_method_named(const std::string& name);
 
 /// Does it work on face normals, so that edges may stay, rather than by diffusion?
 bool filters_normals(DenoisingMethod method);
@@ -53,8 +51,6 @@ struct DenoisingOptions {
     /// normals beyond which two faces are taken to be sides of an edge.
     double parameter = 0;
     int steps = 1;
-    /// Filters of normals: vertex updates a step.
-    int vertex_sweeps = 10;
     /// Called after every step with its number (from 1) and the positions; return false to stop.
     std::function<bool(int, const Positions&)> after_step = {};
 };

@@ -27,7 +27,7 @@ enum class BlasThreads { none = 0, posix = 1, openmp = 2 };
 /// names from version 0.3.28 on. A build with OpenMP counts only the threads of OpenMP.
 bool guards_its_buffers(BlasThreads threads, std::string_view configuration);
 
-/// To be held around every call that reaches BLAS. Nobody else holds one at that time, unless the library is safe.
+/// To be held around every call that reaches BLAS. Only one thread holds it at a time, unless the library is safe.
 /// Nothing that waits for another task may run meanwhile.
 [[nodiscard]] std::unique_lock<std::mutex> blas_turn();
 

@@ -1,5 +1,5 @@
 /// @file
-/// Numbers that are none: of what is not defined, and of what has no bound; and the rounding of those that are.
+/// NaN for what is undefined, infinity for what has no bound, π, and how finely doubles are rounded.
 #pragma once
 
 #include <limits>

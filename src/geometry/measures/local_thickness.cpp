@@ -27,7 +27,7 @@ double thickness_at(const Positions& X, const Positions& normals, Eigen::Index p
 }   // namespace
 
 Vector local_thickness(const TriangleMesh& mesh, double most_pairs) {
-    const Positions normals = vertex_normals(mesh);   // 0 at unreferenced vertices, which so are on no side
+    const Positions normals = vertex_normals(mesh);   // 0 at unreferenced vertices, which then lie on no side
     const Eigen::Index n = mesh.X.rows();
     const auto stride = static_cast<Eigen::Index>(std::ceil(std::max(1.0, double(n) * double(n) / most_pairs)));
     Vector thickness = Vector::Constant(n, std::nan(""));

@@ -35,7 +35,7 @@ struct Spectrum {
     /// lie below that σ: equal when none was missed. −1, −1 when not computed, or when rounding may have changed the count.
     int inertia_count = -1, found_below = -1;
     double inertia_shift = 0;   // that σ [1/length²]
-    /// In the middle of the first clear gap known behind μ_k, where a count tells most; 0: none is known. A hint, no claim. [1/length²]
+    /// In the middle of the first clear gap known behind μ_k, where a count proves most; 0: none is known. A hint, not a claim. [1/length²]
     double gap_middle = 0;
 
     int slices = 0, repairs = 0;   // of the spectrum; how often something missed was looked for again

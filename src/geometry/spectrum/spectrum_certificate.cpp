@@ -282,7 +282,7 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     const double zero = 1e-9 * problem.mu0;
     const auto zeros_below = [&](double limit) { return static_cast<int>((problem.mu.array().abs() <= limit).count()); };
     certificate.zero_eigenvalues = zeros_below(zero);
-    // Triangles without area hold nothing together for cotangents, but for weights that see no lengths, and flips may give them some.
+    // Triangles without area join nothing under cotangents, but they do under weights that ignore lengths, and flips may give them area.
     certificate.components = std::clamp(certificate.zero_eigenvalues, components_with_mass(mesh, laplacian.M, false),
                                         components_with_mass(mesh, laplacian.M, true));
     certificate.expected_zeros = std::min(certificate.components, static_cast<int>(problem.mu.size()));

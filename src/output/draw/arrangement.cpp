@@ -21,6 +21,7 @@ public:
           line_(static_cast<int>(std::lround(std::max(1.7 * em, render::view_label_height(0.95 * em))))),
           gap_(line_ / 3) {
         sheet_.em = em;
+        sheet_.least_width = static_cast<int>(std::lround(16 * em));   // for the numbers of a colour bar
         places_.resize(panels_.size());
         for (std::size_t p = 0; p < panels_.size(); ++p) places_[p].resize(panels_[p].size());
     }

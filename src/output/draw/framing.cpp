@@ -102,6 +102,18 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
     return frames;
 }
 
+FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X) {
+    const render::View view = render::three_quarter_view();
+    const render::Frame frame = own_frame(mesh, view, 1, 1, share_framed);   // a picture one pixel wide
+    const render::Bounds box = seen(moved_to(mesh, X), view, frame);
+    const glm::dvec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
+    const double farthest = std::max(reach.x, reach.y);
+    if (farthest <= 0.5) return {X, 1};
+    const double scale = 0.5 * share_framed / farthest;
+    const Eigen::RowVector3d middle(frame.centre.x, frame.centre.y, frame.centre.z);
+    return {(scale * (X.rowwise() - middle)).rowwise() + middle, scale};
+}
+
 PictureFrame SixFrames::covering_all() const {
     PictureFrame all{frame, 0, 0};
     for (const PictureFrame& one : along) {

@@ -16,7 +16,7 @@ struct PictureFrame {
 };
 
 /// From three quarters, a frame a panel, all of one size: each mesh in the middle of its own (Layout::multiples), or all in one. What is
-/// framed takes `side` pixels in width or in height; of the others is seen what lies within that square.
+/// framed takes `side` pixels in width or in height; of the others, what lies within that square is shown.
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
 
 /// The six directions: one frame, and the sizes of the pictures along x, y and z. A flat mesh is slim from the side.
@@ -27,6 +27,13 @@ struct SixFrames {
     const PictureFrame& of(const render::View& view) const { return along[view.from.x != 0 ? 0 : view.from.y != 0 ? 1 : 2]; }
 };
 SixFrames six_frames(const FigureRequest& request, int side);
+
+/// X as it fits into the three-quarter picture of `mesh`: as it is, or where that would cut it off scaled down about the middle.
+struct FittedPositions {
+    Positions X;
+    double scale = 1;
+};
+FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
 
 /// Of single pictures in full size, where meshes are framed as in the others but pictures are not cut.
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool three_quarters, int width, int height);

@@ -1,6 +1,8 @@
 #include "output/draw/surface_of.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <glm/vec3.hpp>
 #include <stdexcept>
@@ -34,9 +36,16 @@ bool fit_frame_of(const TriangleMesh& mesh, const Positions& X) {
 }
 
 render::ValueRange value_range(const ColorRange& range) try {
-    return {&render::colormap_named(range.colormap), range.low, range.high};
+    return {&render::colormap_named(range.colormap), range.low, range.high, range.logarithmic};
 } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
+}
+
+std::vector<double> histogram_of(const std::vector<double>& values, const render::ValueRange& range) {
+    if (!range.logarithmic) return histogram(values, range.low, range.high);
+    std::vector<double> logarithms(values.size());
+    std::ranges::transform(values, logarithms.begin(), [](double value) { return std::log(value); });
+    return histogram(logarithms, std::log(range.low), std::log(range.high));
 }
 
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color) {
@@ -48,7 +57,7 @@ render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, rende
     bar.clipped_above = range.clipped_above;
     bar.has_undefined = has_undefined;
     bar.undefined_color = undefined_color;
-    bar.histogram = histogram(range.sample, range.low, range.high);
+    bar.histogram = histogram_of(range.sample, bar.range);
     return bar;
 }
 
@@ -59,8 +68,8 @@ report::Legend legend_of(const render::ColorBar& bar) {
         static_cast<void>(std::snprintf(text.data(), text.size(), "#%02x%02x%02x", c.r, c.g, c.b));
         return std::string(text.data());
     };
-    report::Legend legend{bar.quantity,      bar.unit, bar.range.low, bar.range.high, {}, bar.clipped_below,
-                          bar.clipped_above, "",       bar.histogram};
+    report::Legend legend{bar.quantity,      bar.unit, bar.range.low, bar.range.high,       {}, bar.clipped_below,
+                          bar.clipped_above, "",       bar.histogram, bar.range.logarithmic};
     for (int i = 0; i < colours; ++i) legend.colours.push_back(hex(render::color_at(*bar.range.colormap, (i + 0.5) / colours)));
     if (bar.has_undefined) legend.undefined = hex(bar.undefined_color);
     return legend;

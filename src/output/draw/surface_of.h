@@ -21,6 +21,9 @@ bool fit_frame_of(const TriangleMesh& mesh, const Positions& X);
 /// @throws UsageError for an unknown colour map, naming the known ones
 render::ValueRange value_range(const ColorRange& range);
 
+/// histogram() over the colours.
+std::vector<double> histogram_of(const std::vector<double>& values, const render::ValueRange& range);
+
 /// With the histogram of the range's own sample.
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
 

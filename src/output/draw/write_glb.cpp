@@ -89,8 +89,7 @@ public:
     void write_colors(const Vector& values, const render::ValueRange& range, render::Rgba undefined) {
         begin(vertex_data, 8);
         for (const double value : values) {
-            const double t = (value / 2 - range.low / 2) / (range.high / 2 - range.low / 2);   // halves: the width may overflow
-            const render::Rgba c = std::isnan(value) ? undefined : render::color_at(*range.colormap, t);
+            const render::Rgba c = std::isnan(value) ? undefined : render::color_at(*range.colormap, range.position(value));
             for (const std::uint8_t channel : {c.r, c.g, c.b})
                 put(bytes_, static_cast<std::uint32_t>(std::lrint(65535 * double(render::linear_of(channel)))), 2);
             pad(bytes_, '\0');
@@ -174,6 +173,7 @@ Json extras_of_values(const ColorRange& range, bool has_undefined, render::Rgba 
             {"quantity", range.quantity},
             {"unit", range.unit},
             {"range", {range.low, range.high}},
+            {"logarithmic", range.logarithmic},
             {"colormap", range.colormap},
             {"colors", std::move(colors)},
             {"defined", has_undefined ? Json("_DEFINED") : Json()},

@@ -7,8 +7,8 @@
 ///   _VALUE    the values themselves, float32; 0 where undefined
 ///   _DEFINED  1 where the value is defined, 0 where not; only when some are undefined
 /// and the mesh's `extras` hold
-///   value     {attribute, quantity, unit, range: [low, high], colormap, colors: ["#rrggbb", …] equally spaced over the range,
-///              defined: the mask's attribute or null, undefined_color}; absent without values
+///   value     {attribute, quantity, unit, range: [low, high], logarithmic, colormap, colors: ["#rrggbb", …] equally spaced over the
+///              range (over its logarithm), defined: the mask's attribute or null, undefined_color}; absent without values
 ///   frame     {centre: [x, y, z], radius}: the ball that pictures of the mesh are framed on, in the model's units
 #pragma once
 

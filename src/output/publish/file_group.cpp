@@ -42,10 +42,10 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
     try {
         const bool replaces = fs::exists(status);
         write_part(member->part, bytes, true,
-                   replaces ? status.permissions() : new_file_permissions);   // never more open than what was there
+                   replaces ? status.permissions() : new_file_permissions);   // never more permissive than the file it replaces
         // Nor closed by the umask; if that fails it stays so. Whose it is may have changed: nothing runs as somebody else.
         if (replaces) fs::permissions(member->part.path(), status.permissions() & fs::perms::all, error);
-    } catch (const OutputError& failure) {   // name the file that was asked for
+    } catch (const OutputError& failure) {   // the message names the file that was asked for
         throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
     }
 }

@@ -36,7 +36,7 @@ private:
     };
     std::set<std::filesystem::path> kept_;
     std::mutex adding_;
-    std::deque<Member> members_;   // none of them ever moves
+    std::deque<Member> members_;   // a deque: references to members stay valid
 
     static void place(Member& member);
     void sync_folders() const;

@@ -165,7 +165,6 @@ BenchLevel measured(const BenchMesh& b) {
                      .euler = b.mesh.vertex_count() - static_cast<int>(edges) + b.mesh.face_count(),
                      .mean_edge = b.mean_edge,
                      .smallest_angle = smallest_angle(b.mesh),
-                     .mean_length = uniform_mean_curvature(b.mesh, b.topology).mean(),
                      .negative_weights = negative_weights(b.C(), b.topology).inside / edges,
                      .euler_from_angles = angle_deficit(b.mesh, b.topology).sum() / (2 * pi)};
     const Vector bending = 2 * b.H.array().square() - b.K.array();   // ½(κ₁² + κ₂²)

@@ -69,7 +69,6 @@ struct BenchLevel {
     int vertices = 0, faces = 0, euler = 0;
     double mean_edge = 0;           // [length]
     double smallest_angle = 0;      // [rad]
-    double mean_length = 0;         // mean of ½‖Δ_uniform x‖; NaN with a boundary [length]
     double negative_weights = 0;    // share of the edges
     double euler_from_angles = 0;   // Σ deficit / 2π
     ErrorIndicator indicator = {};

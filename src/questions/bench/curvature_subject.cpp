@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/number_text.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/known_surfaces.h"
@@ -21,6 +22,20 @@ constexpr double flat_within = 1e-6;
 bool CurvatureSubject::inside(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
     return topology().neighbours.size(vertex) > 0 && !topology().on_boundary[v] && !topology().nonmanifold[v];
+}
+
+// Each coordinate is off by up to half a step, so Δx, a mean of differences, by up to √3 steps.
+bool CurvatureSubject::is_rounding(double length) const {
+    return length > 1e-9 * mean_edge && length <= 0.5 * std::sqrt(3) * coordinate_step(mesh());
+}
+
+double coordinate_step(const TriangleMesh& mesh) {
+    double steps = 1;   // in 1
+    for (int decimals = 0; decimals <= 8; ++decimals, steps *= 10) {
+        const Positions X = steps * mesh.X;
+        if (((X.array() - X.array().round()).abs() <= 1e-15 * X.array().abs() + 1e-9).all()) return 1 / steps;
+    }
+    return 0;
 }
 
 CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source) {
@@ -105,10 +120,37 @@ output::Panel relative_panel(const CurvatureSubject& subject, std::string name, 
     return {std::move(name), std::move(label), std::make_shared<const TriangleMesh>(std::move(mesh)), 100 / range * values};
 }
 
-output::ColorRange relative_range(const std::vector<output::Panel>& panels, std::string quantity) {
-    return range_for(
-        {.colormap = "diverging", .low = -100, .high = 100, .quantity = std::move(quantity), .unit = curvature_words.line("own_range")},
-        panels);
+output::ColorRange relative_range(std::string quantity) {
+    return {.colormap = "diverging", .low = -100, .high = 100, .quantity = std::move(quantity), .unit = curvature_words.line("own_range")};
+}
+
+double share_beyond(const Vector& values, double range) {
+    int beyond = 0, finite = 0;
+    for (const double v : values) {
+        finite += std::isfinite(v) ? 1 : 0;
+        beyond += std::abs(v) > range ? 1 : 0;
+    }
+    return finite > 0 ? double(beyond) / finite : 0;
+}
+
+std::string beyond_words(const Vector& values, double range) {
+    const double share = share_beyond(values, range);
+    return share > 0 ? curvature_words.line("beyond", "share"_a = readable_percent(share, 2)) : "";
+}
+
+SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values, double pale) {
+    std::vector<int> order;
+    for (int i = 0; i < values.size(); ++i)
+        if (std::isfinite(values[i])) order.push_back(i);
+    std::ranges::stable_sort(order, {}, [&](int i) { return subject.centred.row(i).squaredNorm(); });
+    const auto share = [&](std::size_t first, std::size_t last, auto chosen) {
+        const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first), end = order.begin() + static_cast<std::ptrdiff_t>(last);
+        return first < last ? double(std::count_if(begin, end, [&](int i) { return chosen(values[i]); })) / double(last - first) : 0;
+    };
+    const auto positive = [&](double v) { return v > pale; };
+    const auto negative = [&](double v) { return v < -pale; };
+    const std::size_t n = order.size();
+    return {share(0, n, positive), share(0, n, negative), share(n - n / 5, n, positive), share(0, n / 2, negative)};
 }
 
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels) {
@@ -126,9 +168,22 @@ output::ColorRange range_for(const output::ColorRange& shared, const std::vector
     return range;
 }
 
-int undefined_vertices(const CurvatureSubject& subject) { return subject.source->prepared->preflight.vertices_in_use - subject.interior; }
+UndefinedVertices undefined_vertices(const CurvatureSubject& subject) {
+    UndefinedVertices vertices;
+    for (int i = 0; i < subject.mesh().vertex_count(); ++i) {
+        const bool isolated = subject.topology().neighbours.size(i) == 0;
+        if (isolated || subject.inside(i)) continue;
+        (subject.topology().nonmanifold[static_cast<std::size_t>(i)] ? vertices.nonmanifold : vertices.boundary) += 1;
+    }
+    return vertices;
+}
 
-std::string undefined_words(int vertices) { return vertices == 0 ? "" : " " + curvature_words.line("undefined", "vertices"_a = vertices); }
+std::string undefined_words(const UndefinedVertices& vertices) {
+    const auto [boundary, nonmanifold] = vertices;
+    if (boundary + nonmanifold == 0) return "";
+    const char* key = nonmanifold == 0 ? "undefined.boundary" : boundary == 0 ? "undefined.nonmanifold" : "undefined.both";
+    return " " + curvature_words.line(key, "boundary"_a = boundary, "nonmanifold"_a = nonmanifold);
+}
 
 output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor) {
     output::ColorRange range = output::robust_range(panels, std::move(colormap), std::move(quantity), "", floor);

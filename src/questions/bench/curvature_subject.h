@@ -29,8 +29,13 @@ struct CurvatureSubject {
     const MeshTopology& topology() const { return source->prepared->topology; }
     const std::string& name() const { return source->name; }
     bool inside(int vertex) const;   // in use, manifold and not on the boundary
+    /// Is a ½‖Δ_uniform x‖ of this size left by coordinates that are rounded to so many decimals? Not by doubles.
+    bool is_rounding(double length) const;
 };
 CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source);
+
+/// The smallest of 1, 0.1, …, 10⁻⁸ that all coordinates are multiples of, as in a file of so many decimals; 0 if there is none.
+double coordinate_step(const TriangleMesh& mesh);
 
 /// The unit normal of the plane all vertices in use lie in, to 1e-6 box diagonals; nothing when they do not.
 std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh);
@@ -56,8 +61,22 @@ double rank_correlation(const Vector& a, const Vector& b);
 
 /// Values of a mesh in percent of ± `range`, as a panel that fits into one frame with meshes of any size: in the unit ball.
 output::Panel relative_panel(const CurvatureSubject& subject, std::string name, std::string label, const Vector& values, double range);
-/// Of figures of such panels: ±100 %, diverging, with the clipped shares.
-output::ColorRange relative_range(const std::vector<output::Panel>& panels, std::string quantity);
+/// Of figures of such panels: ±100 %, diverging. What each clips its label says: beyond_words().
+output::ColorRange relative_range(std::string quantity);
+/// The share of the finite values beyond ± `range`; for labels ", 4.1 % beyond", or nothing where none is.
+double share_beyond(const Vector& values, double range);
+std::string beyond_words(const Vector& values, double range);
+
+/// Where a signed field is positive and negative, by how far vertices are from the centre of the box: shares of the vertices where it is
+/// finite. What is within ± `pale` is neither.
+struct SignsByDistance {
+    double positive = 0, negative = 0;   // of all
+    double outer_positive = 0;           // of the fifth that is farthest from the centre
+    double inner_negative = 0;           // of the nearer half
+
+    bool caps_outside() const { return outer_positive > std::max(0.5, positive + 0.1) && inner_negative > 1.1 * negative; }
+};
+SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values, double pale);
 
 /// `shared` with the clipped shares of these panels.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
@@ -65,10 +84,14 @@ output::ColorRange range_for(const output::ColorRange& shared, const std::vector
 /// Robust range of unsigned values, from 0 on, with the clipped shares of the panels.
 output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor);
 
-/// Vertices in use without curvature: on the boundary, or not manifold.
-int undefined_vertices(const CurvatureSubject& subject);
+/// Vertices in use without curvature.
+struct UndefinedVertices {
+    int boundary = 0, nonmanifold = 0;   // those on the boundary that are not manifold are among the latter
+    void operator+=(const UndefinedVertices& other) { boundary += other.boundary, nonmanifold += other.nonmanifold; }
+};
+UndefinedVertices undefined_vertices(const CurvatureSubject& subject);
 /// A space and a sentence that says what their colour is, or nothing where there are none: for captions.
-std::string undefined_words(int vertices);
+std::string undefined_words(const UndefinedVertices& vertices);
 inline std::string undefined_words(const CurvatureSubject& subject) { return undefined_words(undefined_vertices(subject)); }
 
 }   // namespace meshfolio

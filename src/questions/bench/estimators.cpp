@@ -8,6 +8,7 @@
 #define MESHFOLIO_ESTIMATORS(estimator) \
     estimator(H_uniform) \
     estimator(H_uniform_along_normal) \
+    estimator(H_uniform_along_own_normal) \
     estimator(H_barycentric) \
     estimator(H_barycentric_along_normal) \
     estimator(H_voronoi) \

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/measures/local_thickness.h"
 #include "questions/bench/spectral_uses.h"
@@ -43,26 +42,11 @@ double rms_over(const std::vector<int>& vertices, const Vector& M, const Vector&
     return std::sqrt(squared_sum(vertices, M, distance) / area);
 }
 
-/// Spearman's coefficient of the ranks; ties in the order of the vertices.
-double rank_correlation(const std::vector<int>& by_thickness, const Vector& error) {
-    const auto n = static_cast<double>(by_thickness.size());
-    std::vector<int> place(by_thickness.size()), by_error(by_thickness.size());
-    std::iota(by_error.begin(), by_error.end(), 0);
-    std::ranges::stable_sort(by_error, {}, [&](int i) { return error[by_thickness[i]]; });
-    double sum = 0;
-    for (std::size_t rank = 0; rank < by_error.size(); ++rank) {
-        const double difference = static_cast<double>(rank) - by_error[rank];
-        sum += difference * difference;
-    }
-    return 1 - 6 * sum / (n * (n * n - 1));
-}
-
-/// The share of the squared error on the tenth of the area that is farthest out.
-double far_share(const SpectralStudy& study, const Vector& distance) {
-    const Vector& M = study.laplacian.M;
-    const Vector3 centroid = study.mesh().X.transpose() * M / M.sum();
-    const Vector nearness = -(study.mesh().X.rowwise() - centroid.transpose()).rowwise().norm();
-    return squared_sum(first_share(ascending(nearness), M, 0.1), M, distance) / M.dot(distance.cwiseAbs2());
+/// The area of those that are farther off than `limit`.
+double area_beyond(const std::vector<int>& vertices, const Vector& M, const Vector& distance, double limit) {
+    double area = 0;
+    for (const int v : vertices) area += distance[v] > limit ? M[v] : 0;
+    return area;
 }
 
 double median_of(const std::vector<int>& ascending_vertices, const Vector& values) {
@@ -79,13 +63,15 @@ LimbStudy limb_study(const SpectralStudy& study) {
     std::erase_if(order, [&](int v) { return !(study.laplacian.M[v] > 0); });
     if (order.size() < 20) return result;
     const Vector& M = study.laplacian.M;
-    const std::vector<int> thin = first_share(order, M, 0.25), thick = first_share({order.rbegin(), order.rend()}, M, 0.25);
+    const std::vector<int> thin = first_share(order, M, 0.25), thick = first_share({order.rbegin(), order.rend()}, M, 0.25),
+                           thinner_half = first_share(order, M, 0.5);
     result.thin_diameter = median_of(thin, thickness);
     result.thick_diameter = median_of(thick, thickness);
     for (const Reconstruction& r : study.reconstructions) {
         if (r.predicted_rms < 1e-9 * study.diagonal) continue;
-        result.errors.push_back({r.k, rms_over(thin, M, r.distance), rms_over(thick, M, r.distance), far_share(study, r.distance),
-                                 rank_correlation(order, r.distance)});
+        const double limit = seen_error * study.diagonal;
+        result.errors.push_back({r.k, rms_over(thin, M, r.distance), rms_over(thick, M, r.distance),
+                                 area_beyond(thinner_half, M, r.distance, limit) / area_beyond(order, M, r.distance, limit)});
     }
     return result;
 }

@@ -204,13 +204,6 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
     return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};
 }
 
-double top_mode_in(const SmoothingSubject& subject) {
-    const Vector& M = subject.laplacian.M;
-    const Positions X = subject.mesh().X.rowwise() - subject.mesh().X.row(0);
-    const double mode = M.dot(subject.top.mode.cwiseAbs2()), mesh = M.dot(X.rowwise().squaredNorm());
-    return mode_amplitude(subject, subject.mesh().X) / std::sqrt(mode * mesh);
-}
-
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     const TriangleMesh mesh = moved_to(subject.mesh(), X);
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
@@ -218,18 +211,7 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
 
 std::string share_left(double share) { return share < 1e-12 ? smoothing_words.line("left.nothing") : readable_percent(share, 2); }
 
-std::string energy_fall(double left) {
-    if (std::abs(1 - left) < 1e-12) return smoothing_words.line("fall.not");
-    if (left < 1e-9) return smoothing_words.line("fall.to_nothing");
-    return left < 0.99 ? smoothing_words.line("fall.to", "left"_a = readable_percent(left))
-                       : smoothing_words.line("fall.by", "lost"_a = readable_percent(1 - left, 2));
-}
-
 std::string in_limits(const SmoothingSubject& subject, double lambda) { return plain_text(lambda / subject.critical, 3); }
-
-std::string step_label(const SmoothingSubject& subject, double lambda) {
-    return smoothing_words.line("step", "lambda"_a = readable(lambda), "limits"_a = in_limits(subject, lambda));
-}
 
 std::string at_step(const SmoothingSubject& subject, double lambda) {
     return smoothing_words.line("at_step", "limits"_a = in_limits(subject, lambda));

@@ -99,9 +99,6 @@ struct Amplification {
 };
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
 
-/// How much of the top mode is in the input, over the M-norm of the mesh about its first vertex: symmetry may leave rounding.
-double top_mode_in(const SmoothingSubject& subject);
-
 /// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
 /// figures are coloured by. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
@@ -109,14 +106,8 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 /// What is left of a size: "93 %"; "less than 10⁻¹²" where it is rounding.
 std::string share_left(double share);
 
-/// What an energy falls by when this share of it is left: "to 87 %"; "by 0.036 %" where the share left would read as all of it,
-/// "by less than 10⁻¹²" where it is rounding.
-std::string energy_fall(double left);
-
 /// λ over λ_crit for people: "0.5".
 std::string in_limits(const SmoothingSubject& subject, double lambda);
-/// λ for people: "0.0123 = 0.5 λ_crit".
-std::string step_label(const SmoothingSubject& subject, double lambda);
 /// "at 0.5 λ_crit".
 std::string at_step(const SmoothingSubject& subject, double lambda);
 /// λ for file names: "lambda0.0123".

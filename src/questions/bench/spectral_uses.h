@@ -21,12 +21,14 @@ std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick)
 
 // ---- thin parts -----------------------------------------------------------------------------------------------------------
 
+/// Of the box diagonal: an error that is seen in a picture of the whole mesh.
+inline constexpr double seen_error = 0.01;
+
 /// Of one reconstruction: rms over the area of the vertices concerned. [length]
 struct LimbErrors {
     int k = 0;
-    double thin = 0, thick = 0;    // the thinnest and the thickest quarter of the area
-    double far_share = 0;          // of Σ A|x − x_k|², on the tenth of the area that is farthest from the centroid
-    double rank_correlation = 0;   // Spearman's, between thickness and error
+    double thin = 0, thick = 0;   // the thinnest and the thickest quarter of the area
+    double seen_on_thin = 0;      // of the area that is off by more than seen_error, the share on the thinner half; NaN: nothing is
 };
 
 struct LimbStudy {

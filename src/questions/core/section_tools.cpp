@@ -77,10 +77,6 @@ void add_words(report::Section& section, const report::Words& words, std::string
 
 void add_heading(report::Section& section, std::string title) { section.blocks.push_back(report::Heading{std::move(title)}); }
 
-void add_formula(report::Section& section, std::string name, std::string id) {
-    section.blocks.push_back(report::Formula{std::move(name), std::move(id)});
-}
-
 ValueSummary summary_of(const Vector& values) {
     ValueSummary summary;
     std::vector<double> finite;

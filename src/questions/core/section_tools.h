@@ -50,7 +50,6 @@ void add_words(report::Section& section, const report::Words& words, std::string
     add_words(section, words, key, report::Facts{std::move(facts)...});
 }
 void add_heading(report::Section& section, std::string title);
-void add_formula(report::Section& section, std::string name, std::string id = "");
 template <class... Parts>
 void add_paragraph(report::Section& section, Parts&&... parts) {
     section.blocks.push_back(report::Paragraph{report::text(std::forward<Parts>(parts)...)});

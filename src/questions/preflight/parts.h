@@ -21,7 +21,6 @@ struct Inspected {
 
     const std::string& name() const { return source->name; }
     const Preflight& counts() const { return facts.counts; }
-    bool gauss_bonnet_holds() const { return facts.gauss_bonnet_residual <= gauss_bonnet_tolerance(counts().triangles); }
 };
 
 /// Where a defect was found, in the order of the meshes.

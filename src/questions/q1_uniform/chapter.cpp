@@ -84,8 +84,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "appendix");
     add(section, convergence_plot(runs));
     add(section, statistics_table(meshes));
-    add(section, area_table(runs, &EstimateError::l2, "l2", "L2"));
-    add(section, area_table(runs, &EstimateError::linf, "linf", "L∞"));
+    add(section, area_table(runs));
     add(section, gauss_bonnet_table(sums));
     add_flat_boundaries(section, flat);
 

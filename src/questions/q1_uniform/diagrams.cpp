@@ -17,7 +17,8 @@ namespace {
 
 using namespace diagram_names;
 
-constexpr double elevation = 0.8;   // of the eye over the tangent plane [rad]
+constexpr double elevation = 0.8;      // of the eye over the tangent plane [rad]
+constexpr double drawn_normal = 0.9;   // length of n, on the unit sphere
 
 /// A view from aside in which the drift of Δx along the surface shows its whole length.
 class SideView {
@@ -53,11 +54,17 @@ Diagram::Panel laplacian_panel() {
     panel.paths.push_back(path_through({foot, tip}, Style::dashed));
     panel.paths.push_back(path_through({seen(x), tip}, Style::accent));
     panel.paths.back().arrow = true;
+    const DiagramPoint outwards = seen(x + drawn_normal * normal);
+    panel.paths.push_back(path_through({seen(x), outwards}, Style::line));
+    panel.paths.back().arrow = true;
+    panel.labels.push_back({.x = outwards[0], .y = outwards[1], .words = text(math("n")), .side = Side::right});
     panel.labels.push_back({.x = 0, .y = 0, .words = text(math("x_i")), .side = Side::above_left, .dot = true});
     const DiagramPoint left = *std::ranges::min_element(corners, {}, [](const DiagramPoint& p) { return p[0]; });
     panel.labels.push_back({.x = left[0], .y = left[1], .words = text(math("x_j")), .side = Side::left, .dot = true});
     panel.labels.push_back({.x = tip[0], .y = tip[1], .words = text(math("Δx")), .side = Side::below_right, .accent = true});
-    panel.labels.push_back({.x = foot[0], .y = foot[1], .words = words.say("diagram.drift"), .side = Side::above});
+    // Above the ring, where no line crosses it.
+    const double top = (*std::ranges::max_element(corners, {}, [](const DiagramPoint& p) { return p[1]; }))[1];
+    panel.labels.push_back({.x = foot[0], .y = top, .words = words.say("diagram.drift"), .side = Side::above});
     return panel;
 }
 

@@ -27,14 +27,17 @@ double worst(const BenchRuns& runs, std::string_view estimator) {
 /// On how many of the runs most of the error of uniform H is the part of Δx along the surface.
 int drifting_runs(const BenchRuns& runs) {
     return static_cast<int>(std::ranges::count_if(
-        runs, [](const BenchRun& run) { return run.finest().error("H.uniform_n").l2 < 0.5 * run.finest().error(uniform_H).l2; }));
+        runs, [](const BenchRun& run) { return run.finest().error(normal_H).l2 < 0.5 * run.finest().error(uniform_H).l2; }));
 }
 
 // ---- what the pictures of H show
 
 report::Text flat_picture(const FlatMesh& f) {
     const CurvatureSubject& s = f.curvature->subject;
-    const char* key = s.interior == 0 ? "h.flat.all_boundary" : f.drift < visible ? "h.flat.symmetric" : "h.flat.asymmetric";
+    const char* key = s.interior == 0                        ? "h.flat.all_boundary"
+                      : f.drift >= visible                   ? "h.flat.asymmetric"
+                      : s.is_rounding(f.drift * s.mean_edge) ? "h.flat.rounded"
+                                                             : "h.flat.symmetric";
     return words.say(key, "mesh"_a = s.name(), "drift"_a = readable(f.drift, 2));
 }
 
@@ -44,7 +47,13 @@ report::Text curved_picture(const MeshCurvature& c) {
     if (const int vertices = summary_of(c.H).count; vertices < fewest_to_read)
         return words.say("h.few", "mesh"_a = mesh, "vertices"_a = vertices);
     const Picture p = picture_of(c);
-    if (p.varies_where_truth_does_not()) return words.say("h.uneven", "mesh"_a = mesh, "spread"_a = readable(p.spread, 2));
+    if (p.varies_where_truth_does_not()) {
+        const Contrast drift = tangential_part(c).length;
+        report::Text t = words.say("h.uneven", "mesh"_a = mesh, "spread"_a = readable(p.spread, 2));
+        if (drift.most > drift.least + 0.05)
+            go_on(t, words.say("h.uneven.drift", "most"_a = readable_percent(drift.most, 2), "least"_a = readable_percent(drift.least, 2)));
+        return t;
+    }
     const char* key = p.misleads() ? "h.misleads" : p.correlation < 0.8 ? "h.partly" : "h.plausible";
     return words.say(key, "mesh"_a = mesh, "correlation"_a = readable(p.correlation, 2));
 }
@@ -59,18 +68,29 @@ report::Text about_H_picture(const Findings& found) {
 
 // ---- the drift along the surface
 
-report::Text about_tangential_picture(const Drifting& drifting) {
+/// Of the curved meshes, the flat parts that are largest.
+void go_on_about_flat_parts(report::Text& t, const Meshes& meshes) {
+    const MeshCurvature* flattest = nullptr;
+    FlatParts most;
+    for (const MeshCurvature& c : meshes) {
+        if (c.subject.plane_normal) continue;
+        if (const FlatParts flat = flat_parts(c); flat.mislead() && flat.share > most.share) flattest = &c, most = flat;
+    }
+    if (!flattest) return;
+    go_on(t, words.say("tangential.flat", "mesh"_a = flattest->subject.name(), "flat"_a = readable_percent(most.share, 2),
+                       "coloured"_a = readable_percent(most.coloured, 2), "drift"_a = readable_percent(most.drift, 2)));
+}
+
+report::Text about_tangential_picture(const Drifting& drifting, const Meshes& meshes) {
     const TangentialPart& part = drifting.part;
     const std::string& mesh = drifting.mesh->subject.name();
     report::Text t = words.say("tangential", "mesh"_a = mesh, "share"_a = readable_percent(part.share, 2));
     go_on(t, words.say(part.dark > 0.5    ? "tangential.mostly_dark"
                        : part.dark > 0.02 ? "tangential.partly_dark"
                                           : "tangential.pale",
-                       "dark"_a = readable_percent(part.dark, 2)));
-    if (part.bending.least > part.bending.most + 0.05)
-        go_on(t, words.say("tangential.bent", "most"_a = readable_percent(part.bending.most, 2),
-                           "least"_a = readable_percent(part.bending.least, 2)));
+                       "mesh"_a = mesh, "dark"_a = readable_percent(part.dark, 2)));
     go_on(t, words.say("tangential.why"));
+    go_on_about_flat_parts(t, meshes);
     if (std::isfinite(part.normal_gap) && part.share > 1e-3)
         go_on(t, words.say(part.explains() ? "tangential.nearer" : "tangential.no_nearer", "mesh"_a = mesh,
                            "gap"_a = readable_percent(part.gap, 2), "normal_gap"_a = readable_percent(part.normal_gap, 2)));
@@ -84,17 +104,20 @@ report::Text K_picture(const MeshCurvature& c) {
     const ValueSummary K = summary_of(c.K);
     if (K.count == 0) return words.say("k.nothing", "mesh"_a = s.name());
     if (const IrregularVertices odd = irregular_vertices(c); odd.stand_out()) {
-        report::Text t = words.say(odd.seen() ? "k.irregular" : "k.irregular.unseen", "mesh"_a = s.name(), "vertices"_a = odd.count,
-                                   "off"_a = readable_percent(odd.off, 2), "elsewhere"_a = readable_percent(odd.off_elsewhere, 2));
-        if (odd.area_is_why()) go_on(t, words.say("k.irregular.area"));
+        report::Text t =
+            words.say(odd.seen() ? "k.irregular" : "k.irregular.unseen", "mesh"_a = s.name(), "vertices"_a = odd.vertices.size(),
+                      "off"_a = readable_percent(odd.off, 2), "elsewhere"_a = readable_percent(odd.off_elsewhere, 2));
+        if (odd.area_is_why()) go_on(t, words.say("k.irregular.area", "voronoi"_a = readable_percent(odd.off_with_voronoi, 2)));
         return t;
     }
     if (!(c.K.array() < 0).any()) return words.say("k.positive", "mesh"_a = s.name());
-    output::Panel panel;
-    panel.values = c.K;
-    const double pale = 0.05 * output::robust_range({panel}, "diverging", "", "", 0).high;   // as good as white in the picture
-    const double negative = double((c.K.array() < -pale).count()) / K.count, flat = double((c.K.array().abs() <= pale).count()) / K.count;
-    return words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(negative, 2), "flat"_a = readable_percent(flat, 2));
+    const SignsByDistance seen = signs_by_distance(s, c.K, 0.05 * colour_range(c.K));   // what is paler is as good as white
+    report::Text t = words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(seen.negative, 2),
+                               "flat"_a = readable_percent(1 - seen.positive - seen.negative, 2));
+    if (seen.caps_outside())
+        go_on(t, words.say("k.saddles.inside", "outer"_a = readable_percent(seen.outer_positive, 2),
+                           "inner"_a = readable_percent(seen.inner_negative, 2)));
+    return t;
 }
 
 report::Text about_K_picture(const Findings& found) {
@@ -115,21 +138,19 @@ void go_on_about_worst_vertex(report::Text& t, const BenchRuns& runs) {
     for (const BenchRun& run : of_kind(runs, MeshKind::regular))
         if (!worst || error(run.finest()) > error(worst->finest())) worst = &run;
     if (error(worst->finest()) > 5 * worst->finest().error(deficit_K).l2 && error(worst->finest()) > 0.8 * error(worst->levels.front()))
-        go_on(t, words.say("errors.k.worst", "surface"_a = worst->surface, "vertex"_a = readable_percent(error(worst->finest()), 2)));
+        go_on(t, words.say("errors.k.worst", "surface"_a = worst->surface));
 }
 
 report::Text about_errors(const BenchRuns& runs, const BenchRuns& panel) {
     const int drifting = drifting_runs(runs);
     const auto converging = std::ranges::count_if(panel, [](const BenchRun& run) { return run.errors(uniform_H).order().converges(); });
-    const double K_regular = worst(runs, MeshKind::regular, deficit_K), K_jittered = worst(runs, MeshKind::jittered, deficit_K);
     const bool jitter_converges = std::ranges::any_of(of_kind(runs, MeshKind::jittered),
                                                       [](const BenchRun& run) { return run.errors(deficit_K).order().converges(); });
-    report::Text t = words.say(jitter_converges ? "errors.k.converging" : "errors.k", "regular"_a = readable_percent(K_regular, 2),
-                               "regular_grade"_a = grade(K_regular), "jittered"_a = readable_percent(K_jittered, 2),
-                               "jittered_grade"_a = grade(K_jittered));
+    report::Text t = words.say(jitter_converges ? "errors.k.converging" : "errors.k");
     go_on_about_worst_vertex(t, runs);
-    go_on(t, words.say("errors.h", "drifting"_a = drifting, "runs"_a = runs.size(),
-                       "rest"_a = readable_percent(worst(runs, "H.uniform_n"), 2)));
+    const auto on_sphere = [&](MeshKind kind) { return readable_percent(run_on(runs, "sphere", kind).finest().error(normal_H).l2, 2); };
+    go_on(t, words.say("errors.h", "drifting"_a = drifting, "runs"_a = runs.size(), "regular"_a = on_sphere(MeshKind::regular),
+                       "jittered"_a = on_sphere(MeshKind::jittered), "rest"_a = readable_percent(worst(runs, normal_H), 2)));
     const auto worse = std::ranges::count_if(runs, [](const BenchRun& run) { return run.errors(uniform_H).order().exponent < -0.5; });
     if (2 * worse > std::ssize(runs)) go_on(t, words.say("errors.worse"));
     go_on(t, words.say("errors.panel", "converging"_a = converging, "runs"_a = panel.size()));
@@ -148,10 +169,14 @@ report::Text about_areas(const BenchRuns& runs) {
     }
     report::Text t =
         winners.size() == 1 ? words.say("areas.one", "best"_a = area_name(*winners.begin())) : words.say("areas", "best"_a = listed(told));
-    const auto mixed = std::ranges::count_if(runs, [](const BenchRun& run) {
-        return run.finest().error(K_with(AreaForm::mixed)).l2 < run.finest().error(K_with(AreaForm::barycentric)).l2;
-    });
-    go_on(t, words.say("areas.mixed", "mixed"_a = mixed, "runs"_a = runs.size()));
+    int mixed = 0;
+    double price = 0;   // of barycentric areas, at most
+    for (const BenchRun& run : runs) {
+        const double gain = run.finest().error(K_with(AreaForm::barycentric)).l2 - run.finest().error(K_with(AreaForm::mixed)).l2;
+        mixed += gain > 0 ? 1 : 0;
+        price = std::max(price, gain);
+    }
+    go_on(t, words.say("areas.mixed", "mixed"_a = mixed, "runs"_a = runs.size(), "price"_a = readable(100 * price, 2)));
     const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::jittered).finest();
     if (sphere.error(K_with(AreaForm::voronoi)).l2 < 0.1 * sphere.error(K_with(AreaForm::barycentric)).l2)
         go_on(t, words.say("areas.sphere"));
@@ -180,26 +205,27 @@ std::optional<Drifting> most_drifting(const Meshes& meshes) {
 
 report::Text answer_of(const BenchRuns& runs) {
     const bool drift = 2 * drifting_runs(runs) > std::ssize(runs);
-    return words.say(drift ? "answer.drift" : "answer", "K_regular"_a = grade(worst(runs, MeshKind::regular, deficit_K)),
-                     "K_jittered"_a = grade(worst(runs, MeshKind::jittered, deficit_K)), "H"_a = grade(worst(runs, uniform_H)));
+    const double regular = worst(runs, MeshKind::regular, deficit_K), jittered = worst(runs, MeshKind::jittered, deficit_K);
+    return words.say(drift ? "answer.drift" : "answer", "K_regular"_a = grade(regular), "regular"_a = readable_percent(regular, 2),
+                     "K_jittered"_a = grade(jittered), "jittered"_a = readable_percent(jittered, 2), "H"_a = grade(worst(runs, uniform_H)));
 }
 
 report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drifting) {
-    const auto error = [&](MeshKind kind, std::string_view estimator) { return readable_percent(worst(runs, kind, estimator), 2); };
+    const auto error = [&](MeshKind kind, std::string_view estimator, Norm norm = &EstimateError::l2) {
+        return readable_percent(worst(runs, kind, estimator, norm), 2);
+    };
     using enum MeshKind;
-    report::Text t = words.say("lead.k", "regular"_a = error(regular, deficit_K), "jittered"_a = error(jittered, deficit_K));
-    go_on(t, words.say("lead.h", "regular"_a = error(regular, uniform_H), "jittered"_a = error(jittered, uniform_H)));
+    report::Text t = words.say("lead.h", "regular"_a = error(regular, uniform_H), "jittered"_a = error(jittered, uniform_H));
+    go_on(t, words.say("lead.k", "regular"_a = error(regular, deficit_K, &EstimateError::linf),
+                       "jittered"_a = error(jittered, deficit_K, &EstimateError::linf)));
     if (drifting)
         go_on(t, words.say("lead.drift", "mesh"_a = drifting->mesh->subject.name(), "share"_a = readable_percent(drifting->part.share, 2)));
     return t;
 }
 
 void add_discussion(report::Section& section, const Findings& found) {
-    const BenchLevel &coarse = found.runs.front().levels[found.runs.front().levels.size() - 2], &fine = found.runs.front().finest();
-    report::Text picture = about_H_picture(found);
-    go_on(picture, words.say("length", "times"_a = readable(coarse.mean_length / fine.mean_length, 2)));
-    add_paragraph(section, picture);
-    if (found.drifting) add_paragraph(section, about_tangential_picture(*found.drifting));
+    add_paragraph(section, about_H_picture(found));
+    if (found.drifting) add_paragraph(section, about_tangential_picture(*found.drifting, found.meshes));
     add_paragraph(section, about_K_picture(found));
     add_paragraph(section, about_errors(found.runs, found.panel));
     report::Text choice = about_areas(found.runs);

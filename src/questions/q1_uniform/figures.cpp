@@ -9,16 +9,16 @@ namespace {
 /// A quantity that every mesh shows on a range of its own, for values of meshes are not compared.
 struct Shown {
     std::string key;   // the end of its figure's name
-    const char *title, *caption, *quantity, *label;
+    const char *title, *caption, *quantity, *label, *zero;
     double floor;   // of the range
     double least;   // below it all is 0 but for rounding
     Vector (*values)(const MeshCurvature&);
 };
 
 const Shown shown[]{
-    {"h", "h.title", "h.caption", "h.quantity", "h.label", 0.1, 100 * visible,
+    {"h", "h.title", "h.caption", "h.quantity", "h.label", "h.label.zero", 0.1, 100 * visible,
      [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
-    {"k", "k.title", "k.caption", "k.quantity", "k.label", 0.1, 0.01,
+    {"k", "k.title", "k.caption", "k.quantity", "k.label", "k.label.zero", 0.1, 0.01,
      [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
 };
 
@@ -28,21 +28,33 @@ output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     output::Panel panel;
     panel.values = quantity.values(c);
     const double range = output::robust_range({panel}, "diverging", "", "", quantity.floor).high;
-    const bool coloured = largest_magnitude(panel.values) > quantity.least;
-    const std::string label = words.line(coloured ? quantity.label : "label.zero", "mesh"_a = name, "range"_a = readable(range, 2));
+    const double most = largest_magnitude(panel.values);
+    const std::string label =
+        words.line(most > quantity.least ? quantity.label : quantity.zero, "mesh"_a = name, "most"_a = readable(most, 2),
+                   "range"_a = readable(range, 2), "beyond"_a = beyond_words(panel.values, range));
     return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
+}
+
+/// Irregular vertices that the text reads are too small to be found without rings. Are there any?
+bool mark_irregular_vertices(output::Panel& panel, const MeshCurvature& c) {
+    if (const IrregularVertices odd = irregular_vertices(c); odd.seen() && odd.stand_out()) panel.marked_vertices = odd.vertices;
+    return !panel.marked_vertices.empty();
 }
 
 }   // namespace
 
 void add_figures(Answer& answer, const Meshes& meshes) {
-    int masked = 0;
+    UndefinedVertices masked;
     for (const MeshCurvature& c : meshes) masked += undefined_vertices(c.subject);
     for (const Shown& quantity : shown) {
         SixViewFigure figure{.id = "q1_" + quantity.key, .title = words.line(quantity.title)};
-        for (const MeshCurvature& c : meshes) figure.panels.push_back(panel_of(quantity, c));
-        figure.caption = words.line(quantity.caption, "undefined"_a = undefined_words(masked));
-        figure.range = relative_range(figure.panels, words.line(quantity.quantity));
+        bool marked = false;
+        for (const MeshCurvature& c : meshes) {
+            figure.panels.push_back(panel_of(quantity, c));
+            if (quantity.key == "k") marked = mark_irregular_vertices(figure.panels.back(), c) || marked;
+        }
+        figure.caption = words.line(quantity.caption) + (marked ? " " + words.line("k.marked") : std::string()) + undefined_words(masked);
+        figure.range = relative_range(words.line(quantity.quantity));
         figure.frame_panel = -1;
         figure.turnable = quantity.key == "h";
         figure.view_files = true;
@@ -56,7 +68,7 @@ void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::stri
                          .frame_panel = -1,
                          .turnable = true,
                          .layout = output::Layout::multiples};
-    int masked = 0;
+    UndefinedVertices masked;
     for (const MeshCurvature& c : meshes) {
         if (c.subject.plane_normal || summary_of(c.H).count == 0) continue;
         const TangentialPart part = tangential_part(c);

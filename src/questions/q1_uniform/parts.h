@@ -29,8 +29,8 @@ int without_K(const BenchRuns& runs, AreaForm form);
 // Tables and plots.
 report::Table statistics_table(const Meshes& meshes);
 report::Table error_table(const BenchRuns& runs);
-/// Errors of K on the finest meshes in one norm, one row an area form.
-report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
+/// L∞ errors of K on the finest meshes, one row an area form.
+report::Table area_table(const BenchRuns& runs);
 report::Table gauss_bonnet_table(const AngleSums& sums);
 report::Plot convergence_plot(const BenchRuns& runs);
 

@@ -27,6 +27,12 @@ double spread_of(const Vector& values) {
 
 }   // namespace
 
+double colour_range(const Vector& values) {
+    output::Panel panel;
+    panel.values = values;
+    return output::robust_range({panel}, "diverging", "", "", 0).high;
+}
+
 double MeshCurvature::euler_from_angles() const { return deficit.sum() / (2 * pi); }
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
@@ -81,8 +87,31 @@ TangentialPart tangential_part(const MeshCurvature& c) {
     part.dark = vertices > 0 ? double(dark) / vertices : 0;
     part.gap = std::sqrt(gap / truth);
     part.normal_gap = std::sqrt(normal_gap / truth);
-    part.bending = contrast(part.shares, c.cotangent.cwiseAbs());
+    part.length = contrast(part.shares, c.length.cwiseAbs());
     return part;
+}
+
+FlatParts flat_parts(const MeshCurvature& c) {
+    const auto within = [](const Vector& values) { return flat_within * colour_range(values); };
+    const double K = within(c.K), H = within(c.cotangent), length = within(c.length);
+    const Vector shares = tangential_shares(c.subject.mesh(), c.subject.topology());
+    FlatParts flat;
+    std::vector<double> drift;
+    int defined = 0, coloured = 0;
+    for (int i = 0; i < c.K.size(); ++i) {
+        if (!std::isfinite(c.K[i]) || !std::isfinite(c.cotangent[i])) continue;
+        ++defined;
+        if (std::abs(c.K[i]) > K || std::abs(c.cotangent[i]) > H) continue;
+        drift.push_back(shares[i]);
+        coloured += std::abs(c.length[i]) > length ? 1 : 0;
+    }
+    if (drift.empty()) return flat;
+    flat.vertices = static_cast<int>(drift.size());
+    flat.share = double(flat.vertices) / defined;
+    flat.coloured = double(coloured) / flat.vertices;
+    std::ranges::sort(drift);
+    flat.drift = drift[drift.size() / 2];
+    return flat;
 }
 
 Picture picture_of(const MeshCurvature& c) {
@@ -102,10 +131,10 @@ IrregularVertices irregular_vertices(const MeshCurvature& c) {
         double& most = irregular ? found.off : found.off_elsewhere;
         most = std::max(most, off(c.K[i]));
         if (!irregular) continue;
-        ++found.count;
+        found.vertices.push_back(i);
         found.off_with_voronoi = std::max(found.off_with_voronoi, std::isfinite(with_voronoi[i]) ? off(with_voronoi[i]) : INFINITY);
     }
-    return 20 * found.count <= K.count ? found : IrregularVertices{};
+    return 20 * found.vertices.size() <= static_cast<std::size_t>(K.count) ? found : IrregularVertices{};
 }
 
 std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const BenchRuns& runs) {

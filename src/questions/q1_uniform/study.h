@@ -15,7 +15,7 @@
 namespace meshfolio::q1_uniform {
 
 // The estimators of this question.
-inline constexpr std::string_view uniform_H = "H.uniform", deficit_K = "K.barycentric";
+inline constexpr std::string_view uniform_H = "H.uniform", normal_H = "H.uniform_own_n", deficit_K = "K.barycentric";
 
 struct MeshCurvature {
     CurvatureSubject subject;
@@ -30,6 +30,9 @@ struct MeshCurvature {
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source);
 
+/// The end of the colours that show these values, symmetric about 0.
+double colour_range(const Vector& values);
+
 /// Medians of values in the quarter of the vertices where something else is smallest, and in that where it is largest.
 struct Contrast {
     double least = 0, most = 0;   // NaN with fewer than eight vertices
@@ -42,12 +45,26 @@ struct TangentialPart {
     double share = 0;        // of Σ ‖Δx‖²
     double dark = 0;         // of the vertices, where the share is above 0.9
     double gap = 0;          // of ½‖Δx‖ · 4/h² to cotangent H
-    double normal_gap = 0;   // of −½Δx·n · 4/h² to it
-    Contrast bending;        // of the shares: where |cotangent H| is small, and where it is large
+    double normal_gap = 0;   // of −½Δx·n · 4/h² to it, with the mesh's own n
+    Contrast length;         // of the shares: where |½‖Δx‖| is small, and where it is large
 
     bool explains() const { return share > 1e-3 && normal_gap < 0.9 * gap; }
 };
 TangentialPart tangential_part(const MeshCurvature& c);
+
+/// Where a curved mesh is flat: |K| and |cotangent H| are within `flat_within` of their colour ranges. K is white there, and what colours
+/// there are in the picture of ½‖Δx‖ are drift.
+inline constexpr double flat_within = 0.1;
+struct FlatParts {
+    int vertices = 0;
+    double share = 0;      // of the vertices with curvature
+    double coloured = 0;   // of these, the share where |½‖Δx‖| is beyond flat_within of its own range
+    double drift = 0;      // median tangential share there
+
+    /// Enough to be seen, and drift that is taken for curvature.
+    bool mislead() const { return vertices >= 20 && share > 0.02 && coloured > 0.25 && drift > 0.5; }
+};
+FlatParts flat_parts(const MeshCurvature& c);
 
 /// What the picture of uniform H shows beside that of cotangent H.
 struct Picture {
@@ -62,11 +79,11 @@ Picture picture_of(const MeshCurvature& c);
 /// K at the vertices of valence other than six, where there are few of them: how far it is from the median at most, there and elsewhere,
 /// over the median; and there with Voronoi areas.
 struct IrregularVertices {
-    int count = 0;
+    std::vector<int> vertices;
     double off = 0, off_elsewhere = 0, off_with_voronoi = 0;
 
     bool seen() const { return off > 0.1; }   // in a colour range about 0
-    bool stand_out() const { return count > 0 && off > 5 * off_elsewhere; }
+    bool stand_out() const { return !vertices.empty() && off > 5 * off_elsewhere; }
     bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
 };
 /// Where K has one sign, and at most a twentieth of the vertices are irregular; else none.

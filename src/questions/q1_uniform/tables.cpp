@@ -47,21 +47,22 @@ report::Table error_table(const BenchRuns& runs) {
     return table("q1_errors", words.line("errors"), runs)
         .column("surface", &BenchRun::surface)
         .column("triangulation", [](auto& run) { return name_of(run.kind); })
-        .column("smallest angle", {.unit = "°"}, [](auto& run) { return run.finest().smallest_angle * 180 / pi; })
         .column("uniform H", {.unit = "%"}, error(uniform_H))
         .column("order of H", {.digits = 2}, order(uniform_H))
-        .column("normal part", {.unit = "%", .digits = 2}, error("H.uniform_n"))
-        .column("K", {.unit = "%"}, error(deficit_K))
+        .column("normal part", {.unit = "%", .digits = 2}, error(normal_H))
+        .column("K barycentric", {.unit = "%", .digits = 2}, error(deficit_K))
         .column("order of K", {.digits = 2}, order(deficit_K))
-        .column("K, worst vertex", {.unit = "%"}, error(deficit_K, &EstimateError::linf));
+        .column("worst vertex", {.unit = "%", .digits = 2}, error(deficit_K, &EstimateError::linf))
+        .column("K Voronoi", {.unit = "%", .digits = 2}, error("K.voronoi"))
+        .column("K mixed", {.unit = "%", .digits = 2}, error("K.mixed"));
 }
 
-report::Table area_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
-    auto errors = table("q1_area_forms_" + key, words.line("area_forms", "norm"_a = name), area_forms);
+report::Table area_table(const BenchRuns& runs) {
+    auto errors = table("q1_area_forms", words.line("area_forms"), area_forms);
     errors.column("area form", area_name);
     for (const BenchRun& run : runs)
         errors.column(run.title(), {.unit = "%", .best = smallest},
-                      [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).*norm; });
+                      [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).linf; });
     const bool all_defined = std::ranges::all_of(area_forms, [&](AreaForm form) { return without_K(runs, form) == 0; });
     if (!all_defined)
         errors.column("without K", {.unit = "vertices", .best = smallest}, [&](AreaForm form) { return without_K(runs, form); });

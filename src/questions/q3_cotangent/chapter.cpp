@@ -96,8 +96,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, weight_diagram());
     add_words(section, words, "results");
     add_comparison_figure(answer, meshes);
+    add_plane_figure(answer, plane, settings.colormap);
     add(section, error_table(runs, &EstimateError::l2, "l2", "L2"));
-    add(section, convergence_plot(runs));
     add_discussion(section, meshes, runs, plane, panel);
     add_checks(section, runs, plane, meshes);
 
@@ -107,7 +107,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, order_table(runs));
     add(section, difference_table(meshes));
     add(section, variant_table(meshes));
-    add_plane_figure(answer, plane, settings.colormap);
+    add(section, convergence_plot(runs));
     add_limits(section, meshes, runs);
     add_error_indicator(answer, meshes, runs, settings);
 

@@ -14,13 +14,13 @@ namespace {
 /// A triangle with a smaller angle is called thin [rad].
 constexpr double thin = 5 * pi / 180;
 
-double cotangent_error(const BenchRun& run, AreaForm form) { return run.finest().error(H_with(form)).l2; }
+double cotangent_error(const BenchRun& run, AreaForm form = areas_used) { return run.finest().error(H_with(form)).l2; }
 double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform").l2; }
 
-/// Is cotangent H with mixed areas the better one?
-bool wins(const BenchRun& run) { return cotangent_error(run, AreaForm::mixed) < uniform_error(run); }
+/// Is cotangent H the better one?
+bool wins(const BenchRun& run) { return cotangent_error(run) < uniform_error(run); }
 
-/// On how many surfaces cotangent H with mixed areas converges, and its worst error, on one kind of triangulation.
+/// On how many surfaces cotangent H converges, and its worst error, on one kind of triangulation.
 struct Tally {
     int surfaces = 0, converging = 0;
     double worst = 0;
@@ -29,8 +29,8 @@ Tally tally(const BenchRuns& runs, MeshKind kind) {
     Tally tally;
     for (const BenchRun& run : of_kind(runs, kind)) {
         ++tally.surfaces;
-        tally.converging += run.errors("H.mixed").order().converges() ? 1 : 0;
-        tally.worst = std::max(tally.worst, cotangent_error(run, AreaForm::mixed));
+        tally.converging += run.errors(H_with(areas_used)).order().converges() ? 1 : 0;
+        tally.worst = std::max(tally.worst, cotangent_error(run));
     }
     return tally;
 }
@@ -42,10 +42,14 @@ report::Text flat_picture(const CotangentComparison& c) {
     if (c.subject.interior == 0) return words.say("flat.no_inside", "mesh"_a = mesh);
     const bool regular = std::max(c.drift, c.precision) < 1e-4;   // what six digits of the coordinates leave
     const bool improved = !regular && c.drift > 10 * c.precision;
-    return words.say(regular    ? "flat.regular"
-                     : improved ? "flat.improved"
-                                : "flat.as_bad",
-                     "mesh"_a = mesh, "drift"_a = readable(c.drift, 2), "precision"_a = readable(c.precision, 2));
+    report::Text t = words.say(regular    ? "flat.regular"
+                               : improved ? "flat.improved"
+                                          : "flat.as_bad",
+                               "mesh"_a = mesh, "drift"_a = readable(c.drift, 2), "precision"_a = readable(c.precision, 2));
+    const double pull = largest_magnitude(0.5 * c.subject.uniform.rowwise().norm(), [&](int i) { return c.subject.inside(i); });
+    if (regular && c.drift > 10 * c.precision && c.subject.is_rounding(pull))
+        go_on(t, words.say("flat.rounded", "step"_a = readable(coordinate_step(c.subject.mesh()))));
+    return t;
 }
 
 /// The smallest angle of the triangles around a vertex [rad].
@@ -62,7 +66,7 @@ double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topol
 void go_on_about_outlier(report::Text& t, const CotangentComparison& c) {
     Eigen::Index vertex = 0;
     const double largest = c.cotangent.array().isFinite().select(c.cotangent.array().abs(), 0).maxCoeff(&vertex) * c.subject.mean_edge;
-    const double times = largest / cotangent_range(c).high;
+    const double times = largest / cotangent_range(c);
     const double angle = smallest_angle_around(c.subject.mesh(), c.subject.topology(), static_cast<int>(vertex));
     if (times > 10 && angle < thin)
         go_on(t, words.say("curved.outlier", "times"_a = readable(times, 2), "angle"_a = readable(angle * 180 / pi, 2)));
@@ -71,11 +75,15 @@ void go_on_about_outlier(report::Text& t, const CotangentComparison& c) {
 report::Text curved_picture(const CotangentComparison& c) {
     const std::string& mesh = c.subject.name();
     if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = mesh);
-    const double beyond = beyond_range(c.subject.mean_edge * c.uniform, cotangent_range(c));
+    const double range = cotangent_range(c), beyond = share_beyond(c.subject.mean_edge * c.uniform, range);
     report::Text t = words.say(beyond > 0.2 ? "curved.beyond"
                                : beyond > 0 ? "curved.within"
                                             : "curved.all_within",
                                "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2));
+    const SignsByDistance seen = signs_by_distance(c.subject, c.cotangent, 0.05 * range / c.subject.mean_edge);
+    if (seen.caps_outside())
+        go_on(t, words.say("curved.where", "outer"_a = readable_percent(seen.outer_positive, 2),
+                           "inner"_a = readable_percent(seen.inner_negative, 2)));
     const double uniform = roughness(c.uniform, c.subject.topology()), cotangent = roughness(c.cotangent, c.subject.topology());
     if (uniform > 0 && cotangent > 0) {
         const double ratio = uniform / cotangent;
@@ -95,13 +103,13 @@ std::string times_smaller(double factor) {
                        : words.line("times.larger", "factor"_a = readable(1 / factor, 2));
 }
 
-/// Over the surfaces of one kind, where the gain of mixed areas over uniform weights is smallest.
+/// Over the surfaces of one kind, where the gain over uniform weights is smallest.
 report::Text smallest_gain(const BenchRuns& runs, MeshKind kind, const char* key) {
     const BenchRun* least = nullptr;
-    const auto gain = [](const BenchRun& run) { return uniform_error(run) / cotangent_error(run, AreaForm::mixed); };
+    const auto gain = [](const BenchRun& run) { return uniform_error(run) / cotangent_error(run); };
     for (const BenchRun& run : of_kind(runs, kind))
         if (!least || gain(run) < gain(*least)) least = &run;
-    return words.say(key, "surface"_a = least->surface, "error"_a = readable_percent(cotangent_error(*least, AreaForm::mixed), 2),
+    return words.say(key, "surface"_a = least->surface, "error"_a = readable_percent(cotangent_error(*least), 2),
                      "uniform"_a = readable_percent(uniform_error(*least), 2), "times"_a = times_smaller(gain(*least)));
 }
 
@@ -109,8 +117,11 @@ report::Text about_errors(const BenchRuns& runs) {
     const Tally jittered = tally(runs, MeshKind::jittered);
     report::Text t = smallest_gain(runs, MeshKind::regular, "errors.regular");
     go_on(t, smallest_gain(runs, MeshKind::jittered, "errors.jittered"));
+    const auto mixed =
+        std::ranges::count_if(runs, [](const BenchRun& run) { return cotangent_error(run, AreaForm::mixed) < cotangent_error(run); });
+    go_on(t, words.say("errors.mixed", "mixed"_a = mixed, "runs"_a = runs.size()));
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
-    if (const double special = cotangent_error(sphere, AreaForm::voronoi); special < 0.1 * cotangent_error(sphere, AreaForm::barycentric))
+    if (const double special = cotangent_error(sphere, AreaForm::voronoi); special < 0.1 * cotangent_error(sphere))
         go_on(t, words.say("errors.sphere", "error"_a = readable_percent(special, 2)));
     go_on(t, words.say(jittered.converging == 0                   ? "errors.stall"
                        : jittered.converging == jittered.surfaces ? "errors.converge"
@@ -131,9 +142,18 @@ report::Text about_negative_weights(const CotangentComparison& c) {
 }
 
 report::Text about_square(const PlaneTest& plane) {
+    return words.say("square", "uniform"_a = readable(plane.uniform, 2), "cotangent"_a = readable(plane.cotangent, 2));
+}
+
+report::Text about_clamping(const PlaneTest& plane, const BenchRuns& runs) {
+    double least = infinity, most = 0;
+    for (const BenchRun& run : of_kind(runs, MeshKind::jittered)) {
+        least = std::min(least, run.finest().error("H.clamped").l2);
+        most = std::max(most, run.finest().error("H.clamped").l2);
+    }
     const bool costs = plane.clamped > 1e3 * plane.cotangent;
-    return words.say(costs ? "square.clamping_costs" : "square.clamping_free", "cotangent"_a = readable(plane.cotangent, 2),
-                     "clamped"_a = readable(plane.clamped, 2));
+    return words.say(costs ? "square.clamping_costs" : "square.clamping_free", "clamped"_a = readable(plane.clamped, 2),
+                     "least"_a = readable_percent(least, 2), "most"_a = readable_percent(most, 2));
 }
 
 /// Cotangent against uniform over every sequence of meshes of the ground-truth panel, and who does better still.
@@ -147,14 +167,16 @@ report::Text about_panel(const BenchRuns& panel) {
     }
     std::vector<std::string> kinds;
     for (const MeshKind kind : lost) kinds.emplace_back(name_of(kind));
-    const auto error = [&](const char* key) {
+    const auto error = [&](const std::string& key) {
         return readable_percent(run_on(panel, "ellipsoid", MeshKind::random).finest().error(key).l2, 2);
     };
-    return paragraph_of({words.say("panel", "runs"_a = panel.size(), "better_than_uniform"_a = std::ranges::count_if(panel, wins)),
+    const auto better = std::ranges::count_if(panel, wins);
+    return paragraph_of({words.say("panel", "runs"_a = panel.size(), "better_than_uniform"_a = better),
                          kinds.empty()                       ? report::Text()
-                         : lost == std::set{MeshKind::noisy} ? words.say("panel.noisy", "least"_a = readable_percent(least, 2))
+                         : lost == std::set{MeshKind::noisy} ? words.say("panel.noisy", "lost"_a = std::ssize(panel) - better,
+                                                                         "least"_a = readable_percent(rounded_down(least, 2), 2))
                                                              : words.say("panel.lost", "kinds"_a = listed(kinds)),
-                         words.say("panel.jet", "mixed"_a = error("H.mixed"), "jet"_a = error("H.jet"))});
+                         words.say("panel.jet", "cotangent"_a = error(H_with(areas_used)), "jet"_a = error("H.jet"))});
 }
 
 // ---- appendix
@@ -185,16 +207,16 @@ report::Text answer_of(const BenchRuns& runs, const BenchRuns& panel) {
 
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane) {
     const Tally regular = tally(runs, MeshKind::regular), jittered = tally(runs, MeshKind::jittered);
-    return words.say("lead", "regular"_a = readable_percent(regular.worst, 2), "regular_grade"_a = grade(regular.worst),
-                     "jittered"_a = readable_percent(jittered.worst, 2), "jittered_grade"_a = grade(jittered.worst),
-                     "uniform"_a = readable(plane.uniform, 2));
+    return words.say("lead", "regular"_a = readable_percent(regular.worst, 2), "jittered"_a = readable_percent(jittered.worst, 2),
+                     "cotangent"_a = readable(plane.cotangent, 2), "uniform"_a = readable(plane.uniform, 2));
 }
 
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel) {
     for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? flat_picture(c) : curved_picture(c));
+    add_paragraph(section, about_square(plane));
     add_paragraph(section, about_errors(runs));
-    report::Text clamping = about_square(plane);
+    report::Text clamping = about_clamping(plane, runs);
     for (const CotangentComparison& c : meshes)
         if (!c.subject.plane_normal && summary_of(c.difference).count > 0) go_on(clamping, about_negative_weights(c));
     add_paragraph(section, clamping);

@@ -6,30 +6,22 @@
 
 namespace meshfolio::q3_cotangent {
 
-double beyond_range(const Vector& values, const output::ColorRange& range) {
-    int beyond = 0, finite = 0;
-    for (const double v : values) {
-        finite += std::isfinite(v) ? 1 : 0;
-        beyond += v < range.low || v > range.high ? 1 : 0;
-    }
-    return finite > 0 ? double(beyond) / finite : 0;
-}
-
-output::ColorRange cotangent_range(const CotangentComparison& c) {
+double cotangent_range(const CotangentComparison& c) {
     output::Panel panel;
     panel.values = c.subject.mean_edge * c.cotangent;
-    return output::robust_range({panel}, "diverging", "H × mean edge", "", 0.01);
+    return output::robust_range({panel}, "diverging", "", "", 0.01).high;
 }
 
 void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
     SixViewFigure figure{.id = "q3_h", .title = words.line("comparison.title"), .frame_panel = -1, .turnable = true, .view_files = true};
-    int masked = 0;
+    UndefinedVertices masked;
     for (const CotangentComparison& c : meshes) {
         const CurvatureSubject& s = c.subject;
-        const double range = cotangent_range(c).high;
+        const double range = cotangent_range(c);
         const auto add = [&](const char* key, const char* zero, const std::string& name, const Vector& values) {
-            const bool coloured = s.mean_edge * largest_magnitude(values) > 0.01 * range;
-            const std::string label = words.line(coloured ? key : zero, "mesh"_a = s.name(), "range"_a = readable(range, 2));
+            const double most = s.mean_edge * largest_magnitude(values);
+            const std::string label = words.line(most > 0.01 * range ? key : zero, "mesh"_a = s.name(), "range"_a = readable(range, 2),
+                                                 "most"_a = readable(most, 2), "beyond"_a = beyond_words(s.mean_edge * values, range));
             figure.panels.push_back(relative_panel(s, "q3_" + s.name() + "_h_" + name, label, s.mean_edge * values, range));
         };
         add("comparison.uniform", "comparison.uniform.zero", "uniform", c.uniform);
@@ -37,7 +29,7 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
         masked += undefined_vertices(s);
     }
     figure.caption = words.line("comparison.caption", "undefined"_a = undefined_words(masked));
-    figure.range = relative_range(figure.panels, words.line("comparison.quantity"));
+    figure.range = relative_range(words.line("comparison.quantity"));
     add_figure(answer, std::move(figure));
 }
 
@@ -45,13 +37,16 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap) {
     SixViewFigure figure{.id = "q3_h_irregular_plane",
                          .title = words.line("plane.title"),
-                         .subtitle = words.line("plane.subtitle", "vertices"_a = plane.mesh.vertex_count()),
-                         .caption = words.line("plane.caption", "uniform"_a = readable(plane.uniform),
-                                               "cotangent"_a = readable(plane.cotangent, 2), "clamped"_a = readable(plane.clamped)),
-                         .panels = {panel_of(plane.mesh, "q3_uniform_irregular_plane", "uniform, × 4/h²", plane.uniform_H.cwiseAbs()),
-                                    panel_of(plane.mesh, "q3_cotangent_irregular_plane", "cotangent", plane.cotangent_H.cwiseAbs()),
-                                    panel_of(plane.mesh, "q3_clamped_irregular_plane", "cotangent, clamped", plane.clamped_H.cwiseAbs())},
-                         .edges = true};
+                         .caption = words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count()),
+                         .edges = true,
+                         .layout = output::Layout::multiples};
+    const auto show = [&](const std::string& name, const Vector& H, double most) {
+        figure.panels.push_back(panel_of(plane.mesh, "q3_" + name + "_irregular_plane",
+                                         words.line("plane." + name, "most"_a = readable(most, 2)), H.cwiseAbs()));
+    };
+    show("uniform", plane.uniform_H, plane.uniform);
+    show("cotangent", plane.cotangent_H, plane.cotangent);
+    show("clamped", plane.clamped_H, plane.clamped);
     figure.range = range_from_zero(figure.panels, colormap, "|H| × mean edge", 0.01);
     add_figure(answer, std::move(figure));
 }

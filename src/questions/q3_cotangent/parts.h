@@ -15,12 +15,14 @@ namespace meshfolio::q3_cotangent {
 
 inline constexpr report::Words words("q3");
 
+/// One kind of area in the pictures and in what is said of them: that of the mass matrix of all later questions.
+inline constexpr AreaForm areas_used = AreaForm::barycentric;
+
 using Comparisons = std::vector<CotangentComparison>;
 
 // Figures.
-/// What cotangent H sets the colours of a mesh to, and the share of the values beyond a range.
-output::ColorRange cotangent_range(const CotangentComparison& comparison);
-double beyond_range(const Vector& values, const output::ColorRange& range);
+/// Where the colours of a mesh end: cotangent H sets them.
+double cotangent_range(const CotangentComparison& comparison);
 void add_comparison_figure(Answer& answer, const Comparisons& meshes);
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap);
 void add_disagreement_figure(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement,

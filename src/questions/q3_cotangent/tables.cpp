@@ -97,7 +97,7 @@ report::Plot convergence_plot(const BenchRuns& runs) {
     report::Plot plot = error_plot("q3_convergence", words.line("convergence"), words.line("convergence.alt"));
     for (const KnownSurface& surface : question_surfaces()) {
         int color = 0;
-        for (const std::string_view estimator : {std::string_view("H.uniform"), std::string_view("H.mixed")}) {
+        for (const std::string& estimator : {std::string("H.uniform"), H_with(areas_used)}) {
             for (const MeshKind kind : question_kinds) {
                 using enum report::Series::Style;
                 const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);

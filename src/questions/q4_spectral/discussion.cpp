@@ -34,22 +34,27 @@ report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
     return words.say(!closed ? "picture.open" : volume < 0.9 ? "picture.rounded" : "picture.whole", facts);
 }
 
-report::Text what_is_seen(const SpectralStudy& study) {
-    const std::vector<const Reconstruction*> told = told_reconstructions(study);
-    report::Text t = words.say(told.size() < study.reconstructions.size() ? "pictures.further" : "pictures", "mesh"_a = study.name());
-    for (const Reconstruction* r : told) go_on(t, picture_of(study, *r));
-    return t;
-}
-
-/// Where the largest errors of the largest k that leaves any are.
-report::Text where_the_error_sits(const SpectralStudy& study) {
+/// What is still seen of the error: how much less it is than at the first k, and where.
+report::Text where_the_error_sits(const Subject& subject) {
+    const SpectralStudy& study = subject.study;
     const auto& all = study.reconstructions;
     const auto it = std::find_if(all.rbegin(), all.rend(), [&](const Reconstruction& r) { return !is_exact(study, r.k); });
     if (it == all.rend()) return {};
-    const double remoteness = remoteness_of_worst(study, *it);
-    if (remoteness < clear_ratio) return {};
-    return words.say("worst.outside", "k"_a = it->k, "remoteness"_a = readable(remoteness, 2),
-                     "largest"_a = readable(it->difference.max / it->difference.area_weighted_rms, 2));
+    const double first = share_seen(study, all.front()), last = share_seen(study, *it), remoteness = remoteness_of_worst(study, *it);
+    const auto row = std::ranges::find(subject.limbs.errors, it->k, &LimbErrors::k);
+    const double on_thin = row != subject.limbs.errors.end() ? row->seen_on_thin : 0;   // of half the area
+    const report::Facts facts{"k"_a = it->k,
+                              "last"_a = readable_percent(last, 2),
+                              "from"_a = all.front().k,
+                              "first"_a = readable_percent(first, 2),
+                              "limit"_a = readable_percent(seen_error, 1),
+                              "thin"_a = readable_percent(on_thin, 2),
+                              "remoteness"_a = readable(remoteness, 2),
+                              "largest"_a = readable(it->difference.max / it->difference.area_weighted_rms, 2)};
+    const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
+    const bool shrinks = it->k > all.front().k && first > last;
+    return paragraph_of({if_so(shrinks, last > 0 ? "seen.less" : "seen.nothing"), if_so(last > 0 && on_thin > 0.6, "seen.thin"),
+                         if_so(remoteness >= clear_ratio, "worst.outside")});
 }
 
 // ---- the rate
@@ -60,8 +65,9 @@ std::string times_to_halve(const PowerLaw& law) { return readable(std::pow(2, 1 
 report::Text rate(const SpectralStudy& study) {
     const auto law = fall_of_the_error(study);
     if (!law) return {};
-    const report::Text told = words.say("rate", "power"_a = readable(law->power, 2), "times"_a = times_to_halve(*law),
-                                        "first"_a = law->first, "last"_a = law->last, "deviation"_a = readable(law->deviation, 3));
+    const report::Text told =
+        words.say("rate", "power"_a = readable(law->power, 2), "times"_a = times_to_halve(*law), "first"_a = law->first,
+                  "last"_a = law->last, "deviation"_a = readable(law->deviation, 3), "mesh"_a = study.name());
     // Twice as far on, the error would be 2^−power of that at the end of the law.
     const int beyond = std::min(study.modes(), 2 * law->last);
     const bool knee = beyond > law->last && study.rms[beyond] < 0.5 * law->at(beyond);
@@ -108,7 +114,7 @@ report::Text wavelengths(const SpectralStudy& study) {
     const double edge = study.source->prepared->preflight.mean_edge, shortest = wavelength(study, end);
     return words.say(shortest >= 2 * edge ? "wavelengths" : "wavelengths.unresolved", "quarter"_a = quarter, "end"_a = end,
                      "longer"_a = percent_of_box(study, wavelength(study, quarter)), "shorter"_a = percent_of_box(study, shortest),
-                     "edges"_a = readable(shortest / edge, 2), "power"_a = readable(2 * law->power, 2));
+                     "edges"_a = readable(shortest / edge, 2));
 }
 
 // ---- what a large k costs
@@ -153,21 +159,17 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     if (!limbs.measured()) return {};
     const LimbErrors& row = limbs.errors[limbs.errors.size() > 1 ? 1 : 0];
     const LimbErrors& last = limbs.errors.back();
-    const double ratio = row.thin / row.thick, later = last.thin / last.thick, radii = row.thin / (0.5 * limbs.thin_diameter);
-    const report::Facts facts{"k"_a = row.k,     "ratio"_a = readable(ratio, 2), "mesh"_a = study.name(), "radii"_a = readable(radii, 2),
+    const double ratio = row.thin / row.thick, later = last.thin / last.thick, lengths = wavelength(study, row.k) / limbs.thin_diameter;
+    const report::Facts facts{"k"_a = row.k,     "ratio"_a = readable(ratio, 2), "mesh"_a = study.name(), "times"_a = readable(lengths, 2),
                               "last"_a = last.k, "later"_a = readable(later, 2)};
     if (ratio < clear_ratio) return words.say("thin.alike", facts);
     report::Text t = words.say("thin", facts);
     if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
-    if (radii > 0.8) go_on(t, words.say("thin.collapsed", facts));
     const LimbErrors& first = limbs.errors.front();
     if (first.k < row.k && first.thin < first.thick)
         go_on(t, words.say("thin.not_at_first", "k"_a = first.k, "ratio"_a = readable(first.thin / first.thick, 2)));
     if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
-    const double round_limb = wavelength(study, row.k) / (pi * limbs.thin_diameter);
-    if (round_limb > 1 && row.rank_correlation < -0.3)
-        go_on(t, words.say("thin.wavelength", "k"_a = row.k, "times"_a = readable(round_limb, 2),
-                           "correlation"_a = readable(row.rank_correlation, 2)));
+    if (lengths > pi) go_on(t, words.say("thin.wavelength", facts));   // not once round
     return t;
 }
 
@@ -212,7 +214,8 @@ report::Text lead(const std::vector<Subject>& subjects) {
                          "last_error"_a = is_exact(study, last.k) ? words.line("lead.rounding")
                                                                   : percent_of_box(study, last.difference.area_weighted_rms))
              : report::Text(),
-         std::move(thin), law ? words.say("lead.price", "times"_a = times_to_halve(*law)) : report::Text()});
+         std::move(thin),
+         law ? words.say("lead.price", "first"_a = law->first, "last"_a = law->last, "times"_a = times_to_halve(*law)) : report::Text()});
 }
 
 report::Text solvers(const std::vector<Subject>& subjects) {
@@ -225,14 +228,18 @@ report::Text solvers(const std::vector<Subject>& subjects) {
     return told;
 }
 
-void add_discussion(report::Section& section, const std::vector<Subject>& subjects) {
-    for (const Subject& subject : subjects) {
-        const SpectralStudy& study = subject.study;
-        add_paragraphs(
-            section, {paragraph_of({what_is_seen(study), where_the_error_sits(study)}),
-                      paragraph_of({single_vertices(study), rate(study), targets(study), wavelengths(study)}), what_modes_look_like(study),
-                      thin_parts(study, subject.limbs), paragraph_of({why_this_large_k(subject), price_of_large_k(subject)})});
-    }
+report::Text what_is_seen(const Subject& subject) {
+    const SpectralStudy& study = subject.study;
+    const std::vector<const Reconstruction*> told = told_reconstructions(study);
+    report::Text t = words.say(told.size() < study.reconstructions.size() ? "pictures.further" : "pictures", "mesh"_a = study.name());
+    for (const Reconstruction* r : told) go_on(t, picture_of(study, *r));
+    return paragraph_of({t, where_the_error_sits(subject)});
 }
+
+report::Text better_or_not(const SpectralStudy& study) { return paragraph_of({single_vertices(study), targets(study)}); }
+
+report::Text how_fast(const SpectralStudy& study) { return paragraph_of({rate(study), wavelengths(study)}); }
+
+report::Text the_large_k(const Subject& subject) { return paragraph_of({why_this_large_k(subject), price_of_large_k(subject)}); }
 
 }   // namespace meshfolio::q4_spectral

@@ -9,13 +9,14 @@ namespace meshfolio::q4_spectral {
 
 namespace {
 
-/// In percent of its own range, which its label tells: the first k would use up a range of all.
+/// Colours of errors in % of the box diagonal: the same for every k and every mesh, so that all pictures can be compared.
+constexpr double palest = 0.1, darkest = 20;
+
 output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
-    output::Panel panel = meshfolio::panel_of(r.mesh, id_of(study, "k" + std::to_string(r.k)), "", r.distance);
-    const double range = output::robust_range({panel}, "pale", "", "", 0).high;
-    panel.label = words.line("reconstructions.label", "k"_a = r.k, "range"_a = percent_of_box(study, range));
-    panel.values *= 100 / range;
-    return panel;
+    return meshfolio::panel_of(
+        r.mesh, id_of(study, "k" + std::to_string(r.k)),
+        words.line("reconstructions.label", "k"_a = r.k, "rms"_a = percent_of_box(study, r.difference.area_weighted_rms)),
+        percent_of(study) * r.distance);
 }
 
 void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::string& what,
@@ -34,10 +35,11 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
     }
     if (!figure.panels.empty())
         figure.range = range_for({.colormap = "pale",
-                                  .low = 0,
-                                  .high = 100,
+                                  .low = palest,
+                                  .high = darkest,
                                   .quantity = words.line("reconstructions.quantity"),
-                                  .unit = words.line("reconstructions.own_range")},
+                                  .unit = words.line("reconstructions.unit"),
+                                  .logarithmic = true},
                                  figure.panels);
     if (what == "reconstructions") {
         figure.caption =

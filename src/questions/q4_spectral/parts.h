@@ -37,6 +37,8 @@ std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& stu
 std::vector<int> drawn_modes(const SpectralStudy& study);
 /// How many of 100 vertices lie nearer to the centroid than the one where the mode is largest.
 double remoteness_of_peak(const SpectralStudy& study, int mode);
+/// The share of the area that is off by more than seen_error.
+double share_seen(const SpectralStudy& study, const Reconstruction& r);
 /// Is the error of k modes rounding?
 bool is_exact(const SpectralStudy& study, int k);
 
@@ -68,11 +70,14 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);
 report::Text answer_in_short(const std::vector<Subject>& subjects);
 /// What follows it.
 report::Text lead(const std::vector<Subject>& subjects);
-/// Which solver was run.
+/// Which solver was run, and how it is known that no mode is missing.
 report::Text solvers(const std::vector<Subject>& subjects);
-void add_discussion(report::Section& section, const std::vector<Subject>& subjects);
-// Its paragraphs; empty where there is nothing to say.
-report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs);
+// The paragraphs of the discussion; empty where there is nothing to say.
+report::Text what_is_seen(const Subject& subject);
+report::Text better_or_not(const SpectralStudy& study);
+report::Text how_fast(const SpectralStudy& study);
 report::Text what_modes_look_like(const SpectralStudy& study);
+report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs);
+report::Text the_large_k(const Subject& subject);
 
 }   // namespace meshfolio::q4_spectral

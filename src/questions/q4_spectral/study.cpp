@@ -41,6 +41,11 @@ double remoteness_of_peak(const SpectralStudy& study, int mode) {
     return 100 * static_cast<double>((distance.array() < distance[peak] * (1 - 1e-9)).count()) / static_cast<double>(distance.size());
 }
 
+double share_seen(const SpectralStudy& study, const Reconstruction& r) {
+    const Vector& M = study.laplacian.M;
+    return (r.distance.array() > seen_error * study.diagonal).select(M, 0).sum() / M.sum();
+}
+
 bool is_exact(const SpectralStudy& study, int k) { return study.rms[k] < rounding * study.diagonal; }
 
 }   // namespace meshfolio::q4_spectral

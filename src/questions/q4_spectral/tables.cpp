@@ -35,7 +35,7 @@ report::Table error_table(const SpectralStudy& study) {
         .column("k", {.digits = count_digits}, &Reconstruction::k)
         .column("share of all modes", {.unit = "%"}, [&](auto& r) { return 100.0 * r.k / study.vertices(); })
         .column("rms", share, of_box(study, [](auto& r) { return r.difference.area_weighted_rms; }))
-        .column("farther than before", {.unit = "% of vertices", .digits = 2},
+        .column("farther off", {.unit = "% of vertices", .digits = 2},
                 [&](auto& r) { return cell_of(&r == &study.reconstructions.front() ? NAN : 100 * share_made_worse(study, *(&r - 1), r)); })
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
         .column("Hausdorff", share, of_box(study, [](auto& r) { return r.difference.hausdorff; }))
@@ -86,20 +86,17 @@ report::Table eigenvalue_table(const SpectralStudy& study) {
 }
 
 report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs) {
-    const auto round_a_limb = [&](const LimbErrors& row) {
-        return cell_of(wavelength(study, row.k) / (pi * limbs.thin_diameter), study.spectrum.eigenvalues[row.k - 1] > 0);
-    };
+    const report::Column share{.unit = "% of box"};
     return table(id_of(study, "limbs"),
-                 words.line("limbs", "mesh"_a = study.name(), "thin"_a = readable(limbs.thin_diameter),
-                            "thick"_a = readable(limbs.thick_diameter)),
+                 words.line("limbs", "mesh"_a = study.name(), "thin"_a = percent_of_box(study, limbs.thin_diameter),
+                            "thick"_a = percent_of_box(study, limbs.thick_diameter)),
                  limbs.errors)
         .column("k", {.digits = count_digits}, &LimbErrors::k)
-        .column("wavelength / thin girth", round_a_limb)
-        .column("rms, thinnest quarter", {.unit = "% of box"}, of_box(study, &LimbErrors::thin))
-        .column("rms, thickest quarter", {.unit = "% of box"}, of_box(study, &LimbErrors::thick))
-        .column("thin / thick", [](auto& row) { return row.thin / row.thick; })
-        .column(words.line("limbs.farthest"), {.unit = "%"}, [](auto& row) { return 100 * row.far_share; })
-        .column("rank correlation", {.digits = 2}, &LimbErrors::rank_correlation);
+        .column("shortest wavelength", share,
+                [&](auto& row) { return cell_of(percent_of(study) * wavelength(study, row.k), study.spectrum.eigenvalues[row.k - 1] > 0); })
+        .column("error, thin", share, of_box(study, &LimbErrors::thin))
+        .column("error, thick", share, of_box(study, &LimbErrors::thick))
+        .column("thin / thick", [](auto& row) { return row.thin / row.thick; });
 }
 
 report::Table cost_table(const SpectralStudy& study, double factor_entries) {

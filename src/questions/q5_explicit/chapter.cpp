@@ -63,7 +63,7 @@ void add_appendix(Answer& answer, const Studies& studies) {
     add(section, bounds_table(studies));
     add_faces_without_area(section, studies);
     for (const ExplicitStudy& study : studies) {
-        if (&study != &telling(studies)) add_frames_figure(answer, study);
+        if (&study != &telling(studies)) add_frames_figure(answer, study, studies);
         add(section, energy_plot(study));
         add(section, sweep_table(study));
     }
@@ -82,12 +82,15 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
     add(section, damping_plot());
     add_words(section, words, "results");
+    add_paragraphs(section, {how_large(studies)});
     add(section, limit_table(studies));
+    add_paragraphs(section, {which_step(studies), when_to_stop(studies)});
     add_recommended_figure(answer, studies);
-    add_frames_figure(answer, telling(studies));
+    add_paragraphs(section, {too_large(studies)});
+    add_frames_figure(answer, telling(studies), studies);
     add(section, steps_table(studies));
+    add_paragraphs(section, {units_of_lambda(studies)});
     for (const ExplicitStudy& study : studies) add_checks(section, study);
-    add_discussion(section, studies);
     add_appendix(answer, studies);
     add_record(section, studies);
     return answer;

@@ -33,6 +33,8 @@ report::Text places(const Studies& studies, Extent extent, const char* key) {
     return said_of(names, words, key);
 }
 
+}   // namespace
+
 report::Text how_large(const Studies& studies) {
     const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
     // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
@@ -49,6 +51,8 @@ report::Text how_large(const Studies& studies) {
 }
 
 // ---- which one to take
+
+namespace {
 
 /// The largest stable step beyond half the limit that was tried; as many as there are: none.
 std::size_t largest_that_flips(const ExplicitStudy& study) {
@@ -120,7 +124,13 @@ report::Text farther_along(const Studies& studies) {
     return {};
 }
 
+}   // namespace
+
+report::Text which_step(const Studies& studies) { return paragraph_of({why_half(studies), farther_along(studies)}); }
+
 // ---- when to stop
+
+namespace {
 
 /// What the recommended step does to one mesh, as its figure shows.
 report::Text effect_of(const ExplicitStudy& study) {
@@ -129,34 +139,38 @@ report::Text effect_of(const ExplicitStudy& study) {
     const report::Facts facts{"mesh"_a = study.name(),
                               "iterations"_a = run.iterations,
                               "size"_a = share_left(run.size.back()),
-                              "before"_a = readable(best.roughness_before, 2),
-                              "after"_a = readable(best.roughness_after, 2),
                               "features"_a = readable(best.on_features, 2),
                               "boundary"_a = readable(best.on_boundary, 2),
                               "time"_a = readable(study.in_edges(best.time()), 2),
                               "turned"_a = run.moved.inverted_faces,
                               "faces"_a = study.subject.mesh().face_count()};
     const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
-    return paragraph_of({words.say(best.all_kept ? "stop.kept" : "stop.mesh", facts),
-                         if_so(best.roughness_before > 5 && best.roughness_after < 0.8 * best.roughness_before, "stop.roughness"),
-                         if_so(best.on_features > 1.5, "stop.features"), if_so(best.on_boundary > 1.5, "stop.boundary"),
-                         if_so(run.moved.inverted_faces > 0, "stop.turned")});
+    return paragraph_of({if_so(best.all_kept, "stop.kept"), if_so(best.on_features > 1.5, "stop.features"),
+                         if_so(best.on_boundary > 1.5, "stop.boundary"), if_so(run.moved.inverted_faces > 0, "stop.turned")});
 }
 
+}   // namespace
+
 report::Text when_to_stop(const Studies& studies) {
-    Names none;
+    Names none, smoother;
     report::Text effects;
     for (const ExplicitStudy& study : studies) {
-        if (study.recommended)
-            effects = paragraph_of({effects, effect_of(study)});
-        else
+        if (!study.recommended) {
             none.push_back(study.name());
+            continue;
+        }
+        const Recommendation& best = *study.recommended;
+        if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before) smoother.push_back(study.name());
+        effects = paragraph_of({effects, effect_of(study)});
     }
-    if (!effects.empty())
-        effects = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)),
-                                studies.size() > 1 ? words.say("stop.lambda_t") : report::Text(), effects});
-    return paragraph_of({effects, said_of(none, words, "good.none")});
+    report::Text stop;
+    if (none.size() < studies.size())
+        stop = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)),
+                             studies.size() > 1 ? words.say("stop.lambda_t") : report::Text(), said_of(smoother, words, "stop.roughness")});
+    return paragraph_of({stop, effects, said_of(none, words, "good.none")});
 }
+
+namespace {
 
 // ---- and beyond
 
@@ -174,12 +188,25 @@ report::Text growth_of_the_top_mode(const ExplicitStudy& study) {
                               "step"_a = readable(factor, 3),
                               "measured"_a = readable(study.amplification[i].measured, 2),
                               "predicted"_a = readable(study.amplification[i].predicted, 2),
-                              "iteration"_a = least - energy.begin()};
+                              "iteration"_a = least - energy.begin(),
+                              "iterations"_a = study.runs[i].iterations};
     return paragraph_of({words.say("beyond", facts),
                          falls && rises ? words.say("beyond.turns", facts)
                          : rises        ? words.say("beyond.rises", facts)
                                         : report::Text(),
-                         rises && top_mode_in(study.subject) < 1e-9 ? words.say("beyond.symmetric", facts) : report::Text()});
+                         study.runs[i].result.blew_up ? report::Text() : words.say("beyond.only_grows", facts)});
+}
+
+/// How many faces the largest step, beyond the limit, has turned over in its last frame up to t = 5: at the end there is nothing to count.
+report::Text turned_early(const ExplicitStudy& study) {
+    const Strip& strip = study.strips.back();
+    if (strip.run + 1 != study.runs.size() || !study.runs.back().result.blew_up) return {};
+    std::size_t frame = strip.frames.size() - 1;
+    while (study.frame_times[frame] > 5) --frame;
+    const int turned = faces_turned(study.subject.mesh(), strip.frames[frame]);
+    if (turned == 0) return {};
+    return words.say("beyond.turned_early", "t"_a = study.frame_times[frame], "turned"_a = turned,
+                     "faces"_a = study.subject.mesh().face_count(), "mesh"_a = study.name());
 }
 
 /// Where the top mode is largest at the vertex that breaks away first.
@@ -246,18 +273,22 @@ StudyPointers tried_beyond(const Studies& studies) {
     return beyond;
 }
 
+}   // namespace
+
 report::Text too_large(const Studies& studies) {
     const StudyPointers beyond = tried_beyond(studies);
     Names within;
     for (const ExplicitStudy& study : studies)
         if (study.first_beyond() == study.runs.size()) within.push_back(study.name());
-    report::Text growth;
+    report::Text growth, turned;
     if (!beyond.empty()) {
-        const ExplicitStudy& shown = telling(studies);
-        growth = growth_of_the_top_mode(shown.first_beyond() < shown.runs.size() ? shown : *beyond.front());
+        const ExplicitStudy& telling_one = telling(studies);
+        const ExplicitStudy& shown = telling_one.first_beyond() < telling_one.runs.size() ? telling_one : *beyond.front();
+        growth = growth_of_the_top_mode(shown);
+        turned = turned_early(shown);
     }
-    return paragraph_of(
-        {growth, where_it_breaks(beyond), where_it_shows(beyond), what_energy_hides(beyond), said_of(within, words, "beyond.none")});
+    return paragraph_of({growth, where_it_breaks(beyond), turned, where_it_shows(beyond), what_energy_hides(beyond),
+                         said_of(within, words, "beyond.none")});
 }
 
 // ---- what a number for λ means
@@ -274,7 +305,7 @@ report::Text units_of_lambda(const Studies& studies) {
                                    "limit"_a = from != to ? words.line("units.range", "low"_a = from, "high"_a = to) : from)});
 }
 
-}   // namespace
+// ---- first of all
 
 const ExplicitStudy& telling(const Studies& studies) {
     return *std::ranges::max_element(studies, {}, [](const ExplicitStudy& study) {
@@ -283,6 +314,24 @@ const ExplicitStudy& telling(const Studies& studies) {
     });
 }
 
+namespace {
+
+/// With the blow-up where all meshes show it at one step.
+report::Text beyond_in_short(const Studies& studies) {
+    int last = 0;
+    std::string limits;
+    for (const ExplicitStudy& study : studies) {
+        const SmoothingRun& run = study.runs.back();
+        const std::string step = in_limits(study.subject, run.lambda);
+        if (!run.result.blew_up || (!limits.empty() && step != limits)) return words.say("answer.beyond");
+        limits = step;
+        last = std::max(last, run.result.blow_up_iteration);
+    }
+    return words.say("answer.beyond.blown", "limits"_a = limits, "meshes"_a = studies.size(), "last"_a = last);
+}
+
+}   // namespace
+
 report::Text answer_in_short(const Studies& studies) {
     double least = INFINITY, most = 0;   // of the recommended steps, over λ_crit
     for (const ExplicitStudy& study : studies) {
@@ -290,20 +339,20 @@ report::Text answer_in_short(const Studies& studies) {
         least = std::min(least, study.recommended->stopped.lambda / study.subject.critical);
         most = std::max(most, study.recommended->stopped.lambda / study.subject.critical);
     }
-    return words.say(most == 0 ? "answer.none" : most > 0.51 ? "answer.stable" : least < 0.49 ? "answer.smaller" : "answer");
+    return words.say(most == 0      ? "answer.none"
+                     : most > 0.51  ? "answer.stable"
+                     : least < 0.49 ? "answer.smaller"
+                                    : "answer",
+                     "beyond"_a = beyond_in_short(studies));
 }
 
 report::Text lead(const Studies& studies) {
     Names stops;
     for (const ExplicitStudy& study : studies)
         if (study.recommended)
-            stops.push_back(words.line("lead.stop", "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name()));
+            stops.push_back(words.line("lead.stop", "lambda"_a = readable(study.recommended->stopped.lambda, 2),
+                                       "iterations"_a = study.recommended->stopped.iterations, "mesh"_a = study.name()));
     return paragraph_of({words.say("lead"), stops.empty() ? report::Text() : words.say("lead.stops", "stops"_a = listed(stops))});
-}
-
-void add_discussion(report::Section& section, const Studies& studies) {
-    add_paragraphs(section, {how_large(studies), paragraph_of({why_half(studies), farther_along(studies)}), when_to_stop(studies),
-                             too_large(studies), units_of_lambda(studies)});
 }
 
 }   // namespace meshfolio::q5_explicit

@@ -3,6 +3,8 @@
 
 #include "base/number_text.h"
 #include "mesh/triangle_measures.h"
+#include "output/draw/framing.h"
+#include "questions/bench/curvature_subject.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
@@ -14,14 +16,40 @@ namespace {
 /// Few enough triangles to be drawn with their edges.
 bool shows_edges(const ExplicitStudy& study) { return study.subject.mesh().face_count() < 3000; }
 
-/// The state of a run in one of its frames; an empty cell once it is blown up.
-output::Panel frame_of(const ExplicitStudy& study, const Strip& strip, std::size_t column) {
+/// A state of a run in one of its frames. Where spikes would be cut off it is drawn smaller, by `scale`.
+struct Frame {
+    output::Panel panel;   // an empty cell once the mesh is blown up or too wide
+    double scale = 1;
+};
+
+Frame frame_of(const ExplicitStudy& study, const Strip& strip, std::size_t column) {
     const SmoothingRun& run = study.runs[strip.run];
     const int t = study.frame_times[column];
     const std::string name = id_of("q5", study.name(), "frame_" + step_name(run.lambda) + "_t" + std::to_string(t));
-    if (column >= strip.frames.size()) return {name, words.line("frames.blew_up", "iteration"_a = run.result.blow_up_iteration), nullptr};
-    return framed_panel(study.subject, strip.frames[column], name,
-                        words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t));
+    if (column >= strip.frames.size()) return {{name, words.line("frames.blew_up", "iteration"_a = run.result.blow_up_iteration), nullptr}};
+    const Positions& X = strip.frames[column];
+    output::FittedPositions fitted = output::fitted_into_frame(study.subject.mesh(), X);
+    Frame frame{
+        framed_panel(study.subject, X, name, words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t))};
+    if (!frame.panel.mesh) return frame;
+    frame.panel.values = curvature_colours(study.subject, X);
+    frame.scale = fitted.scale;
+    if (fitted.scale < 1) frame.panel.mesh = std::make_shared<const TriangleMesh>(moved_to(study.subject.mesh(), std::move(fitted.X)));
+    return frame;
+}
+
+/// The colours of all inputs, which the figures of this question share.
+output::ColorRange range_of(const Studies& studies) {
+    std::vector<output::Panel> inputs;
+    for (const ExplicitStudy& study : studies)
+        inputs.push_back({"", "", nullptr, curvature_colours(study.subject, study.subject.mesh().X)});
+    return curvature_range(inputs);
+}
+
+/// What a caption says where a mesh has sharp edges.
+std::string on_sharp_edges(const Studies& studies) {
+    const bool sharp = std::ranges::any_of(studies, [](const ExplicitStudy& s) { return s.recommended && s.recommended->on_features > 0; });
+    return sharp ? " " + words.line("figure.sharp") : "";
 }
 
 report::Facts facts_of(const ExplicitStudy& study) {
@@ -33,7 +61,8 @@ report::Facts facts_of(const ExplicitStudy& study) {
 void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
-    const report::Facts facts = facts_of(study);
+    report::Facts facts = facts_of(study);
+    facts.push_back("sharp"_a = on_sharp_edges(studies));
     SixViewFigure figure{.id = id,
                          .title = words.line("recommended.title", facts),
                          .subtitle = subtitle_of(*study.subject.source),
@@ -54,16 +83,14 @@ output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, cons
 /// Several meshes: each input beside its result.
 void add_all(Answer& answer, const Studies& studies, const std::string& id) {
     SixViewFigure figure{.id = id, .title = words.line("results.title"), .frame_panel = -1};
-    std::vector<output::Panel> inputs;
     for (const ExplicitStudy& study : studies) {
         if (!study.recommended) continue;
         const report::Facts facts = facts_of(study);
         figure.panels.push_back(resized_panel(study, study.subject.mesh().X, "input", words.line("results.input", facts)));
-        inputs.push_back(figure.panels.back());
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
     }
-    figure.caption = words.line("results.caption");
-    figure.range = curvature_range(inputs);
+    figure.caption = words.line("results.caption", "sharp"_a = on_sharp_edges(studies));
+    figure.range = range_of(studies);
     add_figure(answer, std::move(figure));
 }
 
@@ -81,19 +108,29 @@ void add_recommended_figure(Answer& answer, const Studies& studies) {
         add_all(answer, studies, recommended_figure(studies));
 }
 
-void add_frames_figure(Answer& answer, const ExplicitStudy& study) {
+void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies& studies) {
     output::FigureRequest request;
     request.id = id_of("q5", study.name(), "frames");
     request.title = words.line("frames.title", "mesh"_a = study.name());
     request.subtitle = subtitle_of(*study.subject.source);
     request.layout = output::Layout::one_frame;
     request.edges = shows_edges(study);
+    std::vector<std::string> shrunk;
     for (const int t : study.frame_times) request.columns.push_back("t = " + std::to_string(t));
     for (const Strip& strip : study.strips) {
-        request.rows.push_back(words.line("frames.row", "limits"_a = in_limits(study.subject, study.runs[strip.run].lambda)));
-        for (std::size_t column = 0; column < study.frame_times.size(); ++column) request.panels.push_back(frame_of(study, strip, column));
+        const std::string limits = in_limits(study.subject, study.runs[strip.run].lambda);
+        request.rows.push_back(words.line("frames.row", "limits"_a = limits));
+        for (std::size_t column = 0; column < study.frame_times.size(); ++column) {
+            Frame frame = frame_of(study, strip, column);
+            if (frame.scale < 1)
+                shrunk.push_back(words.line("frames.shrunk.state", "limits"_a = limits, "t"_a = study.frame_times[column],
+                                            "scale"_a = readable_percent(frame.scale, 2)));
+            request.panels.push_back(std::move(frame.panel));
+        }
     }
-    const std::string caption = words.line("frames.caption", "mesh"_a = study.name());
+    request.range = range_for(range_of(studies), request.panels);
+    const std::string small = shrunk.empty() ? "" : " " + words.line("frames.shrunk", "states"_a = listed(shrunk));
+    const std::string caption = words.line("frames.caption", "mesh"_a = study.name(), "shrunk"_a = small);
     std::string alt = caption;
     for (const output::Panel& panel : request.panels)
         if (!panel.mesh) alt += " " + panel.label + ".";

@@ -19,8 +19,8 @@ const ExplicitStudy& telling(const Studies& studies);
 /// The inputs, and what the recommended steps make of them from six directions; nothing where none is recommended.
 void add_recommended_figure(Answer& answer, const Studies& studies);
 std::string recommended_figure(const Studies& studies);
-/// Frames of a stable step, of one just beyond the limit, and of one far beyond.
-void add_frames_figure(Answer& answer, const ExplicitStudy& study);
+/// Frames of a stable step, of one just beyond the limit, and of one far beyond, in the colours of the figure above.
+void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies& studies);
 
 // Tables and plots.
 /// What a step multiplies a mode by, explicit and implicit.
@@ -38,6 +38,12 @@ report::Table sweep_table(const ExplicitStudy& study);
 report::Text answer_in_short(const Studies& studies);
 /// What follows it.
 report::Text lead(const Studies& studies);
-void add_discussion(report::Section& section, const Studies& studies);
+// The paragraphs of the discussion.
+report::Text how_large(const Studies& studies);
+report::Text which_step(const Studies& studies);
+report::Text when_to_stop(const Studies& studies);
+report::Text too_large(const Studies& studies);
+/// What a number for λ means.
+report::Text units_of_lambda(const Studies& studies);
 
 }   // namespace meshfolio::q5_explicit

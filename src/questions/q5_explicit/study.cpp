@@ -137,6 +137,10 @@ ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
 
 bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda <= 0.5 * subject.critical * (1 + 1e-12); }
 
+int faces_turned(const TriangleMesh& mesh, const Positions& X) {
+    return static_cast<int>((face_normals(mesh).cwiseProduct(face_normals(moved_to(mesh, X))).rowwise().sum().array() < 0).count());
+}
+
 int earliest_blow_up(const SmoothingSubject& subject, double lambda) {
     const double growth = std::abs(1 - lambda * subject.top.value);
     if (!(growth > 1)) return std::numeric_limits<int>::max();

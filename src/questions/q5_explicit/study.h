@@ -61,6 +61,9 @@ ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
 bool keeps_signs(const SmoothingSubject& subject, double lambda);
 
+/// Of the triangles of `mesh`, how many face away from where they did when its vertices are at X.
+int faces_turned(const TriangleMesh& mesh, const Positions& X);
+
 /// No vertex is blown up in an earlier iteration than this: modes grow by |1 − λμ_max| a step at most, all coordinates together.
 int earliest_blow_up(const SmoothingSubject& subject, double lambda);
 

@@ -31,7 +31,7 @@ std::string outcome_of(const ExplicitStudy& study, std::size_t i) {
     if (run.result.blew_up) return words.line("outcome.blew_up", "iteration"_a = run.result.blow_up_iteration);
     if (!study.stable(i)) return words.line("outcome.growing");
     if (!study.recommended || study.recommended->run != i) return words.line("outcome.stable");
-    return words.line("outcome.recommended", "stop"_a = study.recommended->stopped.iterations);
+    return words.line("outcome.recommended");
 }
 
 void append_trials(std::vector<Trial>& trials, const ExplicitStudy& study) {
@@ -87,7 +87,7 @@ report::Table limit_table(const Studies& studies) {
         .column("λ_crit", {.unit = "length²"}, [](auto& s) { return s.subject.critical; })
         .column("λ_crit/h̄²", &ExplicitStudy::critical_in_edges)
         .column("top mode on", {.unit = "vertices", .digits = 2}, [](auto& s) { return s.subject.top.support; })
-        .column("recommended λ/λ_crit", of_best([](auto& s, auto& best) { return best.stopped.lambda / s.subject.critical; }))
+        .column("our λ", {.unit = "length²"}, of_best([](auto&, auto& best) { return best.stopped.lambda; }))
         .column("iterations", {.digits = 6}, of_best([](auto&, auto& best) { return best.stopped.iterations; }))
         .column("λt", {.unit = "h̄²", .digits = 2}, of_best([](auto& s, auto& best) { return s.in_edges(best.time()); }))
         .column("face angle before", {.unit = "°", .digits = 2}, of_best([](auto&, auto& best) { return best.roughness_before; }))
@@ -103,7 +103,7 @@ report::Table steps_table(const Studies& studies) {
         .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
         .column("top mode ×", [](auto& t) { return above_rounding(t.growth.measured); })
         .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
-        .column("volume", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.volume_ratio); })
+        .column("size", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.size.back()); })
         .column("faces turned over", {.digits = 6}, [](auto& t) { return cell_of(t.run.moved.inverted_faces, !t.run.result.blew_up); })
         .column("outcome", &Trial::outcome);
 }

@@ -257,6 +257,7 @@ void describe(Fields& fields, part_of<Legend> auto& legend) {
     fields.optional("clipped_above", legend.clipped_above, 0, "share of the values");
     fields.optional("undefined", legend.undefined, {}, "colour of what has no value; absent: everything has one");
     fields.optional("histogram", legend.histogram, {}, "share of the values in equal bins");
+    fields.optional("log", legend.log, false, "equal ratios are equally far apart");
 }
 
 template <class Fields>

@@ -100,7 +100,7 @@ void describe(QPDF& pdf, const PdfDetails& details) {
     set("/CreationDate", details.date);
     set("/ModDate", details.date);
     pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
-    pdf.getTrailer().removeKey("/ID");   // its first half, a random one of some engines, would be kept
+    pdf.getTrailer().removeKey("/ID");   // else the first half is kept, which some engines choose at random
     QPDFObjectHandle root = pdf.getRoot();
     root.removeKey("/Metadata");   // XMP of some engines: the same again, with the hour
     QPDFObjectHandle preferences = QPDFObjectHandle::newDictionary();

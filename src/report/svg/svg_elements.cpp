@@ -66,6 +66,11 @@ std::string line_element(Point a, Point b, const std::string& attributes) {
     return "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) + "\" " + attributes + "/>\n";
 }
 
+std::string rectangle_element(const Box& box, const std::string& attributes) {
+    return "<rect x=\"" + px(box.left) + "\" y=\"" + px(box.top) + "\" width=\"" + px(box.right - box.left) + "\" height=\"" +
+           px(box.bottom - box.top) + "\" " + attributes + "/>\n";
+}
+
 Look look_of(const Series& series, std::size_t place) {
     constexpr std::array<const char*, 6> colors{"#0b5fa5", "#c2410c", "#047857", "#86198f", "#92600a", "#475569"};
     constexpr std::array<const char*, 7> dashes{"", "9 4", "2.5 3.5", "11 4 2.5 4", "5 3", "14 5", "7 3 2 3 2 3"};

@@ -26,6 +26,7 @@ std::string title_element(Point& at, const std::string& anchor, const std::strin
 double title_lines(const std::string& words);
 
 std::string line_element(Point a, Point b, const std::string& attributes);
+std::string rectangle_element(const Box& box, const std::string& attributes);
 
 /// How a series is drawn. No two of a plot's first 42 look the same, in whatever styles: they repeat the colours after six and the
 /// patterns, each a kind of dashes and a shape of points, after seven.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "base/number_text.h"
 #include "report/escape.h"
@@ -16,11 +18,6 @@ constexpr double first_colour = 24, last_colour = legend_width - 24, colours_hei
 std::string legend_title(const Legend& legend) { return legend.quantity + (legend.unit.empty() ? "" : " [" + legend.unit + "]"); }
 
 std::string share_of(double share) { return share < 0.001 ? "< 0.1 %" : readable_percent(share, share < 0.01 ? 1 : 2); }
-
-std::string legend_box(const Box& box, const std::string& attributes) {
-    return "<rect x=\"" + px(box.left) + "\" y=\"" + px(box.top) + "\" width=\"" + px(box.right - box.left) + "\" height=\"" +
-           px(box.bottom - box.top) + "\" " + attributes + "/>\n";
-}
 
 /// Heights are square roots of the shares: a rare value stays visible beside a frequent one.
 std::string legend_histogram(const std::vector<double>& shares, double bottom) {
@@ -43,9 +40,10 @@ std::string legend_colours(const Legend& legend, double top) {
     const double step = (last_colour - first_colour) / static_cast<double>(legend.colours.size());
     for (std::size_t i = 0; i < legend.colours.size(); ++i) {
         const double left = first_colour + static_cast<double>(i) * step;
-        svg += legend_box({left, top, left + step, bottom}, "fill=\"" + xml_escape(safe_text(legend.colours[i])) + "\"");
+        svg += rectangle_element({left, top, left + step, bottom}, "fill=\"" + xml_escape(safe_text(legend.colours[i])) + "\"");
     }
-    svg += "</g>\n" + legend_box({first_colour, top, last_colour, bottom}, "fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.4\"");
+    svg += "</g>\n" +
+           rectangle_element({first_colour, top, last_colour, bottom}, "fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.4\"");
     const auto tip_of = [&](double base, double out, const std::string& colour) {
         return "<path d=\"M" + px(base) + " " + px(top) + "L" + px(base + out) + " " + px(middle) + "L" + px(base) + " " + px(bottom) +
                "\" fill=\"" + xml_escape(safe_text(colour)) + "\" stroke=\"currentColor\" stroke-opacity=\"0.4\"/>\n";
@@ -57,29 +55,19 @@ std::string legend_colours(const Legend& legend, double top) {
 
 /// Round numbers that stand apart and within the drawing.
 std::string legend_ticks(const Legend& legend, double top) {
-    const Axis axis = Axis::exactly(legend.low, legend.high, false);
-    std::size_t labelled = 0;
-    double widest = 0;
-    for (const Tick& tick : axis.ticks()) {
-        labelled += tick.label.empty() ? 0 : 1;
-        widest = std::max(widest, text_width(tick.label));
-    }
-    const double room = (last_colour - first_colour) / static_cast<double>(std::max<std::size_t>(1, labelled));
-    const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil((widest + 10) / room)));
-    std::size_t zero = 0, number = 0;   // of the labelled ticks, 0 keeps its number
-    for (const Tick& tick : axis.ticks()) {
-        if (tick.label.empty()) continue;
-        if (tick.value == 0) zero = number;
-        ++number;
-    }
+    const Axis axis = Axis::exactly(legend.low, legend.high, legend.log);
+    std::vector<Tick> ticks;   // a logarithmic axis has others without a number
+    std::ranges::copy_if(axis.ticks(), std::back_inserter(ticks), [](const Tick& tick) { return !tick.label.empty(); });
+    const double room = (last_colour - first_colour) / static_cast<double>(std::max<std::size_t>(1, ticks.size()));
+    const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil((widest_label(axis) + 10) / room)));
+    std::size_t zero = 0;   // keeps its number
+    for (std::size_t i = 0; i < ticks.size(); ++i) zero = ticks[i].value == 0 ? i : zero;
     std::string svg;
-    number = 0;
-    for (const Tick& tick : axis.ticks()) {
-        if (tick.label.empty()) continue;
-        const double x = first_colour + axis.position(tick.value) * (last_colour - first_colour), half = text_width(tick.label) / 2;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const double x = first_colour + axis.position(ticks[i].value) * (last_colour - first_colour), half = text_width(ticks[i].label) / 2;
         svg += line_element({x, top}, {x, top + 4}, firm);
-        if ((number++ + every * labelled - zero) % every != 0) continue;
-        svg += text_element({std::clamp(x, half, legend_width - half), top + 17}, "middle", tick.label);
+        if ((i + every * ticks.size() - zero) % every != 0) continue;
+        svg += text_element({std::clamp(x, half, legend_width - half), top + 17}, "middle", ticks[i].label);
     }
     return svg;
 }
@@ -90,8 +78,8 @@ std::string legend_notes(const Legend& legend, double baseline) {
     if (legend.clipped_above > 0) svg += text_element({legend_width, baseline}, "end", share_of(legend.clipped_above) + " above");
     if (!legend.undefined.empty()) {
         const double left = legend_width / 2 - 40;
-        svg += legend_box({left, baseline - 10, left + 11, baseline + 1},
-                          "fill=\"" + xml_escape(safe_text(legend.undefined)) + "\" stroke=\"currentColor\"");
+        svg += rectangle_element({left, baseline - 10, left + 11, baseline + 1},
+                                 "fill=\"" + xml_escape(safe_text(legend.undefined)) + "\" stroke=\"currentColor\"");
         svg += text_element({left + 17, baseline}, "start", "undefined");
     }
     return svg;

@@ -20,11 +20,6 @@ Axis axis_of(const std::vector<double>& edges, bool logarithmic) {
     return edges.empty() ? Axis({}, logarithmic) : Axis::exactly(edges.front(), edges.back(), logarithmic);
 }
 
-std::string rectangle(const Box& box, const std::string& more) {
-    return "<rect x=\"" + px(box.left) + "\" y=\"" + px(box.top) + "\" width=\"" + px(box.right - box.left) + "\" height=\"" +
-           px(box.bottom - box.top) + "\" " + more + "/>\n";
-}
-
 class MapDrawing {
 public:
     explicit MapDrawing(const Map& map)
@@ -191,7 +186,7 @@ private:
             for (std::size_t i = 0; i < panel.lines.size(); ++i) svg += line(panel.lines[i], i, frame);
             svg += letters(panel, frame);
         }
-        return svg + rectangle(frame, "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1\"") + ticks_below(x_, frame) +
+        return svg + rectangle_element(frame, "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1\"") + ticks_below(x_, frame) +
                (panel.title.empty() ? "" : text_element({middle.x, top_ - 7}, "middle", panel.title, " font-weight=\"600\""));
     }
 
@@ -222,7 +217,7 @@ private:
             }
         }
         if (map_.undefined.empty() || !any_undefined()) return;
-        add(map_.undefined, [&](Point left) { return rectangle({left.x, left.y - 6, left.x + 28, left.y + 6}, hatched()); });
+        add(map_.undefined, [&](Point left) { return rectangle_element({left.x, left.y - 6, left.x + 28, left.y + 6}, hatched()); });
     }
 
     std::string x_titles() const {
@@ -239,7 +234,7 @@ private:
         std::string svg = "<g shape-rendering=\"crispEdges\">\n";
         for (int band = 0; band < MapScale::bands; ++band) {
             const double bottom = bar.bottom - band * band_height;
-            svg += rectangle({bar.left, bottom - band_height, bar.right, bottom}, "fill=\"" + scale_.color(band) + "\"");
+            svg += rectangle_element({bar.left, bottom - band_height, bar.right, bottom}, "fill=\"" + scale_.color(band) + "\"");
         }
         svg += "</g>\n";
         const auto tip = [&](double y, double towards, int band) {
@@ -248,7 +243,7 @@ private:
         };
         if (scale_.clips_above()) tip(bar.top, -8, MapScale::bands - 1);
         if (scale_.clips_below()) tip(bar.bottom, 8, 0);
-        return svg + rectangle(bar, "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1\"") + ticks_beside(values_, bar, true);
+        return svg + rectangle_element(bar, "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1\"") + ticks_beside(values_, bar, true);
     }
 
     const Map& map_;

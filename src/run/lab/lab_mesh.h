@@ -46,7 +46,7 @@ struct LabMesh {
     std::vector<LabReading> readings;
 
     double critical() const { return 2 / largest_eigenvalue; }
-    bool has_all_modes() const { return eigenvalues.size() >= mesh.X.rows(); }
+    bool has_all_modes() const { return eigenvalues.size() >= (laplacian.M.array() > 0).count(); }   // a vertex without area has none
 };
 
 /// @param questions  whose panels open on this mesh, with the user's settings; "lab": one that belongs to none

@@ -30,7 +30,7 @@ const std::vector<LabPreset>& lab_presets() {
         {"q6", "explicit at the same λ", {"explicit", 2, 6}},
         {"q6", "implicit at 100 λ_crit", {"implicit", 100, 1}},
         {"q6", "exact heat flow for that time", {"heat", 100, 1}},
-        {"q7", "noisy", {"explicit", 0.25, 0, 0.01}},
+        {"q7", "noisy: σ = 1 %", {"explicit", 0.25, 0, 0.01}},
         {"q7", "best t for this noise", {"explicit", 0.25, best_count, 0.01}},
         {"q7", "too long", {"explicit", 0.25, 200, 0.01}},
         {"q7", "drift: what cannot come back", {"explicit", 0.25, best_count, 0.01}, true},

@@ -64,17 +64,9 @@ TEST(DenoisingMethods, AreKnownByName) {
     for (const DenoisingEntry& entry : denoising_list()) {
         EXPECT_TRUE(names.insert(entry.name).second);
         EXPECT_TRUE(titles.insert(entry.title).second);
-        EXPECT_EQ(denoising_method_named(std::string(entry.name)), entry.method);
         EXPECT_EQ(denoising_entry(entry.method).name, entry.name);
     }
     EXPECT_EQ(names.size(), 8u);
-    try {
-        denoising_method_named("guidid");
-        FAIL();
-    } catch (const UsageError& error) {
-        EXPECT_NE(std::string(error.what()).find("guidid"), std::string::npos);
-        EXPECT_NE(std::string(error.what()).find("'guided'"), std::string::npos);
-    }
 }
 
 TEST(DenoisingMethods, MoveAndTurnAndScaleWithTheMesh) {

@@ -9,6 +9,7 @@
 #include "base/file_bytes.h"
 #include "mesh/samples/sample_shapes.h"
 #include "output/draw/finished_picture.h"
+#include "output/draw/framing.h"
 #include "output/draw/surface_of.h"
 #include "png/png.h"
 #include "scene/camera.h"
@@ -79,6 +80,17 @@ TEST(DrawFigures, AMeshFitsTheFrameOfAnotherUntilItIsWiderThanThePicture) {
     Positions lost = cube.X;
     lost(0, 0) = NAN;
     EXPECT_FALSE(fit_frame_of(cube, lost));
+}
+
+TEST(DrawFigures, WhatThePictureWouldCutOffIsScaledAboutItsMiddleUntilItFits) {
+    const TriangleMesh cube = cube_mesh(3);
+    EXPECT_EQ(fitted_into_frame(cube, cube.X).scale, 1);
+    Positions spiked = cube.X;
+    spiked.row(0) *= 20;
+    const FittedPositions fitted = fitted_into_frame(cube, spiked);
+    EXPECT_LT(fitted.scale, 0.1);
+    EXPECT_EQ(fitted_into_frame(cube, fitted.X).scale, 1) << "now it fits";
+    EXPECT_NEAR((fitted.X.row(5) - fitted.X.row(9)).norm(), fitted.scale * (spiked.row(5) - spiked.row(9)).norm(), 1e-12);
 }
 
 TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {

@@ -46,6 +46,64 @@ TEST(CurvatureSubject, SharedRangeReportsWhatEachFigureClips) {
     EXPECT_EQ(range.clipped_above, 0.25);
 }
 
+TEST(CurvatureSubject, LabelsTellWhatLiesBeyondTheirOwnRange) {
+    Vector values(5);
+    values << -2, 0, 0.5, 3, std::nan("");
+    EXPECT_EQ(share_beyond(values, 1), 0.5);
+    EXPECT_NE(beyond_words(values, 1).find("50"), std::string::npos);
+    EXPECT_EQ(beyond_words(values, 3), "");
+}
+
+TEST(CurvatureSubject, OnATorusKIsPositiveOutsideAndNegativeInside) {
+    const TriangleMesh torus = torus_mesh(48, 24, 1, 0.4);
+    const CurvatureSubject subject = curvature_subject(library_mesh(torus, "signs_torus"));
+    Vector K(torus.vertex_count());
+    for (int i = 0; i < K.size(); ++i) K[i] = torus.X.row(i).head<2>().norm() - 1;
+    const SignsByDistance seen = signs_by_distance(subject, K, 1e-9);
+    EXPECT_EQ(seen.outer_positive, 1);
+    EXPECT_GT(seen.inner_negative, 0.9);
+    EXPECT_TRUE(seen.caps_outside());
+    EXPECT_FALSE(signs_by_distance(subject, -K, 1e-9).caps_outside());
+    EXPECT_FALSE(signs_by_distance(subject, Vector::Ones(K.size()), 0).caps_outside());   // positive everywhere
+}
+
+TEST(CurvatureSubject, WhatIsUndefinedIsCalledWhatItIs) {
+    const auto told = [](const TriangleMesh& mesh, const char* name) {
+        return undefined_words(curvature_subject(library_mesh(mesh, name)));
+    };
+    EXPECT_EQ(told(icosphere(1), "closed_ball"), "");
+    TriangleMesh grid = grid_mesh(4, 4, 1, 1);
+    const std::string open = told(grid, "open_grid");
+    EXPECT_NE(open.find("12 boundary vertices"), std::string::npos) << open;
+    EXPECT_EQ(open.find("manifold"), std::string::npos) << open;
+    // A third triangle at an inner edge.
+    const int n = grid.vertex_count(), m = grid.face_count();
+    grid.X.conservativeResize(n + 1, 3);
+    grid.X.row(n) << 0.5, 0.5, 1;
+    grid.F.conservativeResize(m + 1, 3);
+    grid.F.row(m) << 5, 6, n;
+    const std::string both = told(grid, "fin");
+    EXPECT_NE(both.find("non-manifold"), std::string::npos) << both;
+    EXPECT_NE(both.find("boundary"), std::string::npos) << both;
+}
+
+TEST(CurvatureSubject, RoundedCoordinatesAreToldFromUnevenRings) {
+    TriangleMesh grid = grid_mesh(9, 9, 1, 1);
+    grid.X /= 3;
+    EXPECT_EQ(coordinate_step(grid), 0);
+    const auto largest_pull = [](const CurvatureSubject& s) {
+        return largest_magnitude(0.5 * s.uniform.rowwise().norm(), [&](int i) { return s.inside(i); });
+    };
+    TriangleMesh rounded = grid;
+    rounded.X = (1e6 * grid.X.array()).round() / 1e6;
+    EXPECT_EQ(coordinate_step(rounded), 1e-6);
+    const CurvatureSubject exact = curvature_subject(library_mesh(grid, "exact_grid")),
+                           file = curvature_subject(library_mesh(rounded, "rounded_grid"));
+    EXPECT_FALSE(exact.is_rounding(largest_pull(exact)));   // that of doubles
+    EXPECT_TRUE(file.is_rounding(largest_pull(file)));
+    EXPECT_FALSE(file.is_rounding(1e-3));
+}
+
 TEST(CurvatureSubject, RanksCorrelateWhateverTheScale) {
     Vector a(6), b(6);
     a << 1, 2, 3, 4, 5, std::nan("");

@@ -34,6 +34,38 @@ std::string prose_of(const report::Section& section) {
     return prose;
 }
 
+namespace {
+
+/// Everything that is read but no running text.
+std::string labels_of(const Answer& answer) {
+    std::string labels = answer.section.title + "\n" + answer.section.asked;
+    for (const report::Block& block : answer.section.blocks) {
+        if (const auto* heading = std::get_if<report::Heading>(&block)) labels += "\n" + heading->title;
+        if (const auto* plot = std::get_if<report::Plot>(&block)) {
+            labels += "\n" + plot->x_label + "\n" + plot->y_label;
+            for (const report::Series& series : plot->series) labels += "\n" + series.name;
+            for (const report::Marker& marker : plot->markers) labels += "\n" + marker.label;
+        }
+        const auto* table = std::get_if<report::Table>(&block);
+        if (table == nullptr) continue;
+        for (const report::Column& column : table->columns) labels += "\n" + column.name;
+        for (const auto& row : table->rows)
+            for (const report::Cell& cell : row)
+                if (const auto* words = std::get_if<std::string>(&cell)) labels += "\n" + *words;
+    }
+    for (const report::Check& check : answer.section.checks) labels += "\n" + check.name + "\n" + check.note;
+    for (const std::string& warning : answer.section.warnings) labels += "\n" + warning;
+    for (const output::FigureRequest& figure : answer.figures) {
+        labels += "\n" + figure.title + "\n" + figure.subtitle;
+        for (const std::string& head : figure.columns) labels += "\n" + head;
+        for (const std::string& head : figure.rows) labels += "\n" + head;
+        for (const output::Panel& panel : figure.panels) labels += "\n" + panel.label;
+    }
+    return labels;
+}
+
+}   // namespace
+
 void expect_checks_pass(const report::Section& section) {
     EXPECT_FALSE(section.checks.empty());
     for (const report::Check& check : section.checks) {
@@ -149,6 +181,8 @@ void expect_well_formed(const Answer& answer) {
         EXPECT_TRUE(ids.contains(reference) || std::regex_match(reference, cited_work) || is_of_another_section(reference, section.id))
             << "leads nowhere: " << reference;
     EXPECT_FALSE(std::regex_search(prose_of(section), not_a_number)) << prose_of(section);
+    for (const std::string& text : {prose_of(section), labels_of(answer)})
+        for (const char* mark : {"[[", "]]", "{{", "}}"}) EXPECT_EQ(text.find(mark), std::string::npos) << mark << " in " << text;
     EXPECT_FALSE(section.answer.empty());
     EXPECT_FALSE(section.extent.empty());
 }

@@ -36,11 +36,11 @@ TEST(UniformStudy, AContrastIsOfQuarters) {
 
 TEST(UniformStudy, OnAnIcosphereTheTwelveIrregularVerticesStandOutByTheirAreas) {
     const IrregularVertices odd = irregular_vertices(curvature_of(library_mesh(icosphere(3), "icosphere1")));
-    EXPECT_EQ(odd.count, 12);
+    EXPECT_EQ(odd.vertices.size(), 12u);
     EXPECT_TRUE(odd.stand_out());
     EXPECT_TRUE(odd.area_is_why());
     const IrregularVertices none = irregular_vertices(curvature_of(library_mesh(torus_mesh(24, 12, 1, 0.4), "torus1")));
-    EXPECT_EQ(none.count, 0);   // K has both signs
+    EXPECT_TRUE(none.vertices.empty());   // K has both signs
 }
 
 TEST(UniformStudy, APictureMisleadsWhereTheTruthIsConstantOrUnlikeIt) {

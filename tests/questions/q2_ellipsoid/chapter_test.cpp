@@ -79,6 +79,20 @@ TEST(Q2, ThePrincipalCurvaturesAtTheTipAreThoseOfTheClosedForm) {
     FAIL() << "no table q2_tip";
 }
 
+// The products that the derivation writes out.
+TEST(Q2, ThirdEntryOfTheSecondFormIsMinusTheSupportFunction) {
+    for (const auto& [u, v] : {std::pair{0.3, 0.9}, std::pair{2.0, 2.2}, std::pair{4.5, 1.4}}) {
+        const auto [a, b, c] = flat_ellipsoid;
+        const FundamentalForms forms = ellipsoid_forms(flat_ellipsoid, u, v);
+        const Vector3 p = ellipsoid_point(flat_ellipsoid, u, v);
+        const double D = forms.p_u.cross(forms.p_v).norm() / std::sin(v);
+        EXPECT_NEAR(forms.II(1, 1), -p.dot(forms.normal), 1e-12);
+        EXPECT_NEAR(-p.dot(forms.normal), a * b * c / D, 1e-12);
+        EXPECT_NEAR(forms.II(0, 0), a * b * c * std::pow(std::sin(v), 2) / D, 1e-12);
+        EXPECT_NEAR(forms.II(0, 1), 0, 1e-12);
+    }
+}
+
 // The circles of the diagram have the radii 1/κ_n, and touch the ellipse at its tip without crossing it nearby.
 TEST(Q2, TheDiagramsCirclesOsculate) {
     const Tip tip = tip_of(flat_ellipsoid);

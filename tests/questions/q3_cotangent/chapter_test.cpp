@@ -38,11 +38,13 @@ TEST(Q3, EachMeshIsShownByBothOperatorsInTheRangeOfTheCotangentOne) {
     EXPECT_TRUE(figure.view_files);
     EXPECT_EQ(figure.range->low, -100);
     EXPECT_EQ(figure.range->high, 100);
-    const auto beyond = [&](std::size_t panel) { return beyond_range(figure.panels[panel].values, *figure.range); };
+    const auto beyond = [&](std::size_t panel) { return share_beyond(figure.panels[panel].values, 100); };
     EXPECT_GT(beyond(0), 0.2);    // lily, uniform
     EXPECT_LT(beyond(1), 0.05);   // lily, cotangent
     EXPECT_EQ(beyond(2), 0);      // plane
     EXPECT_TRUE(says(answer, "it leaves the range of cotangent H"));
+    EXPECT_EQ(figure.range->clipped_above, 0);   // each label tells its own share
+    EXPECT_NE(figure.panels[0].label.find("beyond"), std::string::npos) << figure.panels[0].label;
 }
 
 // The answer counts the whole panel, and says so where uniform weights are nearer.
@@ -92,9 +94,19 @@ TEST(Q3, ItsExtentIsThatOfTheLargestMesh) {
 
 TEST(Q3, TheTextFollowsTheData) {
     const Answer ball = answer_for(icosphere(3), "body3"), sheet = answer_for(grid_mesh(8, 8, 1, 1), "body3");
-    EXPECT_TRUE(says(sheet, "Its rings are symmetric: uniform |H| is at most"));
+    EXPECT_TRUE(says(sheet, "its rings are symmetric: uniform |H| is at most"));
     EXPECT_FALSE(says(ball, "is flat"));
     EXPECT_TRUE(says(ball, "no weight is negative"));
+}
+
+// plane.obj of the course has coordinates of six decimals, which uniform weights show and cotangents do not.
+TEST(Q3, RoundedCoordinatesAreNamedWhereTheyAreSeen) {
+    TriangleMesh grid = grid_mesh(9, 9, 1, 1);
+    const Answer exact = answer_for(grid, "exact3");
+    grid.X = (1e6 / 3 * grid.X.array()).round() / 1e6;
+    const Answer rounded = answer_for(grid, "rounded3");
+    EXPECT_FALSE(says(exact, "the rounding of the file's coordinates"));
+    EXPECT_TRUE(says(rounded, "the rounding of the file's coordinates")) << prose_of(rounded.section);
 }
 
 TEST(Q3, OnAnIrregularPlaneTheImprovementIsMeasured) {

@@ -4,6 +4,7 @@
 
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "output/draw/framing.h"
 #include "questions/core/study_laws.h"
 #include "questions/q5_explicit/study.h"
 
@@ -71,21 +72,21 @@ TEST(Q5, TheTablesAreTheStudy) {
     // Of what blew up nothing is told but when.
     EXPECT_TRUE(study.runs.back().result.blew_up);
     expect_near(finite_numbers(steps, "energy"), energy);
-    expect_near(finite_numbers(steps, "volume"), volume, 1e-9);
+    expect_near(finite_numbers(steps, "size"), volume, 1e-9);
     expect_near(finite_numbers(steps, "faces turned over"), inverted);
     expect_near(finite_numbers(sweep, "rms moved"), moved);
     expect_near(finite_numbers(sweep, "smallest angle"), angle, 1e-9);
     std::vector<std::string> outcomes;
     for (const report::Cell& cell : cells(steps, "outcome")) outcomes.push_back(std::get<std::string>(cell));
     EXPECT_EQ(outcomes[0], "stable");
-    EXPECT_EQ(outcomes[1], "recommended");
+    EXPECT_EQ(outcomes[1], "stable (our λ)");
     EXPECT_EQ(outcomes[2], "stable");
     EXPECT_EQ(outcomes[3], "growing");
     EXPECT_TRUE(outcomes[4].starts_with("blew up")) << outcomes[4];
     const report::Table& limits = table_named(answer.section, "q5_limits");
     expect_near(numbers(limits, "λ_crit"), {2 / subject.top.value});
     expect_near(numbers(limits, "λ_crit/h̄²"), {subject.critical / (h * h)});
-    expect_near(numbers(limits, "recommended λ/λ_crit"), {0.5});
+    expect_near(numbers(limits, "our λ"), {0.5 * subject.critical});
     EXPECT_EQ(numbers(limits, "iterations")[0], study.recommended->stopped.iterations);
     expect_near(numbers(limits, "λt"), {0.5 * subject.critical * study.recommended->stopped.iterations / (h * h)});
     EXPECT_EQ(numbers(limits, "face angle before")[0], study.recommended->roughness_before);
@@ -132,7 +133,7 @@ TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyOnceTheyCannotBeSeen) {
     ASSERT_EQ(figure.columns.size(), times.size());
     ASSERT_EQ(figure.rows.size(), limits.size());
     ASSERT_EQ(figure.panels.size(), times.size() * limits.size());
-    int empty = 0;
+    int empty = 0, shrunk = 0;
     for (std::size_t row = 0; row < limits.size(); ++row) {
         const double lambda = limits[row] * subject.critical;
         for (std::size_t column = 0; column < times.size(); ++column) {
@@ -141,7 +142,10 @@ TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyOnceTheyCannotBeSeen) {
             const double boxes = bounding_box(moved_to(mesh, run.result.X)).diagonal() / subject.diagonal;
             EXPECT_EQ(panel.mesh == nullptr, run.result.blew_up || boxes > 2) << panel.label;
             if (panel.mesh) {
-                EXPECT_EQ(panel.mesh->X, run.result.X) << panel.label;
+                const output::FittedPositions fitted = output::fitted_into_frame(subject.mesh(), run.result.X);
+                EXPECT_EQ(panel.mesh->X, fitted.X) << panel.label;
+                EXPECT_EQ(panel.values, curvature_colours(subject, run.result.X)) << "of the mesh in its own size";
+                shrunk += fitted.scale < 1 ? 1 : 0;
                 continue;
             }
             ++empty;
@@ -154,6 +158,7 @@ TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyOnceTheyCannotBeSeen) {
         }
     }
     EXPECT_GT(empty, 0) << "nothing blew up: nothing was seen";
+    EXPECT_EQ(shrunk > 0, prose_of(answer.section).find("Drawn smaller to fit") != std::string::npos);
 }
 
 TEST(Q5, AtMostFiveCurvesAPlot) {

@@ -15,6 +15,7 @@
 #include "color/cielab.h"
 #include "color/colormap.h"
 #include "color/srgb.h"
+#include "render/color_difference.h"
 
 namespace {
 

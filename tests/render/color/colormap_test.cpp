@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "color/cielab.h"
+#include "render/color_difference.h"
 
 namespace {
 

@@ -157,6 +157,26 @@ TEST(RoundTicks, NoRangeNoTicks) {
     EXPECT_TRUE(render::round_ticks(-infinity, infinity, 5).empty());
 }
 
+void expect_near(const std::vector<double>& ticks, const std::vector<double>& expected) {
+    ASSERT_EQ(ticks.size(), expected.size());
+    for (std::size_t i = 0; i < ticks.size(); ++i) EXPECT_NEAR(ticks[i], expected[i], 1e-12 * expected[i]);
+}
+
+TEST(DecadeTicks, AreOneTwoAndFiveTimesPowersOfTenWhereTheyAreFew) {
+    expect_near(render::decade_ticks(0.1, 20), {0.1, 0.2, 0.5, 1, 2, 5, 10, 20});
+    expect_near(render::decade_ticks(0.3, 4), {0.5, 1, 2});
+    expect_near(render::decade_ticks(1e-3, 1e3), {1e-3, 1e-2, 1e-1, 1, 10, 100, 1e3});
+}
+
+TEST(ValueRange, EqualRatiosAreEquallyFarApartOnALogarithmicScale) {
+    const render::ValueRange range{nullptr, 0.1, 10, true};
+    EXPECT_NEAR(range.position(0.1), 0, 1e-12);
+    EXPECT_NEAR(range.position(1), 0.5, 1e-12);
+    EXPECT_NEAR(range.position(100), 1.5, 1e-12);
+    EXPECT_EQ(range.position(0), 0) << "an exact vertex is as pale as can be";
+    EXPECT_NEAR((render::ValueRange{nullptr, 1, 5}.position(2)), 0.25, 1e-12);
+}
+
 TEST(TickLabels, AllHaveTheSameDecimals) {
     EXPECT_EQ(render::tick_labels({-0.5, -0.25, 0, 0.25}).text, (std::vector<std::string>{"\u22120.50", "\u22120.25", "0.00", "0.25"}));
     EXPECT_EQ(render::tick_labels({0, 200, 400}).text, (std::vector<std::string>{"0", "200", "400"}));

@@ -5,6 +5,7 @@
 #include "report/sample_document.h"
 #include "report/svg/map_scale.h"
 #include "report/svg/plot_axis.h"
+#include "report/svg/svg_legend.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
 
@@ -22,6 +23,16 @@ Map map_of(std::vector<double> x, std::vector<double> y, std::vector<double> val
 double grey_of(const std::string& color) {
     const auto part = [&](std::size_t at) { return double(std::stoi(color.substr(at, 2), nullptr, 16)); };
     return 0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5);
+}
+
+TEST(Legend, NumbersOfALogarithmicScaleStandAtEqualRatios) {
+    const std::string svg = svg_of(Legend{"distance", "%", 0.1, 10, {"#ffffff", "#000000"}, 0, 0, "", {}, true});
+    const auto place = [&](const std::string& number) {
+        const std::size_t end = svg.find(">" + number + "</text>"), start = svg.rfind("x=\"", end) + 3;
+        return end == std::string::npos ? NAN : std::stod(svg.substr(start));
+    };
+    EXPECT_NEAR(place("1") - place("0.1"), place("10") - place("1"), 0.11) << svg;
+    EXPECT_GT(place("1"), place("0.1"));
 }
 
 // ---- edges and colours ------------------------------------------------------------------------------------------------------

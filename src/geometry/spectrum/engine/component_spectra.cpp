@@ -124,7 +124,7 @@ double memory_for_parts(Eigen::Index n, int k, const SpectrumOptions& options) {
         "ask for fewer eigenpairs");
 }
 
-/// Solves parts and tells of it: shares of a round by the entries of their vectors, never less than before.
+/// Solves parts and reports progress, each part weighted by the entries of its vectors; never a smaller value than before.
 class PartSolver {
 public:
     PartSolver(std::vector<Part>& parts, const SpectrumOptions& options, double memory)

@@ -20,7 +20,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Shares of all slices added up; called from several threads, tells one at a time and never less than before.
+/// Adds up the progress of all slices. Called from several threads; reports one value at a time, never a smaller one.
 class SharedProgress {
 public:
     explicit SharedProgress(const std::function<void(double)>& tell) : tell_(tell) {}
@@ -271,7 +271,7 @@ SlicedPairs SliceSet::pairs(int k) {
     }
     slices_.clear();
     extra_.clear();
-    for (EightColumns& X : packed) problem_.zeros_in_order.project_out(X);   // what rounding has let in
+    for (EightColumns& X : packed) problem_.zeros_in_order.project_out(X);   // the share of the zero modes that rounding added
     make_orthonormal(packed, k);
     result.Y.resize(problem_.size(), k);
     const std::vector<int>& order = problem_.analysis.order();
