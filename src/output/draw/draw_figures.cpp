@@ -210,7 +210,7 @@ void finish_figure(FigureJob& job, const std::filesystem::path& folder, const Dr
     render::FigureSheet sheet = arranged(request, std::move(job.pictures), std::max(13.0, 21 * scale_of(settings)));
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
-    if (request.range) set_legend(job, sheet);
+    if (request.range && !request.range->quantity.empty()) set_legend(job, sheet);
     const render::ComposedFigure composed = render::compose(sheet);
     name_pictures(job, sheet, composed, settings);
     job.drawn.sheet = "images/" + request.id + "_sheet.png";

@@ -23,7 +23,7 @@ struct Panel {
 struct ColorRange {
     std::string colormap;   // "pale"
     double low = 0, high = 1;
-    std::string quantity, unit;                    // for the colour bar
+    std::string quantity, unit;                    // for the colour bar; no quantity: none, as another figure of the section has it
     bool logarithmic = false;                      // equal ratios are equally far apart; low > 0
     double clipped_below = 0, clipped_above = 0;   // share of the finite values outside
     std::vector<double> sample = {};               // of the finite values, evenly through their order, for the histogram

@@ -36,15 +36,23 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
 
     add_words(section, words, "results");
+    const bool has_views = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
+    const output::ColorRange colours = colours_of(studies);
     const auto pictured = studies.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(3, studies.size()));
-    add_matrix(answer, studies.front());
+    add_paragraphs(section, {rule_of(studies)});
+    for (auto study = studies.begin(); study != studies.end(); ++study) {
+        if (study < pictured) add_matrix(answer, *study, colours, !has_views);
+        add_paragraphs(section, {reading_of(*study)});
+    }
+    add_views(answer, studies, colours);
+    add_paragraphs(section, {views_of(studies)});
+    if (report::Plot gaps = gap_plot(studies); !gaps.series.empty()) add(section, std::move(gaps));
+    add_paragraphs(section, {comparison_of(studies), larger_steps_of(studies)});
     if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
-    for (auto study = studies.begin() + 1; study != pictured; ++study) add_matrix(answer, *study);
-    add_views(answer, studies);
-    add_discussion(section, studies);
+    add_paragraphs(section, {quality_of(studies), price_of(studies)});
 
     begin_appendix(section);
-    for (auto study = pictured; study != studies.end(); ++study) add_matrix(answer, *study);
+    for (auto study = pictured; study != studies.end(); ++study) add_matrix(answer, *study, colours, !has_views);
     for (const ImplicitStudy& study : studies) {
         add(section, grid_table(study));
         add_checks(section, study);

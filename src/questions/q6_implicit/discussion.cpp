@@ -14,43 +14,14 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
 std::string matrix_of(const ImplicitStudy& study) { return id_of("q6", study.name(), "matrix"); }
 
-/// "4.0", "0.25 to 4.0".
-std::string span_of(const std::vector<double>& values, int digits = 2) {
-    const auto [low, high] = std::ranges::minmax(values);
-    const std::string from = readable(low, digits), to = readable(high, digits);
-    return from == to ? from : words.line("span", "low"_a = from, "high"_a = to);
-}
+const MeshTopology& topology_of(const ImplicitStudy& study) { return study.subject.source->prepared->topology; }
 
-/// Only the implicit results lose less than their size.
-bool loses_size(const ImplicitStudy& study) {
-    return std::ranges::any_of(study.grid, [](const SmoothingCell& cell) { return cell.kept < size_to_keep; });
-}
-
-bool blows_up(const ImplicitStudy& study) {
-    return std::ranges::any_of(study.grid, [](const SmoothingCell& cell) { return !cell.has_explicit(); });
-}
-
-/// What is recommended: "λt = 0.91 h̄² on plane".
-report::Text recommendation(const Studies& studies) {
-    Names told, none;
-    for (const ImplicitStudy& study : studies) {
-        const double h = study.subject.mean_edge;
-        if (const SmoothingCell* good = study.good())
-            told.push_back(words.line("recommended.mesh", "mesh"_a = study.name(), "time"_a = readable(good->time() / (h * h), 2)));
-        else
-            none.push_back(study.name());
-    }
-    return paragraph_of({said_of(told, words, "recommended"), said_of(none, words, "recommended.none")});
-}
-
-/// How far apart the two schemes end within the explicit limit, as a share of the motion: where most, and from which t on by little.
+/// Where the two schemes differ most within the explicit limit, and from which t on by little.
 struct Gaps {
-    static constexpr double little = 0.05;
-    double worst = 0, last = 0;     // last: largest after the last number of iterations compared
+    static constexpr double little = 0.05;   // of the distance moved
+    double worst = 0;
     std::string mesh;               // of the worst
     int iterations = 0;             // of the worst
     int little_from = 0;            // 0: never
@@ -61,69 +32,23 @@ std::optional<Gaps> gaps_within_the_limit(const Studies& studies) {
     std::map<int, double> largest;   // of each number of iterations
     Gaps gaps;
     for (const ImplicitStudy& study : studies) {
-        for (const SmoothingCell& cell : study.grid) {
-            const double moved = vertex_rms(study.subject.mesh().X, cell.implicit_X);
-            if (!cell.has_explicit() || moved <= 0 || cell.lambda > study.subject.critical || cell.implicit_energy < 1e-3) continue;
-            const double gap = vertex_rms(cell.implicit_X, cell.explicit_X) / moved;
-            gaps.limits.insert(in_limits(study.subject, cell.lambda));
-            largest[cell.iterations] = std::max(largest[cell.iterations], gap);
-            if (gap > gaps.worst) gaps.worst = gap, gaps.mesh = study.name(), gaps.iterations = cell.iterations;
+        for (const SchemeGap& gap : study.gaps()) {
+            gaps.limits.insert(in_limits(study.subject, study.lambdas[*study.within_limit()]));
+            largest[gap.iterations] = std::max(largest[gap.iterations], gap.share);
+            if (gap.share > gaps.worst) gaps.worst = gap.share, gaps.mesh = study.name(), gaps.iterations = gap.iterations;
         }
     }
     if (gaps.mesh.empty()) return {};
-    gaps.last = largest.rbegin()->second;
     for (auto entry = largest.rbegin(); entry != largest.rend() && entry->second <= Gaps::little; ++entry) gaps.little_from = entry->first;
     return gaps;
 }
 
-report::Facts facts_of(const Gaps& gaps) {
-    return {"gap"_a = readable_percent(gaps.worst, 2),
-            "mesh"_a = gaps.mesh,
-            "t"_a = gaps.iterations,
-            "little"_a = readable_percent(Gaps::little, 1),
-            "from"_a = gaps.little_from,
-            "limits"_a = listed({gaps.limits.begin(), gaps.limits.end()})};
-}
-
-/// "gap.fades" where it becomes little with t, "gap.little" where it always is, else "gap.stays".
-std::string gap_key(const Gaps& gaps) {
-    if (gaps.worst <= Gaps::little) return "little";
-    return gaps.little_from > 0 ? "fades" : "stays";
-}
-
-/// Explicit over implicit arithmetic, of what is recommended or of what is far beyond.
-std::vector<double> prices(const Studies& studies, bool recommended) {
-    std::vector<double> ratios;
-    for (const ImplicitStudy& study : studies)
-        for (const SmoothingCost& cost : study.costs)
-            if (cost.recommended == recommended && !std::isnan(cost.ratio())) ratios.push_back(cost.ratio());
-    return ratios;
-}
-
-std::string price_key(const std::vector<double>& ratios) {
-    const auto [low, high] = std::ranges::minmax(ratios);
-    if (low > 1 / 1.2 && high < 1.2) return "alike";
-    return low >= 1 ? "dearer" : high <= 1 ? "cheaper" : "either";
-}
-
-report::Text price_of(const std::vector<double>& ratios, const std::string& amount) {
-    if (ratios.empty()) return {};
-    return words.say("price." + amount + "." + price_key(ratios), "ratios"_a = span_of(ratios));
-}
-
-/// How much of the size is left where the price is told far beyond the limit.
-report::Text left_far_beyond(const Studies& studies) {
-    double least = INFINITY, most = 0;
-    for (const ImplicitStudy& study : studies) {
-        for (const SmoothingCost& cost : study.costs) {
-            if (cost.recommended || std::isnan(cost.ratio())) continue;
-            least = std::min(least, cost.cell.kept);
-            most = std::max(most, cost.cell.kept);
-        }
-    }
-    if (!(least < size_to_keep)) return {};
-    const std::string from = readable_percent(least, 2), to = readable_percent(most, 2);
-    return words.say("price.far.kept", "kept"_a = from == to ? from : words.line("span", "low"_a = from, "high"_a = to));
+/// "fades" where it becomes little with t, "little" where it always is, else "stays".
+report::Text agreement(const Gaps& gaps) {
+    const std::string key = gaps.worst <= Gaps::little ? "little" : gaps.little_from > 0 ? "fades" : "stays";
+    return words.say("agreement." + key, "gap"_a = readable_percent(gaps.worst, 2), "mesh"_a = gaps.mesh, "t"_a = gaps.iterations,
+                     "little"_a = readable_percent(Gaps::little, 1), "from"_a = gaps.little_from,
+                     "limits"_a = listed({gaps.limits.begin(), gaps.limits.end()}));
 }
 
 /// How many times as far as the others these vertices moved; NaN where all are alike, or more than half are of them.
@@ -139,182 +64,153 @@ double excess_of(const SmoothingSubject& subject, const Positions& X, const std:
 }
 
 /// Where the recommended result has moved most: at the boundary, at sharp edges, or nowhere in particular.
-report::Text where_it_goes(const ImplicitStudy& study) {
-    const SmoothingCell* good = study.good();
-    if (good == nullptr) return {};
-    const MeshTopology& topology = study.subject.source->prepared->topology;
+report::Text where_it_goes(const ImplicitStudy& study, const SmoothingCell& good) {
+    const MeshTopology& topology = topology_of(study);
     const TriangleMesh& mesh = study.subject.mesh();
-    const double at_boundary = excess_of(study.subject, good->implicit_X, topology.on_boundary);
-    const double at_edges = excess_of(study.subject, good->implicit_X, feature_vertices(mesh, topology));
+    const double at_boundary = excess_of(study.subject, good.implicit_X, topology.on_boundary);
+    const double at_edges = excess_of(study.subject, good.implicit_X, feature_vertices(mesh, topology));
     const bool boundary = at_boundary >= at_edges || std::isnan(at_edges);
     const double most = boundary ? at_boundary : at_edges;
     if (!(most > 1.5)) {
         const double before = mesh_character(mesh, topology).feature_share;
-        const double after = mesh_character(moved_to(mesh, good->implicit_X), topology).feature_share;
+        const double after = mesh_character(moved_to(mesh, good.implicit_X), topology).feature_share;
         if (before < 0.01 || after > 0.5 * before) return {};
         return words.say("reading.sharp", "before"_a = readable_percent(before, 2), "after"_a = readable_percent(after, 2),
                          "limit"_a = readable(feature_angle, 2));
     }
-    return words.say(boundary ? "reading.boundary" : "reading.edges", "mesh"_a = study.name(), "times"_a = readable(most, 2));
+    return words.say(boundary ? "reading.boundary" : "reading.edges", "times"_a = readable(most, 2));
 }
 
-/// What the pictures of one mesh show.
-report::Text reading(const ImplicitStudy& study) {
+/// Of the sharp convex edges' vertices, those that are concave on X: an explicit step has pulled them inside the faces.
+double share_pulled_inside(const ImplicitStudy& study, const Positions& X) {
+    const TriangleMesh& mesh = study.subject.mesh();
+    if (mesh_character(mesh, topology_of(study)).kind() != MeshClass::sharp_edged) return 0;
+    const std::vector<char> sharp = feature_vertices(mesh, topology_of(study));
+    const Vector before = curvature_colours(study.subject, mesh.X), after = curvature_colours(study.subject, X);
+    int convex = 0, inside = 0;
+    for (Eigen::Index v = 0; v < before.size(); ++v) {
+        if (sharp[static_cast<std::size_t>(v)] == 0 || !(before[v] > 0)) continue;
+        ++convex;
+        inside += after[v] < 0 ? 1 : 0;
+    }
+    return convex > 0 ? double(inside) / convex : 0;
+}
+
+/// What one explicit step too large does: it pulls edges in, it amplifies noise, or it looks well, as yet.
+report::Text first_step(const ImplicitStudy& study) {
+    const std::optional<std::size_t> blown = study.first_blown();
+    if (!blown || !study.cell(*blown, 0).has_explicit()) return {};
+    const SmoothingCell& first = study.cell(*blown, 0);
+    const double inside = share_pulled_inside(study, first.explicit_X);
+    const auto angle = [&](const Positions& X) { return median_face_angle(moved_to(study.subject.mesh(), X), topology_of(study)); };
+    const double by_explicit = angle(first.explicit_X), by_implicit = angle(first.implicit_X);
+    const report::Facts facts{"cell"_a = title_of(study, first),
+                              "inside"_a = readable_percent(inside, 2),
+                              "energy"_a = readable_percent(first.explicit_energy, 2),
+                              "explicit"_a = readable(by_explicit, 2),
+                              "implicit"_a = readable(by_implicit, 2),
+                              "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration};
+    if (inside > 0.5) return words.say("first.inside", facts);
+    if (first.explicit_energy > 1) return words.say("first.amplified", facts);
+    return study.roughness > rough && by_explicit < 0.95 * by_implicit ? words.say("first.smoother", facts) : report::Text();
+}
+
+/// The last explicit picture, where there is one, whose energy has risen far above that of the input.
+report::Text spikes(const ImplicitStudy& study) {
+    const std::optional<std::size_t> blown = study.first_blown();
+    const SmoothingCell* risen = nullptr;
+    for (std::size_t t = 0; blown && t < study.iterations.size(); ++t)
+        if (const SmoothingCell& cell = study.cell(*blown, t);
+            cell.has_explicit() && cell.explicit_energy > 2 && fits_a_frame(study.subject, cell.explicit_X))
+            risen = &cell;
+    if (risen == nullptr || risen->iterations == study.iterations.front()) return {};   // that is told of the first step
+    return words.say("spikes", "cell"_a = title_of(study, *risen), "times"_a = readable(risen->explicit_energy, 2),
+                     "table"_a = id_of("q6", study.name(), "grid"));
+}
+
+report::Text recommended(const ImplicitStudy& study) {
     const SmoothingCell* good = study.good();
     if (good == nullptr) return {};
-    return paragraph_of(
-        {words.say("reading.good", "mesh"_a = study.name(), "figure"_a = matrix_of(study), "cell"_a = title_of(study, *good)),
-         where_it_goes(study),
-         good->inverted_faces > 0
-             ? words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count())
-             : report::Text()});
+    report::Text turned;
+    if (good->inverted_faces > 0)
+        turned = words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count(),
+                           "count"_a = readable(study.subject.mesh().face_count(), 9));
+    return paragraph_of({words.say("reading.good", "cell"_a = title_of(study, *good)), where_it_goes(study, *good), turned});
 }
 
 report::Text too_much(const ImplicitStudy& study) {
     const SmoothingCell* much = study.too_much();
     if (much == nullptr) return {};
-    return words.say("reading.much", "figure"_a = matrix_of(study), "cell"_a = title_of(study, *much),
-                     "kept"_a = readable_percent(much->kept, 2));
+    return words.say("reading.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2));
 }
 
 /// Where the explicit runs end, one entry a mesh that has one: at the smallest step that blew up.
 std::vector<Observed> explicit_ends(const Studies& studies) {
     std::vector<Observed> ends;
-    for (const ImplicitStudy& study : studies) {
-        // The grid ascends.
-        const auto blown = std::ranges::find_if(study.grid, [](const SmoothingCell& cell) { return cell.explicit_blow_up > 0; });
-        if (blown == study.grid.end()) continue;
-        ends.push_back({words.line("beyond.mesh", "iteration"_a = blown->explicit_blow_up, "mesh"_a = study.name()),
-                        at_step(study.subject, blown->lambda)});
-    }
+    for (const ImplicitStudy& study : studies)
+        if (const std::optional<std::size_t> blown = study.first_blown())
+            ends.push_back(
+                {words.line("beyond.mesh", "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration, "mesh"_a = study.name()),
+                 at_step(study.subject, study.lambdas[*blown])});
     return ends;
 }
 
-/// The last explicit picture, where there is one, whose energy has risen far above that of the input.
-report::Text spikes(const ImplicitStudy& study) {
-    const auto blown = std::ranges::find(study.explicit_runs, true, [](const SmoothingRun& run) { return run.result.blew_up; });
-    if (blown == study.explicit_runs.end()) return {};
-    const SmoothingCell* risen = nullptr;
-    for (std::size_t t = 0; t < study.iterations.size(); ++t)
-        if (const SmoothingCell& cell = study.cell(static_cast<std::size_t>(blown - study.explicit_runs.begin()), t);
-            cell.has_explicit() && cell.explicit_energy > 2 && fits_a_frame(study.subject, cell.explicit_X))
-            risen = &cell;
-    if (risen == nullptr) return {};
-    return words.say("spikes", "figure"_a = matrix_of(study), "cell"_a = title_of(study, *risen),
-                     "times"_a = readable(risen->explicit_energy, 2));
-}
-
-report::Text explicit_beside_implicit(const Studies& studies) {
-    report::Text agreement;
-    if (const auto gaps = gaps_within_the_limit(studies)) {
-        report::Facts facts = facts_of(*gaps);
-        facts.push_back("figure"_a = matrix_of(studies.back()));
-        agreement = paragraph_of({words.say("agreement." + gap_key(*gaps), facts), words.say("agreement.why")});
-    }
-    return paragraph_of({agreement, said_of(explicit_ends(studies), words, "beyond"), spikes(studies.back())});
-}
-
-/// Two cells of equal λt: one step of 10 λ against ten of λ, say.
-struct EqualTime {
-    const SmoothingCell *few = nullptr, *many = nullptr;
-    double share = NAN;   // distance of the results over the motion
-};
-
-EqualTime equal_time(const ImplicitStudy& study) {
-    for (const SmoothingCell& a : study.grid) {
-        for (const SmoothingCell& b : study.grid) {
-            if (a.iterations >= b.iterations || std::abs(a.time() / b.time() - 1) > 1e-9) continue;
-            return {&a, &b, vertex_rms(a.implicit_X, b.implicit_X) / vertex_rms(study.subject.mesh().X, b.implicit_X)};
-        }
-    }
-    return {};
-}
-
-report::Text iterations_against_steps(const Studies& studies) {
-    const ImplicitStudy* worst = nullptr;
-    EqualTime most;
-    for (const ImplicitStudy& study : studies) {
-        const EqualTime pair = equal_time(study);
-        if (!std::isfinite(pair.share) || (worst && pair.share <= most.share)) continue;
-        worst = &study;
-        most = pair;
-    }
-    if (worst == nullptr) return {};
-    return paragraph_of(
-        {words.say(most.share < 0.05  ? "equal_time.near"
-                   : most.share < 0.4 ? "equal_time.rough"
-                                      : "equal_time.far",
-                   "figure"_a = matrix_of(*worst)),
-         words.say("equal_time", "share"_a = readable_percent(most.share, 2), "mesh"_a = worst->name(), "many"_a = most.many->iterations,
-                   "few"_a = most.few->iterations, "small"_a = in_limits(worst->subject, most.many->lambda),
-                   "large"_a = in_limits(worst->subject, most.few->lambda)),
-         words.say("equal_time.why")});
-}
-
-bool was_rough(const ImplicitStudy& study) { return median_face_angle(study.subject.mesh(), study.subject.source->prepared->topology) > 5; }
-
-/// How smooth both schemes leave what is recommended, at the same energy: "plane_ns (1.0° and 0.9°)".
-report::Text quality(const Studies& studies) {
-    Names told;
-    double least = INFINITY, most = 0;   // implicit over explicit
-    for (const ImplicitStudy& study : studies) {
-        for (const SmoothingCost& cost : study.costs) {
-            if (!cost.recommended || !cost.reached() || !was_rough(study) || !(cost.explicit_roughness > 0)) continue;
-            const double ratio = cost.roughness / cost.explicit_roughness;
-            least = std::min(least, ratio);
-            most = std::max(most, ratio);
-            told.push_back(words.line("quality.mesh", "mesh"_a = study.name(), "implicit"_a = readable(cost.roughness, 2),
-                                      "explicit"_a = readable(cost.explicit_roughness, 2)));
-        }
-    }
-    return said_of(told, words, least > 0.9 && most < 1.1 ? "quality.alike" : least > 0.9 ? "quality.explicit" : "quality.differs");
-}
-
-/// What the one factorisation costs, in steps.
-report::Text factorisation(const Studies& studies) {
-    std::vector<double> steps;
-    for (const ImplicitStudy& study : studies)
-        for (const SmoothingCost& cost : study.costs)
-            if (cost.factorisation > 0) steps.push_back(cost.factorisation);
-    return steps.empty() ? report::Text() : words.say("price.factorisation", "steps"_a = span_of(steps));
-}
-
-report::Text price(const Studies& studies) {
-    Names only;
-    for (const ImplicitStudy& study : studies)
-        if (!std::ranges::all_of(study.costs, &SmoothingCost::reached)) only.push_back(study.name());
-    const std::vector<double> of_good = prices(studies, true), of_far = prices(studies, false);
-    const bool always = !of_good.empty() && !of_far.empty() && price_key(of_good) == "dearer" && price_key(of_far) == "dearer";
-    const report::Text good = price_of(of_good, "good"), far = always ? report::Text() : price_of(of_far, "far");
-    const report::Text unreached = said_of(only, words, "price.only");
-    if (good.empty() && far.empty() && unreached.empty()) return {};
-    return paragraph_of(
-        {words.say("price"), good, far, far.empty() ? report::Text() : left_far_beyond(studies), factorisation(studies), unreached});
+/// How much more curved than the median vertex the hundredth is that is most curved, on meshes without sharp edges.
+double speckles_of(const ImplicitStudy& study, const SmoothingCell& good) {
+    const TriangleMesh mesh = moved_to(study.subject.mesh(), good.implicit_X);
+    if (mesh_character(mesh, topology_of(study)).feature_share > 0) return 0;
+    std::vector<double> sizes;
+    for (const double H : curvature_colours(study.subject, good.implicit_X))
+        if (std::isfinite(H)) sizes.push_back(std::abs(H));
+    std::ranges::sort(sizes);
+    if (sizes.size() < 100 || !(sizes[sizes.size() / 2] > 0)) return 0;
+    return sizes[sizes.size() - sizes.size() / 100 - 1] / sizes[sizes.size() / 2];
 }
 
 }   // namespace
 
-report::Text answer_of(const Studies& studies) {
-    const bool blown = std::ranges::any_of(studies, blows_up), lost = std::ranges::any_of(studies, loses_size);
-    double largest = 0;
-    for (const ImplicitStudy& study : studies) largest = std::max(largest, study.lambdas.back() / study.subject.critical);
-    return words.say(blown ? "answer" : "answer.alike", "limits"_a = readable(largest, 2),
-                     "lost"_a = lost ? words.line("answer.lost") : "");
+report::Text rule_of(const Studies& studies) {
+    const bool any = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
+    return paragraph_of({words.say("reading"), any ? words.say("reading.rule") : report::Text()});
 }
 
-report::Text summary_of(const Studies& studies) {
-    const std::optional<Gaps> gaps = gaps_within_the_limit(studies);
-    return paragraph_of({recommendation(studies), gaps ? words.say("summary." + gap_key(*gaps), facts_of(*gaps)) : report::Text(),
-                         price_of(prices(studies, false), "summary")});
+report::Text reading_of(const ImplicitStudy& study) {
+    const report::Text seen = paragraph_of({recommended(study), first_step(study), spikes(study), too_much(study)});
+    if (seen.empty()) return {};
+    return paragraph_of({words.say("reading.mesh", "mesh"_a = study.name(), "figure"_a = matrix_of(study)), seen});
 }
 
-void add_discussion(report::Section& section, const Studies& studies) {
-    const bool pictured = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
-    report::Text seen =
-        paragraph_of({words.say("reading", "figure"_a = matrix_of(studies.back())), pictured ? words.say("reading.rule") : report::Text()});
-    for (const ImplicitStudy& study : studies) seen = paragraph_of({seen, reading(study)});
-    add_paragraphs(section, {paragraph_of({seen, too_much(studies.back())}), explicit_beside_implicit(studies),
-                             iterations_against_steps(studies), quality(studies), price(studies)});
+report::Text views_of(const Studies& studies) {
+    constexpr double bell = 3.8;   // of normally distributed values
+    report::Text told;
+    for (const ImplicitStudy& study : studies) {
+        const double times = study.good() ? speckles_of(study, *study.good()) : 0;
+        if (times > 1.2 * bell)
+            told = paragraph_of({told, words.say("views.speckles", "mesh"_a = study.name(), "times"_a = readable(times, 2))});
+    }
+    return told;
+}
+
+report::Text comparison_of(const Studies& studies) {
+    report::Text agreed;
+    if (const auto gaps = gaps_within_the_limit(studies)) agreed = paragraph_of({agreement(*gaps), words.say("agreement.why")});
+    return paragraph_of({agreed, said_of(explicit_ends(studies), words, "beyond")});
+}
+
+report::Text larger_steps_of(const Studies& studies) {
+    const ImplicitStudy* worst = nullptr;
+    const SmoothingCell* most = nullptr;
+    for (const ImplicitStudy& study : studies)
+        for (const SmoothingCell& cell : study.grid)
+            if (cell.fewer_steps > 0 && (!most || cell.apart > most->apart)) most = &cell, worst = &study;
+    if (most == nullptr) return {};
+    const std::string key = most->apart < 0.05 ? "near" : most->apart < 0.4 ? "rough" : "far";
+    return paragraph_of(
+        {words.say("equal_time." + key),
+         words.say("equal_time", "share"_a = readable_percent(most->apart, 2), "mesh"_a = worst->name(), "many"_a = most->iterations,
+                   "few"_a = most->fewer_steps, "small"_a = in_limits(worst->subject, most->lambda),
+                   "large"_a = in_limits(worst->subject, most->time() / most->fewer_steps), "table"_a = id_of("q6", worst->name(), "grid")),
+         words.say("equal_time.why")});
 }
 
 }   // namespace meshfolio::q6_implicit

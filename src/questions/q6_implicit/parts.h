@@ -16,20 +16,43 @@ using Studies = std::vector<ImplicitStudy>;
 std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell);
 
 // Figures.
+/// Of mean curvature on all inputs: every figure has these colours.
+output::ColorRange colours_of(const Studies& studies);
 /// Over λ × t, in the frame of the input: the input, explicit above implicit results, explicit until it blows up.
-void add_matrix(Answer& answer, const ImplicitStudy& study);
+void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours, bool has_legend);
 /// What is recommended of each mesh, from the six directions.
-void add_views(Answer& answer, const Studies& studies);
+void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours);
 
-// Tables.
+// Tables and plots.
 report::Table grid_table(const ImplicitStudy& study);
 /// What is recommended and what is far beyond the explicit limit, with their price.
 report::Table cost_table(const Studies& studies);
+/// The gap between the schemes over t, a curve a mesh; no curves where no λ is within the limit.
+report::Plot gap_plot(const Studies& studies);
 
-/// One sentence, and the few that stand first in the section.
+// What the numbers say, in words that follow them.
+/// The few sentences that stand first, in bold, and those behind them.
 report::Text answer_of(const Studies& studies);
 report::Text summary_of(const Studies& studies);
-/// What the numbers say, in words that follow them.
-void add_discussion(report::Section& section, const Studies& studies);
+/// Paragraphs; empty where there is nothing to say.
+report::Text rule_of(const Studies& studies);
+report::Text reading_of(const ImplicitStudy& study);
+report::Text views_of(const Studies& studies);
+report::Text comparison_of(const Studies& studies);
+report::Text larger_steps_of(const Studies& studies);
+report::Text quality_of(const Studies& studies);
+report::Text price_of(const Studies& studies);
+
+/// Explicit over implicit arithmetic of what is recommended, or of what is far beyond; where it is known.
+std::vector<double> prices(const Studies& studies, bool recommended);
+/// Median face angle of a rough input; below it the angle measures the shape [°].
+inline constexpr double rough = 5;
+/// "alike" within a fifth; else "dearer" or "cheaper", where explicit smoothing is so on all meshes, or "either".
+std::string price_key(const std::vector<double>& ratios);
+/// How smooth explicit steps leave rough meshes at the energy that is recommended, beside implicit ones: "alike", "smoother" (nowhere
+/// rougher), "rougher", "mixed"; "" where no mesh was rough.
+std::string smoothness_key(const Studies& studies);
+/// "0.25 to 4.0".
+std::string span_of(const std::vector<double>& values);
 
 }   // namespace meshfolio::q6_implicit

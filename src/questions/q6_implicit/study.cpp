@@ -51,6 +51,20 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
     return cell;
 }
 
+/// Where one λt is there in several numbers of steps: the distance to the result of the fewest.
+void compare_equal_times(ImplicitStudy& study) {
+    for (SmoothingCell& many : study.grid) {
+        const double moved = vertex_rms(study.subject.mesh().X, many.implicit_X);
+        if (many.kept < nothing_left || !(moved > 0)) continue;
+        for (const SmoothingCell& few : study.grid) {
+            const bool fewer = few.iterations < many.iterations && (many.fewer_steps == 0 || few.iterations < many.fewer_steps);
+            if (!fewer || std::abs(few.time() / many.time() - 1) > 1e-9) continue;
+            many.fewer_steps = few.iterations;
+            many.apart = vertex_rms(few.implicit_X, many.implicit_X) / moved;
+        }
+    }
+}
+
 /// Compares the damping of the lowest modes with (1 + λμ)^−t, in the runs where they have not vanished.
 void measure_damping(ImplicitStudy& study) {
     const SmoothingSubject& subject = study.subject;
@@ -77,7 +91,7 @@ void measure_damping(ImplicitStudy& study) {
     }
 }
 
-/// Of each λ as many steps as keep the size; of those results the one with the least energy, or one within 1 % of it in fewer steps.
+/// Of each λ as many steps as keep the size; among the results within 1 % of the least energy the one with the fewest steps.
 std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, ImplicitSolver& solver) {
     std::vector<int> steps;
     std::vector<double> energy;
@@ -106,8 +120,10 @@ std::size_t far_cell(const ImplicitStudy& study) {
     return l * study.iterations.size() + t;
 }
 
+/// Median angle between neighbouring faces; that of flat faces is 0, not rounding [°].
 double roughness_of(const SmoothingSubject& subject, const Positions& X) {
-    return median_face_angle(moved_to(subject.mesh(), X), subject.source->prepared->topology);
+    const double angle = median_face_angle(moved_to(subject.mesh(), X), subject.source->prepared->topology);
+    return angle < 1e-6 ? 0 : angle;
 }
 
 void count_operations(SmoothingCost& cost, const ImplicitStudy& study, const FactorOperations& factor) {
@@ -115,7 +131,9 @@ void count_operations(SmoothingCost& cost, const ImplicitStudy& study, const Fac
     const double step = 3 * 2 * double(run->result.factor_nonzeros);   // forward and back, three columns
     if (run->result.solver == LinearSolver::direct) cost.factorisation = factor.factorisation / step;
     cost.implicit_operations = (cost.cell.iterations + cost.factorisation) * step;
-    cost.explicit_operations = 3.0 * cost.explicit_steps * double(study.subject.laplacian.C.nonZeros());
+    const double explicit_step = 3.0 * double(study.subject.laplacian.C.nonZeros());
+    cost.step = step / explicit_step;
+    cost.explicit_operations = cost.explicit_steps * explicit_step;
 }
 
 /// One explicit run counts the steps to every energy.
@@ -149,6 +167,30 @@ std::vector<SmoothingCost> costs_of(const ImplicitStudy& study) {
 
 }   // namespace
 
+std::optional<std::size_t> ImplicitStudy::within_limit() const {
+    const auto beyond = std::ranges::upper_bound(lambdas, subject.critical);
+    if (beyond == lambdas.begin()) return {};
+    return static_cast<std::size_t>(beyond - lambdas.begin()) - 1;
+}
+
+std::vector<SchemeGap> ImplicitStudy::gaps() const {
+    std::vector<SchemeGap> found;
+    const std::optional<std::size_t> l = within_limit();
+    for (std::size_t t = 0; l && t < iterations.size(); ++t) {
+        const SmoothingCell& at = cell(*l, t);
+        const double moved = vertex_rms(subject.mesh().X, at.implicit_X);
+        if (!at.has_explicit() || !(moved > 0) || at.implicit_energy < 1e-3) continue;
+        found.push_back({at.iterations, vertex_rms(at.implicit_X, at.explicit_X) / moved});
+    }
+    return found;
+}
+
+std::optional<std::size_t> ImplicitStudy::first_blown() const {
+    const auto blown = std::ranges::find(explicit_runs, true, [](const SmoothingRun& run) { return run.result.blew_up; });
+    if (blown == explicit_runs.end()) return {};
+    return static_cast<std::size_t>(blown - explicit_runs.begin());
+}
+
 const SmoothingCell* ImplicitStudy::too_much() const {
     const SmoothingCell* half = nullptr;
     const auto from_half = [](const SmoothingCell& cell) { return std::abs(std::log(2 * cell.kept)); };
@@ -160,6 +202,7 @@ const SmoothingCell* ImplicitStudy::too_much() const {
 ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     ImplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
+    study.roughness = roughness_of(study.subject, study.subject.mesh().X);
     study.lambdas = steps_of(settings, study.subject, {0.5, 5, 50});
     study.iterations = settings.iterations;
     if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30, 100};
@@ -174,6 +217,7 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
         for (std::size_t t = 0; t < study.iterations.size(); ++t) study.grid.push_back(cell_at(study, l, t));
     }
+    compare_equal_times(study);
     measure_damping(study);
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);
     study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;

@@ -23,6 +23,8 @@ struct SmoothingCell {
     double volume_ratio = 0;    // of the implicit result; NaN when open
     double kept = 1;            // of the size: the least share that the implicit run left of any component until here
     int inverted_faces = 0;     // of the implicit result
+    int fewer_steps = 0;        // of a larger λ and the same λt; 0: none are in the grid
+    double apart = NAN;         // the implicit result from theirs, over the distance moved
 
     bool collapsed() const { return implicit_energy < 1e-12; }   // to a point
     bool has_explicit() const { return explicit_X.size() > 0; }
@@ -34,6 +36,7 @@ struct SmoothingCost {
     SmoothingCell cell;
     bool recommended = false;
     int explicit_steps = 0;                                    // 0: more than the limit tried
+    double step = 0;                                           // an implicit one, over an explicit one [operations]
     double factorisation = 0;                                  // over one implicit step; 0: conjugate gradients need none
     double implicit_operations = 0, explicit_operations = 0;   // multiply–adds
     double roughness = NAN, explicit_roughness = NAN;          // median angle between neighbouring faces [°]
@@ -43,8 +46,15 @@ struct SmoothingCost {
     double ratio() const { return reached() && implicit_operations > 0 ? explicit_operations / implicit_operations : NAN; }
 };
 
+/// How far apart the two schemes end after t steps, over the distance moved.
+struct SchemeGap {
+    int iterations = 0;
+    double share = 0;
+};
+
 struct ImplicitStudy {
     SmoothingSubject subject;
+    double roughness = 0;   // median angle between neighbouring faces of the input [°]
     std::vector<double> lambdas;
     std::vector<int> iterations;
     std::vector<SmoothingCell> grid;                          // λ by λ, iterations ascending
@@ -58,11 +68,17 @@ struct ImplicitStudy {
     const std::string& name() const { return subject.name(); }
     bool is_closed() const { return subject.source->prepared->preflight.closed(); }
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
+    /// Index of the largest λ that is within the explicit limit.
+    std::optional<std::size_t> within_limit() const;
+    /// At that λ, as long as something is left to smooth.
+    std::vector<SchemeGap> gaps() const;
+    /// Index of the smallest λ whose explicit run blew up.
+    std::optional<std::size_t> first_blown() const;
     /// Index of the iteration count that is looked at where one must do: the middle one.
     std::size_t middle_iteration() const { return iterations.size() / 2; }
     const SmoothingCell& middle_cell(std::size_t lambda) const { return cell(lambda, middle_iteration()); }
-    /// The most smoothing that leaves 95 % of the size: of each λ as many steps as do, of those the one with the least energy, in the
-    /// fewest steps that come within 1 % of it. Null: none.
+    /// The most smoothing that leaves 95 % of the size: of each λ as many steps as do; among those within 1 % of the least energy the one
+    /// with the fewest steps. Null: none.
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
     /// Of the cells that leave less the one nearest to half of the size: what too much looks like. Null: none, or only points.
     const SmoothingCell* too_much() const;

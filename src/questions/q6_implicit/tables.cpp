@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "base/number_text.h"
 #include "questions/core/study_list.h"
@@ -17,10 +18,11 @@ report::Table grid_table(const ImplicitStudy& study) {
         .column("λ", {.unit = "length²"}, &SmoothingCell::lambda)
         .column("λ/λ_crit", [&](auto& c) { return c.lambda / study.subject.critical; })
         .column("iterations", {.digits = 4}, &SmoothingCell::iterations)
-        .column("energy, implicit", {.unit = "of input"}, [](auto& c) { return cell_of(c.implicit_energy, !c.collapsed()); })
-        .column("energy, explicit", {.unit = "of input"}, [](auto& c) { return cell_of(c.explicit_energy, c.has_explicit()); })
+        .column("energy, implicit", {.unit = "% of input"}, [](auto& c) { return cell_of(100 * c.implicit_energy, !c.collapsed()); })
+        .column("energy, explicit", {.unit = "% of input"}, [](auto& c) { return cell_of(100 * c.explicit_energy, c.has_explicit()); })
         .column("moved, implicit (rms)", {.unit = "% of box"}, [&](auto& c) { return percent * vertex_rms(X, c.implicit_X); })
         .column("gap", {.unit = "% of box"}, gap)
+        .column("equal λt, apart", {.unit = "% of motion", .digits = 2}, [](auto& c) { return cell_of(100 * c.apart); })
         .column("volume, implicit", {.unit = "% of input", .digits = 4}, [](auto& c) { return cell_of(100 * c.volume_ratio); })
         .column("inverted faces, implicit", {.digits = 6}, [](auto& c) { return cell_of(c.inverted_faces, !c.collapsed()); })
         .column("explicit blew up in", {.unit = "iteration", .digits = 6},
@@ -35,17 +37,38 @@ report::Table cost_table(const Studies& studies) {
     return table("q6_cost", words.line("cost") + (reached ? "" : " " + words.line("cost.unreached")), rows)
         .column("mesh", [](auto& r) { return r.whole.name(); })
         .column("amount", [](auto& r) { return words.line(r.part.recommended ? "amount.good" : "amount.far"); })
-        .column("λ/λ_crit", [&](auto& r) { return cell(r).lambda / r.whole.subject.critical; })
+        .column("λ/λ_crit", {.digits = 2}, [&](auto& r) { return cell(r).lambda / r.whole.subject.critical; })
         .column("t", {.digits = 4}, [&](auto& r) { return cell(r).iterations; })
         .column("λt", {.unit = "h̄²", .digits = 2},
                 [&](auto& r) { return cell(r).time() / (r.whole.subject.mean_edge * r.whole.subject.mean_edge); })
         .column("energy", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).implicit_energy; })
         .column("size", {.unit = "% of input"}, [&](auto& r) { return 100 * cell(r).kept; })
         .column("faces turned", {.digits = 6}, [&](auto& r) { return cell(r).inverted_faces; })
-        .column("face angle", {.unit = "°", .digits = 2}, [](auto& r) { return r.part.roughness; })
-        .column("face angle, explicit", {.unit = "°", .digits = 2}, [](auto& r) { return cell_of(r.part.explicit_roughness); })
+        .column("face angle: input", {.unit = "°", .digits = 2}, [](auto& r) { return r.whole.roughness; })
+        .column("implicit", {.unit = "°", .digits = 2}, [](auto& r) { return r.part.roughness; })
+        .column("explicit", {.unit = "°", .digits = 2}, [](auto& r) { return cell_of(r.part.explicit_roughness); })
         .column("explicit steps", {.digits = 5}, [](auto& r) { return cell_of(r.part.explicit_steps, r.part.reached()); })
         .column("price, explicit", {.unit = "× implicit", .digits = 2}, [](auto& r) { return cell_of(r.part.ratio()); });
+}
+
+report::Plot gap_plot(const Studies& studies) {
+    constexpr std::size_t most_together = 5;
+    std::set<std::string> limits;
+    report::Plot plot{.id = "q6_gaps", .x_label = "iteration t", .y_label = words.line("gaps.axis"), .log_x = true, .log_y = true};
+    for (const ImplicitStudy& study : studies) {
+        report::Series series{.name = study.name(), .style = report::Series::Style::line_and_points};
+        for (const SchemeGap& gap : study.gaps()) {
+            series.x.push_back(gap.iterations);
+            series.y.push_back(100 * gap.share);
+        }
+        if (series.x.empty()) continue;
+        limits.insert(in_limits(study.subject, study.lambdas[*study.within_limit()]));
+        plot.series.push_back(std::move(series));
+    }
+    if (plot.series.size() > most_together)
+        for (report::Series& series : plot.series) series.panel = series.name;
+    plot.caption = plot.alt = words.line("gaps", "limits"_a = listed({limits.begin(), limits.end()}));
+    return plot;
 }
 
 }   // namespace meshfolio::q6_implicit

@@ -56,23 +56,6 @@ report::Text strongest_noise(const Grids& grids) {
          !meshes.empty() && angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
 }
 
-/// What one iteration takes from the clean mesh, beside the least and the most noise.
-report::Text why(const Grids& grids) {
-    const DenoisingGrid& grid = hardest(grids);
-    const auto told = [&](const NoisyTrial& trial, const char* key) {
-        report::Facts facts = facts_of(grid, trial);
-        facts.push_back("taken"_a = readable(grid.taken_at_once(trial), 2));
-        return words.say(key, facts);
-    };
-    const NoisyTrial &least = grid.trials.front(), &most = grid.trials.back();
-    const bool rises = grid.after_one(least) > 1 && grid.taken_at_once(least) > 1;
-    const bool falls = grid.after_one(most) < 1 && grid.taken_at_once(most) < 0.5;
-    const bool smaller = least.improved() && least.found.by_shape.value < grid.middle_lambda();
-    return paragraph_of({words.say("explained", "mesh"_a = grid.name()), rises ? told(least, "explained.rises") : report::Text(),
-                         rises && smaller ? words.say("explained.smaller") : report::Text(),
-                         falls ? told(most, "explained.falls") : report::Text()});
-}
-
 /// What the pictures of one mesh show.
 report::Text reading(const DenoisingGrid& grid) {
     const NoisyTrial& trial = grid.pictured();
@@ -91,6 +74,17 @@ report::Text reading(const DenoisingGrid& grid) {
                          at_edges   ? words.say("reading.edges", facts)
                          : at_bends ? words.say("reading.bends", facts)
                                     : report::Text()});
+}
+
+/// The cases with the least and the largest gain, where they are pictured beside those of the meshes.
+report::Text extremes(const Grids& grids) {
+    report::Text told;
+    for (const Case& c : pictured_cases(grids)) {
+        if (&c.part == &c.whole.pictured() || !c.part.improved()) continue;
+        const bool is_least = &c.part == &hardest_in(hardest(grids));
+        told = paragraph_of({told, words.say(is_least ? "reading.least" : "reading.most", facts_of(c.whole, c.part))});
+    }
+    return told;
 }
 
 /// The best amount of smoothing λt [h̄²] from the lowest to the highest noise, by surface distance.
@@ -151,9 +145,17 @@ report::Text going_on(const Grids& grids) {
 /// Why the clean mesh, smoothed alike, loses more than the noisy one: said where the larger area explains at least half of it.
 report::Text less_by_area(const DenoisingGrid& grid) {
     const double kept = grid.pictured().volume_by(measures[0]), alike = grid.pictured().taken.volume, less = grid.kept_by_less;
-    if (!(kept > alike + 0.02 && less - alike > 0.5 * (kept - alike) && grid.noisy_area > 1.05)) return {};
-    return words.say("cannot.area", "kept"_a = readable_percent(kept, 2), "area"_a = readable(grid.noisy_area, 2),
+    if (!(kept > alike + 0.02 && std::abs(kept - less) < 0.5 * (kept - alike) && grid.noisy_area > 1.05)) return {};
+    return words.say("cannot.area", "mesh"_a = grid.name(), "kept"_a = readable_percent(kept, 2), "area"_a = readable(grid.noisy_area, 2),
                      "less"_a = readable_percent(less, 2));
+}
+
+/// A message on the noise along the surface, at the noise to look at; it may also grow.
+report::Text along_surface(const DenoisingGrid& grid) {
+    const NoisyTrial& trial = grid.pictured();
+    return words.say(trial.removed_along() > 0 ? "cannot.drift" : "cannot.drift.grows", "mesh"_a = grid.name(),
+                     "along"_a = readable_percent(std::abs(trial.removed_along()), 2),
+                     "across"_a = readable_percent(trial.removed_across(), 2));
 }
 
 /// What smoothing cannot do, picture by picture.
@@ -163,7 +165,7 @@ report::Text cannot(const Grids& grids) {
     if (!drift && !edges && !volume) return {};
     const auto degrees = [](double angle) { return readable(180 / pi * angle, 2); };
     return paragraph_of(
-        {words.say("cannot"), drift ? along_surface(*drift, "cannot.drift") : report::Text(),
+        {words.say("cannot"), drift ? along_surface(*drift) : report::Text(),
          edges ? words.say("cannot.edges", "mesh"_a = edges->name(), "times"_a = readable(edges->pictured().taken.features.times(), 2),
                            "there"_a = degrees(left(edges).feature_angle), "elsewhere"_a = degrees(left(edges).other_angle))
                : report::Text(),
@@ -182,13 +184,33 @@ report::Text no_edges(const Grids& grids) {
 
 }   // namespace
 
-void add_discussion(report::Section& section, const Grids& grids) {
+report::Text explanation_of(const Grids& grids) {
+    const DenoisingGrid& grid = hardest(grids);
+    const auto told = [&](const NoisyTrial& trial, const char* key) {
+        report::Facts facts = facts_of(grid, trial);
+        facts.push_back("taken"_a = readable(grid.taken_at_once(trial), 2));
+        return words.say(key, facts);
+    };
+    const NoisyTrial &least = grid.trials.front(), &most = grid.trials.back();
+    const bool rises = grid.after_one(least) > 1 && grid.taken_at_once(least) > 1;
+    const bool falls = grid.after_one(most) < 1 && grid.taken_at_once(most) < 0.5;
+    const bool smaller = least.improved() && least.found.by_shape.value < grid.middle_lambda();
+    return paragraph_of({words.say("explained", "mesh"_a = grid.name()), rises ? told(least, "explained.rises") : report::Text(),
+                         rises && smaller ? words.say("explained.smaller") : report::Text(),
+                         falls ? told(most, "explained.falls") : report::Text()});
+}
+
+report::Text reading_of(const Grids& grids) {
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
     report::Text seen = words.say(improved ? "reading" : "reading.noise");
     for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
-    add_paragraphs(section, {seen, paragraph_of({why(grids), noise_in_mean_edges(grids), strongest_noise(grids), going_on(grids)}),
-                             paragraph_of({noise_and_amount(grids), measures_disagree(grids)}),
-                             paragraph_of({cannot(grids), no_edges(grids), words.say("elsewhere")})});
+    return paragraph_of({seen, extremes(grids), going_on(grids)});
 }
+
+report::Text strength_of(const Grids& grids) { return paragraph_of({noise_in_mean_edges(grids), strongest_noise(grids)}); }
+
+report::Text amount_of(const Grids& grids) { return paragraph_of({noise_and_amount(grids), measures_disagree(grids)}); }
+
+report::Text limits_of(const Grids& grids) { return paragraph_of({cannot(grids), no_edges(grids), words.say("elsewhere")}); }
 
 }   // namespace meshfolio::q7_denoising

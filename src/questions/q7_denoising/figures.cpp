@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/curvature_subject.h"
+#include "questions/core/six_view_figure.h"
 #include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
@@ -85,7 +87,16 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
             "best"_a = best.step,
             "volume"_a = readable_percent(trial.volume_by(measures[0]), 2),
             "over"_a = 4 * best.step,
+            "angle"_a = readable(180 / pi * best.angle, 2),
             "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
+}
+
+std::vector<Case> pictured_cases(const Grids& grids) {
+    const NoisyTrial &least = hardest_in(hardest(grids)), &most = leading_in(leading(grids));
+    std::vector<Case> shown;
+    for (const Case& c : cases_of(grids))
+        if (&c.part == &c.whole.pictured() || &c.part == &least || &c.part == &most) shown.push_back(c);
+    return shown;
 }
 
 output::ColorRange add_states(Answer& answer, const Grids& grids) {
@@ -94,11 +105,12 @@ output::ColorRange add_states(Answer& answer, const Grids& grids) {
     request.subtitle = words.line("trial.subtitle");
     request.layout = output::Layout::multiples;
     request.columns = {words.line("states.clean"), words.line("states.noisy"), words.line("states.best"), words.line("states.over")};
-    for (const DenoisingGrid& grid : grids) {
-        const std::string name = request.id + "_" + grid.name();
-        request.rows.push_back(words.line("states.row", facts_of(grid, grid.pictured())));
-        request.panels.push_back(panel_of(*grid.clean, name + "_clean", words.line("states.clean.panel", "mesh"_a = grid.name())));
-        add_states_of(request, grid, grid.pictured(), name);
+    for (const auto& [grid, trial] : pictured_cases(grids)) {
+        const std::string name = request.id + "_" + grid.name() + "_" + sigma_name(trial.relative);
+        const report::Facts facts = facts_of(grid, trial);
+        request.rows.push_back(words.line(trial.improved() ? "states.row" : "states.row.no_better", facts));
+        request.panels.push_back(panel_of(*grid.clean, name + "_clean", words.line("states.clean.panel", facts)));
+        add_states_of(request, grid, trial, name);
     }
     const output::ColorRange colours = range_in_sigma(request.panels, "colours.surface");
     request.range = colours;

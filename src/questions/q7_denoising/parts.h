@@ -21,8 +21,19 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
 
 inline constexpr auto distance_colours = "pale";
 
+/// The verdicts by a measure, of the cases that have it: noise within a plane changes neither surface nor normals.
+struct Count {
+    int works = 0, helps = 0, fails = 0;
+    std::vector<std::string> shrinking;   // of those that fail, the cases whose gain cost too much volume
+
+    int cases() const { return works + helps + fails; }
+};
+Count count_of(const Grids& grids, const Measure& measure);
+
 // Figures.
-/// At the noise to look at: each mesh clean, noisy, nearest to the clean surface, smoothed on. @return  its colours
+/// The cases to look at: of each mesh its own, and of all the one with the least and the one with the largest gain.
+std::vector<Case> pictured_cases(const Grids& grids);
+/// Each of them clean, noisy, nearest to the clean surface, smoothed on. @return  its colours
 output::ColorRange add_states(Answer& answer, const Grids& grids);
 /// The nearest of these from the six directions, in the same colours.
 void add_views(Answer& answer, const Grids& grids, const output::ColorRange& colours);
@@ -37,10 +48,15 @@ const DenoisingGrid* most_shrunk(const Grids& grids);
 /// The one whose surface gains most, of which the map is looked at, and the one with the least gain, of which the curves are.
 const DenoisingGrid& leading(const Grids& grids);
 const DenoisingGrid& hardest(const Grids& grids);
+/// Of one grid the noise with the largest and that with the least gain; the first where none has any.
+const NoisyTrial& leading_in(const DenoisingGrid& grid);
+const NoisyTrial& hardest_in(const DenoisingGrid& grid);
 
 // Tables and plots.
 /// The gains of each noisy mesh.
 report::Table result_table(const Grids& grids);
+/// How often smoothing works, helps and fails by each measure.
+report::Table count_table(const Grids& grids);
 /// Errors, λ and t behind them, measure by measure.
 report::Table measure_table(const Grids& grids);
 /// What is left at the noise to look at.
@@ -50,12 +66,15 @@ report::Plot error_plot(const DenoisingGrid& grid);
 /// The gain over λ × t, one panel a level of noise.
 report::Map gain_map(const DenoisingGrid& grid);
 
-/// One sentence, and the few that stand first in the section.
+// What the numbers say, in words that follow them.
+/// The few sentences that stand first, in bold, and those behind them.
 report::Text answer_of(const Grids& grids);
 report::Text summary_of(const Grids& grids);
-/// A message on the noise along the surface, at the noise to look at; it may also grow. @param key  of the message where it falls
-report::Text along_surface(const DenoisingGrid& grid, const std::string& key);
-/// What the numbers say, in words that follow them.
-void add_discussion(report::Section& section, const Grids& grids);
+/// Why it pays or fails, where the surface is missed, which noise is too strong, how much smoothing it takes, what it cannot do.
+report::Text explanation_of(const Grids& grids);
+report::Text reading_of(const Grids& grids);
+report::Text strength_of(const Grids& grids);
+report::Text amount_of(const Grids& grids);
+report::Text limits_of(const Grids& grids);
 
 }   // namespace meshfolio::q7_denoising

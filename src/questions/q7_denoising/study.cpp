@@ -5,6 +5,7 @@
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -146,6 +147,7 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     const MeshTopology& topology = grid.clean->prepared->topology;
     grid.diagonal = bounding_box(clean).diagonal();
     grid.mean_edge = mean_edge_length(clean);
+    if (grid.clean->prepared->preflight.closed()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
     for (const double lambda : each_once(settings.lambda)) grid.lambdas.push_back(lambda / (grid.mean_edge * grid.mean_edge));
     if (grid.lambdas.empty()) grid.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.001, 0.01, 0.1, 1.0, 10.0};
     grid.iterations = last_or(settings.iterations, settings.quick ? 16 : 48);

@@ -58,6 +58,7 @@ struct NoisyTrial {
 struct DenoisingGrid {
     std::shared_ptr<const LibraryMesh> clean;
     double diagonal = 0, mean_edge = 0;     // [length]
+    double thickness = NAN;                 // 3 × volume / area, the radius of a ball of that ratio; NaN: open [mean edges]
     std::vector<double> lambdas;            // ascending [h̄²]
     int iterations = 0;                     // of each run, at most
     std::vector<char> on_feature, curved;   // n flags: on edges sharper than 40°, in the most curved tenth

@@ -28,39 +28,52 @@ std::vector<Judged> judged_in(const Grids& grids) {
     return rows;
 }
 
-/// From the noisy mesh, t = 0, on. [% of the box diagonal]
+/// From the noisy mesh, t = 0, on, until it has joined the curve without noise for good. [% of the box diagonal]
 report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) {
+    constexpr double joined = 0.1;   // of the distance without noise
     report::Series series{
         .name = "σ = " + readable_percent(trial.relative, 2), .x = {0}, .y = {100 / grid.diagonal * trial.found.noisy.shape}};
+    std::size_t apart = 0;   // the last place where it is
     for (const SearchState& state : trial.states) {
         if (state.value != grid.middle_lambda()) continue;
         series.x.push_back(state.step);
         series.y.push_back(100 / grid.diagonal * state.shape);
+        const auto t = static_cast<std::size_t>(state.step);
+        if (t >= grid.without_noise.size() || std::abs(state.shape / grid.without_noise[t] - 1) > joined) apart = series.x.size() - 1;
     }
+    const auto least = std::ranges::min_element(series.y) - series.y.begin();
+    const std::size_t shown = std::min(std::max(apart, static_cast<std::size_t>(least)) + 2, series.x.size());
+    series.x.resize(shown);
+    series.y.resize(shown);
     return series;
 }
 
+/// By surface; NaN where the noise has nothing of it.
+double surface_gain(const NoisyTrial& trial) { return trial.gain(measures[0]); }
+
 }   // namespace
 
+const NoisyTrial& leading_in(const DenoisingGrid& grid) {
+    return *std::ranges::max_element(grid.trials, {}, [](const NoisyTrial& trial) { return std::fmax(0, surface_gain(trial)); });
+}
+
+const NoisyTrial& hardest_in(const DenoisingGrid& grid) {
+    return *std::ranges::min_element(grid.trials, {}, [](const NoisyTrial& trial) { return std::fmin(infinity, surface_gain(trial)); });
+}
+
 const DenoisingGrid& leading(const Grids& grids) {
-    return *std::ranges::max_element(grids, {}, [](const DenoisingGrid& grid) {
-        double most = 0;
-        for (const NoisyTrial& trial : grid.trials) most = std::fmax(most, trial.gain(measures[0]));
-        return most;
-    });
+    return *std::ranges::max_element(grids, {}, [](const DenoisingGrid& grid) { return std::fmax(0, surface_gain(leading_in(grid))); });
 }
 
 const DenoisingGrid& hardest(const Grids& grids) {
-    return *std::ranges::min_element(grids, {}, [](const DenoisingGrid& grid) {
-        double least = infinity;
-        for (const NoisyTrial& trial : grid.trials) least = std::fmin(least, trial.gain(measures[0]));
-        return least;
-    });
+    return *std::ranges::min_element(grids, {},
+                                     [](const DenoisingGrid& grid) { return std::fmin(infinity, surface_gain(hardest_in(grid))); });
 }
 
 report::Table result_table(const Grids& grids) {
     const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
-    const report::Column gain{.unit = "×", .heat = report::Column::Heat{1, 8}};
+    // Rounded down: 1.10 and 2.00 are reached, so that verdicts can be counted.
+    const report::Column gain{.unit = "×", .rounding = report::Column::Rounding::down, .heat = report::Column::Heat{1, 8}};
     const std::vector<Case> cases = cases_of(grids);
     std::string caption = words.line("results.table");
     const auto most = std::ranges::max_element(cases, {}, [](const Case& c) { return c.part.further_gains.size(); });
@@ -80,6 +93,23 @@ report::Table result_table(const Grids& grids) {
         .column("verdict", [](auto& c) { return verdict_on(c.part); });
 }
 
+report::Table count_table(const Grids& grids) {
+    struct Row {
+        const Measure& measure;
+        Count count;
+    };
+    std::vector<Row> rows;
+    for (const Measure& measure : measures)
+        if (Count count = count_of(grids, measure); count.cases() > 0) rows.push_back({measure, std::move(count)});
+    return table("q7_counts", words.line("counts"), rows)
+        .column("by", [](auto& r) { return words.line("by." + std::string(r.measure.key)); })
+        .column("works", {.digits = 5}, [](auto& r) { return r.count.works; })
+        .column("helps", {.digits = 5}, [](auto& r) { return r.count.helps; })
+        .column("fails", {.digits = 5}, [](auto& r) { return r.count.fails; })
+        .column("of these, shrinks", {.digits = 5}, [](auto& r) { return static_cast<double>(r.count.shrinking.size()); })
+        .column("namely", [](auto& r) { return listed(r.count.shrinking); });
+}
+
 report::Table measure_table(const Grids& grids) {
     const std::vector<Judged> rows = judged_in(grids);
     std::string caption = words.line("measures.table");
@@ -91,7 +121,7 @@ report::Table measure_table(const Grids& grids) {
         .column("measure", [](auto& r) { return words.line("measure." + std::string(r.measure.key)); })
         .column("noisy", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.trial.found.noisy); })
         .column("best", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.best()); })
-        .column("gain", {.unit = "×"}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
+        .column("gain", {.unit = "×", .rounding = report::Column::Rounding::down}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
         .column("λ", {.unit = "h̄²"}, [](auto& r) { return cell_of(r.best().value, r.better()); })
         .column("t", {.digits = 5}, [](auto& r) { return cell_of(r.best().step, r.better()); })
         .column("verdict", [](auto& r) { return verdict_on(r.trial, r.measure); });
@@ -106,6 +136,7 @@ report::Table remains_table(const Grids& grids) {
     if (!std::ranges::all_of(grids, &DenoisingGrid::has_features)) caption += " " + words.line("remains.none");
     return table("q7_remains", caption, grids)
         .column("mesh", &DenoisingGrid::name)
+        .column("3V/A", {.unit = "h̄", .digits = 2}, [](auto& g) { return cell_of(g.thickness); })
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& g) { return 100 * g.pictured().relative; })
         .column("removed along", {.unit = "% of error²", .digits = 2}, [](auto& g) { return cell_of(100 * g.pictured().removed_along()); })
         .column("across", {.unit = "% of error²", .digits = 2}, [](auto& g) { return cell_of(100 * g.pictured().removed_across()); })
@@ -143,6 +174,8 @@ report::Plot error_plot(const DenoisingGrid& grid) {
 
 report::Map gain_map(const DenoisingGrid& grid) {
     const std::string caption = words.line("gains", "mesh"_a = grid.name());
+    const double gained = std::fmax(1, surface_gain(leading_in(grid)));
+    const double largest = std::exp2(std::max(1.0, std::ceil(std::log2(gained))));   // a power of two: no gain is beyond the scale
     report::Map map{.id = id_of("q7", grid.name(), "gains"),
                     .caption = caption,
                     .alt = caption,
@@ -155,7 +188,7 @@ report::Map gain_map(const DenoisingGrid& grid) {
                     .log_values = true,
                     .colours = report::Map::Colours::diverging,
                     .middle = 1,
-                    .range = report::Map::Range{0.25, 4},
+                    .range = report::Map::Range{1 / largest, largest},
                     .undefined = words.line("gains.ended")};
     for (int t = 1; t <= grid.iterations; ++t) map.x.push_back(t);
     for (const NoisyTrial& trial : grid.trials) {

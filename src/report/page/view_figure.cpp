@@ -16,7 +16,8 @@ using nlohmann::json;
 constexpr std::size_t views_in_a_line = 3;
 // Against the width of the text, on paper 59, 44, 99 and 90 mm. A block may be as high as a line.
 constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52;
-constexpr int tenths_of_heads = 2;   // of the width, beside the rows of a matrix: 24 mm on paper
+constexpr double lowest_row = 0.14, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
+constexpr int tenths_of_heads = 2;                         // of the width, beside the rows of a matrix: 24 mm on paper
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
 
@@ -116,7 +117,8 @@ int tenths_of_lines(const DrawnFigure& drawn) {
     const int columns = std::max(1, drawn.in_a_line);
     const double lines = std::ceil(static_cast<double>(drawn.panels.size()) / columns);
     const bool alone = drawn.panels.size() == 1;
-    const double highest = alone ? highest_lead : std::min(highest_line, (drawn.rows.empty() ? highest_figure : highest_matrix) / lines);
+    const double row = std::min(std::max(highest_matrix / lines, lowest_row), highest_page / lines);
+    const double highest = alone ? highest_lead : std::min(highest_line, drawn.rows.empty() ? highest_figure / lines : row);
     return std::min(10, tenths(columns * width, height, highest) + (drawn.rows.empty() ? 0 : tenths_of_heads));
 }
 

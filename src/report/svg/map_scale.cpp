@@ -78,7 +78,12 @@ int MapScale::band(double value) const {
 }
 
 std::string MapScale::color(int band) const {
-    const double t = double(band) / (bands - 1);
+    double t = double(band) / (bands - 1);
+    if (diverging_) {   // without the grey in the middle: the first band on either side of it is told from the other
+        constexpr int half = bands / 2;
+        constexpr double side = 5.0 / 12;   // of the colours
+        t = band < half ? side * band / (half - 1) : 1 - side * (bands - 1 - band) / (half - 1);
+    }
     const Rgb rgb = diverging_ ? between(diverging, t) : between(sequential, t);
     std::array<char, 8> text{};
     static_cast<void>(std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(std::lround(rgb[0])),

@@ -114,7 +114,7 @@ std::string ticks_below(const Axis& axis, const Box& frame) {
         svg += line_element({x, frame.bottom}, {x, frame.bottom + (labelled ? tick_length : 3)}, firm);
         if (!labelled) continue;
         svg += text_element({x, frame.bottom + tick_length + 14}, "middle", tick.label);
-        free_from = x + half + 4;
+        free_from = x + half + 9;
     }
     return svg;
 }

@@ -38,7 +38,8 @@ public:
         const bool one_line = text_width(colour) + text_width(map.y_label) + 40 < drawing_width;
         titles_ = one_line ? title_element(over_bar, "end", colour) : title_element(above, "start", colour);
         titles_ += title_element(above, "start", map.y_label);
-        top_ = above.y + 4;
+        const bool titled = std::ranges::any_of(map.panels, [](const Map::Panel& panel) { return !panel.title.empty(); });
+        top_ = above.y + 4 + (titled ? 7 : 0);   // titles of panels are told from those of the axes
         bottom_ = top_ + panel_height;
         const double bar = bar_width + std::ceil(widest_label(values_)) + tick_length + 10;
         first_left_ = std::ceil(widest_label(y_)) + tick_length + 10;

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "mesh/samples/sample_shapes.h"
+#include "mesh/vertex_noise.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/study_laws.h"
 #include "questions/core/study_list.h"
@@ -32,7 +33,16 @@ void add_explicit(report::Section& section, const std::vector<ExplicitStudy>& st
     add_paragraphs(section, {how_large(studies), which_step(studies), when_to_stop(studies), too_large(studies), units_of_lambda(studies)});
 }
 std::string told(const ExplicitStudy& study) { return told(add_explicit, std::vector{study}); }
-std::string told(const ImplicitStudy& study) { return told(q6_implicit::add_discussion, std::vector{study}); }
+
+void discuss(report::Section& section, const q6_implicit::Studies& studies) {
+    add_paragraphs(section, {q6_implicit::rule_of(studies)});
+    for (const ImplicitStudy& study : studies) add_paragraphs(section, {q6_implicit::reading_of(study)});
+    for (const auto of :
+         {q6_implicit::views_of, q6_implicit::comparison_of, q6_implicit::larger_steps_of, q6_implicit::quality_of, q6_implicit::price_of})
+        add_paragraphs(section, {of(studies)});
+}
+std::string told(const ImplicitStudy& study) { return told(discuss, std::vector{study}); }
+std::string answered(const ImplicitStudy& study) { return report::plain(q6_implicit::answer_of({study})); }
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
@@ -57,9 +67,12 @@ void expect_a_number_in_every_paragraph(void (*discuss)(report::Section&)) {
 TEST(Discussions, NoParagraphIsWithoutItsNumber) {
     expect_a_number_in_every_paragraph([](report::Section& section) {
         add_explicit(section, {explicit_study(cube, quick_settings()), explicit_study(ball, quick_settings())});
-        q6_implicit::add_discussion(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
-        q7_denoising::add_discussion(
-            section, {q7_denoising::denoising_grid(cube, quick_settings()), q7_denoising::denoising_grid(ball, quick_settings())});
+        discuss(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
+        const q7_denoising::Grids grids{q7_denoising::denoising_grid(cube, quick_settings()),
+                                        q7_denoising::denoising_grid(ball, quick_settings())};
+        for (const auto of : {q7_denoising::explanation_of, q7_denoising::reading_of, q7_denoising::strength_of, q7_denoising::amount_of,
+                              q7_denoising::limits_of})
+            add_paragraphs(section, {of(grids)});
     });
 }
 
@@ -192,46 +205,91 @@ TEST(ImplicitDiscussion, TheGapIsTheLargestOfAllCellsWithinTheLimit) {
 }
 
 TEST(ImplicitDiscussion, SharpEdgesOfAClosedMeshGiveWay) {
-    EXPECT_TRUE(has(told(implicit_study(cube, quick_settings())), "There the sharp edges give way first"));
+    EXPECT_TRUE(has(told(implicit_study(cube, quick_settings())), "The sharp edges are rounded first"));
 }
 
 TEST(ImplicitDiscussion, SaysWhereTheShapeGivesWay) {
     ImplicitStudy study = implicit_study(library_mesh(grid_mesh(12, 12, 1, 1), "sheet_told"), quick_settings());
     ASSERT_TRUE(study.recommended);
-    EXPECT_TRUE(has(told(study), "There the open boundary gives way first")) << told(study);
+    EXPECT_TRUE(has(told(study), "The open boundary shrinks first")) << told(study);
     Positions& X = study.recommended->implicit_X;
     X = study.subject.mesh().X.rowwise() + Eigen::RowVector3d(0.1, 0, 0);   // all alike
-    EXPECT_FALSE(has(told(study), "gives way first")) << told(study);
+    EXPECT_FALSE(has(told(study), "shrinks first")) << told(study);
+}
+
+/// The first step of the smallest λ whose explicit run blew up.
+SmoothingCell& first_too_large(ImplicitStudy& study, std::size_t t = 0) {
+    return study.grid.at(*study.first_blown() * study.iterations.size() + t);
 }
 
 TEST(ImplicitDiscussion, SpikesAreSeenOnlyWhereTheyAreDrawn) {
     ImplicitStudy study = implicit_study(cube, quick_settings());
-    std::size_t blown = 0;
-    while (blown < study.explicit_runs.size() && !study.explicit_runs[blown].result.blew_up) ++blown;
-    ASSERT_LT(blown, study.explicit_runs.size());
-    SmoothingCell& first = study.grid[blown * study.iterations.size()];
-    first.explicit_energy = 5;
-    first.explicit_X = study.subject.mesh().X;
-    EXPECT_TRUE(has(told(study), "shows how it begins: with spikes")) << told(study);
-    first.explicit_X *= 3;   // too large to be drawn
-    EXPECT_FALSE(has(told(study), "shows how it begins: with spikes")) << told(study);
+    ASSERT_TRUE(study.first_blown());
+    SmoothingCell& later = first_too_large(study, 1);
+    later.explicit_energy = 5;
+    later.explicit_X = study.subject.mesh().X;
+    EXPECT_TRUE(has(told(study), "Then spikes grow: at λ = 5 λ_crit, t = 10")) << told(study);
+    later.explicit_X *= 3;   // too large to be drawn
+    EXPECT_FALSE(has(told(study), "spikes grow")) << told(study);
 }
 
-TEST(ImplicitDiscussion, TheVerdictOnThePriceFollowsTheCount) {
+TEST(ImplicitDiscussion, WhatAStepTooLargeDoesIsMeasured) {
+    ImplicitStudy study = implicit_study(cube, quick_settings());
+    EXPECT_TRUE(has(told(study), "pulls the sharp edges inside the faces")) << told(study);
+    SmoothingCell& first = first_too_large(study);
+    first.explicit_X = study.subject.mesh().X;   // the edges are where they were
+    first.explicit_energy = 3;
+    EXPECT_TRUE(has(told(study), "the energy rises to 300\u202f% of the input")) << told(study);
+    first.explicit_energy = 0.5;
+    EXPECT_FALSE(has(told(study), "explicit step too large")) << "no smoother than the implicit one: nothing to say: " << told(study);
+
+    TriangleMesh noisy = cube_mesh(10);
+    noisy.X = with_gaussian_noise(noisy.X, Vector3::Constant(0.02), 1);
+    ImplicitStudy rough = implicit_study(library_mesh(noisy, "noisy_told"), quick_settings());
+    ASSERT_TRUE(rough.first_blown());
+    SmoothingCell& step = first_too_large(rough);
+    step.explicit_energy = 0.5;
+    step.implicit_X = noisy.X, step.explicit_X = rough.cell(1, 1).implicit_X;
+    EXPECT_TRUE(has(told(rough), "looks best at first: its median face angle is")) << told(rough);
+}
+
+TEST(ImplicitDiscussion, SmoothnessIsComparedOnlyOnRoughMeshes) {
+    ImplicitStudy study = implicit_study(cube, quick_settings());
+    EXPECT_EQ(q6_implicit::smoothness_key({study}), "") << "faces of a cube are flat";
+    EXPECT_TRUE(has(told(study), "measures how round it has become: from 0° it rises to")) << told(study);
+    study.roughness = 20;
+    const auto key = [&](double by_implicit, double by_explicit) {
+        study.costs[0].roughness = by_implicit, study.costs[0].explicit_roughness = by_explicit, study.costs[0].explicit_steps = 9;
+        return q6_implicit::smoothness_key({study});
+    };
+    EXPECT_EQ(key(2, 2), "alike");
+    EXPECT_EQ(key(3, 2), "smoother");
+    EXPECT_TRUE(has(answered(study), "and leaves the surface as smooth or smoother") || q6_implicit::prices({study}, true).empty());
+    EXPECT_EQ(key(2, 3), "rougher");
+}
+
+TEST(ImplicitDiscussion, TheAnswerWeighsBothPrices) {
     ImplicitStudy study = implicit_study(cube, quick_settings());
     ASSERT_EQ(study.costs.size(), 2u);
     for (q6_implicit::SmoothingCost& cost : study.costs) {
         cost.explicit_steps = 100;
         cost.explicit_operations = 4 * cost.implicit_operations;
+        cost.cell.kept = 0.3;
     }
-    EXPECT_TRUE(has(told(study), "even for what we recommend explicit smoothing needs 4.0 times the arithmetic")) << told(study);
+    EXPECT_TRUE(has(answered(study), "It is also cheaper: for as much smoothing as we recommend explicit steps need 4.0 times"));
+    EXPECT_FALSE(has(answered(study), "pays only")) << answered(study);
     study.costs[0].explicit_operations = study.costs[0].implicit_operations / 2;
-    EXPECT_TRUE(has(told(study), "Not for what we recommend: explicit smoothing needs only 0.50 times")) << told(study);
-    EXPECT_TRUE(has(told(study), "Far beyond the limit implicit is cheaper: explicit steps need 4.0 times")) << told(study);
+    EXPECT_TRUE(has(answered(study), "explicit smoothing is cheaper (0.50 times the arithmetic)")) << answered(study);
+    EXPECT_TRUE(has(answered(study),
+                    "Implicit smoothing pays only for much heavier smoothing, where explicit steps need 4.0 times the "
+                    "arithmetic, but only 30\u202f% of the size is left."))
+        << answered(study);
+    study.costs[1].cell.kept = 0.99;
+    EXPECT_FALSE(has(answered(study), "of the size is left")) << answered(study);
     study.costs[0].explicit_operations = study.costs[0].implicit_operations;
-    EXPECT_TRUE(has(told(study), "both cost about the same")) << told(study);
-    EXPECT_FALSE(has(told(study), "depends on the mesh")) << "there is one mesh";
+    EXPECT_TRUE(has(answered(study), "both cost about the same")) << answered(study);
+    EXPECT_FALSE(has(answered(study), "depends on the mesh")) << "there is one mesh";
     study.costs[1].explicit_steps = 0;
-    EXPECT_FALSE(has(told(study), "Far beyond the limit implicit is cheaper")) << told(study);
+    EXPECT_FALSE(has(answered(study), "heavier")) << answered(study);
     EXPECT_TRUE(has(told(study), "Only the implicit method reaches so much smoothing within 3000 steps on cube_told")) << told(study);
 }

@@ -35,7 +35,7 @@ TEST(Q6, TheTablesAreTheStudy) {
     for (const SmoothingCell& cell : study.grid) {
         tau.push_back(cell.lambda / study.subject.critical);
         iterations.push_back(cell.iterations);
-        energy.push_back(cell.implicit_energy);
+        energy.push_back(100 * cell.implicit_energy);
         moved.push_back(percent * vertex_rms(study.subject.mesh().X, cell.implicit_X));
         volume.push_back(100 * cell.volume_ratio);
     }
@@ -50,7 +50,7 @@ TEST(Q6, TheTablesAreTheStudy) {
         EXPECT_EQ(std::holds_alternative<double>(gap[i]), cell.explicit_X.size() > 0) << i;
         if (cell.explicit_X.size() == 0) continue;
         EXPECT_NEAR(std::get<double>(gap[i]), percent * vertex_rms(cell.implicit_X, cell.explicit_X), 1e-6 * std::get<double>(gap[i]));
-        EXPECT_EQ(std::get<double>(explicit_energy[i]), cell.explicit_energy);
+        EXPECT_EQ(std::get<double>(explicit_energy[i]), 100 * cell.explicit_energy);
     }
     const report::Table& costs = table_named(answer.section, "q6_cost");
     ASSERT_EQ(costs.rows.size(), study.costs.size());
@@ -82,19 +82,60 @@ TEST(Q6, CellsOfTheMatrixAreTheStatesOfTheRuns) {
                           study.iterations.back(), study.iterations);
         const output::Panel* cells = &matrix.panels[r * matrix.columns.size()];
         EXPECT_EQ(cells[0].mesh->X, study.subject.mesh().X);
+        EXPECT_EQ(cells[0].values, curvature_colours(study.subject, study.subject.mesh().X));
         for (std::size_t t = 0; t < study.iterations.size(); ++t) {
             if (t < run.snapshots.size() &&
                 bounding_box(moved_to(mesh, run.snapshots[t])).diagonal() > 2 * bounding_box(study.subject.mesh()).diagonal()) {
                 EXPECT_EQ(cells[1 + t].mesh, nullptr) << "a cut-out of spikes shows nothing";
                 EXPECT_TRUE(cells[1 + t].label.ends_with("boxes wide")) << cells[1 + t].label;
+            } else if (t < run.snapshots.size() &&
+                       bounding_box(moved_to(mesh, run.snapshots[t])).diagonal() < 0.02 * study.subject.diagonal) {
+                EXPECT_EQ(cells[1 + t].mesh, nullptr);
+                EXPECT_EQ(cells[1 + t].label, "shrunk to a dot");
             } else if (t < run.snapshots.size()) {
+                ASSERT_NE(cells[1 + t].mesh, nullptr) << r << ' ' << t;
                 EXPECT_EQ(cells[1 + t].mesh->X, run.snapshots[t]);
+                EXPECT_EQ(cells[1 + t].values, curvature_colours(study.subject, run.snapshots[t])) << "coloured by what is smoothed";
             } else {
                 EXPECT_EQ(cells[1 + t].mesh, nullptr);
                 EXPECT_EQ(cells[1 + t].label, "blew up in iteration " + std::to_string(run.result.blow_up_iteration));
             }
         }
     }
+}
+
+TEST(Q6, FiguresHaveOneScaleAndTheirOwnClippedShares) {
+    const Answer answer = chapter_of_id("q6").answer(library_of(ellipsoid_mesh(3, {1.5, 1, 0.8}), "scale6"), quick_settings(), no_progress);
+    const output::FigureRequest &matrix = figure_named(answer, "q6_scale6_matrix"), &views = figure_named(answer, "q6_views");
+    EXPECT_EQ(matrix.range->high, views.range->high);
+    EXPECT_EQ(matrix.range->low, views.range->low);
+    EXPECT_TRUE(matrix.range->quantity.empty() && !views.range->quantity.empty()) << "one colour bar for all";
+    double above = 0, all = 0;
+    for (const double H : views.panels[0].values)
+        if (std::isfinite(H)) ++all, above += H > views.range->high ? 1 : 0;
+    EXPECT_EQ(views.range->clipped_above, above / all);
+    QuestionSettings huge = quick_settings();
+    huge.lambda = {1e6};
+    const Answer gone = chapter_of_id("q6").answer(library_of(cube_mesh(5), "gone6"), huge, no_progress);
+    EXPECT_FALSE(figure_named(gone, "q6_gone6_matrix").range->quantity.empty()) << "nothing is recommended: no other figure has it";
+}
+
+TEST(Q6, TheGapPlotIsTheGapOfTheCells) {
+    const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
+    const ImplicitStudy study = implicit_study(library_mesh(mesh, "gaps6"), quick_settings());
+    const report::Plot plot = gap_plot({study});
+    ASSERT_EQ(plot.series.size(), 1u);
+    ASSERT_EQ(plot.series[0].x.size(), study.iterations.size());
+    for (std::size_t t = 0; t < study.iterations.size(); ++t) {
+        const SmoothingCell& cell = study.cell(0, t);   // 0.5 λ_crit, the largest within the limit
+        EXPECT_EQ(plot.series[0].x[t], cell.iterations);
+        EXPECT_NEAR(plot.series[0].y[t],
+                    100 * vertex_rms(cell.implicit_X, cell.explicit_X) / vertex_rms(study.subject.mesh().X, cell.implicit_X), 1e-9);
+    }
+    QuestionSettings beyond = quick_settings();
+    beyond.lambda = {10 * study.subject.critical};
+    EXPECT_TRUE(gap_plot({implicit_study(library_mesh(mesh, "gaps6"), beyond)}).series.empty()) << "no step within the limit";
+    EXPECT_TRUE(gap_plot(Studies(6, study)).series.front().panel != "") << "no more than five curves together";
 }
 
 TEST(Q6, WhatIsRecommendedIsSeenFromAllSides) {

@@ -182,4 +182,22 @@ TEST(ImplicitStudy, TooMuchIsTheCellNearestToHalfTheSize) {
     }
 }
 
+TEST(ImplicitStudy, EqualTimesAreComparedWithTheFewestSteps) {
+    const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(3, {1.5, 1, 0.8}), "egg_times", {0.001, 0.01}, {1, 3, 10});
+    for (const SmoothingCell& cell : study.grid) EXPECT_EQ(cell.fewer_steps > 0, cell.lambda == 0.001 && cell.iterations == 10);
+    const SmoothingCell &many = study.cell(0, 2), &few = study.cell(1, 0);
+    EXPECT_EQ(many.fewer_steps, 1);
+    EXPECT_NEAR(many.apart, vertex_rms(many.implicit_X, few.implicit_X) / vertex_rms(study.subject.mesh().X, many.implicit_X), 1e-12);
+}
+
+TEST(ImplicitStudy, TheStepOfTheGapIsTheLargestWithinTheLimit) {
+    const ImplicitStudy first = implicit_study_on(icosphere(2), "ball_within");
+    EXPECT_EQ(first.within_limit(), 0u);
+    const double limit = first.subject.critical;
+    EXPECT_EQ(implicit_study_on(icosphere(2), "ball_two", {0.1 * limit, 0.9 * limit, 2 * limit}).within_limit(), 1u);
+    const ImplicitStudy none = implicit_study_on(icosphere(2), "ball_none", {2 * limit});
+    EXPECT_FALSE(none.within_limit());
+    EXPECT_TRUE(none.gaps().empty());
+}
+
 }   // namespace meshfolio::q6_implicit

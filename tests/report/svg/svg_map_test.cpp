@@ -217,6 +217,29 @@ TEST(SvgMap, TheMiddleIsALineBetweenItsSides) {
     EXPECT_EQ(count_of(svg_of(map), line), 0u);
 }
 
+TEST(MapScale, BothSidesOfTheMiddleAreTold) {
+    Map map = map_of({1, 2}, {1}, {-1, 1});
+    map.colours = Map::Colours::diverging;
+    const MapScale scale(map);
+    const auto blueness = [&](int band) {   // of "#rrggbb"
+        const std::string c = scale.color(band);
+        return std::stoi(c.substr(5, 2), nullptr, 16) - std::stoi(c.substr(1, 2), nullptr, 16);
+    };
+    EXPECT_GE(blueness(MapScale::bands / 2 - 1), 20);
+    EXPECT_LE(blueness(MapScale::bands / 2), -20);
+}
+
+TEST(SvgMap, TitlesOfPanelsDoNotMeetThoseOfTheAxes) {
+    Map map = map_of({1, 2}, {1}, {1, 2});
+    map.value_label = "a quantity with a long name";
+    map.panels[0].title = "a panel";
+    const std::string svg = svg_of(map);
+    const auto height_of = [&](const std::string& words) {
+        return std::stod(matches(svg, "<text[^>]* y=\"([0-9.]+)\"[^>]*>" + words + "<").at(0));
+    };
+    EXPECT_GE(height_of("a panel") - height_of("colour: a quantity with a long name"), 19) << "more than a line";
+}
+
 TEST(SvgMap, LinesStayInsideAndLettersAreThere) {
     Map map = map_of({1, 2, 3}, {1, 2}, {1, 2, 3, 4, 5, 6});
     map.panels.push_back(map.panels[0]);
