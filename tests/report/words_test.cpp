@@ -54,7 +54,7 @@ TEST(Words, CountsChooseTheWord) {
 TEST(Words, WhatIsMissingIsAMistakeOfTheProgram) {
     EXPECT_THROW(Words("q3").say("no such message"), std::logic_error);
     EXPECT_THROW(Words("no such file").say("title"), std::logic_error);
-    EXPECT_THROW(Words("q3").line("plane.subtitle"), std::logic_error) << "without its fact";
+    EXPECT_THROW(Words("q3").line("plane.caption"), std::logic_error) << "without its fact";
 }
 
 TEST(Words, ACaptionHasNoReference) {
@@ -89,13 +89,13 @@ TEST(Words, BlocksOfAMessage) {
 TEST(Words, ATemplateReplacesAMessageAndKeepsTheOthers) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.path() / "words");
-    folder.write("words/q3.md", "## plane.subtitle\nN = {{vertices}}\n");
+    folder.write("words/q3.md", "## plane.caption\nN = {{vertices}}\n");
     use_words_of(Templates(folder.path()));
-    EXPECT_EQ(Words("q3").line("plane.subtitle", "vertices"_a = 7), "N = 7");
+    EXPECT_EQ(Words("q3").line("plane.caption", "vertices"_a = 7), "N = 7");
     EXPECT_EQ(Words("q3").line("title"), "Cotangent Laplace–Beltrami curvature");
     EXPECT_NE(words_identity(), "");
     use_words_of(Templates());
-    EXPECT_EQ(Words("q3").line("plane.subtitle", "vertices"_a = 7), "7 vertices, inner ones moved within the plane");
+    EXPECT_TRUE(Words("q3").line("plane.caption", "vertices"_a = 7).starts_with("|H| × mean edge of an irregular flat square (7 vertices"));
     EXPECT_EQ(words_identity(), "");
 }
 
@@ -112,8 +112,8 @@ TEST(Words, AReplacedMessageThatCannotBeToldIsRefusedWithItsLine) {
         return "none";
     };
     EXPECT_NE(problem_of("## title\nA\n## tittle\nB\n").find("q3.md:3"), std::string::npos);
-    EXPECT_NE(problem_of("## plane.subtitle\n{{edges}}\n").find("edges"), std::string::npos);
-    EXPECT_NE(problem_of("## plane.subtitle\n{{vertices|vertex|vertices}}\n## sphere\n{{limit|one|many}}\n").find("q3.md:3: "),
+    EXPECT_NE(problem_of("## plane.caption\n{{edges}}\n").find("edges"), std::string::npos);
+    EXPECT_NE(problem_of("## plane.caption\n{{vertices|vertex|vertices}}\n## sphere\n{{limit|one|many}}\n").find("q3.md:3: "),
               std::string::npos);
     EXPECT_NE(problem_of("## title\nA\n\n## title\nB\n").find("q3.md:4"), std::string::npos);
     EXPECT_NE(problem_of("## title\n{{unclosed\n"), "none");

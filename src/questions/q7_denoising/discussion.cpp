@@ -39,7 +39,7 @@ report::Text strongest_by_normals(const Grids& grids) {
 /// Where the strongest noise tried gains most, it is not too strong; what is left of it is a lot all the same.
 report::Text strongest_noise(const Grids& grids) {
     Names meshes;
-    double angle = infinity;
+    double angle = infinity, strongest = infinity;
     for (const DenoisingGrid& grid : grids) {
         const auto gain = [](const NoisyTrial& trial) { return trial.gain(measures[0]); };
         const NoisyTrial& last = grid.trials.back();
@@ -48,11 +48,12 @@ report::Text strongest_noise(const Grids& grids) {
             continue;
         meshes.push_back(grid.name());
         angle = std::min(angle, last.found.by_angle.angle);
+        strongest = std::min(strongest, last.relative);
     }
     constexpr double crumpled = 10 * pi / 180;
     if (meshes.empty()) return {};
     return paragraph_of(
-        {said_of(meshes, words, "strong"), strongest_by_normals(grids),
+        {words.say("strong", "meshes"_a = listed(meshes), "noise"_a = readable_percent(strongest, 2)), strongest_by_normals(grids),
          !meshes.empty() && angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
 }
 

@@ -16,7 +16,7 @@ using nlohmann::json;
 constexpr std::size_t views_in_a_line = 3;
 // Against the width of the text, on paper 59, 44, 99 and 90 mm. A block may be as high as a line.
 constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52;
-constexpr double lowest_row = 0.14, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
+constexpr double lowest_row = 0.11, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
 constexpr int tenths_of_heads = 2;                         // of the width, beside the rows of a matrix: 24 mm on paper
 
 bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }

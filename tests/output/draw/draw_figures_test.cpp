@@ -88,7 +88,7 @@ TEST(DrawFigures, WhatThePictureWouldCutOffIsScaledAboutItsMiddleUntilItFits) {
     Positions spiked = cube.X;
     spiked.row(0) *= 20;
     const FittedPositions fitted = fitted_into_frame(cube, spiked);
-    EXPECT_LT(fitted.scale, 0.1);
+    EXPECT_LT(fitted.scale, 0.2);
     EXPECT_EQ(fitted_into_frame(cube, fitted.X).scale, 1) << "now it fits";
     EXPECT_NEAR((fitted.X.row(5) - fitted.X.row(9)).norm(), fitted.scale * (spiked.row(5) - spiked.row(9)).norm(), 1e-12);
 }
