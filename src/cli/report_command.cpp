@@ -11,6 +11,7 @@
 #include "mesh/mesh_topology.h"
 #include "output/draw/draw_figures.h"
 #include "output/publish/publish.h"
+#include "run/arguments.h"
 #include "run/console.h"
 #include "run/cover.h"
 #include "run/from_results.h"
@@ -73,7 +74,10 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
 void begin_planned(const Plan& plan, ReportSettings& settings) {
     require_memory(plan, settings, available_memory());
     settings.efforts = plan.efforts();
-    if (settings.time) complain("planned:\n" + text_of(plan));
+    if (settings.time) {
+        for (const std::string& line : split("planned:\n" + text_of(plan), '\n'))
+            if (!line.empty()) complain(line);
+    }
     if (plan.seconds() > plan.time)
         warn("the least that answers every question takes about " + plain_text(plan.seconds(), 2) + " s on two cores, not " +
              plain_text(plan.time, 2) + " s");

@@ -6,6 +6,7 @@
 #include "temporary_folder.h"
 
 using namespace meshfolio;
+using testing_tools::TemporaryFolder;
 namespace fs = std::filesystem;
 
 namespace {

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "base/errors.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/closest_point.h"
 #include "geometry/operators/triangle_shape.h"
 #include "geometry/operators/vertex_areas.h"
@@ -35,28 +33,15 @@ void require_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
     }
 }
 
-/// Of each vertex of `from` the distance to the triangles of `to` that have the vertex of its number; below 0 where none has. [length²]
-Vector squared_distances_to_own_triangles(const Positions& from, const TriangleMesh& to) {
-    Vector nearest = Vector::Constant(from.rows(), -1);
-    for (Eigen::Index t = 0; t < to.F.rows(); ++t) {
-        const ClosestPoint::Triangle triangle(to.X.row(to.F(t, 0)), to.X.row(to.F(t, 1)), to.X.row(to.F(t, 2)));
-        for (const int v : to.F.row(t)) nearest[v] = triangle.squared_distance(from.row(v), nearest[v] < 0 ? infinity : nearest[v]);
-    }
-    return nearest.array().isNaN().select(-1, nearest);   // of positions that are none
-}
-
-/// max over the vertices of `from`, those of triangles, of the distance to the surface of `to`. Their own triangles bound it. The vertices
-/// with the largest bounds are searched for first, and those bounded by the maximum so far need no search. [length²]
-double squared_one_sided_hausdorff(const Positions& from, const TriangleMesh& to) {
-    const Vector bound = squared_distances_to_own_triangles(from, to);
-    std::vector<int> order(static_cast<std::size_t>(from.rows()));
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int v, int w) { return bound[v] > bound[w]; });
+/// max over the vertices of `from` of the distance to the surface of `to`, whose vertex i lies near vertex i of `from`: that vertex
+/// bounds the distance, and vertices bounded by the maximum so far need no search. [length²]
+double squared_one_sided_hausdorff(const Positions& from, const TriangleMesh& to, const std::vector<char>& in_use) {
     const ClosestPoint surface(to);
     double largest = 0;
-    for (const int v : order) {
-        if (bound[v] <= largest) break;
-        largest = std::max(largest, surface.squared_distance(from.row(v), bound[v], largest));
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
+        if (!in_use[static_cast<std::size_t>(i)]) continue;
+        const double bound = (from.row(i) - to.X.row(i)).squaredNorm();
+        if (bound > largest) largest = std::max(largest, surface.squared_distance(from.row(i), bound, largest));
     }
     return largest;
 }
@@ -67,7 +52,10 @@ double two_sided_hausdorff(const TriangleMesh& a, const TriangleMesh& b) {
     const Vector3 centre = bounding_box(a).centre();
     const auto normalised = [&](const TriangleMesh& mesh) { return moved_to(mesh, scale * (mesh.X.rowwise() - centre.transpose())); };
     const TriangleMesh unit_a = normalised(a), unit_b = normalised(b);
-    const double squared = std::max(squared_one_sided_hausdorff(unit_a.X, unit_b), squared_one_sided_hausdorff(unit_b.X, unit_a));
+    std::vector<char> in_use(static_cast<std::size_t>(a.X.rows()), 0);
+    for (const int v : a.F.reshaped()) in_use[static_cast<std::size_t>(v)] = 1;
+    const double squared =
+        std::max(squared_one_sided_hausdorff(unit_a.X, unit_b, in_use), squared_one_sided_hausdorff(unit_b.X, unit_a, in_use));
     return std::sqrt(squared) / scale;
 }
 

@@ -27,9 +27,9 @@ std::span<const SectionModel> section_models();
 /// How much more than by default the [[question]] of a settings file asks for: eigenvectors, iterations, steps, levels of noise.
 double work_of(std::string_view id, const QuestionTable& table, bool small);
 
-/// Beside the sections: the program, its pages; reading the meshes; making decimated copies; printing.
-inline constexpr CostModel base_cpu{0.9, 0}, reading_cpu{0, 0.35}, copies_cpu{0, 2.5}, printing_cpu{8, 0};              // [s]
-inline constexpr CostModel base_memory{70, 0}, reading_memory{0, 45}, copies_memory{0, 110}, printing_memory{300, 0};   // [MB]
+/// Beside the sections: the program; reading the meshes; making decimated copies; printing.
+inline constexpr CostModel base_cpu{0.2, 0}, reading_cpu{0, 0.25}, copies_cpu{0, 2.3}, printing_cpu{8, 0};   // [s]
+inline constexpr CostModel base_memory{35, 0}, reading_memory{0, 25}, copies_memory{0, 80};                  // [MB]
 
 inline constexpr int cores = 2;             // those that a time is promised for
 inline constexpr double busy_share = 0.8;   // of the cores, over a whole report
