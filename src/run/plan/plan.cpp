@@ -197,10 +197,6 @@ std::map<std::string, Effort> Plan::efforts() const {
     return efforts;
 }
 
-bool Plan::is_scaled_down() const {
-    return std::ranges::any_of(sections, [](const PlannedSection& section) { return !section.effort().is_whole(); });
-}
-
 double promised_seconds(double triangles, bool quick) {
     const double millions = triangles / 1e6;
     if (!quick) return std::max(180.0, 180 * millions / 0.346);

@@ -42,7 +42,6 @@ struct Plan {
     double seconds() const;                       // on two cores
     double memory(int at_a_time = cores) const;   // at the peak, so many sections being worked on [bytes]
     std::map<std::string, Effort> efforts() const;
-    bool is_scaled_down() const;
 };
 
 /// Seconds on two cores that a report of so many triangles is promised in.

@@ -64,7 +64,6 @@ struct Effort {
     int most_vertices = 0;   // copies of at most so many take the place of larger meshes; 0: none does
     bool left_out = false;
     double cpu_seconds = 0;   // estimated
-    bool is_whole() const { return !small && most_vertices == 0 && !left_out; }
 };
 
 /// setting_list.h says of each where it is given and what depends on it.
