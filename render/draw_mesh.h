@@ -27,7 +27,7 @@ struct ValueRange {
     double low = 0, high = 1;   // ends of the map; values beyond are clamped
     bool logarithmic = false;   // equal ratios are equally far apart; low > 0, and what is below counts as low
 
-    /// Where a value lies: 0 at the low end, 1 at the high one.
+    /// Where a value lies: 0 at the low end, 1 at the high one. Not finite where the ends are equal.
     double position(double value) const;
 };
 

@@ -1,7 +1,8 @@
 // Fills the pages of report.pdf: where a figure or table would leave the rest of a page empty, the text behind it comes first, as in any
-// typeset paper; what stays empty goes to the pictures of that page. Columns of a page's size break as pages do, so the browser's own layout tells where pages end. Engines without scripts
-// (weasyprint) keep the document's order, and some of their pages end early. The same columns tell the numbers of the pages in the contents;
-// the title says them, so that whoever prints can hold them against the pages of the PDF (src/report/pdf/print_pdf.cpp).
+// typeset paper; what stays empty goes to the pictures of that page. Columns of a page's size break as pages do, so the browser's own
+// layout tells where pages end. Engines without scripts (weasyprint) keep the document's order, and some of their pages end early. The
+// same columns tell the numbers of the pages in the contents; the title says them, so that whoever prints can hold them against the pages
+// of the PDF (src/report/pdf/print_pdf.cpp).
 const main = document.querySelector("main");
 const tolerated = 0.1;   // of a page's height, left empty
 
@@ -86,7 +87,7 @@ function fillInPageNumbers() {
 addEventListener("load", () => {
     main.classList.add("paged");
     document.querySelectorAll("main > section > figure").forEach(fillPageBefore);
-    if (main.matches(".paper")) growFigures();   // the appendix is long and nobody looks at its page ends
+    if (main.matches(".paper")) growFigures();   // in the long appendix it would take too long
     fillInPageNumbers();
     main.classList.remove("paged");
 });

@@ -10,9 +10,11 @@
 #include <new>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/large_pages.h"
+#include "base/nearest_word.h"
 
 namespace meshfolio {
 
@@ -50,7 +52,11 @@ std::string room_for(std::uintmax_t size, const Location& where) try {
 class RegularFile {
 public:
     explicit RegularFile(const Location& where) : where_(where), file_(::open(where.file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        if (file_.get() < 0) throw InputError(where, "cannot open the file (" + reason() + ")", "check its name and the right to read it");
+        if (file_.get() < 0) {
+            const std::string why = reason(), meant = near_names(where.file);
+            throw InputError(where, "cannot open the file (" + why + ")",
+                             meant.empty() ? "check its name and the right to read it" : meant);
+        }
         struct stat status {};
         if (::fstat(file_.get(), &status) != 0) throw InputError(where, "cannot examine the file (" + reason() + ")");
         if (S_ISDIR(status.st_mode)) throw InputError(where, "is a folder, not a file", "name a file in it");
@@ -80,6 +86,22 @@ private:
 };
 
 }   // namespace
+
+std::string near_names(const std::filesystem::path& missing) {
+    namespace fs = std::filesystem;
+    constexpr std::size_t most = 10000;                                               // looked at
+    const fs::path path = missing.has_filename() ? missing : missing.parent_path();   // "meshes/"
+    if (may_be_there(path)) return "";
+    std::vector<std::string> names;
+    std::error_code error;
+    fs::directory_iterator it(path.has_parent_path() ? path.parent_path() : fs::path("."), error);
+    for (; !error && it != fs::directory_iterator() && names.size() < most; it.increment(error))
+        names.push_back(it->path().filename().string());
+    std::string words;
+    for (const std::string& name : near_words(path.filename().string(), std::move(names)))
+        words += (words.empty() ? "did you mean '" : " or '") + name + "'";
+    return words.empty() ? words : words + "?";
+}
 
 bool may_be_there(const std::filesystem::path& path) {
     std::error_code unknown;

@@ -14,6 +14,9 @@ namespace meshfolio {
 /// reports what is wrong.
 bool may_be_there(const std::filesystem::path& path);
 
+/// "did you mean 'bunny.obj' or 'bunny.off'?", of what its folder has, where there is nothing of that name; else empty.
+std::string near_names(const std::filesystem::path& missing);
+
 /// The bytes of a regular file.
 /// @throws InputError if it is missing, unreadable, not a regular file, or larger than `limit` bytes
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{4} << 30);

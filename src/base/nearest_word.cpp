@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace meshfolio {
 
@@ -29,6 +30,20 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
         return edit_distance(word, a) < edit_distance(word, b);
     });
     return nearest == known.end() ? "" : *nearest;
+}
+
+std::vector<std::string> near_words(const std::string& word, std::vector<std::string> known) {
+    constexpr std::size_t most = 3;
+    std::vector<std::pair<std::size_t, std::string>> near;
+    for (std::string& one : known) {
+        const std::size_t distance = edit_distance(word, one);
+        if (3 * distance <= std::max(word.size(), one.size())) near.emplace_back(distance, std::move(one));
+    }
+    std::sort(near.begin(), near.end());
+    near.resize(std::min(near.size(), most));
+    std::vector<std::string> words;
+    for (auto& [distance, one] : near) words.push_back(std::move(one));
+    return words;
 }
 
 }   // namespace meshfolio

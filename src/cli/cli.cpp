@@ -20,9 +20,9 @@ namespace meshfolio::cli {
 
 namespace {
 
-constexpr std::array makers{report_command, render_command,  inspect_command,   curvature_command, spectrum_command, smooth_command,
-                            noise_command,  compare_command, lab_command,       sample_command,    list_command,     doctor_command,
-                            verify_command, cache_command,   templates_command, submit_command};
+constexpr std::array makers{report_command, merge_command,  render_command,  inspect_command,   curvature_command, spectrum_command,
+                            smooth_command, noise_command,  compare_command, lab_command,       sample_command,    list_command,
+                            doctor_command, verify_command, cache_command,   templates_command, submit_command};
 
 /// `meshfolio` alone, or with options only, means `meshfolio report`.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
@@ -124,6 +124,10 @@ void CommandOptions::choice(const std::string& names, std::string& value, const 
 
 void CommandOptions::texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
     app_->add_option(names, values, help)->allow_extra_args(!names.starts_with('-'));
+}
+
+void CommandOptions::required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
+    app_->add_option(names, values, help)->required();
 }
 
 void CommandOptions::flag(const std::string& names, bool& value, const std::string& help) { app_->add_flag(names, value, help); }

@@ -28,6 +28,7 @@ public:
     void text(const std::string& names, std::string& value, const std::string& help);
     void required(const std::string& names, std::string& value, const std::string& help);
     void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help);
+    void required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
     /// A place takes all that follows, an option one word each time.
     void texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
     void flag(const std::string& names, bool& value, const std::string& help);
@@ -46,6 +47,7 @@ struct Command {
 };
 
 Command report_command(CLI::App& parent);
+Command merge_command(CLI::App& parent);
 Command render_command(CLI::App& parent);
 Command inspect_command(CLI::App& parent);
 Command curvature_command(CLI::App& parent);

@@ -15,12 +15,14 @@
 #include "run/console.h"
 #include "run/cover.h"
 #include "run/from_results.h"
+#include "run/kept_sections.h"
 #include "run/lab/report_labs.h"
 #include "run/own_source.h"
 #include "run/paper_copy.h"
 #include "run/plan/plan.h"
 #include "run/progress.h"
 #include "run/provenance.h"
+#include "run/publish_report.h"
 #include "run/report_files.h"
 #include "run/run_questions.h"
 #include "run/settings/report_settings.h"
@@ -41,6 +43,14 @@ private:
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
+/// With the sections that stay, the report is that of a run which was asked for all of them.
+ReportSettings with_kept(ReportSettings settings, const KeptSections& kept) {
+    if (settings.only.empty()) return settings;
+    for (const auto& [id, answer] : kept.answers) settings.only.push_back(id);
+    settings.only = sections_in_order(settings.only);
+    return settings;
+}
+
 report::Document document_of(const ReportSettings& settings, const std::vector<QuestionResult>& results,
                              const std::optional<Cover>& cover) {
     report::Document document;
@@ -49,7 +59,7 @@ report::Document document_of(const ReportSettings& settings, const std::vector<Q
     document.course = settings.course;
     document.provenance = provenance_of(described(settings), settings.seed);
     for (const QuestionResult& result : results) document.sections.push_back(result.section());
-    if (cover) document.cover = cover->figure();
+    if (cover) document.cover = cover->figure(results);
     return document;
 }
 
@@ -89,29 +99,33 @@ ExitCode run_report(const ReportFlags& flags) {
     report::Templates templates(settings.templates);
     report::use_words_of(templates);
     if (settings.page.file) templates.replace("report.html", *settings.page.file);
-    PaperCopy paper(settings, templates);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
-    const Plan plan = plan_of(settings, meshes);
+    meshes.open_own_meshes();
+    const Plan plan = plan_of(settings, meshes, flags.alone);
     if (flags.plan) {
         print(flags.json ? json_of(plan) : text_of(plan));
         return ExitCode::ok;
     }
     begin_planned(plan, settings);
     const auto threads = limited_threads(settings);
+    PaperCopy paper(settings, templates);
     output::Publication publication(settings.out);
+    const bool renews = !flags.only.empty() && !flags.alone && flags.part.empty();
+    const KeptSections kept = renews ? kept_sections(settings, meshes, publication.folder()) : KeptSections();
     const auto store = flags.no_cache ? nullptr : cache_for_report();
     std::optional<QuestionCache> cache;
     if (store) cache.emplace(*store, settings, meshes, publication.folder());
 
     report::Document document;
-    std::string note, pdf_note;
+    Published published;
+    std::string pdf_note;
     {
         ProgressDisplay display(stderr_is_terminal(), plan.seconds());
         const Stopwatch whole;
-        std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, display);
+        std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, kept.answers, display);
         const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
-        const std::optional<Cover> cover = chosen_cover(results, cache ? &*cache : nullptr, again);
-        document = document_of(settings, results, cover);
+        const std::optional<Cover> cover = chosen_cover(results, again);
+        document = document_of(with_kept(settings, kept), results, cover);
         submission::cite(document, own_source());
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
@@ -126,15 +140,11 @@ ExitCode run_report(const ReportFlags& flags) {
         run_tasks([&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
                   [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
                   [&] { write_file(folder / "src.txt", own_source().text()); });
-        note = publication.publish(stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr));
+        const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
+        published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }
-    for (const std::string& words : {note, pdf_note}) {
-        if (!words.empty()) warn(words);
-    }
-    const ExitCode result = summarise(document);
-    print_path(settings.out / "index.html");
-    return result;
+    return tell(published, {pdf_note, kept.note}, document);
 }
 
 }   // namespace
@@ -143,10 +153,13 @@ Command report_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
     CommandOptions app(parent, "report", "All questions: the full report");
     app.texts("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
-    app.text("--only", flags->only, "some of the questions: q1,q4");
+    app.text("--only", flags->only, "some of the questions: q1,q4; a report of the same inputs and settings in --out keeps its others");
+    app.flag("--alone", flags->alone, "nothing but what --only names");
+    app.text("--part", flags->part, "folder for a part of a report, to be joined with others by meshfolio merge");
     app.texts("--data", flags->data, "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");
     app.text("--out", flags->out, "folder of the report, replaced as a whole; default: out");
     app.text("--config", flags->config, "settings file (TOML); data/report.toml documents every key");
+    app.text("--author", flags->author, "whose work it is; also with --from");
     app.text("--threads", flags->threads, "at most so many threads; default: all");
     app.text("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
     app.flag("--views-files", flags->view_files, "every view of every figure as a PNG of that size, not only those asked to be handed in");
@@ -162,8 +175,11 @@ Command report_command(CLI::App& parent) {
     app.flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
     app.flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
     app.flag("--no-cache", flags->no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
+    app.text("--junit", flags->junit, "the checks as JUnit XML, for CI");
     app.text("--from", flags->from, "results.json of an earlier report, which is rendered again without computing anything");
-    app.footer("Example: meshfolio report --data meshes/coursework --out out\n         meshfolio report my.obj --only q1,q3 --quick");
+    app.footer(
+        "Example: meshfolio report --data meshes/coursework --out out\n         meshfolio report my.obj --only q1,q3 --quick\n         "
+        "meshfolio report --part parts/q4 --only q4");
     return {app, [flags] { return flags->from.empty() ? run_report(*flags) : report_from_results(*flags); }};
 }
 

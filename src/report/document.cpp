@@ -1,6 +1,7 @@
 #include "report/document.h"
 
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "base/number_text.h"
@@ -73,6 +74,26 @@ std::string words_of(const Score& score) {
     return std::to_string(score.passed) + " of " + std::to_string(score.total()) + " checks passed" +
            (score.failed > 0 ? ", " + std::to_string(score.failed) + " failed" : "") +
            (score.undecided > 0 ? ", " + std::to_string(score.undecided) + " undecided" : "");
+}
+
+std::vector<std::string> check_ids(const Section& section) {
+    constexpr std::size_t longest = 100;
+    std::vector<std::string> ids;
+    std::set<std::string> taken;
+    for (const Check& check : section.checks) {
+        std::string stem = section.id;
+        bool in_word = false;
+        for (const char c : check.name.substr(0, longest)) {
+            const bool is_upper = c >= 'A' && c <= 'Z', belongs = is_upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+            if (belongs) stem += std::string(in_word ? "" : "-") + static_cast<char>(is_upper ? c - 'A' + 'a' : c);
+            in_word = belongs;
+        }
+        if (stem == section.id) stem += "-check";
+        std::string id = stem;
+        for (int number = 2; !taken.insert(id).second; ++number) id = stem + "-" + std::to_string(number);
+        ids.push_back(std::move(id));
+    }
+    return ids;
 }
 
 }   // namespace meshfolio::report

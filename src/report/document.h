@@ -247,6 +247,9 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
+/// Ids of its checks, unique in the document: "q5-energy-falls-on-cube", from the section and the name; "…-2" where two are named alike.
+std::vector<std::string> check_ids(const Section& section);
+
 struct Provenance {
     std::string version, commit, compiler, build_type;
     std::map<std::string, std::string> libraries;   // name → version
@@ -255,10 +258,18 @@ struct Provenance {
     bool operator==(const Provenance&) const = default;
 };
 
+/// A picture for the first page, and what it is preferred by: reports that are joined have one.
+struct Cover : Figure {
+    std::string section = {};   // whose figure it is
+    bool turnable = false;
+    double worth = 0;   // 1 + how much its mesh is bent [rad]
+    bool operator==(const Cover&) const = default;
+};
+
 struct Document {
     std::string title, author, course;
     Provenance provenance;
-    std::optional<Figure> cover;     // a picture for the first page
+    std::optional<Cover> cover;
     std::vector<Section> sections;   // in order of the questions
     std::vector<Timing> timings;     // of the run as a whole
     bool operator==(const Document&) const = default;

@@ -73,6 +73,9 @@ std::string write_markdown(const Document& document, const DrawnFigures& figures
                            const WriteOptions& options = {});
 /// The answers on one page of Markdown, for the summary of a CI job.
 std::string write_summary(const Document& document, const Templates& templates);
+/// JUnit XML: a suite a section, a case a check (its id), what is undecided as skipped. No clock is read: its times are those of the
+/// document.
+std::string write_junit(const Document& document, bool timings);
 std::string write_json(const Document& document, const DrawnFigures& figures, const WriteOptions& options = {});
 
 /// The JSON schema (draft 7) of results.json, made from the descriptions that write and read it (json/json_fields.h).

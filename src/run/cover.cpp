@@ -48,23 +48,21 @@ CoverOffer offer_of(const Answer& answer) {
     return figure == nullptr ? CoverOffer{} : offer_with(*figure);
 }
 
-report::Figure Cover::figure() const { return {"cover", "", alt}; }
+report::Cover Cover::figure(const std::vector<QuestionResult>& results) const {
+    return {{"cover", "", offer.alt}, results[result].section().id, offer.turnable, offer.worth};
+}
 
-std::optional<Cover> chosen_cover(std::vector<QuestionResult>& results, const QuestionCache* cache,
+std::optional<Cover> chosen_cover(std::vector<QuestionResult>& results,
                                   const std::function<QuestionResult(const std::string& id)>& answer_again) {
     Cover cover;
-    CoverOffer most;
     for (std::size_t i = 0; i < results.size(); ++i) {
         const CoverOffer offer = offered_by(results[i]);
-        if (!offer.beats(most)) continue;
-        most = offer;
-        cover.result = i;
-        cover.alt = offer.alt;
+        if (offer.beats(cover.offer)) cover.offer = offer, cover.result = i;
     }
-    if (most.worth == 0) return {};
+    if (cover.offer.worth == 0) return {};
     QuestionResult& best = results[cover.result];
     if (best.stored) {
-        cover.stored = cache->find_cover(best.stored->key);
+        cover.stored = best.stored->find_cover();
         if (cover.stored) return cover;
         best = answer_again(best.section().id);
         if (best.section().status != report::Status::ok) return {};

@@ -16,16 +16,16 @@ CoverOffer offer_of(const Answer& answer);
 
 struct Cover {
     std::size_t result = 0;   // whose figure it is
-    std::string alt;
+    CoverOffer offer;
     std::optional<output::FigureRequest> request;   // to be drawn; none: it is stored
     std::optional<StoredAnswer> stored;
 
-    report::Figure figure() const;
+    report::Cover figure(const std::vector<QuestionResult>& results) const;
 };
 
 /// @param answer_again  answers a question that is stored without its picture for the cover, in place of the stored answer
 /// @return nothing where no answer has a figure that will do
-std::optional<Cover> chosen_cover(std::vector<QuestionResult>& results, const QuestionCache* cache,
+std::optional<Cover> chosen_cover(std::vector<QuestionResult>& results,
                                   const std::function<QuestionResult(const std::string& id)>& answer_again);
 
 }   // namespace meshfolio::run

@@ -17,7 +17,28 @@ std::string dotted(int major, int minor, int patch) {
     return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
 }
 
+std::map<std::string, std::string> words_of(const report::Provenance& provenance) {
+    std::map<std::string, std::string> words = provenance.settings;
+    words.erase("only");
+    for (const auto& [library, version] : provenance.libraries) words["library " + library] = version;
+    words["version"] = provenance.version;
+    words["commit"] = provenance.commit;
+    words["compiler"] = provenance.compiler + ", " + provenance.build_type;
+    words["seed"] = std::to_string(provenance.seed);
+    return words;
+}
+
 }   // namespace
+
+std::string difference(const report::Provenance& one, const report::Provenance& other) {
+    std::map<std::string, std::string> a = words_of(one), b = words_of(other);
+    for (const auto& [key, value] : words_of(one)) b.try_emplace(key, "none");
+    for (const auto& [key, value] : b) {
+        const std::string& own = a.try_emplace(key, "none").first->second;
+        if (own != value) return key + " " + own + ", and not " + value;
+    }
+    return "";
+}
 
 report::Provenance provenance_of(std::map<std::string, std::string> settings, std::uint64_t seed) {
     report::Provenance provenance;

@@ -38,31 +38,6 @@ std::vector<MeshLookup> lookups_of(const json& list) {
     return lookups;
 }
 
-/// Every file of an answer, by path in the report's folder.
-std::set<std::string> files_of(const report::Section& section, const report::DrawnFigures& figures) {
-    std::set<std::string> files(section.output_meshes.begin(), section.output_meshes.end());
-    const auto add_drawing = [&](const std::string& id) {
-        files.insert("tables/" + id + ".csv");
-        files.insert("images/" + id + ".svg");
-    };
-    for (const report::Block& block : section.blocks) {
-        if (const auto* table = std::get_if<report::Table>(&block)) files.insert("tables/" + table->id + ".csv");
-        if (const auto* plot = std::get_if<report::Plot>(&block)) add_drawing(plot->id);
-        if (const auto* map = std::get_if<report::Map>(&block)) add_drawing(map->id);
-        if (const auto* diagram = std::get_if<report::Diagram>(&block)) files.insert("images/" + diagram->id + ".svg");
-    }
-    for (const auto& [id, figure] : figures) {
-        files.insert(figure.sheet);
-        for (const report::DrawnPanel& panel : figure.panels) {
-            for (const report::DrawnPicture& picture : panel.pictures) {
-                if (!picture.file.empty()) files.insert(picture.file);
-            }
-        }
-        for (const report::DrawnModel& model : figure.models) files.insert(model.file);
-    }
-    return files;
-}
-
 // ---- figures: the bytes that results.json does not hold, in the order in which it names what they are of ------------------
 
 json json_of(const report::DrawnFigure& figure, output::ResultCache& store) {
@@ -101,6 +76,8 @@ void restore(report::DrawnFigure& figure, const json& stored, output::ResultCach
     for (std::size_t m = 0; m < figure.models.size(); ++m) figure.models[m].glb = bytes_of(stored.at("models").at(m), store);
 }
 
+std::string cover_key(const std::string& answer_key) { return output::KeyMaker().add("cover").add(answer_key).key(); }
+
 /// Puts every file in its place, or none.
 bool place_files(const std::map<std::string, std::string>& digests, output::ResultCache& store, const fs::path& folder) {
     std::vector<std::pair<std::string, std::string>> files(digests.begin(), digests.end());
@@ -118,19 +95,43 @@ bool place_files(const std::map<std::string, std::string>& digests, output::Resu
 
 }   // namespace
 
+std::set<std::string> files_of(const report::Section& section, const report::DrawnFigures& figures) {
+    std::set<std::string> files(section.output_meshes.begin(), section.output_meshes.end());
+    const auto add_drawing = [&](const std::string& id) {
+        files.insert("tables/" + id + ".csv");
+        files.insert("images/" + id + ".svg");
+    };
+    for (const report::Block& block : section.blocks) {
+        if (const auto* table = std::get_if<report::Table>(&block)) files.insert("tables/" + table->id + ".csv");
+        if (const auto* plot = std::get_if<report::Plot>(&block)) add_drawing(plot->id);
+        if (const auto* map = std::get_if<report::Map>(&block)) add_drawing(map->id);
+        if (const auto* diagram = std::get_if<report::Diagram>(&block)) files.insert("images/" + diagram->id + ".svg");
+    }
+    for (const auto& [id, figure] : figures) {
+        files.insert(figure.sheet);
+        for (const report::DrawnPanel& panel : figure.panels) {
+            for (const report::DrawnPicture& picture : panel.pictures) {
+                if (!picture.file.empty()) files.insert(picture.file);
+            }
+        }
+        for (const report::DrawnModel& model : figure.models) files.insert(model.file);
+    }
+    return files;
+}
+
 QuestionCache::QuestionCache(output::ResultCache& store, const ReportSettings& settings, const MeshLibrary& meshes, fs::path folder)
     : store_(store), settings_(settings), meshes_(meshes), folder_(std::move(folder)) {}
 
-std::string QuestionCache::question_key(const std::string& question) const {
+std::string QuestionCache::question_key(const std::string& question, bool with_meshes) const {
     output::KeyMaker key;
     key.add(form).add(program_identity()).add(report::words_identity()).add(question);
-    for (const std::string& word : identity_of(settings_, question)) key.add(word);
+    for (const std::string& word : identity_of(settings_, question, with_meshes)) key.add(word);
     return key.key();
 }
 
 std::string QuestionCache::answer_key(const std::string& question, const std::vector<MeshLookup>& lookups) const {
     output::KeyMaker key;
-    key.add(question_key(question));
+    key.add(question_key(question, !lookups.empty()));
     for (const MeshLookup& lookup : lookups) {   // a path need not be UTF-8
         key.add(std::to_string(static_cast<int>(lookup.by))).add(lookup.name).add(lookup.path.string()).add(lookup.stand_in);
         key.add(meshes_.identity_of(lookup, settings_.base));
@@ -139,8 +140,11 @@ std::string QuestionCache::answer_key(const std::string& question, const std::ve
 }
 
 std::optional<StoredAnswer> QuestionCache::find(const std::string& question) const try {
-    const auto lookups = store_.get(question_key(question));
-    return lookups ? read(answer_key(question, lookups_of(json::parse(*lookups)))) : std::nullopt;
+    for (const bool with_meshes : {false, true}) {
+        const auto lookups = store_.get(question_key(question, with_meshes));
+        if (lookups) return read(answer_key(question, lookups_of(json::parse(*lookups))));
+    }
+    return {};
 } catch (const json::exception&) {   // written by another version
     return {};
 }
@@ -150,7 +154,7 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
     if (!bytes) return {};
     const json stored = json::parse(*bytes);
     StoredAnswer answer;
-    answer.key = key;
+    answer.find_cover = [this, key] { return read(cover_key(key)); };
     const std::string text = bytes_of(stored.at("section"), store_);
     report::ReadReport read = report::read_json(text, "cache");
     answer.section = std::move(read.document.sections.at(0));
@@ -174,7 +178,7 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
 std::map<std::string, std::string> QuestionCache::keep(const report::Section& section, const report::DrawnFigures& figures,
                                                        const CoverOffer& cover, const std::vector<MeshLookup>& lookups) const try {
     auto digests = write(answer_key(section.id, lookups), section, figures, cover);
-    store_.put(question_key(section.id), json_of(lookups).dump());
+    store_.put(question_key(section.id, !lookups.empty()), json_of(lookups).dump());
     return digests;
 } catch (const json::exception&) {   // a name that is no UTF-8: not kept
     return {};
@@ -190,7 +194,7 @@ std::map<std::string, std::string> QuestionCache::write(const std::string& key, 
     report::Document document;
     document.sections = {section};
     document.sections[0].timings.clear();   // of that run
-    if (figures.contains("cover")) document.cover = report::Figure{"cover", "", ""};
+    if (figures.contains("cover")) document.cover = report::Cover{{"cover", "", ""}};
     const std::string text = report::write_json(document, figures);
     if (text.find("\uFFFD") != std::string::npos) return {};   // words that are no UTF-8 would not come back
     json stored = {{"section", store_.keep(text)}, {"files", digests}, {"figures", json::object()}};
@@ -199,14 +203,6 @@ std::map<std::string, std::string> QuestionCache::write(const std::string& key, 
     store_.put(key, stored.dump());
     return digests;
 }
-
-namespace {
-
-std::string cover_key(const std::string& answer_key) { return output::KeyMaker().add("cover").add(answer_key).key(); }
-
-}   // namespace
-
-std::optional<StoredAnswer> QuestionCache::find_cover(const std::string& answer_key) const { return read(cover_key(answer_key)); }
 
 std::map<std::string, std::string> QuestionCache::keep_cover(const std::string& answer_key, const report::DrawnFigure& cover) const {
     report::Section none;

@@ -1,12 +1,14 @@
 /// @file
 /// Answers of earlier runs: a question whose inputs, settings and code have not changed is not answered again. Which meshes a question
 /// reads is known once it has run, so that two things are kept: under its settings and the program's identity what it looked up; under
-/// these and what the lookups give now, the answer with all its files.
+/// these and what the lookups give now, the answer with all its files. A section that looks no mesh up is kept without the user's own.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,8 +35,11 @@ struct StoredAnswer {
     report::DrawnFigures figures;
     std::map<std::string, std::string> digests;   // of its files, by path in the report's folder
     CoverOffer cover;
-    std::string key;
+    std::function<std::optional<StoredAnswer>()> find_cover;   // the first page's picture made from it, if that is stored
 };
+
+/// Every file of an answer, by path in the report's folder.
+std::set<std::string> files_of(const report::Section& section, const report::DrawnFigures& figures);
 
 class QuestionCache {
 public:
@@ -51,7 +56,6 @@ public:
                                             const std::vector<MeshLookup>& lookups) const;
 
     /// The first page's picture, made from the answer with this key.
-    std::optional<StoredAnswer> find_cover(const std::string& answer_key) const;
     std::map<std::string, std::string> keep_cover(const std::string& answer_key, const report::DrawnFigure& cover) const;
 
     /// Of the answer that these lookups lead to now.
@@ -63,7 +67,7 @@ private:
     const MeshLibrary& meshes_;
     std::filesystem::path folder_;
 
-    std::string question_key(const std::string& question) const;
+    std::string question_key(const std::string& question, bool with_meshes) const;
     std::optional<StoredAnswer> read(const std::string& key) const;
     std::map<std::string, std::string> write(const std::string& key, const report::Section& section, const report::DrawnFigures& figures,
                                              const CoverOffer& cover) const;

@@ -1,5 +1,6 @@
 #include "run/report_files.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -80,7 +81,7 @@ void complain_about(const std::vector<std::string>& lines) {
 
 }   // namespace
 
-ExitCode summarise(const report::Document& document) {
+void summarise(const report::Document& document) {
     std::vector<std::string> failures, checks;
     std::set<std::string> warnings;
     std::size_t undecided = 0;
@@ -98,7 +99,12 @@ ExitCode summarise(const report::Document& document) {
     complain_about(failures);
     complain_about(checks);
     if (undecided > 0) complain(counted(static_cast<int>(undecided), "check") + " undecided, which is no failure: the report says why");
-    return failures.empty() && checks.empty() ? ExitCode::ok : ExitCode::failed;
+}
+
+bool has_failed(const report::Document& document) {
+    return std::ranges::any_of(document.sections, [](const report::Section& section) {
+        return section.status == report::Status::failed || report::score_of(section.checks).failed > 0;
+    });
 }
 
 }   // namespace meshfolio::run

@@ -22,8 +22,10 @@ void write_report_files(const report::Document& document, const report::DrawnFig
                         const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
                         const std::filesystem::path& folder);
 
+/// Has a section or a check failed? What is undecided is no failure.
+bool has_failed(const report::Document& document);
+
 /// Warnings, failures, failed checks and the number of undecided ones, on stderr.
-/// @return failed when a section or a check has failed; what is undecided is no failure
-ExitCode summarise(const report::Document& document);
+void summarise(const report::Document& document);
 
 }   // namespace meshfolio::run

@@ -53,14 +53,14 @@ Answer skipped(std::string_view id, const std::string& why) {
 
 class Runner {
 public:
-    Runner(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache, ProgressDisplay& display)
-        : meshes_(meshes), settings_(settings), cache_(cache), display_(display) {
+    Runner(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
+           const std::map<std::string, StoredAnswer>& kept, ProgressDisplay& display)
+        : meshes_(meshes), settings_(settings), cache_(cache), kept_(kept), display_(display) {
         for (const auto& [id, effort] : settings.efforts) all_ += effort.cpu_seconds;
     }
 
     QuestionResult result(const Chapter& question) {
-        if (!settings_.only.empty() && !contains(settings_.only, std::string(question.id)))
-            return {skipped(question.id, "not asked for"), {}, {}};
+        if (!settings_.only.empty() && !contains(settings_.only, std::string(question.id))) return not_asked(question);
         if (effort_of(settings_, std::string(question.id)).left_out) return {skipped(question.id, left_out_to_fit()), {}, {}};
         const auto began = std::chrono::steady_clock::now();
         QuestionResult result;
@@ -84,10 +84,19 @@ private:
     const MeshLibrary& meshes_;
     const ReportSettings& settings_;
     const QuestionCache* cache_;
+    const std::map<std::string, StoredAnswer>& kept_;
     ProgressDisplay& display_;
     std::atomic<bool> stop_ = false;
     std::atomic<double> done_ = 0;   // of what is planned [CPU s]
     double all_ = 0;
+
+    QuestionResult not_asked(const Chapter& question) const {
+        const auto kept = kept_.find(std::string(question.id));
+        if (kept == kept_.end()) return {skipped(question.id, "not asked for"), {}, {}};
+        QuestionResult result{{}, kept->second, {}};
+        result.answer.section = kept->second.section;
+        return result;
+    }
 
     Answer attempted(const Chapter& question, const MeshLibrary& meshes) try {
         const auto progress = [&](std::string_view step) {
@@ -101,7 +110,6 @@ private:
             question, [&] { return question.answer(meshes, question_settings(settings_, std::string(question.id)), progress); });
         require_own_names(answer);
         place_meshes(answer);
-        report_unusable(answer, meshes);
         return answer;
     } catch (const Stopped&) {
         return skipped(question.id, "stopped, because another question had failed");
@@ -122,12 +130,6 @@ private:
         Answer answer;
         tbb::this_task_arena::isolate([&] { answer = work(); });
         return answer;
-    }
-
-    /// A bad mesh among good ones is a failed check of every section that the good ones have answered.
-    static void report_unusable(Answer& answer, const MeshLibrary& meshes) {
-        if (answer.section.inputs.empty()) return;
-        for (const std::string& reason : meshes.unusable_own_meshes()) answer.section.checks.push_back(unusable_mesh_check(reason));
     }
 
     /// meshes/<name>, unless the settings name another folder for this question.
@@ -156,10 +158,10 @@ private:
 }   // namespace
 
 std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
-                                          ProgressDisplay& display) {
+                                          const std::map<std::string, StoredAnswer>& kept, ProgressDisplay& display) {
     const std::vector<std::string> ids = section_ids();
     std::vector<QuestionResult> results(ids.size());
-    Runner runner(meshes, settings, cache, display);
+    Runner runner(meshes, settings, cache, kept, display);
     // Handed out one by one and from the last: the later questions take longest.
     std::atomic<std::size_t> left = ids.size();
     for_each_task(ids.size(), [&](std::size_t) {
@@ -170,7 +172,7 @@ std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const Repor
 }
 
 QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display) {
-    return Runner(meshes, settings, nullptr, display).result(chapter_of_id(id));
+    return Runner(meshes, settings, nullptr, {}, display).result(chapter_of_id(id));
 }
 
 }   // namespace meshfolio::run

@@ -25,8 +25,9 @@ struct QuestionResult {
 /// that was not asked for (or stopped by --fail-fast) a skipped one. Output meshes are placed where the settings say. MESHFOLIO_FAIL=q4,q6
 /// in the environment makes these questions fail.
 /// @param cache  where answers of earlier runs are looked for; null: nowhere
+/// @param kept  in place of sections that are not asked for
 std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
-                                          ProgressDisplay& display);
+                                          const std::map<std::string, StoredAnswer>& kept, ProgressDisplay& display);
 
 /// One of them, without the cache.
 QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display);

@@ -54,20 +54,22 @@ void add_stored_figures(const std::vector<QuestionResult>& results, const std::o
 output::Publication::Digests stored_and_kept(const std::vector<QuestionResult>& results, const report::DrawnFigures& figures,
                                              const std::optional<Cover>& cover, output::ResultCache* store, const QuestionCache* cache) {
     output::Publication::Digests digests;
-    if (store == nullptr) return digests;
     const auto add = [&](const std::map<std::string, std::string>& some) { digests.insert(some.begin(), some.end()); };
+    for (const QuestionResult& result : results) {
+        if (result.stored) add(result.stored->digests);
+    }
+    if (cover && cover->stored) add(cover->stored->digests);
+    if (store == nullptr) return digests;
     bool is_changed = false;
     try {
         for (std::size_t i = 0; i < results.size(); ++i) {
             const QuestionResult& result = results[i];
-            if (result.stored) add(result.stored->digests);
             if (!is_worth_keeping(result)) continue;
             add(cache->keep(result.section(), figures_of(result.answer, figures), offer_of(result.answer), result.lookups));
             const bool is_cover = cover && cover->request && cover->result == i;
             if (is_cover) add(cache->keep_cover(cache->answer_key(result.section().id, result.lookups), figures.at("cover")));
             is_changed = true;
         }
-        if (cover && cover->stored) add(cover->stored->digests);
         if (is_changed) store->trim();
     } catch (const Error& error) {
         warn("the cache could not be written: " + std::string(error.what()));

@@ -83,11 +83,10 @@ bool has_own_meshes(const json& results) {
 }
 
 /// The name under which it is handed in.
-std::string author_of(const std::string& named, const std::string& asked) {
+std::string author_of(const std::string& named, const std::string& asked, const std::string& remedy) {
     if (asked.empty() && named.empty()) throw UsageError("whose work it is, is not known", "give --author NAME");
     if (!asked.empty() && !named.empty() && asked != named) {
-        throw UsageError("the report names '" + printable(named) + "' as its author, not '" + printable(asked) + "'",
-                         "make it again with the right author in its settings, or leave --author out");
+        throw UsageError("the report names '" + printable(named) + "' as its author, not '" + printable(asked) + "'", remedy);
     }
     std::string author = asked.empty() ? named : asked;
     if (author.size() > longest_author || printable(author) != author)
@@ -96,17 +95,22 @@ std::string author_of(const std::string& named, const std::string& asked) {
     return author;
 }
 
-ReportFacts facts_of(const json& results, const std::string& asked_author) {
+/// Without computing anything.
+std::string to_name_author(const ReportFolder& report) {
+    const std::string folder = report.path.string();
+    return "meshfolio report --from " + folder + "/results.json --out " + folder + " --author NAME puts another on the report";
+}
+
+ReportFacts facts_of(const json& results, const std::string& asked_author, const std::string& remedy) {
     ReportFacts facts;
     facts.title = results.at("title").get<std::string>();
     facts.course = results.at("course").get<std::string>();
-    facts.author = author_of(results.at("author").get<std::string>(), asked_author);
+    facts.author = author_of(results.at("author").get<std::string>(), asked_author, remedy);
     facts.version = results.at("provenance").at("version").get<std::string>();
     facts.commit = results.at("provenance").at("commit").get<std::string>();
     facts.own_meshes = has_own_meshes(results);
     facts.warnings = warnings_of(results);
-    if (results.at("author") == "")
-        facts.warnings.push_back("the name is in INSTRUCTIONS.md alone; author in the settings puts it on the report as well");
+    if (results.at("author") == "") facts.warnings.push_back("the name is in INSTRUCTIONS.md alone: the report names nobody; " + remedy);
     return facts;
 }
 
@@ -127,7 +131,7 @@ ReportFacts require_ready(const ReportFolder& report, const SourceListing& listi
                 !required_file(report, paper, "print it with meshfolio report --pdf require, or take --without-pdf").starts_with("%PDF-"))
                 throw InputError({name_in(report, paper), 0}, "is no PDF", renew);
         }
-        return facts_of(results, options.author);
+        return facts_of(results, options.author, to_name_author(report));
     } catch (const json::exception& error) {
         throw InputError({file, 0}, std::string("is not what a report leaves (") + error.what() + ")", renew);
     }

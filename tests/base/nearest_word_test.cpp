@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+using meshfolio::near_words;
 using meshfolio::nearest_word;
 
 TEST(NearestWord, FewestEditsWin) {
@@ -15,3 +16,9 @@ TEST(NearestWord, FewestEditsWin) {
 TEST(NearestWord, TheFirstOnATie) { EXPECT_EQ(nearest_word("c", {"a", "b"}), "a"); }
 
 TEST(NearestWord, NothingKnownGivesNothing) { EXPECT_EQ(nearest_word("word", {}), ""); }
+
+TEST(NearestWord, ThoseThatMayHaveBeenMeantAreNearAndFew) {
+    const std::vector<std::string> known{"torus.obj", "tours.obj", "torus2.obj", "toru.objj", "terse.obj", "cube.obj"};
+    EXPECT_EQ(near_words("torus.objj", known), (std::vector<std::string>{"toru.objj", "torus.obj", "torus2.obj"}));
+    EXPECT_EQ(near_words("sphere", {"cube", "plane"}), std::vector<std::string>());
+}

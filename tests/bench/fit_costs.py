@@ -23,7 +23,7 @@ LARGE = 1e5   # the unit of vertices: coefficients are CPU s, and MB, at that si
 def measured(program, mesh, section, small, fails=False):
     """(CPU s, peak MB) of one report with that section."""
     with tempfile.TemporaryDirectory() as folder:
-        words = [program, "report", mesh, "--only", section, "--threads", "1", "--no-cache", "--pdf", "off", "--out", f"{folder}/out"]
+        words = [program, "report", mesh, "--only", section, "--alone", "--threads", "1", "--no-cache", "--pdf", "off", "--out", f"{folder}/out"]
         if small:
             words.append("--quick")
         environment = {**os.environ, **({"MESHFOLIO_FAIL": section} if fails else {})}
@@ -38,7 +38,7 @@ def check(options, sections):
     """How many estimates are off, each told."""
     wrong = 0
     for mesh, section, small in itertools.product(options.meshes, sections, (False, True)):
-        words = [options.program, "report", mesh, "--only", section, "--plan", "--json", "--pdf", "off"] + ["--quick"] * small
+        words = [options.program, "report", mesh, "--only", section, "--alone", "--plan", "--json", "--pdf", "off"] + ["--quick"] * small
         plan = json.loads(subprocess.run(words, capture_output=True, check=True).stdout)
         seconds, megabytes = measured(options.program, mesh, section, small)
         for what, told, took, slack in (("CPU s", plan["cpu_seconds"], seconds, 0.5), ("MB", plan["memory_bytes"] / 1e6, megabytes, 50)):

@@ -30,7 +30,7 @@ class Plans(unittest.TestCase):
         self.assertEqual([s["id"] for s in plan["sections"]], ["q4", "maps"])
 
     def test_a_report_does_what_is_planned_and_again(self):
-        words = [self.mesh, "--time", 4, "--only", "q1,q5,maps,preflight", "--no-timings", "--size", 64]
+        words = [self.mesh, "--time", 4, "--only", "q1,q5,maps,preflight", "--alone", "--no-timings", "--size", 64]
         planned = {s["id"]: s for s in self.plan(*words)["sections"]}
         trees = []
         for name in ("a", "b"):

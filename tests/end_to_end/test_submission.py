@@ -382,6 +382,17 @@ class Refusals(Reported):
         self.refuse(2, "the report names 'Alan Turing' as its author, not 'Ada Lovelace'", out)
         self.assertEqual(self.submit(out, author=None).returncode, 0, "the report's own author is enough")
 
+    def test_an_author_is_put_on_the_report_afterwards(self):
+        out = self.copy()
+        remedy = f"meshfolio report --from {out}/results.json --out {out} --author NAME"
+        self.assertIn(f"the report names nobody; {remedy}", self.submit(out).stderr)
+        self.assertEqual(run("report", "--from", out / "results.json", "--out", out, "--author", AUTHOR).returncode, 0)
+        self.assertIn(AUTHOR, (out / "index.html").read_text())
+        for author in (AUTHOR, None):
+            self.assertNotIn("nobody", self.submit(out, author=author).stderr)
+        self.refuse(2, remedy, out, author="Alan Turing")
+        self.assertEqual(run("report", "--author", "a\nb", "--out", out).returncode, 2)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -121,10 +121,37 @@ class Faults(unittest.TestCase):
         self.restore_old()
         return old, new
 
+    def with_renewal(self):
+        """The trees of a report of question 2, which is put in place, and of one that has question 1 as well; the words that add it."""
+        self.old_folder = self.folder / "made-64" / "out"
+        old = self.report_tree(64)
+        self.restore_old()
+        words = ["q1" if word == "q2" else word for word in self.report_words()]
+        self.assertEqual(self.run_program(*words).code, 0)
+        new = tree(self.out)
+        self.restore_old()
+        return old, new, words
+
+    def with_parts(self):
+        """The trees of an old report, which is put in place, and of what two parts give; the words that merge them."""
+        self.old_folder = self.folder / "made-72" / "out"
+        old, parts = self.report_tree(72), [self.folder / "part-q1", self.folder / "part-q2"]
+        for part in parts:
+            self.assertEqual(self.run_program("report", "--quick", "--size", 64, "--part", part, "--only", part.name[-2:]).code, 0)
+        words = ["merge", *parts, "--pdf", "off", "--out", self.out]
+        self.sweep()
+        shutil.rmtree(self.out, ignore_errors=True)
+        self.assertEqual(self.run_program(*words).code, 0)
+        new = tree(self.out)
+        self.restore_old()
+        return old, new, words
+
+    old_folder = None
+
     def restore_old(self):
         self.sweep()
         shutil.rmtree(self.out, ignore_errors=True)
-        shutil.copytree(self.folder / "made-72" / "out", self.out)
+        shutil.copytree(self.old_folder or self.folder / "made-72" / "out", self.out)
 
     def beside(self):
         """Names beside the output, in the folder for temporary files and in the root of the cache."""
@@ -138,12 +165,12 @@ class Faults(unittest.TestCase):
 
     # ---- system calls
 
-    def calls(self, names, *arguments, within=None, **options):
-        """The calls of these names that touch the folder `within` (default: where outputs are), in a run that must end well."""
+    def calls(self, names, *arguments, within=None, code=0, **options):
+        """The calls of these names that touch the folder `within` (default: where outputs are), in a run that must end with `code`."""
         log = self.folder / "trace"
         wrap = [*ONE_CPU, STRACE, "-f", "-y", "-qq", "-e", "signal=none", "-o", log, "-e", "trace=" + ",".join(names)]
         end = self.run_program(*arguments, wrap=wrap, **options)
-        self.assertEqual(end.code, 0, end.err)
+        self.assertEqual(end.code, code, end.err)
         found = [call for call in parsed_calls(log.read_text(errors="replace"))
                  if any(path.startswith(str(within or self.place)) for path in call.paths)]
         self.assertTrue(found, "no call was seen")

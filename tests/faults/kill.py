@@ -93,6 +93,38 @@ class Kill(Faults):
         self.assertEqual(self.run_program(*words).code, 0)
         self.assertEqual(self.beside(), ["x.ply"])
 
+    @needs_strace
+    def test_before_system_calls_of_a_renewal_and_of_a_merge(self):
+        for made_of in (self.with_renewal, self.with_parts):
+            old, new, words = made_of()
+            points = self.calls(CHANGES, *words)
+            for call in {*some(points, 8), *(c for c in points if c.name.startswith("rename"))}:
+                self.restore_old()
+                self.run_with(call, "signal=KILL", *words)
+                self.require_old_or_new(old, new, call.line)
+            self.require_next_run(new, *words)
+
+    @needs_strace
+    def test_before_system_calls_of_a_run_that_fails_and_of_the_next_good_one(self):
+        good = self.report_tree(64)
+        shutil.copytree(self.folder / "made-64" / "out", self.out)
+        words, failed = self.report_words(), self.place / "out.failed"
+        self.environment["MESHFOLIO_FAIL"] = "q2"
+        points = self.calls(CHANGES, *words, code=1)
+        for call in {*some(points, 6), *(c for c in points if c.name.startswith("rename"))}:
+            self.run_with(call, "signal=KILL", *words)
+            self.assertEqual(tree(self.out), good, call.line)
+            self.assertTrue(not failed.exists() or sums_hold(failed), call.line)
+        del self.environment["MESHFOLIO_FAIL"]
+        points = [c for c in self.calls(CHANGES, *words) if "out.failed" in c.line or "unlink" in c.name]
+        for call in some(points, 6):
+            self.environment["MESHFOLIO_FAIL"] = "q2"
+            self.assertEqual(self.run_program(*words).code, 1)
+            del self.environment["MESHFOLIO_FAIL"]
+            self.run_with(call, "signal=KILL", *words)
+            self.assertEqual(tree(self.out), good, call.line)
+        self.require_next_run(good, *words)
+
     def test_folders_of_a_dead_printer_are_swept(self):
         """A browser's folder, left by a run that was killed while printing; that of a living one stays."""
         gone = self.start("--version")

@@ -46,6 +46,31 @@ class Space(Faults):
             self.assertEqual(self.beside(), [], call.line)
 
     @needs_strace
+    def test_each_failing_call_of_a_renewal_and_of_a_merge(self):
+        for made_of in (self.with_renewal, self.with_parts):
+            old, _, words = made_of()
+            for call in some(list(writing(self.calls(WRITES, *words))), 8):
+                self.restore_old()
+                end, came = self.run_with(call, "error=ENOSPC", *words)
+                self.assertTrue(came, call.line)
+                self.require_refusal(end, REASONS["ENOSPC"], call.line)
+                self.assertEqual(tree(self.out), old, call.line)
+                self.assertEqual(self.beside(), [], call.line)
+
+    @needs_strace
+    def test_each_failing_call_of_a_run_that_fails(self):
+        good = self.report_tree(64)
+        subprocess.run(["cp", "-r", self.folder / "made-64" / "out", self.out], check=True)
+        self.environment["MESHFOLIO_FAIL"] = "q2"
+        words = self.report_words()
+        for call in some(list(writing(self.calls(WRITES, *words, code=1))), 8):
+            subprocess.run(["rm", "-rf", self.place / "out.failed"], check=True)
+            end, came = self.run_with(call, "error=ENOSPC", *words)
+            self.assertTrue(came, call.line)
+            self.assertEqual(end.code, 4, call.line + end.err)
+            self.assertEqual((tree(self.out), self.beside()), (good, []), call.line)
+
+    @needs_strace
     @unittest.skipUnless(WHOLE, "with --whole only: tests/base/parallel_tasks_test.cpp asks for the same in little time")
     def test_a_failing_call_while_other_threads_work(self):
         """strace counts for each thread: which file has the number differs from run to run, and where none has it all is well."""
@@ -181,6 +206,12 @@ class Mounted(Faults):
             process = self.in_mount(f"size={size}k,mode=755", script)
             self.assertEqual(process.returncode, 4, process.stderr)
             self.assertIn("No space left on device", process.stderr)
+
+    def test_a_mount_point_keeps_its_good_report(self):
+        report = self.REPORT.replace("$M/out", "$M")
+        script = f'{report} && A=$( cd "$M" && cat SHA256SUMS ) || exit 99; MESHFOLIO_FAIL=q2 {report}; [ $? = 1 ] && [ "$A" = "$( cat "$M/SHA256SUMS" )" ] || exit 98; ( cd "$M.failed" && sha256sum -c --quiet SHA256SUMS ) || exit 97; {report} && [ ! -e "$M.failed" ]'
+        process = self.in_mount("size=40m,mode=755", script)
+        self.assertEqual(process.returncode, 0, process.stderr)
 
     def test_a_disk_that_may_not_be_written(self):
         self.with_old_and_new()

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "report/test_tools.h"
+#include "report/writers.h"
 
 namespace meshfolio::report {
 namespace {
@@ -61,6 +62,38 @@ TEST(Check, ScoresCountTheThreeStatesApart) {
     score += score_of({passes});
     EXPECT_EQ(score.total(), 6u);
     EXPECT_EQ(words_of(score_of({passes})), "1 of 1 checks passed");
+}
+
+TEST(Check, IdsAreUniqueAndMadeOfPlainWords) {
+    Section section;
+    section.id = "q5";
+    for (const char* name : {"Energy falls on Cube", "energy falls: on cube", "energy falls on cube 2", "λ ≤ 2", "2", "Σ"})
+        section.checks.push_back(check_near(name, 1, 1, 0));
+    EXPECT_EQ(check_ids(section), (std::vector<std::string>{"q5-energy-falls-on-cube", "q5-energy-falls-on-cube-2",
+                                                            "q5-energy-falls-on-cube-2-2", "q5-2", "q5-2-2", "q5-check"}));
+}
+
+TEST(JUnit, HasACaseACheckAndOneForWhatIsMissing) {
+    Section good, broken, left;
+    good.id = "q1";
+    good.title = "A & B";
+    broken.id = "q2";
+    left.id = "q3";
+    good.checks = {check_near("a", 1, 1, 0), check_near("b", 1, 2, 0), undecided(check_near("c", 1, 2, 0), "why")};
+    good.timings = {{"whole question", 61.0625}};
+    broken.status = Status::failed;
+    broken.failure = "<no>\x01";
+    left.status = Status::skipped;
+    Document document;
+    document.sections = {good, broken, left};
+    const std::string xml = write_junit(document, true), bare = write_junit(document, false);
+    for (const char* words :
+         {"name=\"q1: A &amp; B\" id=\"0\"", "tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\" time=\"61.063\"",
+          "name=\"q1-a\" time=\"0\"/>", "<failure type=\"check\" message=\"b: measured 2, expected 1\"/>",
+          "<skipped message=\"c: measured 2, expected 1 (why)\"/>", "message=\"&lt;no&gt;\\x01\"",
+          "tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\"", "tests=\"1\" failures=\"0\" errors=\"0\" skipped=\"1\""})
+        EXPECT_NE(xml.find(words), std::string::npos) << words << " in\n" << xml;
+    EXPECT_EQ(bare.find("61"), std::string::npos);
 }
 
 TEST(Text, JoinsAndExtends) {

@@ -185,7 +185,7 @@ Document sample_document() {
     Section appendix;
     appendix.id = "ground_truth";
     appendix.title = "Ground truth";
-    document.cover = Figure{"cover", "", "Mean curvature of a bunny"};
+    document.cover = Cover{{"cover", "", "Mean curvature of a bunny"}, "q1", true, 12.5};
     document.sections = {answered(), failed, skipped, appendix};
     document.timings = {{"everything", 12.3}};
     return document;

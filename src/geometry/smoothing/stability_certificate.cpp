@@ -53,7 +53,7 @@ StabilityCertificate stability_certificate(const LaplaceBeltrami& laplacian, con
     const OperatorWithMass whole = operator_with_mass(laplacian);
     if (options.progress) options.progress("largest eigenvalue");
     const TopEstimate estimate = top_estimate(whole);
-    return certificate_from(laplacian, whole, top_mode(whole, estimate.mu, estimate.phi), estimate.missing, options);
+    return certificate_from(laplacian, whole, top_mode(whole, estimate.mu, estimate.phi), estimate.change, options);
 }
 
 bool is_positive_definite_at(const LaplaceBeltrami& laplacian, double sigma) {

@@ -36,7 +36,7 @@ struct CertificateOptions {
     std::function<void(std::string_view)> progress = {};   // told what begins
 };
 
-/// Begins with Lanczos; nothing of it is trusted, the last factorisation is the proof. The same with any number of threads.
+/// Begins with plain Lanczos; nothing of it is trusted, the last factorisation is the proof. The same with any number of threads.
 /// @throws MeshError as operator_with_mass, or if no two vertices are joined
 StabilityCertificate stability_certificate(const LaplaceBeltrami& laplacian, const CertificateOptions& options = {});
 /// The same from an estimate of one's own, which may be wrong.

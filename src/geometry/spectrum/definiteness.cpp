@@ -116,7 +116,7 @@ Enclosure enclose_bottom(const OperatorWithMass& whole, double nu, double stiffe
     const TopEstimate estimate = top_estimate(negated);
     constexpr double width = 1e-6;
     return enclose_largest(negated.A, negated.M, estimate.phi,
-                           {.high = nu, .least_scale = 1e-9 * stiffest, .width = width, .missing = estimate.missing});
+                           {.high = nu, .least_scale = 1e-9 * stiffest, .width = width, .missing = estimate.change});
 }
 
 /// max A_jj/M_j over the component of each row: a speck, whose eigenvalues are huge, excuses nothing on the rest.

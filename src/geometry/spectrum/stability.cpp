@@ -1,8 +1,5 @@
 #include "geometry/spectrum/stability.h"
 
-#include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/SymEigsSolver.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +8,7 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "geometry/spectrum/eigenvalue_enclosure.h"
+#include "geometry/spectrum/top_lanczos.h"
 
 namespace meshfolio {
 
@@ -18,34 +16,11 @@ namespace {
 
 constexpr int dense_up_to = 200;
 
-struct TopPair {
-    double value = 0;
-    Vector y;              // unit
-    double residual = 0;   // ‖By − θy‖, relative
-};
-
-TopPair top_of_dense(const DenseMatrix& B) {
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(B);
+TopPair dense_top(const SparseMatrix& B) {
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(B)};
     if (solver.info() != Eigen::Success) throw SolverError("largest eigenvalue: the dense eigensolver did not converge");
-    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1), 0};
+    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1), 0, 0};
 }
-
-/// Lanczos with implicit restarts. Hands out the top Ritz pair even where it has not converged: its value is right long before its vector.
-class TopSolver : public Spectra::SymEigsSolver<Spectra::SparseSymMatProd<double>> {
-public:
-    explicit TopSolver(Spectra::SparseSymMatProd<double>& product) : SymEigsSolver(product, 1, basis) {}
-
-    TopPair top(const meshfolio::Vector& start, const TopSearch& search) {
-        init(start.data());
-        compute(Spectra::SortRule::LargestAlge, 2 * (search.most_steps - basis) / basis + 1, search.residual);
-        const TopPair small = top_of_dense(m_fac.matrix_H());
-        const double size = std::max(std::abs(small.value), std::numeric_limits<double>::min());
-        return {small.value, (m_fac.matrix_V() * small.y).normalized(), m_fac.f_norm() * std::abs(small.y.tail(1)[0]) / size};
-    }
-
-private:
-    static constexpr int basis = 24;   // vectors; with 40 crowded tops take twice as long, with 16 their values are worse
-};
 
 }   // namespace
 
@@ -86,31 +61,30 @@ TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search,
     const double total = whole.M.sum();
     const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
     const SparseMatrix B = symmetric_form(whole.A, M);
-    if (!Eigen::Map<const Vector>(B.valuePtr(), B.nonZeros()).allFinite())
-        throw SolverError("largest eigenvalue: the operator has weights that are not finite");
     Vector y = irregular_direction(whole.size());
     if (start.size() == whole.all_vertices) {
         const Vector warm = start(whole.vertex).cwiseProduct(M.cwiseSqrt());
         // Started from an eigenvector alone, Lanczos would have nowhere to go.
         if (warm.allFinite() && warm.squaredNorm() > 0) y = warm.normalized() + 0.1 * y;
     }
-    Spectra::SparseSymMatProd<double> product(B);
-    const TopPair top = whole.size() <= dense_up_to ? top_of_dense(DenseMatrix(B)) : TopSolver(product).top(y, search);
-    return {top.value / total, top.y.cwiseQuotient(M.cwiseSqrt()), top.residual, top.residual <= search.residual ? 0 : top.residual};
+    const TopPair pair =
+        whole.size() <= dense_up_to ? dense_top(B) : top_by_lanczos(B, y, {search.change, search.residual, search.most_steps});
+    if (!std::isfinite(pair.value)) throw SolverError("largest eigenvalue: the operator has weights that are not finite");
+    return {pair.value / total, pair.y.cwiseQuotient(M.cwiseSqrt()), pair.change, pair.residual};
 }
 
 LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian) {
     const OperatorWithMass whole = operator_with_mass(laplacian);
     constexpr TopSearch search{.residual = 1e-13};
     const TopEstimate estimate = top_estimate(whole, search);
-    if (estimate.residual <= search.residual) return top_mode(whole, estimate.mu, estimate.phi);
+    if (estimate.change <= search.change && estimate.residual <= search.residual) return top_mode(whole, estimate.mu, estimate.phi);
     const Enclosure enclosure =
-        enclose_largest(whole.A, whole.M, estimate.phi, {.high = gershgorin_bound(whole.A, whole.M), .missing = estimate.missing});
+        enclose_largest(whole.A, whole.M, estimate.phi, {.high = gershgorin_bound(whole.A, whole.M), .missing = estimate.change});
     return top_mode(whole, enclosure.quotient, enclosure.y);
 }
 
 LargestEigenvalue largest_eigenvalue_nearly(const OperatorWithMass& whole, const Vector& start) {
-    const TopEstimate estimate = top_estimate(whole, {.residual = 3e-6, .most_steps = 300}, start);
+    const TopEstimate estimate = top_estimate(whole, {.change = 1e-9, .most_steps = 300}, start);
     return top_mode(whole, estimate.mu, estimate.phi);
 }
 

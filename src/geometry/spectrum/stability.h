@@ -16,7 +16,7 @@ struct LargestEigenvalue {
     double support = 0;       // (Σ Mφ²)²/Σ(Mφ²)²: how many vertices share the mode
 };
 
-/// By Lanczos, value and mode to 1e-13, where that comes to an end soon, as on most meshes; else as the stability
+/// By plain Lanczos, value and mode to 1e-13, where that comes to an end soon, as on most meshes; else as the stability
 /// certificate finds it, the value to 1e-8 or to what rounding leaves, the mode by solves with the factor just above. The same with any
 /// number of threads.
 /// @throws MeshError as operator_with_mass; SolverError if weights are not finite
@@ -26,16 +26,16 @@ LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian);
 /// @param start  a mode to begin with, one value a vertex of the whole mesh: that of an operator nearby; empty: none
 LargestEigenvalue largest_eigenvalue_nearly(const OperatorWithMass& whole, const Vector& start = {});
 
-/// What Lanczos (Spectra) knows of the top among the vertices with mass: where both begin, and the certificate too.
+/// What plain Lanczos knows of the top among the vertices with mass: where both begin, and the certificate too.
 struct TopEstimate {
     double mu = 0;         // [1/length²]
     Vector phi;            // not normalised
+    double change = 0;     // how much the last third of the steps raised μ, relative: about what may still be missing
     double residual = 0;   // of the vector, relative
-    double missing = 0;    // how far μ may lie above it, relative: 0 where the search converged
 };
 struct TopSearch {
-    double residual = 1e-7;   // relative, at which to stop: the value is right to its square over the gap below it
-    int most_steps = 250;     // about so many products with the matrix
+    double change = 1e-13, residual = 1;   // at which to stop
+    int most_steps = 250;
 };
 TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search = {}, const Vector& start = {});
 

@@ -219,6 +219,33 @@ std::string Publication::publish(const Digests& known) try {
     throw OutputError(target_.string(), error.what());
 }
 
+fs::path failed_beside(const fs::path& target) { return (target.has_filename() ? target : target.parent_path()).string() + ".failed"; }
+
+void Publication::step_aside() try {
+    Publication aside(failed_beside(target_));
+    std::swap(target_, aside.target_);
+    if (!in_place_ && !aside.in_place_) return;
+    // Of two file systems: no rename leads from one to the other.
+    fs::copy(folder(), aside.folder(), fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    keep_private(aside.folder(), aside.target_);
+    std::swap(folder_, aside.folder_);
+    std::swap(in_place_, aside.in_place_);
+    std::swap(lock_, aside.lock_);
+} catch (const fs::filesystem_error& error) {
+    throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
+}
+
+void Publication::remove_failed() const {
+    const fs::path failed = failed_beside(target_);
+    std::error_code error;
+    if (!fs::is_regular_file(failed / marker_file, error)) return;
+    const auto permission = permission_to_create();
+    if (!in_place_ && rename_with(failed, folder(), RENAME_NOREPLACE) == 0)   // a name that is swept if we end here
+        folder_->remove();
+    else
+        fs::remove_all(failed, error);
+}
+
 bool abandon_publications() noexcept { return remove_all_temporaries(); }
 
 }   // namespace meshfolio::output

@@ -16,6 +16,9 @@ inline constexpr const char* marker_file = ".meshfolio";
 /// Digests of every other file, in the format of sha256sum.
 inline constexpr const char* sums_file = "SHA256SUMS";
 
+/// Where the folder goes that may not take the place of a better one.
+std::filesystem::path failed_beside(const std::filesystem::path& target);
+
 class OpenFolder;
 
 class Publication {
@@ -38,6 +41,12 @@ public:
     /// @return  a warning for the user when the exchange could not be one atomic step, or the old one not be removed; else empty
     /// @throws OutputError
     std::string publish(const Digests& known = {});
+
+    /// What is made did not end well, and the target holds what did: publish() will put it at `<target>.failed` instead.
+    /// @throws OutputError if that cannot be written or holds something that is not ours
+    void step_aside();
+    /// Once all is well again: `<target>.failed` has no use any more.
+    void remove_failed() const;
 
 private:
     struct Folder;

@@ -39,6 +39,8 @@ constexpr std::array<MeshRole, 13> roles{{
     {"fandisk", "", "fandisk_like.obj"},
 }};
 
+constexpr const char* own_role = "your mesh";
+
 const MeshRole& role_named(const std::string& name) {
     const auto it = std::find_if(roles.begin(), roles.end(), [&](const MeshRole& role) { return role.role == name; });
     if (it == roles.end()) throw UsageError("no mesh has the role '" + name + "'");
@@ -79,10 +81,15 @@ std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const f
     return first_that_exists(candidates);
 }
 
+/// The same message about a file that goes by another name.
+InputError renamed(const Error& error, const std::string& before, const std::string& after) {
+    const std::string message = error.what(), where = printable(before);
+    return InputError({}, message.starts_with(where) ? after + message.substr(where.size()) : message);
+}
+
 /// Messages name the file as it was asked for, not where the machine keeps it: they end up in the report.
 std::string bytes_of(const fs::path& path, const std::string& label) try { return read_file(path); } catch (const InputError& error) {
-    const std::string message = error.what(), where = printable(path.string());
-    throw InputError({}, message.starts_with(where) ? label + message.substr(where.size()) : message);
+    throw renamed(error, path.string(), label);
 }
 
 /// Of a file where there is one, else of a bundled mesh; `from_file` holds what was read.
@@ -172,7 +179,9 @@ MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::pat
     : folders_(std::move(data_folders)), own_(std::move(own_meshes)), shelf_(std::make_shared<Shelf>()) {
     for (const fs::path& folder : folders_) {
         std::error_code error;
-        if (!fs::is_directory(folder, error)) throw InputError({folder.string()}, "is not a folder of meshes", "correct --data");
+        if (fs::is_directory(folder, error)) continue;
+        const std::string meant = near_names(folder);
+        throw InputError({folder.string()}, "is not a folder of meshes", meant.empty() ? "correct --data" : meant);
     }
     std::set<std::string> taken;
     for (const std::vector<fs::path>& paths : {own_, listed}) {
@@ -261,7 +270,7 @@ MeshLibrary::Found MeshLibrary::found_own(const fs::path& path) const {
     found.path = path;
     found.label = path.filename().string();
     found.name = name_of(path);
-    found.input.role = "your mesh";
+    found.input.role = own_role;
     found.input.file = found.label;
     return found;
 }
@@ -336,30 +345,49 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) co
     return loaded({.by = MeshLookup::By::in_data, .path = file}, {});
 }
 
+bool MeshLibrary::has_own_meshes() const {
+    note({.by = MeshLookup::By::own});   // whoever asks depends on the answer
+    return !own_.empty();
+}
+
 std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
     std::vector<std::shared_ptr<const LibraryMesh>> meshes;
-    std::exception_ptr unusable;
-    for (const fs::path& path : own_) {
-        try {
-            meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
-        } catch (const Error&) {
-            unusable = std::current_exception();
-        }
-    }
-    if (meshes.empty() && unusable) std::rethrow_exception(unusable);
+    for (const fs::path& path : own_) meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
     return meshes;
 }
 
-std::vector<std::string> MeshLibrary::unusable_own_meshes() const {
-    std::vector<std::string> reasons;
+void MeshLibrary::open_own_meshes() const {
     for (const fs::path& path : own_) {
         try {
             loaded({.by = MeshLookup::By::own, .path = path}, {});
         } catch (const Error& error) {
-            reasons.emplace_back(error.what());
+            throw renamed(error, found_own(path).label, path.string());
         }
     }
-    return reasons;
+}
+
+bool MeshLibrary::still_has(const report::Input& input, const fs::path& base) const {
+    if (own_.empty() == (input.role == own_role)) return false;
+    const bool is_asked = !input.asked.empty();
+    if (input.stand_in && is_asked && (in_folders(folders_, input.asked) || may_be_there(base / input.asked))) return false;
+    std::vector<fs::path> names{input.file}, candidates;
+    if (is_asked) names.emplace_back(input.asked);
+    for (const MeshRole& role : roles) {
+        if (!role.asked.empty() && fs::path(role.asked).filename() == input.file) names.emplace_back(role.asked);
+    }
+    for (const auto& [path, name] : names_) {   // the user's own, those of the settings
+        if (fs::path(path).filename() == input.file) names.emplace_back(path);
+    }
+    for (const fs::path& name : names) {
+        candidates.push_back(own_.empty() ? base / name : name);
+        for (const fs::path& folder : folders_) candidates.push_back(folder / name);
+    }
+    const auto is_it = [&](const fs::path& path) {
+        std::error_code error;
+        return fs::is_regular_file(path, error) && sha256_of_file(path) == input.sha256;
+    };
+    const auto embedded = bundled(input.file);
+    return (own_.empty() && embedded && sha256(*embedded) == input.sha256) || std::ranges::any_of(candidates, is_it);
 }
 
 // ---- what a question looked up --------------------------------------------------------------------------------------------

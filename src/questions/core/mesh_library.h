@@ -76,12 +76,14 @@ public:
     /// A mesh that only a data folder may have, by its file name; null where none has it.
     std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
 
-    bool has_own_meshes() const { return !own_.empty(); }
-    /// The user's own meshes (`report MY.obj …`), which replace every list of roles; those that cannot be used are left out.
-    /// @throws InputError, MeshError if none can be used
+    bool has_own_meshes() const;
+    /// The user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
     std::vector<std::shared_ptr<const LibraryMesh>> own_meshes() const;
-    /// What is wrong with each of those left out.
-    std::vector<std::string> unusable_own_meshes() const;
+    /// Reads them, before any work begins. @throws InputError naming the first that cannot be used by its path
+    void open_own_meshes() const;
+
+    /// Does what an earlier report read still stand where this run would find it? @param base  folder of the settings file
+    bool still_has(const report::Input& input, const std::filesystem::path& base) const;
 
     /// The same library with the same meshes, which enters into `record` what it is asked for from now on. `record` must outlive it.
     MeshLibrary recorded_in(LookupRecord& record) const;

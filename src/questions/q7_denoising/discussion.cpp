@@ -52,9 +52,9 @@ report::Text strongest_noise(const Grids& grids) {
     }
     constexpr double crumpled = 10 * pi / 180;
     if (meshes.empty()) return {};
-    return paragraph_of(
-        {words.say("strong", "meshes"_a = listed(meshes), "noise"_a = readable_percent(strongest, 2)), strongest_by_normals(grids),
-         !meshes.empty() && angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
+    return paragraph_of({words.say("strong", "meshes"_a = listed(meshes), "noise"_a = readable_percent(strongest, 2)),
+                         strongest_by_normals(grids),
+                         angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
 }
 
 /// What the pictures of one mesh show.

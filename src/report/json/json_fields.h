@@ -38,6 +38,14 @@ struct FigureEntry {
     DrawnFigure drawn;
 };
 
+/// The picture of the first page, likewise.
+struct CoverEntry {
+    FigureEntry drawn;
+    std::string section;
+    bool turnable = false;
+    double worth = 0;
+};
+
 /// One entry of an EntryList, with the kind it shares with the others.
 struct NumberedEntry {
     std::string kind;
@@ -54,9 +62,15 @@ struct BlockEntry {
     std::vector<std::string> ids;
 };
 
+/// A check with the id it goes by in its report.
+struct CheckEntry {
+    std::string id;
+    Check check;
+};
+
 /// A section as results.json keeps it: blocks of a kind together, and their order.
 struct SectionEntry {
-    Section section;   // without its blocks
+    Section section;   // without its blocks and checks
     std::vector<Table> tables;
     std::vector<Plot> plots;
     std::vector<Map> maps;
@@ -64,6 +78,7 @@ struct SectionEntry {
     std::vector<FigureEntry> figures;
     std::vector<NumberedEntry> entries;
     std::vector<BlockEntry> blocks;
+    std::vector<CheckEntry> checks;
     bool with_timings = true;
 };
 
@@ -282,6 +297,14 @@ void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
     fields.optional("models", entry.drawn.models, {}, "meshes that readers of the page can turn");
 }
 
+template <class Fields>
+void describe(Fields& fields, part_of<CoverEntry> auto& cover) {
+    describe(fields, cover.drawn);
+    fields.optional("section", cover.section, {}, "whose figure it is");
+    fields.optional("turnable", cover.turnable, false, "readers of the page can turn its mesh");
+    fields.optional("worth", cover.worth, 0, "1 + the magnitudes of the angle deficits of its mesh [rad]; the largest is taken");
+}
+
 // ---- what a section is made of ------------------------------------------------------------------------------------------
 
 template <class Fields>
@@ -334,6 +357,12 @@ void describe(Fields& fields, part_of<Check> auto& check) {
 }
 
 template <class Fields>
+void describe(Fields& fields, part_of<CheckEntry> auto& entry) {
+    fields.optional("id", entry.id, {});   // earlier files have none
+    describe(fields, entry.check);
+}
+
+template <class Fields>
 void describe(Fields& fields, part_of<Input> auto& input) {
     fields("role", input.role);
     fields("asked", input.asked, "the assignment's path; empty: no one asked for this mesh");
@@ -383,7 +412,7 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
     fields("figures", entry.figures);
     fields.optional("entries", entry.entries, {}, "numbered texts that tables refer to by their ids; absent where there are none");
     fields(
-        "checks", section.checks,
+        "checks", entry.checks,
         "near: |measured - expected| <= tolerance; at_most: measured <= expected + tolerance; at_least: measured >= expected - tolerance; "
         "undecided: the number says nothing about what is checked, for the reason in the note, and is no failure");
     fields("warnings", section.warnings);
@@ -410,7 +439,7 @@ struct ReportEntry {
     int version = schema_version;
     std::string title, author, course;
     ProvenanceEntry provenance;
-    std::optional<FigureEntry> cover;
+    std::optional<CoverEntry> cover;
     std::vector<SectionEntry> questions, supporting;
     bool with_timings = true;
     std::vector<Timing> timings;

@@ -16,7 +16,7 @@ using KnownTypes = std::map<std::type_index, std::string>;
 struct NotFinite {};
 
 /// What keys alone do not say.
-Json rules_of(const Check&) {
+Json rules_of(const CheckEntry&) {
     return Json::parse(R"({"oneOf": [
         {"properties": {"status": {"const": "passed"}, "passed": {"const": true}}},
         {"properties": {"status": {"const": "failed"}, "passed": {"const": false}}},

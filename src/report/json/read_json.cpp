@@ -145,6 +145,7 @@ private:
 Section section_of(SectionEntry entry, DrawnFigures& drawn, const JsonPlace& place) {
     Section section = std::move(entry.section);
     section.blocks = Joiner(entry, drawn, place).blocks();
+    for (CheckEntry& check : entry.checks) section.checks.push_back(std::move(check.check));
     return section;
 }
 
@@ -170,10 +171,10 @@ ReadReport report_of(ReportEntry entry) {
     document.provenance = std::move(entry.provenance.provenance);
     document.timings = std::move(entry.timings);
     Ids ids;
-    if (entry.cover) {
-        ids.add(entry.cover->figure.id, {&root, "cover"});
-        document.cover = std::move(entry.cover->figure);
-        if (entry.cover->is_drawn) read.figures[document.cover->id] = std::move(entry.cover->drawn);
+    if (auto& cover = entry.cover) {
+        ids.add(cover->drawn.figure.id, {&root, "cover"});
+        document.cover = Cover{std::move(cover->drawn.figure), cover->section, cover->turnable, cover->worth};
+        if (cover->drawn.is_drawn) read.figures[document.cover->id] = std::move(cover->drawn.drawn);
     }
     add_sections(entry.questions, true, "questions", ids, read);
     add_sections(entry.supporting, false, "supporting", ids, read);

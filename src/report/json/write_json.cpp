@@ -79,6 +79,9 @@ SectionEntry entry_of(const Section& section, const DrawnFigures& drawn, bool wi
     for (const Block& block : section.blocks) std::visit(sorter, block);
     entry.section = section;
     entry.section.blocks.clear();
+    entry.section.checks.clear();
+    const std::vector<std::string> ids = check_ids(section);
+    for (std::size_t i = 0; i < ids.size(); ++i) entry.checks.push_back({ids[i], section.checks[i]});
     entry.with_timings = with_timings;
     return entry;
 }
@@ -101,7 +104,7 @@ std::string write_json(const Document& document, const DrawnFigures& figures, co
     entry.author = document.author;
     entry.course = document.course;
     entry.provenance = {document.provenance, input_meshes(document.sections)};
-    if (document.cover) entry.cover = entry_of(*document.cover, figures);
+    if (const auto& cover = document.cover) entry.cover = {entry_of(*cover, figures), cover->section, cover->turnable, cover->worth};
     for (const Section& section : document.sections)
         (is_question(section.id) ? entry.questions : entry.supporting).push_back(entry_of(section, figures, options.timings));
     entry.with_timings = options.timings;

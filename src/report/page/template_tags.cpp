@@ -37,7 +37,7 @@ Document specimen(const Templates& templates) {
                       EntryList{"Entry", {{"entry", {}, {{}}}}}};
     Document document;
     document.provenance.libraries = document.provenance.settings = {{"", ""}};
-    document.cover = Figure{"cover", "", ""};
+    document.cover = Cover{{"cover", "", ""}};
     document.sections = {section};
     document.timings.emplace_back();
     return document;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/parallel_tasks.h"
@@ -26,20 +27,32 @@ bool is_answered(const std::vector<QuestionResult>& results, std::string_view id
     });
 }
 
-using Questions = std::map<std::string, QuestionSettings>;
-using Wanted = std::map<std::shared_ptr<const LibraryMesh>, Questions>;   // those of each mesh
+struct LabJob {
+    std::set<std::string> answered;                      // whose panels open it
+    std::map<std::string, QuestionSettings> questions;   // that have this mesh, answered or not: parts of a report hold the same data
+};
+using Wanted = std::map<std::shared_ptr<const LibraryMesh>, LabJob>;
 
-std::string names_of(const Questions& questions) {
+std::string names_of(const LabJob& job) {
     std::string names;
-    for (const auto& [id, settings] : questions) names += (names.empty() ? "" : " ") + id;
+    for (const std::string& id : job.answered) names += (names.empty() ? "" : " ") + id;
     return names;
 }
 
 /// One of the settings, else the user's own, else the question's choice.
+std::string source_of(std::string_view id, std::string_view role, const ReportSettings& settings) {
+    const QuestionSettings own = question_settings(settings, std::string(id));
+    return !own.meshes.empty() ? "file " + own.meshes.front() : !settings.meshes.empty() ? "own" : std::string(role);
+}
+
 void want(Wanted& wanted, const std::string& id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
     report::Section unused;
-    const QuestionSettings own = question_settings(settings, id);
-    wanted[meshes_for(meshes, own, {role}, unused).front()].emplace(id, own);
+    LabJob& job = wanted[meshes_for(meshes, question_settings(settings, id), {role}, unused).front()];
+    job.answered.insert(id);
+    for (const auto& [other, its_role] : choices) {
+        if (source_of(other, its_role, settings) == source_of(id, role, settings))
+            job.questions.emplace(other, question_settings(settings, std::string(other)));
+    }
 } catch (const InputError&) {   // the section has said so
 }
 
@@ -58,9 +71,9 @@ std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results,
     const std::vector<std::pair<std::string, const Wanted::value_type*>> jobs(by_questions.begin(), by_questions.end());
     std::vector<report::Lab> labs(jobs.size());
     for_each_task(jobs.size(), [&](std::size_t i) {
-        const auto& [mesh, questions] = *jobs[i].second;
+        const auto& [mesh, job] = *jobs[i].second;
         try {
-            labs[i] = report::lab_of(jobs[i].first, bytes_of(lab_mesh(mesh->mesh(), mesh->name, questions)));
+            labs[i] = report::lab_of(jobs[i].first, bytes_of(lab_mesh(mesh->mesh(), mesh->name, job.questions)));
         } catch (const Error& error) {
             warn("no laboratory with " + mesh->name + ": " + error.what());
         }

@@ -89,14 +89,18 @@ std::vector<PlannedMesh> meshes_of(const SectionModel& model, const QuestionSett
     return meshes;
 }
 
-/// Every section that is asked for, at the top of what the settings allow.
+bool is_asked_for(const ReportSettings& settings, std::string_view id) {
+    return settings.only.empty() || contains(settings.only, std::string(id));
+}
+
+/// Every section, at the top of what the settings allow.
 template <class MeshesOf>
-Plan started(const ReportSettings& settings, const MeshesOf& meshes_of_section) {
+Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_of_section) {
     Plan plan;
     plan.printed = settings.pdf != "off";
     for (const Chapter* chapter : chapter_list()) {
         const std::string id(chapter->id);
-        if (!settings.only.empty() && !contains(settings.only, id)) continue;
+        if (alone && !is_asked_for(settings, id)) continue;
         const auto table = settings.questions.find(id);
         const QuestionTable asked = table != settings.questions.end() ? table->second : QuestionTable();
         PlannedSection section{&model_of(id), meshes_of_section(model_of(id)), work_of(id, asked, false), work_of(id, asked, true)};
@@ -119,6 +123,7 @@ Plan scaled(Plan plan, const ReportSettings& settings) {
         if (saved_by(*dearest) <= 0) break;
         *dearest = next_rung(*dearest);
     }
+    std::erase_if(plan.sections, [&](const PlannedSection& section) { return !is_asked_for(settings, section.model->id); });
     return plan;
 }
 
@@ -203,15 +208,15 @@ double promised_seconds(double triangles, bool quick) {
     return millions <= 1 ? std::max(20.0, 20 + 40 * (millions - 0.1) / 0.9) : 60 + 120 * (millions - 1) / 4.5;
 }
 
-Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes) {
+Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, bool alone) {
     return scaled(
-        started(settings,
+        started(settings, alone,
                 [&](const SectionModel& model) { return meshes_of(model, question_settings(settings, std::string(model.id)), meshes); }),
         settings);
 }
 
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes) {
-    return scaled(started(settings, [&](const SectionModel& model) { return model.roles.empty() ? std::vector<PlannedMesh>() : meshes; }),
+    return scaled(started(settings, false, [&](const SectionModel& model) { return model.roles.empty() ? std::vector<PlannedMesh>() : meshes; }),
                   settings);
 }
 

@@ -49,7 +49,8 @@ double promised_seconds(double triangles, bool quick);
 
 /// From the most that a section may do, one step at a time: the one that saves most, half as gladly where a question is answered, until
 /// the time is kept. The steps do not depend on the time, so that more of it never gives less. Questions are always answered.
-Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes);
+/// @param alone  what is asked for has the time for itself; otherwise it is done as in the whole report, to which it may be added
+Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, bool alone);
 /// The same of meshes of these sizes, each given to every section. For tests, and to say what would fit.
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes);
 

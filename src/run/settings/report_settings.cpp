@@ -38,6 +38,9 @@ void take(std::optional<double>& value, const Setting& setting, const std::strin
 void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {
     if (setting.choices != nullptr && !contains(setting.choices(), text))
         throw UsageError(name + " " + in_quotes(text) + " is none of auto, require and off");
+    const bool is_word_of_report = *setting.table != '\0';
+    if (is_word_of_report && (text.size() > limits::longest_text || printable(text) != text))
+        throw UsageError(name + " is not at most " + std::to_string(limits::longest_text) + " bytes on one line", "write it shorter");
     value = text;
 }
 
@@ -86,6 +89,7 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
                                                    {"--time", flags.time},
                                                    {"--out", flags.out},
                                                    {"--only", flags.only},
+                                                   {"--author", flags.author},
                                                    {"--pdf-browser", flags.pdf_browser},
                                                    {"--templates", flags.templates}};
     take_texts(
@@ -100,6 +104,12 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
     settings.view_files = settings.view_files || flags.view_files;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;
+    if (flags.alone && flags.only.empty()) problems.add(0, "--alone is about --only", "name the sections with --only q1,q4");
+    if (flags.part.empty()) return;
+    if (!flags.out.empty()) problems.add(0, "--part and --out name two folders", "leave one of them out");
+    settings.out = flags.part;   // to be joined: what differs from run to run, and what is printed of the whole, have no place in it
+    settings.timings = false;
+    settings.pdf = "off";
 }
 
 void take_meshes(ReportSettings& settings, const std::vector<std::string>& meshes, Problems& problems) {
@@ -200,6 +210,17 @@ Words words_of(const std::vector<Value>& values) {
     return words;
 }
 
+/// Nothing of a report depends on where its inputs lie.
+template <class Value>
+Words words_without_folders(const Value& value) {
+    return words_of(value);
+}
+Words words_without_folders(const std::vector<std::filesystem::path>& files) {
+    Words words;
+    for (const std::filesystem::path& file : files) words.push_back(file.filename().string());
+    return words;
+}
+
 bool has_experiments(const std::string& question) { return question == "reproductions" || question == "claims"; }
 
 void take_experiments(QuestionSettings& question, const ReportSettings& settings) {
@@ -228,6 +249,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, reported with the other problems
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();
+    settings.only = sections_in_order(settings.only);
     return settings;
 }
 
@@ -274,7 +296,7 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     const auto enter_as = [&values](const std::string& prefix) {
         return [&values, prefix](const Setting& setting, const auto& value) {
             std::string text;
-            for (const std::string& word : words_of(value)) text += (text.empty() ? "" : ", ") + word;
+            for (const std::string& word : words_without_folders(value)) text += (text.empty() ? "" : ", ") + word;
             if (*setting.name != '\0' && !text.empty()) values[prefix + setting.name] = text;
         };
     };
@@ -283,13 +305,21 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     for (const auto& [id, effort] : settings.efforts) {
         if (words_of(effort) != words_of(Effort{.small = settings.quick})) values[id + " effort"] = words_of(effort).front();
     }
+    if (!settings.experiments.empty()) values["experiments"] = settings.experiments_digest;
     return values;
 }
 
-std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question) {
+std::vector<std::string> sections_in_order(const std::vector<std::string>& ids) {
+    std::vector<std::string> all = section_ids(), some;
+    std::ranges::copy_if(all, std::back_inserter(some), [&](const std::string& id) { return contains(ids, id); });
+    return some == all ? std::vector<std::string>() : some;
+}
+
+std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question, bool with_meshes) {
     Words identity;
     const auto add = [&](const Setting& setting, const auto& value) {
-        if (!setting.shapes_answers) return;
+        const bool names_meshes = std::string_view(setting.flag) == "MESH";
+        if (!setting.shapes_answers || (names_meshes && !with_meshes)) return;
         const Words words = words_of(value);
         identity.push_back(std::to_string(words.size()));
         identity.insert(identity.end(), words.begin(), words.end());

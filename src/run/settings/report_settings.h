@@ -35,8 +35,10 @@ private:
 /// As given on the command line; what is empty was not.
 struct ReportFlags {
     std::vector<std::string> meshes, data;
-    std::string only, out, config, threads, size, templates, pdf, pdf_browser, from, time;
-    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, plan = false, json = false;
+    std::string only, out, config, threads, size, templates, pdf, pdf_browser, author, from, part, junit, time;
+    std::vector<std::string> parts;   // of `merge`
+    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, alone = false, plan = false,
+         json = false;
 };
 
 struct ViewSize {
@@ -113,7 +115,10 @@ std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings)
 /// For the provenance: everything that shapes the results, without threads and paths.
 std::map<std::string, std::string> described(const ReportSettings& settings);
 
-/// For the cache: everything that the answer to a question depends on.
-std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question);
+/// These sections in the order of the report; empty, which means all, where they are all.
+std::vector<std::string> sections_in_order(const std::vector<std::string>& ids);
+
+/// For the cache: everything that the answer to a question depends on. @param with_meshes  also on which meshes the user named
+std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question, bool with_meshes = true);
 
 }   // namespace meshfolio::run

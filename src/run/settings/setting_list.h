@@ -63,7 +63,8 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.flag = "--data", .variable = "MESHFOLIO_DATA"}, data);
     visit(Setting{.flag = "--out", .variable = "MESHFOLIO_OUT"}, out);
     visit(Setting{.flag = "--templates"}, templates);
-    visit(Setting{.flag = "MESH", .shapes_answers = true}, meshes);   // their contents are part of the lookups of an answer
+    visit(Setting{.flag = "MESH", .name = "meshes", .shapes_answers = true},
+          meshes);   // their contents are part of the lookups of an answer
     visit(Setting{.flag = "--quick", .name = "quick", .shapes_answers = true}, quick);
     visit(Setting{.flag = "--time", .name = "time", .shapes_answers = true, .largest = 1e7, .is_above_zero = true}, time);
     visit(Setting{.flag = "--fail-fast"}, fail_fast);
@@ -71,7 +72,7 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.key = "seed", .shapes_answers = true, .most = largest_seed}, seed);
     visit(Setting{.key = "laboratory", .name = "laboratory", .shapes_answers = true}, laboratory);
     visit(Setting{.table = "[report]", .key = "title"}, title);
-    visit(Setting{.table = "[report]", .key = "author"}, author);
+    visit(Setting{.table = "[report]", .key = "author", .flag = "--author"}, author);
     visit(Setting{.table = "[report]", .key = "course"}, course);
     visit(Setting{.table = "[report]", .key = "template"}, page);
     visit(Setting{.table = "[report]", .key = "sections", .flag = "--only", .name = "only", .choices = section_ids}, only);
@@ -94,7 +95,7 @@ void for_each_setting(Table& table, Visit visit) {
     visit(Setting{.key = "noise", .name = "noise", .shapes_answers = true, .largest = limits::largest_noise}, noise);
     visit(Setting{.key = "seed", .name = "seed", .shapes_answers = true, .most = largest_seed}, seed);
     visit(Setting{.key = "threads", .most = limits::largest_threads}, threads);
-    visit(Setting{.key = "output", .shapes_answers = true}, output);
+    visit(Setting{.key = "output", .name = "output", .shapes_answers = true}, output);
 }
 
 }   // namespace meshfolio::run

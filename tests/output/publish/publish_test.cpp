@@ -78,6 +78,34 @@ TEST(Publication, ReplacesTheEarlierReportAsAWhole) {
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
+TEST(Publication, WhatStepsAsideLeavesTheOldOneAndGoesWithTheNextGoodOne) {
+    const TemporaryFolder folder;
+    const fs::path target = folder.path() / "out", failed = folder.path() / "out.failed";
+    EXPECT_EQ(failed_beside(target), failed);
+    EXPECT_EQ(failed_beside(target / ""), failed);
+    publish(target, {{"index.html", "good"}});
+    const auto before = contents(target);
+    for (const std::string text : {"bad", "worse"}) {
+        Publication publication(target);
+        write_file(publication.folder() / "index.html", text);
+        publication.step_aside();
+        EXPECT_EQ(publication.publish(), "");
+        EXPECT_EQ(contents(target), before);
+        EXPECT_EQ(contents(failed).at("index.html"), text);
+        EXPECT_EQ(entries_in(folder.path()), 2);
+    }
+    Publication good(target);
+    good.publish();
+    good.remove_failed();
+    EXPECT_EQ(entries_in(folder.path()), 1);
+    fs::create_directory(failed);
+    write_file(failed / "thesis.tex", "precious");
+    good.remove_failed();
+    EXPECT_TRUE(fs::exists(failed / "thesis.tex")) << "not ours";
+    Publication bad(target);
+    EXPECT_THROW(bad.step_aside(), OutputError);
+}
+
 TEST(Publication, WithoutPublishingTheOldOneStaysByteForByte) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";

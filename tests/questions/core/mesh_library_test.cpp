@@ -77,22 +77,44 @@ TEST(MeshLibrary, OwnMeshesTakeEveryRoleAndGetNamesOfTheirOwn) {
     EXPECT_EQ(library.role("plane"), meshes[0]);
 }
 
-TEST(MeshLibrary, OwnMeshesThatCannotBeUsedAreLeftOutAndTold) {
+TEST(MeshLibrary, OwnMeshesAreOpenedBeforeAnyWork) {
     const TemporaryFolder folder;
     const auto good = put(folder.path() / "good.obj", cube_mesh(1));
-    const fs::path none = folder.path() / "none.obj", broken = folder.path() / "broken.obj";
+    const fs::path none = folder.path() / "god.obj", broken = folder.path() / "broken.obj";
     write_file(broken, "v 0 0 0\nf 1 2 3\n");
-    const MeshLibrary library({}, {none, good, broken});
-    ASSERT_EQ(library.own_meshes().size(), 1u);
-    EXPECT_EQ(library.own_meshes().front(), library.role("plane"));
-    const std::vector<std::string> reasons = library.unusable_own_meshes();
-    ASSERT_EQ(reasons.size(), 2u);
-    EXPECT_TRUE(reasons[0].starts_with("none.obj:")) << reasons[0];
-    EXPECT_TRUE(reasons[1].starts_with("broken.obj:2:")) << reasons[1];
-    write_mesh(broken, cube_mesh(1));
-    EXPECT_EQ(library.unusable_own_meshes(), reasons) << "looked at once a report";
-    EXPECT_THROW(MeshLibrary({}, {none}).own_meshes(), InputError) << "none is left";
-    EXPECT_TRUE(MeshLibrary({}, {good}).unusable_own_meshes().empty());
+    const auto message_of = [](const MeshLibrary& library) {
+        try {
+            library.open_own_meshes();
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message_of(MeshLibrary({}, {good})), "");
+    const std::string missing = message_of(MeshLibrary({}, {good, none})), wrong = message_of(MeshLibrary({}, {broken, none}));
+    EXPECT_TRUE(missing.starts_with(none.string() + ": ") && missing.ends_with("did you mean 'good.obj'?")) << missing;
+    EXPECT_TRUE(wrong.starts_with(broken.string() + ":2: ")) << wrong;
+}
+
+TEST(MeshLibrary, KnowsWhetherAnEarlierInputIsStillThere) {
+    const TemporaryFolder folder;
+    const fs::path data = folder.path() / "data", base = folder.path() / "here";
+    put(data / "armadillo.obj", cube_mesh(2));
+    const auto own = put(folder.path() / "own.obj", cube_mesh(1)), listed = put(base / "listed.obj", cube_mesh(3));
+    const MeshLibrary bundled({}, {}, {"listed.obj"}), with_data({data}, {}), with_own({}, {own});
+    const report::Input stand_in = bundled.role("armadillo")->input, given = with_data.role("armadillo")->input;
+    EXPECT_TRUE(bundled.still_has(stand_in, base));
+    EXPECT_TRUE(with_data.still_has(given, base));
+    EXPECT_FALSE(with_data.still_has(stand_in, base)) << "the folder has the mesh itself";
+    EXPECT_FALSE(bundled.still_has(given, base)) << "without the folder";
+    for (const char* role : {"plane", "cube", "torus"}) EXPECT_TRUE(with_data.still_has(with_data.role(role)->input, base)) << role;
+    EXPECT_TRUE(bundled.still_has(bundled.file("listed.obj", base)->input, base));
+    const report::Input before = with_own.own_meshes().front()->input;
+    EXPECT_TRUE(with_own.still_has(before, base));
+    EXPECT_FALSE(with_own.still_has(stand_in, base));
+    EXPECT_FALSE(bundled.still_has(before, base));
+    put(own, cube_mesh(2));
+    EXPECT_FALSE(with_own.still_has(before, base)) << "another mesh of that name";
 }
 
 TEST(MeshLibrary, FilesAreFoundBesideTheSettingsThenInDataThenBundled) {

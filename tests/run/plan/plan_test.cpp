@@ -107,6 +107,16 @@ TEST(Plan, TheSameInputHasTheSameBytes) {
     EXPECT_EQ(json["sections"].size(), chapter_list().size());
 }
 
+TEST(Plan, APartIsDoneAsInTheWhole) {
+    ReportSettings settings = settings_with(100);
+    const Plan whole = plan_for(settings, {{"a.obj", 2e5}});
+    settings.only = {"q6"};
+    const Plan part = plan_for(settings, {{"a.obj", 2e5}});
+    ASSERT_EQ(part.sections.size(), 1u);
+    EXPECT_GT(part.sections.front().rung, 0u);
+    EXPECT_EQ(part.sections.front().rung, section(whole, "q6").rung);
+}
+
 TEST(Plan, AnAskedQuestionAndItsSettingsCount) {
     ReportSettings settings = settings_with(unlimited);
     settings.only = {"q4"};

@@ -1,0 +1,53 @@
+/// @file
+/// A finished report read back from its folder: to be rendered again (`report --from`), joined with others (`merge`), or renewed in part
+/// (`report --only`).
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/publish/file_sums.h"
+#include "output/publish/publish.h"
+#include "report/json/read_json.h"
+#include "report/writers.h"
+
+namespace meshfolio::run {
+
+class EarlierReport {
+public:
+    /// @param results  its results.json; what it names lies beside it, each file checked against SHA256SUMS when it is read
+    /// @throws InputError
+    explicit EarlierReport(const std::filesystem::path& results);
+
+    std::string file;   // results.json as it was named
+    report::Document document;
+    report::DrawnFigures figures;   // pictures and models are empty until they are restored
+    bool timings = true;            // it was written with them
+
+    /// Reads the pictures and models of every figure. One without its sheet is left out: the page shows a box in its place.
+    void restore_figures();
+    /// Those of one figure. @return false where its sheet is missing
+    bool restore(report::DrawnFigure& figure) const;
+
+    /// Nothing where the file is missing. @throws InputError for one that is not what it was
+    std::optional<std::string> bytes_of(const std::string& path) const;
+
+    /// Every file that a report rendered again takes over as it is. @param with_cover  the picture of the first page, too
+    /// @return the names of those that are missing
+    std::vector<std::string> copy_to(const std::filesystem::path& target, bool with_cover, output::Publication::Digests& digests) const;
+
+    /// Of the live laboratory: results.json does not hold it, the page does; one that has been changed since is not asked.
+    std::vector<report::Lab> labs() const;
+
+private:
+    std::filesystem::path folder_;
+    std::map<std::string, output::FileSum> sums_;
+};
+
+/// Did the report in this folder, if there is one, end without a failure? Also of other versions.
+bool ended_well(const std::filesystem::path& folder);
+
+}   // namespace meshfolio::run
