@@ -11,7 +11,7 @@ namespace {
 // The last four of each row: from runs of each section on meshes of 2,000 to 25,000 vertices (small settings of q1, q3 and the preflight to
 // 97,000, of q6 to 173,000), rounded. What took more than five seconds there is carried on from smaller meshes: q3 and prediction in full
 // settings are estimates. tests/bench/fit_costs.py prints better ones.
-constexpr std::array models{
+constexpr std::array models_of_sections{
     SectionModel{"q1", "bumpy_cube lilium sphere plane", {6.9, 2}, {1.5, 0.5, 0.8}, {40, 42}, {10, 42}},
     SectionModel{"q2", "", {0.15, 0}, {0.04, 0}, {9, 0}, {1, 0}},
     SectionModel{"q3", "lilium plane", {5.8, 1, 2.6}, {1.5, 0, 2.6}, {40, 42}, {9, 42}},
@@ -51,7 +51,7 @@ double CostModel::per_mesh(double vertices, double work) const {
     return work * (linear * x + growing * x * std::sqrt(x));
 }
 
-std::span<const SectionModel> section_models() { return models; }
+std::span<const SectionModel> section_models() { return models_of_sections; }
 
 double work_of(std::string_view id, const QuestionTable& table, bool small) {
     const auto found = std::ranges::find(defaults, id, &Defaults::id);

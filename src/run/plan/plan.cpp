@@ -216,8 +216,9 @@ Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, bool alo
 }
 
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes) {
-    return scaled(started(settings, false, [&](const SectionModel& model) { return model.roles.empty() ? std::vector<PlannedMesh>() : meshes; }),
-                  settings);
+    return scaled(
+        started(settings, false, [&](const SectionModel& model) { return model.roles.empty() ? std::vector<PlannedMesh>() : meshes; }),
+        settings);
 }
 
 std::string text_of(const Plan& plan) {
