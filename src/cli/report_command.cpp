@@ -2,6 +2,7 @@
 #include <memory>
 #include <set>
 
+#include "base/available_memory.h"
 #include "base/file_bytes.h"
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
@@ -10,6 +11,7 @@
 #include "mesh/mesh_topology.h"
 #include "output/draw/draw_figures.h"
 #include "output/publish/publish.h"
+#include "run/arguments.h"
 #include "run/console.h"
 #include "run/cover.h"
 #include "run/from_results.h"
@@ -17,6 +19,7 @@
 #include "run/lab/report_labs.h"
 #include "run/own_source.h"
 #include "run/paper_copy.h"
+#include "run/plan/plan.h"
 #include "run/progress.h"
 #include "run/provenance.h"
 #include "run/publish_report.h"
@@ -77,14 +80,34 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
     return figures;
 }
 
+/// Refuses what there is no memory for, and says what is planned where that was asked for or is less than usual.
+void begin_planned(const Plan& plan, ReportSettings& settings) {
+    require_memory(plan, settings, available_memory());
+    settings.efforts = plan.efforts();
+    if (settings.time) {
+        for (const std::string& line : split("planned:\n" + text_of(plan), '\n'))
+            if (!line.empty()) complain(line);
+    }
+    if (plan.seconds() > plan.time)
+        warn("the least that answers every question takes about " + plain_text(plan.seconds(), 2) + " s on two cores, not " +
+             plain_text(plan.time, 2) + " s");
+}
+
 ExitCode run_report(const ReportFlags& flags) {
-    const ReportSettings settings = report_settings(flags);
+    if (flags.json && !flags.plan) throw UsageError("--json goes with --plan", "a report leaves results.json");
+    ReportSettings settings = report_settings(flags);
     report::Templates templates(settings.templates);
     report::use_words_of(templates);
     if (settings.page.file) templates.replace("report.html", *settings.page.file);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
-    const auto threads = limited_threads(settings);
     meshes.open_own_meshes();
+    const Plan plan = plan_of(settings, meshes, flags.alone);
+    if (flags.plan) {
+        print(flags.json ? json_of(plan) : text_of(plan));
+        return ExitCode::ok;
+    }
+    begin_planned(plan, settings);
+    const auto threads = limited_threads(settings);
     PaperCopy paper(settings, templates);
     output::Publication publication(settings.out);
     const bool renews = !flags.only.empty() && !flags.alone && flags.part.empty();
@@ -97,7 +120,7 @@ ExitCode run_report(const ReportFlags& flags) {
     Published published;
     std::string pdf_note;
     {
-        ProgressDisplay display(stderr_is_terminal());
+        ProgressDisplay display(stderr_is_terminal(), plan.seconds());
         const Stopwatch whole;
         std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, kept.answers, display);
         const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
@@ -143,7 +166,12 @@ Command report_command(CLI::App& parent) {
     app.text("--pdf", flags->pdf, "report.pdf and appendix.pdf: auto, where an engine is there (the default); require; or off");
     app.text("--pdf-browser", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
     app.text("--templates", flags->templates, "folder of templates that replace those of the same name");
-    app.flag("--quick", flags->quick, "small settings for a first look");
+    app.flag("--quick", flags->quick, "small settings for a first look: 20 s up to 100,000 triangles, 60 s at a million");
+    app.text("--time", flags->time,
+             "seconds on two cores to fit into: settings are made small, large meshes decimated; default: as promised, 180 up to 346,000 "
+             "triangles");
+    app.flag("--plan", flags->plan, "only say what would be done, what it costs and what is scaled down");
+    app.flag("--json", flags->json, "the plan for programs");
     app.flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
     app.flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
     app.flag("--no-cache", flags->no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");

@@ -1,6 +1,7 @@
 #include "cli/signals.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <poll.h>
 #include <pthread.h>
 #include <signal.h>
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <exception>
+#include <limits>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -103,6 +105,11 @@ __attribute__((no_sanitize("address", "thread", "undefined"))) void require_room
 }   // namespace
 
 void prepare_process() {
+#ifdef __GLIBC__
+    // Matrices of large meshes come and go by the hundred: their pages are kept instead of being fetched anew, and cleared, each time.
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);   // the most it takes
+    ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
     fill_closed_descriptors();
     std::set_terminate(end_after_uncaught);
     for (const int ignored : {SIGPIPE, SIGXFSZ}) static_cast<void>(::signal(ignored, SIG_IGN));   // both can be: such a write fails instead

@@ -3,6 +3,7 @@
 namespace meshfolio::cli {
 
 /// To be called first, before any thread begins:
+/// - freed memory is kept for what is allocated next;
 /// - standard descriptors that are closed are filled, so that no file of ours is opened in their place; writing to standard output
 ///   still fails then;
 /// - SIGPIPE and SIGXFSZ no longer kill: the write fails and is reported;

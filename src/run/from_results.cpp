@@ -21,8 +21,9 @@ constexpr std::size_t most_named = 8;
 
 void refuse_computing_options(const ReportFlags& flags) {
     const std::pair<const char*, bool> options[] = {
-        {"MESH", !flags.meshes.empty()}, {"--only", !flags.only.empty()},  {"--data", !flags.data.empty()}, {"--size", !flags.size.empty()},
-        {"--quick", flags.quick},        {"--fail-fast", flags.fail_fast}, {"--part", !flags.part.empty()}};
+        {"MESH", !flags.meshes.empty()}, {"--only", !flags.only.empty()}, {"--data", !flags.data.empty()},
+        {"--size", !flags.size.empty()}, {"--quick", flags.quick},        {"--fail-fast", flags.fail_fast},
+        {"--part", !flags.part.empty()}, {"--time", !flags.time.empty()}, {"--plan", flags.plan || flags.json}};
     for (const auto& [name, is_given] : options) {
         if (is_given) throw UsageError(std::string(name) + " cannot be given with --from", "nothing is computed; leave one of them out");
     }

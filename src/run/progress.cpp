@@ -143,11 +143,26 @@ bool stderr_is_terminal() {
     return ::isatty(STDERR_FILENO) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
 }
 
-ProgressDisplay::ProgressDisplay(bool terminal) : terminal_(terminal) { StageBoard::instance().count_displays(1); }
+double seconds_left(double expected, double taken, double fraction) { return (1 - fraction) * ((1 - fraction) * expected + taken); }
+
+ProgressDisplay::ProgressDisplay(bool terminal, double expected) : terminal_(terminal), expected_(expected) {
+    StageBoard::instance().count_displays(1);
+}
 
 ProgressDisplay::~ProgressDisplay() {
     StageBoard::instance().count_displays(-1);
     if (drawn_) to_stderr("\r\x1b[K");
+}
+
+std::string ProgressDisplay::left() const {
+    const std::lock_guard lock(mutex_);
+    return left_unlocked();
+}
+
+std::string ProgressDisplay::left_unlocked() const {
+    if (expected_ <= 0) return "";
+    const std::chrono::duration<double> taken = Clock::now() - begun_;
+    return ", about " + std::to_string(std::lround(std::ceil(seconds_left(expected_, taken.count(), fraction_)))) + " s left";
 }
 
 void ProgressDisplay::advance(double fraction) {
@@ -178,7 +193,7 @@ void ProgressDisplay::draw(bool now) {
     if (drawn_ && !now && time - drawn_at_ < interval) return;
     drawn_at_ = time;
     drawn_ = true;
-    to_stderr("\r" + progress_line(fraction_, step_, terminal_width() - 1) + "\x1b[K");
+    to_stderr("\r" + progress_line(fraction_, step_ + left_unlocked(), terminal_width() - 1) + "\x1b[K");
 }
 
 }   // namespace meshfolio::run

@@ -13,7 +13,8 @@ namespace meshfolio::run {
 class ProgressDisplay {
 public:
     /// @param terminal  draw a bar, at most ten times a second
-    explicit ProgressDisplay(bool terminal);
+    /// @param expected  seconds the whole will take; 0: not known
+    explicit ProgressDisplay(bool terminal, double expected = 0);
     ~ProgressDisplay();   // leaves a clean line
     ProgressDisplay(const ProgressDisplay&) = delete;
     ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -24,17 +25,25 @@ public:
     void step(std::string_view what);
     /// Something that is done: a line of its own where there is no terminal.
     void milestone(std::string_view what);
+    /// ", about 40 s left"; empty where nothing is expected. See seconds_left().
+    std::string left() const;
 
 private:
     using Clock = std::chrono::steady_clock;
     const bool terminal_;
-    std::mutex mutex_;
+    const double expected_;
+    const Clock::time_point begun_ = Clock::now();
+    mutable std::mutex mutex_;
     double fraction_ = 0;
     std::string step_;
     Clock::time_point drawn_at_{};
     bool drawn_ = false;
     void draw(bool now);
+    std::string left_unlocked() const;
 };
+
+/// What is left when that share is done: at the beginning as expected, and the later the more by what the share has taken.
+double seconds_left(double expected, double taken, double fraction);
 
 /// What a command works on while the object lives. On a terminal, a command that runs for more than two seconds shows its innermost stage
 /// on stderr with the seconds it has taken: "inspect: reading bunny.off, 12 s". Elsewhere, and beside a ProgressDisplay, nothing is shown.

@@ -55,10 +55,13 @@ class Runner {
 public:
     Runner(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
            const std::map<std::string, StoredAnswer>& kept, ProgressDisplay& display)
-        : meshes_(meshes), settings_(settings), cache_(cache), kept_(kept), display_(display) {}
+        : meshes_(meshes), settings_(settings), cache_(cache), kept_(kept), display_(display) {
+        for (const auto& [id, effort] : settings.efforts) all_ += effort.cpu_seconds;
+    }
 
     QuestionResult result(const Chapter& question) {
         if (!settings_.only.empty() && !contains(settings_.only, std::string(question.id))) return not_asked(question);
+        if (effort_of(settings_, std::string(question.id)).left_out) return {skipped(question.id, left_out_to_fit()), {}, {}};
         const auto began = std::chrono::steady_clock::now();
         QuestionResult result;
         if (cache_ != nullptr) result.stored = cache_->find(std::string(question.id));
@@ -66,7 +69,9 @@ public:
             result.answer.section = result.stored->section;
         } else {
             LookupRecord record;
-            result.answer = attempted(question, meshes_.recorded_in(record));
+            const Effort effort = effort_of(settings_, std::string(question.id));
+            result.answer = attempted(question, meshes_.recorded_in(record).limited_to(effort.most_vertices));
+            if (effort.small && !settings_.quick) say_small_settings(result.answer.section);
             result.lookups = record.lookups();
         }
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
@@ -82,8 +87,8 @@ private:
     const std::map<std::string, StoredAnswer>& kept_;
     ProgressDisplay& display_;
     std::atomic<bool> stop_ = false;
-    std::atomic<int> done_ = 0;
-    const std::size_t sections_ = section_ids().size();
+    std::atomic<double> done_ = 0;   // of what is planned [CPU s]
+    double all_ = 0;
 
     QuestionResult not_asked(const Chapter& question) const {
         const auto kept = kept_.find(std::string(question.id));
@@ -139,11 +144,14 @@ private:
     void announce(const QuestionResult& result, double seconds) {
         const report::Section& section = result.section();
         const bool ok = section.status == report::Status::ok;
-        display_.milestone(section.id + (result.stored                              ? ": from the cache"
-                                         : ok                                       ? ": answered in " + plain_text(seconds, 2) + " s"
-                                         : section.status == report::Status::failed ? ": failed"
-                                                                                    : ": stopped"));
-        display_.advance(0.7 * ++done_ / static_cast<double>(sections_));
+        done_ += effort_of(settings_, section.id).cpu_seconds;
+        display_.advance(0.7 * done_ / std::max(all_, 1e-9));
+        display_.milestone(section.id +
+                           (result.stored                              ? ": from the cache"
+                            : ok                                       ? ": answered in " + plain_text(seconds, 2) + " s"
+                            : section.status == report::Status::failed ? ": failed"
+                                                                       : ": stopped") +
+                           (settings_.time ? display_.left() : ""));
     }
 };
 

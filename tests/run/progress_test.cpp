@@ -26,6 +26,13 @@ TEST(ProgressLine, FillsInProportion) {
     EXPECT_EQ(progress_line(-7, "x", 80), progress_line(0, "x", 80));
 }
 
+TEST(SecondsLeft, BeginAsExpectedAndEndWithWhatHasBeenTaken) {
+    EXPECT_EQ(seconds_left(60, 0, 0), 60);
+    EXPECT_EQ(seconds_left(60, 90, 1), 0);
+    for (const double share : {0.1, 0.5, 0.9}) EXPECT_NEAR(seconds_left(60, 60 * share, share), 60 * (1 - share), 1e-9);
+    EXPECT_GT(seconds_left(60, 60, 0.5), 30) << "a slower machine";
+}
+
 TEST(ProgressLine, NeverWiderThanTheTerminal) {
     for (const int width : {0, 1, 10, 25, 40, 79}) {
         EXPECT_LE(code_points(progress_line(0.3, "μμμμμμμμμμ of a very long mesh name that does not fit at all", width)), width);

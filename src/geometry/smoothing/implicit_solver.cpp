@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "geometry/linear/cholesky_analysis.h"
@@ -12,7 +13,6 @@
 #include "geometry/measures/spatial_order.h"
 #include "geometry/smoothing/conjugate_gradients.h"
 #include "geometry/smoothing/position_rows.h"
-#include "geometry/spectrum/spectrum_memory.h"
 
 namespace meshfolio {
 
@@ -52,7 +52,7 @@ struct ImplicitSolver::State {
 
     /// What would fit is known only after the symbolic analysis; one that cannot even be made does not fit either.
     bool fits(double limit) const {
-        if (limit <= 0) limit = available_memory();
+        if (limit <= 0) limit = available_memory().bytes;
         return analysis && (limit <= 0 || analysis->memory() <= limit);
     }
 

@@ -3,9 +3,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
+#include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/number_text.h"
 
@@ -28,7 +28,7 @@ SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SliceOptio
 
 int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& options, double limit) {
     const int processors = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-    if (limit <= 0) limit = available_memory();
+    if (limit <= 0) limit = available_memory().bytes;
     if (limit <= 0) return processors;
     const SpectrumMemory needed = memory_of(problem, k, options);
     const double slices = (limit - needed.vectors) / needed.per_slice;
@@ -42,14 +42,6 @@ int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& o
                           gigabytes(needed.of_one_slice()) + " of memory, " + gigabytes(limit) + " are there",
                       fitting >= 1 ? std::to_string(fitting) + (fitting == 1 ? " eigenpair" : " eigenpairs") + " would fit"
                                    : "not even one eigenpair would fit: simplify the mesh");
-}
-
-double available_memory() {
-    std::ifstream table("/proc/meminfo");
-    for (std::string name, rest; table >> name && std::getline(table, rest);) {
-        if (name == "MemAvailable:") return 1024 * std::stod(rest);
-    }
-    return 0;
 }
 
 }   // namespace meshfolio

@@ -18,7 +18,4 @@ SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SliceOptio
 /// @throws SolverError if not even one does, saying what would fit
 int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& options, double limit);
 
-/// Memory this process may still take without swapping [bytes]; 0 where the system does not say.
-double available_memory();
-
 }   // namespace meshfolio

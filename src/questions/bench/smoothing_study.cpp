@@ -243,9 +243,9 @@ void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::
 
 std::vector<std::shared_ptr<const LibraryMesh>> laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings,
                                                                   report::Section& section) {
-    if (settings.laboratory) return meshes_to_explore(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
-    if (settings.quick) return meshes_to_explore(library, settings, {"cube"}, section);
-    return meshes_to_explore(library, settings, {"cube", "plane_ns"}, section);
+    if (settings.laboratory) return meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
+    if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
+    return meshes_for(library, settings, {"cube", "plane_ns"}, section);
 }
 
 }   // namespace meshfolio

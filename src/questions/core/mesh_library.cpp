@@ -8,7 +8,6 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "base/parallel.h"
 #include "base/sha256.h"
 #include "embedded_data.h"
 #include "geometry/measures/closest_point.h"
@@ -20,6 +19,9 @@ namespace meshfolio {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int largest_copy = 100000;   // vertices
+constexpr int most_measured = 20000;   // vertices whose distance to a copy is taken
 
 constexpr std::array<MeshRole, 13> roles{{
     {"plane", "curvatures/plane.obj", "plane.obj"},
@@ -133,6 +135,35 @@ struct MeshLibrary::Shelf {
     std::map<std::pair<std::shared_ptr<const LibraryMesh>, int>, std::shared_ptr<const LibraryMesh>> copies;   // and their vertices at most
     std::mutex digest_mutex;
     std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
+
+    using MeshPointer = std::shared_ptr<const LibraryMesh>;
+
+    /// Locked while decimating: several sections want the same copy.
+    MeshPointer decimated_to(int vertices, const MeshPointer& mesh) {
+        if (mesh->mesh().vertex_count() <= vertices) return mesh;
+        const std::lock_guard lock(copies_mutex);
+        return copy(vertices, mesh);
+    }
+
+    /// One of tens of thousands is made from the one of ten times as many, so that a large mesh is decimated once.
+    MeshPointer copy(int vertices, const MeshPointer& mesh) {
+        const TriangleMesh& whole = mesh->mesh();
+        if (whole.vertex_count() <= vertices) return mesh;
+        MeshPointer& made = copies[{mesh, vertices}];
+        if (made) return made;
+        const MeshPointer source = vertices < largest_copy ? copy(std::min(10 * vertices, largest_copy), mesh) : mesh;
+        LibraryMesh small = *mesh;
+        small.is_copy = true;
+        small.prepared =
+            std::make_shared<const PreparedMesh>(prepare_mesh({decimated(source->mesh(), vertices), mesh->prepared->file, {}, {}}));
+        // Told with two digits, for which some of the vertices are enough.
+        const ClosestPoint surface(small.mesh());
+        const int stride = 1 + whole.vertex_count() / most_measured, measured = (whole.vertex_count() - 1) / stride + 1;
+        double sum = 0;
+        for (int i = 0; i < measured; ++i) sum += surface.squared_distance(whole.X.row(stride * i));
+        small.decimation_error = std::sqrt(sum / measured) / bounding_box(whole).diagonal();
+        return made = std::make_shared<const LibraryMesh>(std::move(small));
+    }
 
     /// Of the bytes, each file hashed once.
     std::string digest(const Found& where) {
@@ -260,6 +291,11 @@ std::optional<MeshLibrary::Found> MeshLibrary::found(const MeshLookup& lookup, c
 }
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
+    const auto mesh = whole(lookup, base);
+    return mesh && most_vertices_ > 0 ? shelf_->decimated_to(most_vertices_, mesh) : mesh;
+}
+
+std::shared_ptr<const LibraryMesh> MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
     note(lookup);
     // Held while reading: a mesh that two questions want is read once.
     const std::lock_guard lock(shelf_->mutex);
@@ -307,21 +343,6 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
     return loaded({.by = MeshLookup::By::in_data, .path = file}, {});
-}
-
-std::shared_ptr<const LibraryMesh> MeshLibrary::decimated_to(int vertices, const std::shared_ptr<const LibraryMesh>& mesh) const {
-    const TriangleMesh& whole = mesh->mesh();
-    if (whole.vertex_count() <= vertices) return mesh;
-    const std::lock_guard lock(shelf_->copies_mutex);   // held while decimating: several sections want the same copy
-    auto& copy = shelf_->copies[{mesh, vertices}];
-    if (copy) return copy;
-    LibraryMesh small = *mesh;
-    small.is_copy = true;
-    small.prepared = std::make_shared<const PreparedMesh>(prepare_mesh({decimated(whole, vertices), mesh->prepared->file, {}, {}}));
-    const ClosestPoint surface(small.mesh());
-    const double sum = ordered_sum(whole.vertex_count(), [&](int v) { return surface.squared_distance(whole.X.row(v)); });
-    small.decimation_error = std::sqrt(sum / whole.vertex_count()) / bounding_box(whole).diagonal();
-    return copy = std::make_shared<const LibraryMesh>(std::move(small));
 }
 
 bool MeshLibrary::has_own_meshes() const {
@@ -379,6 +400,12 @@ void LookupRecord::add(const MeshLookup& lookup) {
 std::vector<MeshLookup> LookupRecord::lookups() const {
     const std::lock_guard lock(mutex_);
     return {lookups_.begin(), lookups_.end()};
+}
+
+MeshLibrary MeshLibrary::limited_to(int vertices) const {
+    MeshLibrary library = *this;
+    library.most_vertices_ = vertices;
+    return library;
 }
 
 MeshLibrary MeshLibrary::recorded_in(LookupRecord& record) const {

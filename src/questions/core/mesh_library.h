@@ -76,9 +76,6 @@ public:
     /// A mesh that only a data folder may have, by its file name; null where none has it.
     std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
 
-    /// A copy with at most so many vertices (mesh/decimation.h), made once; the mesh itself where it has no more.
-    std::shared_ptr<const LibraryMesh> decimated_to(int vertices, const std::shared_ptr<const LibraryMesh>& mesh) const;
-
     bool has_own_meshes() const;
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
     std::vector<std::shared_ptr<const LibraryMesh>> own_meshes() const;
@@ -90,6 +87,9 @@ public:
 
     /// The same library with the same meshes, which enters into `record` what it is asked for from now on. `record` must outlive it.
     MeshLibrary recorded_in(LookupRecord& record) const;
+    /// The same library, which hands out copies of at most so many vertices (mesh/decimation.h) of larger meshes, each made once; 0: the
+    /// meshes themselves.
+    MeshLibrary limited_to(int vertices) const;
     /// Everything that the answer to a lookup depends on, without preparing the mesh: what it is called and the SHA-256 of its bytes, or
     /// why it cannot be had. Equal words, equal mesh.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
@@ -100,6 +100,7 @@ private:
     std::map<std::string, std::string> names_;   // path as given → name
     std::shared_ptr<Shelf> shelf_;
     LookupRecord* record_ = nullptr;
+    int most_vertices_ = 0;   // 0: any number
 
     struct Found;
     void note(const MeshLookup& lookup) const;
@@ -110,6 +111,7 @@ private:
     std::optional<Found> found_in_data(const std::filesystem::path& file) const;
     Found found_own(const std::filesystem::path& path) const;
     std::shared_ptr<const LibraryMesh> loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    std::shared_ptr<const LibraryMesh> whole(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::shared_ptr<const LibraryMesh> read(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::string name_of(const std::filesystem::path& path) const;
 };

@@ -12,7 +12,6 @@ namespace meshfolio {
 namespace {
 
 const std::string unusable = "meshes that cannot be used";
-constexpr int explored_vertices = 10000;   // of a mesh at most, for a first look
 
 void say_if_copy(const LibraryMesh& mesh, report::Section& section) {
     if (!mesh.is_copy) return;
@@ -58,20 +57,9 @@ std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& li
     return meshes;
 }
 
-std::shared_ptr<const LibraryMesh> mesh_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
-                                                   std::shared_ptr<const LibraryMesh> mesh) {
-    return settings.quick ? library.decimated_to(explored_vertices, mesh) : mesh;
-}
+void say_small_settings(report::Section& section) { section.warnings.push_back(report::Words("figures").line("small_settings")); }
 
-std::vector<std::shared_ptr<const LibraryMesh>> meshes_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
-                                                                  std::initializer_list<std::string_view> roles, report::Section& section) {
-    auto meshes = meshes_for(library, settings, roles, section);
-    for (auto& mesh : meshes) {
-        mesh = mesh_to_explore(library, settings, mesh);
-        say_if_copy(*mesh, section);
-    }
-    return meshes;
-}
+std::string left_out_to_fit() { return report::Words("figures").line("left_out"); }
 
 report::Check unusable_mesh_check(const std::string& reason) { return report::check_at_most(unusable, 0, 1, 0, printable(reason)); }
 

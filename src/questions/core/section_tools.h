@@ -26,13 +26,9 @@ report::Section section_of(std::string_view id);
 std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& library, const QuestionSettings& settings,
                                                            std::initializer_list<std::string_view> roles, report::Section& section);
 
-/// The same for a section that explores beyond what is asked: in a quick report, copies of at most 10,000 vertices of larger meshes, which
-/// the section says.
-std::vector<std::shared_ptr<const LibraryMesh>> meshes_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
-                                                                  std::initializer_list<std::string_view> roles, report::Section& section);
-/// One of them, which enter_input() or the section itself has to name.
-std::shared_ptr<const LibraryMesh> mesh_to_explore(const MeshLibrary& library, const QuestionSettings& settings,
-                                                   std::shared_ptr<const LibraryMesh> mesh);
+/// Says that the section has small settings, so that the report ends in time; and why one is left out.
+void say_small_settings(report::Section& section);
+std::string left_out_to_fit();
 
 /// The failed check of a section that had to go without one of its meshes, and why.
 report::Check unusable_mesh_check(const std::string& reason);

@@ -34,9 +34,9 @@ void add_method(report::Section& section, const SearchBudget& budget) {
 }
 
 LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
-    if (settings.quick) return meshes_to_explore(library, settings, {"cube"}, section);
-    if (settings.laboratory) return meshes_to_explore(library, settings, {"cube", "plane", "fandisk_ns", "lilium", "armadillo"}, section);
-    return meshes_to_explore(library, settings, {"cube", "armadillo"}, section);
+    if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
+    if (settings.laboratory) return meshes_for(library, settings, {"cube", "plane", "fandisk_ns", "lilium", "armadillo"}, section);
+    return meshes_for(library, settings, {"cube", "armadillo"}, section);
 }
 
 /// On the library's meshes, and beside the bundled roles on an ellipsoid of our own: smooth, closed and small enough to be taken whole.

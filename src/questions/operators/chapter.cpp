@@ -73,8 +73,8 @@ bool fewer_flips(const LaboratoryMesh& a, const LaboratoryMesh& b) {
 
 /// Two meshes for a quick look: one closed, one with a boundary.
 LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
-    if (settings.quick) return meshes_to_explore(library, settings, {"armadillo", "lilium"}, section);
-    return meshes_to_explore(library, settings, {"armadillo", "lilium", "fandisk_ns"}, section);
+    if (settings.quick) return meshes_for(library, settings, {"armadillo", "lilium"}, section);
+    return meshes_for(library, settings, {"armadillo", "lilium", "fandisk_ns"}, section);
 }
 
 }   // namespace

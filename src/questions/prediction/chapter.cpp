@@ -43,9 +43,9 @@ report::Text answer_of(const Studies& studies) {
 }
 
 LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
-    if (settings.laboratory) return meshes_to_explore(library, settings, {"cube", "lilium", "torus", "armadillo"}, section);
-    if (settings.quick) return meshes_to_explore(library, settings, {"cube"}, section);
-    return meshes_to_explore(library, settings, {"cube", "lilium"}, section);
+    if (settings.laboratory) return meshes_for(library, settings, {"cube", "lilium", "torus", "armadillo"}, section);
+    if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
+    return meshes_for(library, settings, {"cube", "lilium"}, section);
 }
 
 }   // namespace

@@ -7,7 +7,6 @@
 
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::reproductions {
 
@@ -106,8 +105,7 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
     std::vector<ExperimentMesh> meshes;
     if (experiment.meshes.empty()) return meshes;
     if (library.has_own_meshes()) {
-        for (const auto& own : library.own_meshes())
-            meshes.push_back(measured(experiment.meshes.front(), mesh_to_explore(library, settings, own), experiment));
+        for (const auto& own : library.own_meshes()) meshes.push_back(measured(experiment.meshes.front(), own, experiment));
         return meshes;
     }
     for (const OriginalMesh& original : experiment.meshes) {

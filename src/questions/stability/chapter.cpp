@@ -54,7 +54,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer;
     report::Section& section = answer.section;
     section = section_of("stability");
-    const auto meshes = meshes_to_explore(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
+    const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
     add_words(section, words, "method");
 
     add_words(section, words, "results");

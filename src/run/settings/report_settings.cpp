@@ -30,6 +30,11 @@ void take(int& value, const Setting& setting, const std::string& name, const std
     value = static_cast<int>(integer_between(name, text, setting.least, setting.most));
 }
 
+void take(std::optional<double>& value, const Setting& setting, const std::string& name, const std::string& text) {
+    value = number_above_zero(name, text);
+    if (*value > setting.largest) throw UsageError(name + " " + in_quotes(text) + " is more than " + plain_text(setting.largest));
+}
+
 void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {
     if (setting.choices != nullptr && !contains(setting.choices(), text))
         throw UsageError(name + " " + in_quotes(text) + " is none of auto, require and off");
@@ -81,6 +86,7 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
     const std::map<std::string, std::string> texts{{"--size", flags.size},
                                                    {"--threads", flags.threads},
                                                    {"--pdf", flags.pdf},
+                                                   {"--time", flags.time},
                                                    {"--out", flags.out},
                                                    {"--only", flags.only},
                                                    {"--author", flags.author},
@@ -181,6 +187,11 @@ Words words_of(const std::string& value) { return {value}; }
 Words words_of(const std::filesystem::path& value) { return {value.string()}; }
 Words words_of(const ViewSize& size) { return {std::to_string(size.width) + " × " + std::to_string(size.height)}; }
 Words words_of(const PageTemplate& page) { return {page.design, page.file.value_or("").string()}; }
+Words words_of(const Effort& effort) {
+    if (effort.left_out) return {"left out"};
+    const std::string copies = effort.most_vertices > 0 ? ", copies of at most " + std::to_string(effort.most_vertices) + " vertices" : "";
+    return {(effort.small ? "small settings" : "full settings") + copies};
+}
 template <class Number>
 requires std::is_arithmetic_v<Number> Words words_of(Number value) {
     if constexpr (std::is_integral_v<Number>)
@@ -220,7 +231,7 @@ void take_experiments(QuestionSettings& question, const ReportSettings& settings
     const auto is_brief = [](const Experiment& experiment) { return experiment.brief; };
     std::copy_if(question.bundled_experiments.begin(), question.bundled_experiments.end(), std::back_inserter(question.experiments),
                  is_brief);
-    if (settings.quick && question.experiments.size() > 1) question.experiments.resize(1);
+    if (question.quick && question.experiments.size() > 1) question.experiments.resize(1);
 }
 
 }   // namespace
@@ -247,12 +258,17 @@ std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& setti
     return std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
 }
 
+Effort effort_of(const ReportSettings& settings, const std::string& id) {
+    const auto planned = settings.efforts.find(id);
+    return planned != settings.efforts.end() ? planned->second : Effort{.small = settings.quick};
+}
+
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id) {
     QuestionSettings question;
     auto& [meshes, base, k, lambda, iterations, noise, seed, quick, laboratory, colormap, experiments, bundled, own] = question;   // all
     base = settings.base;
     seed = settings.seed;
-    quick = settings.quick;
+    quick = effort_of(settings, id).small;
     laboratory = settings.laboratory;
     colormap = settings.colormap;
     if (has_experiments(id)) take_experiments(question, settings);
@@ -286,6 +302,9 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     };
     for_each_setting(settings, enter_as(""));
     for (const auto& [id, table] : settings.questions) for_each_setting(table, enter_as(id + " "));
+    for (const auto& [id, effort] : settings.efforts) {
+        if (words_of(effort) != words_of(Effort{.small = settings.quick})) values[id + " effort"] = words_of(effort).front();
+    }
     if (!settings.experiments.empty()) values["experiments"] = settings.experiments_digest;
     return values;
 }
@@ -306,6 +325,7 @@ std::vector<std::string> identity_of(const ReportSettings& settings, const std::
         identity.insert(identity.end(), words.begin(), words.end());
     };
     for_each_setting(settings, add);
+    identity.push_back(words_of(effort_of(settings, question)).front());
     const auto table = settings.questions.find(question);
     for_each_setting(table != settings.questions.end() ? table->second : QuestionTable(), add);
     // Those of the bundled files are part of the program.

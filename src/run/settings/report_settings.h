@@ -35,9 +35,10 @@ private:
 /// As given on the command line; what is empty was not.
 struct ReportFlags {
     std::vector<std::string> meshes, data;
-    std::string only, out, config, threads, size, templates, pdf, pdf_browser, author, from, part, junit;
+    std::string only, out, config, threads, size, templates, pdf, pdf_browser, author, from, part, junit, time;
     std::vector<std::string> parts;   // of `merge`
-    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, alone = false;
+    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, alone = false, plan = false,
+         json = false;
 };
 
 struct ViewSize {
@@ -59,6 +60,14 @@ struct QuestionTable {
     std::optional<std::string> output;   // folder of the output meshes
 };
 
+/// How much of a section is done: run/plan decides.
+struct Effort {
+    bool small = false;      // the settings of --quick
+    int most_vertices = 0;   // copies of at most so many take the place of larger meshes; 0: none does
+    bool left_out = false;
+    double cpu_seconds = 0;   // estimated
+};
+
 /// setting_list.h says of each where it is given and what depends on it.
 struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
@@ -71,6 +80,8 @@ struct ReportSettings {
     std::uint64_t seed = 0;
     bool view_files = false;   // every view of every figure is a file of its own as well
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
+    std::optional<double> time;                       // seconds on two cores that the report is to fit into; none: as promised
+    std::map<std::string, Effort> efforts;            // by id; none: everything as `quick` says
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
     std::vector<Experiment> experiments;              // of earlier reports; empty: the brief ones of the bundled files
@@ -91,6 +102,9 @@ ReportSettings report_settings(const ReportFlags& flags);
 
 /// For as long as it lives, no more threads work than are asked for; null where all may.
 std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings);
+
+/// What is planned for one section.
+Effort effort_of(const ReportSettings& settings, const std::string& id);
 
 /// Those of one question.
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);

@@ -45,7 +45,7 @@ template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
     auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, threads, seed, view_files, quick,
-           laboratory, fail_fast, timings, only, questions, experiments, experiments_digest, base] = settings;
+           laboratory, fail_fast, timings, time, efforts, only, questions, experiments, experiments_digest, base] = settings;
     visit(Setting{.table = "[render]",
                   .key = "size",
                   .flag = "--size",
@@ -66,6 +66,7 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.flag = "MESH", .name = "meshes", .shapes_answers = true},
           meshes);   // their contents are part of the lookups of an answer
     visit(Setting{.flag = "--quick", .name = "quick", .shapes_answers = true}, quick);
+    visit(Setting{.flag = "--time", .name = "time", .shapes_answers = true, .largest = 1e7, .is_above_zero = true}, time);
     visit(Setting{.flag = "--fail-fast"}, fail_fast);
     visit(Setting{.flag = "--no-timings"}, timings);
     visit(Setting{.key = "seed", .shapes_answers = true, .most = largest_seed}, seed);
@@ -76,8 +77,8 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.table = "[report]", .key = "template"}, page);
     visit(Setting{.table = "[report]", .key = "sections", .flag = "--only", .name = "only", .choices = section_ids}, only);
     visit(Setting{.table = "[render]", .key = "colormap", .name = "colormap", .shapes_answers = true, .choices = colormap_names}, colormap);
-    // Tables of their own, and the file they come from.
-    static_cast<void>(std::tie(questions, experiments, experiments_digest, base));
+    // Tables of their own, the file they come from, and what is planned.
+    static_cast<void>(std::tie(efforts, questions, experiments, experiments_digest, base));
 }
 
 /// The same for [[question]].

@@ -188,6 +188,7 @@ private:
     template <class Paths>
     requires std::same_as<Paths, fs::path> || std::same_as<Paths, std::vector<fs::path>>
     void take(const TableReader&, const Setting&, Paths&) {}
+    void take(const TableReader&, const Setting&, std::optional<double>&) {}
 
     void enter(const toml::table& table, const TableReader& question, QuestionTable read) {
         if (question.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\", say");

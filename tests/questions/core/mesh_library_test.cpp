@@ -235,18 +235,18 @@ TEST(MeshLibrary, ALargeMeshIsExploredOnADecimatedCopyThatTheSectionNames) {
     ASSERT_EQ(meshes.size(), 2u);
     QuestionSettings settings;
     report::Section whole, quick;
-    const auto all = meshes_to_explore(library, settings, {}, whole);
-    EXPECT_EQ(all, meshes) << "without --quick";
+    EXPECT_EQ(meshes_for(library, settings, {}, whole), meshes);
     EXPECT_TRUE(whole.warnings.empty());
-    settings.quick = true;
-    const auto explored = meshes_to_explore(library, settings, {}, quick);
+    const MeshLibrary limited = library.limited_to(10000);
+    const auto explored = meshes_for(limited, settings, {}, quick);
     EXPECT_EQ(explored[1], meshes[1]);
     EXPECT_EQ(explored[0]->mesh().vertex_count(), 10000);
     EXPECT_TRUE(explored[0]->prepared->preflight.closed());
-    EXPECT_EQ(explored[0], library.decimated_to(10000, meshes[0])) << "made once";
+    EXPECT_EQ(explored[0], limited.own_meshes()[0]) << "made once";
+    EXPECT_EQ(limited.limited_to(0).own_meshes(), meshes);
     EXPECT_GT(explored[0]->decimation_error, 1e-7);
     EXPECT_LT(explored[0]->decimation_error, 1e-3);
     ASSERT_EQ(quick.warnings.size(), 1u);
-    EXPECT_NE(quick.warnings[0].find("large.ply: this section explores a decimated copy of 10000 of the 40962 vertices"), std::string::npos)
+    EXPECT_NE(quick.warnings[0].find("large.ply: this section works on a decimated copy of 10000 of the 40962 vertices"), std::string::npos)
         << quick.warnings[0];
 }

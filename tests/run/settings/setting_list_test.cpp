@@ -62,6 +62,9 @@ TEST(SettingList, AnAnswerIsStoredUnderAllThatShapesIt) {
          {std::string("seed = 2"), std::string("laboratory = true"), std::string("[render]\nsize = 64"),
           std::string("[render]\nview_files = true"), q4 + "k = 5", q4 + "mesh = \"torus\"", q4 + "output = \"x\"", q4 + "seed = 1"})
         EXPECT_NE(identity_of(parse_settings(text, "my.toml", before), "q4"), identity) << text;
+    ReportFlags in_time;
+    in_time.time = "60";
+    EXPECT_NE(identity_of(report_settings(in_time), "q4"), identity);
     for (const std::string& text : {std::string("threads = 2"), std::string("[report]\ntitle = \"x\""), q4 + "threads = 3",
                                     std::string("[[question]]\nid = \"q5\"\nlambda = 1")})
         EXPECT_EQ(identity_of(parse_settings(text, "my.toml", before), "q4"), identity) << text;

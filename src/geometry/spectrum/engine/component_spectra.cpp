@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"
@@ -114,7 +115,7 @@ double bytes_held(const std::vector<Part>& parts) {
 
 /// What is left of the memory for solving when the k vectors of the whole mesh have their place; 0: not known.
 double memory_for_parts(Eigen::Index n, int k, const SpectrumOptions& options) {
-    const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory();
+    const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory().bytes;
     if (limit <= 0) return 0;
     const double left = limit - 8.0 * static_cast<double>(n) * k;
     if (left > 0) return left;

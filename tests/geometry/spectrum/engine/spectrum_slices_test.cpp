@@ -212,7 +212,6 @@ TEST(SpectrumSlices, MemoryIsRefusedBeforeStartingWithWhatWouldFit) {
     EXPECT_NO_THROW(smallest_eigenpairs(laplacian, 5, options));
     options.memory_limit = 1e5;
     EXPECT_THROW(smallest_eigenpairs(laplacian, 1, options), SolverError);
-    EXPECT_GT(available_memory(), 1e7);
 }
 
 TEST(SpectrumSlices, WhatIsSaidToFitIsTheMostThatDoes) {

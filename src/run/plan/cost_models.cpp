@@ -1,0 +1,67 @@
+#include "run/plan/cost_models.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace meshfolio::run {
+
+namespace {
+
+// The last four of each row: from runs of each section on meshes of 2,000 to 25,000 vertices (small settings of q1, q3 and the preflight to
+// 97,000, of q6 to 173,000), rounded. What took more than five seconds there is carried on from smaller meshes: q3 and prediction in full
+// settings are estimates. tests/bench/fit_costs.py prints better ones.
+constexpr std::array models_of_sections{
+    SectionModel{"q1", "bumpy_cube lilium sphere plane", {6.9, 2}, {1.5, 0.5, 0.8}, {40, 42}, {10, 42}},
+    SectionModel{"q2", "", {0.15, 0}, {0.04, 0}, {9, 0}, {1, 0}},
+    SectionModel{"q3", "lilium plane", {5.8, 1, 2.6}, {1.5, 0, 2.6}, {40, 42}, {9, 42}},
+    SectionModel{"q4", "armadillo", {1.8, 22, 10}, {0.3, 7.6}, {42, 700}, {6, 400}},
+    SectionModel{"q5", "cube plane_ns fandisk_ns", {0.3, 24, 0}, {0.05, 17.8}, {13, 250}, {6, 180}},
+    SectionModel{"q6", "cube plane_ns fandisk_ns", {0.05, 25, 30}, {0.2, 8, 14}, {16, 300}, {6, 250}},
+    SectionModel{"q7", "cube fandisk armadillo", {0.2, 50, 20}, {0.3, 9, 8.5}, {14, 250}, {10, 250}},
+    SectionModel{"truth", "", {3.4, 0}, {0.9, 0}, {3, 0}, {2, 0}},
+    SectionModel{"stability", "cube plane_ns fandisk_ns armadillo", {0.05, 0, 130}, {0.02, 0, 66}, {8, 200}, {1, 100}},
+    SectionModel{"maps", "cube plane_ns", {0.15, 22}, {0.15, 10}, {10, 150}, {2, 75}},
+    SectionModel{"modes", "cube plane_ns", {0.6, 0, 27}, {0.1, 8.5}, {2, 250}, {1, 100}},
+    SectionModel{"prediction", "cube lilium", {9, 30}, {3, 1}, {10, 150}, {2, 130}},
+    SectionModel{"methods", "cube armadillo", {0.9, 0.2}, {0.05, 0.2}, {7, 25}, {4, 5}},
+    SectionModel{"operators", "armadillo lilium fandisk_ns", {0.45, 0, 34}, {0.3, 5}, {7, 180}, {4, 25}},
+    SectionModel{"reproductions", "armadillo", {0.9, 28}, {0.2, 15}, {36, 125}, {10, 75}},
+    SectionModel{"claims", "armadillo", {1, 0.2}, {0.3, 0.2}, {7, 6}, {1, 6}},
+    SectionModel{"certificates", "armadillo cube bumpy_cube fandisk lilium", {0.6, 0, 12}, {0.5, 3.2}, {2, 95}, {3, 25}},
+    SectionModel{"preflight",
+                 "plane lilium armadillo plane_ns fandisk_ns cube cube8 sphere ellipsoid torus bumpy_cube saddle fandisk",
+                 {0.02, 1.2},
+                 {0.02, 1.2},
+                 {1, 30},
+                 {1, 30}},
+};
+
+/// By default, in full and in small settings: the eigenvectors of q4, else the iterations; and how many steps and levels of noise.
+struct Defaults {
+    std::string_view id;
+    double steps[2], values[2];
+};
+constexpr Defaults defaults[] = {{"q4", {300, 60}, {1, 1}}, {"q5", {50, 20}, {1, 1}}, {"q6", {100, 10}, {3, 3}}, {"q7", {48, 16}, {25, 6}}};
+
+}   // namespace
+
+double CostModel::per_mesh(double vertices, double work) const {
+    const double x = vertices / 1e5;
+    return work * (linear * x + growing * x * std::sqrt(x));
+}
+
+std::span<const SectionModel> section_models() { return models_of_sections; }
+
+double work_of(std::string_view id, const QuestionTable& table, bool small) {
+    const auto found = std::ranges::find(defaults, id, &Defaults::id);
+    if (found == std::end(defaults)) return 1;
+    const auto& steps = id == "q4" ? table.k : table.iterations;
+    const auto count = [](const auto& list) { return static_cast<double>(std::max<std::size_t>(list.size(), 1)); };
+    double work = 1;
+    if (!steps.empty()) work *= *std::ranges::max_element(steps) / found->steps[small];
+    if (!table.lambda.empty() || !table.noise.empty()) work *= count(table.lambda) * count(table.noise) / found->values[small];
+    return work;
+}
+
+}   // namespace meshfolio::run

@@ -1,0 +1,64 @@
+/// @file
+/// What a report will cost, and what is scaled down so that it ends in the time that is asked for or promised. Nothing here depends on the
+/// machine: a time is one on two cores like those of the cost models.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/available_memory.h"
+#include "questions/core/mesh_library.h"
+#include "run/plan/cost_models.h"
+#include "run/settings/report_settings.h"
+
+namespace meshfolio::run {
+
+struct PlannedMesh {
+    std::string file;
+    double vertices = 0;   // or half its triangles, where these are more
+};
+
+struct PlannedSection {
+    const SectionModel* model;
+    std::vector<PlannedMesh> meshes;
+    double work_full = 1, work_small = 1;   // of the [[question]], over that by default
+    std::size_t rung = 0;                   // of its ladder, from the top
+
+    Effort effort() const;         // with its cost
+    double memory() const;         // beyond the meshes [bytes]
+    double largest_mesh() const;   // vertices; 0: none
+    bool works_on_copies() const;
+};
+
+struct Plan {
+    std::vector<PlannedSection> sections;   // those asked for
+    std::vector<PlannedMesh> meshes;        // each once
+    bool printed = false;                   // a PDF may be made
+    double time = 0;                        // asked for or promised [s]
+
+    double rest_cpu() const;                      // beside the sections [s]
+    double cpu_seconds() const;                   // of everything
+    double seconds() const;                       // on two cores
+    double memory(int at_a_time = cores) const;   // at the peak, so many sections being worked on [bytes]
+    std::map<std::string, Effort> efforts() const;
+};
+
+/// Seconds on two cores that a report of so many triangles is promised in.
+double promised_seconds(double triangles, bool quick);
+
+/// From the most that a section may do, one step at a time: the one that saves most, half as gladly where a question is answered, until
+/// the time is kept. The steps do not depend on the time, so that more of it never gives less. Questions are always answered.
+/// @param alone  what is asked for has the time for itself; otherwise it is done as in the whole report, to which it may be added
+Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, bool alone);
+/// The same of meshes of these sizes, each given to every section. For tests, and to say what would fit.
+Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes);
+
+/// For people: a line for each section, then the total.
+std::string text_of(const Plan& plan);
+std::string json_of(const Plan& plan);
+
+/// @throws InputError if the report needs more memory than is available, saying what would fit
+void require_memory(const Plan& plan, const ReportSettings& settings, const AvailableMemory& available);
+
+}   // namespace meshfolio::run
