@@ -92,7 +92,7 @@ constexpr Eigen::Index coarse_mesh = 3000;
 bool shows_edges(const FigureRequest& request, const Panel& panel) {
     const bool plain = panel.values.size() == 0 || !request.range;
     const bool coarse = panel.mesh->face_count() < coarse_mesh;
-    return request.edges || panel.edges || (coarse && (request.coarse_edges || (plain && !has_six_views(request))));
+    return request.edges || (coarse && (request.coarse_edges || (plain && !has_six_views(request))));
 }
 
 render::DrawOptions options_of(const FigureRequest& request, const Panel& panel) {

@@ -18,7 +18,6 @@ struct Panel {
     std::shared_ptr<const TriangleMesh> mesh;   // null in a matrix: an empty cell, and the label says why
     Vector values = {};                         // one a vertex, NaN where undefined; empty: plain surface
     std::vector<int> marked_vertices = {};      // ringed where they are seen
-    bool edges = false;                         // of this panel, whatever the figure has
 };
 
 struct ColorRange {

@@ -10,9 +10,6 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-/// The triangles of a mesh so coarse that its shape is not seen without them.
-bool shows_edges(const ImplicitStudy& study) { return study.subject.mesh().face_count() < 3000; }
-
 /// A row of the matrix: what one scheme makes of the input with one λ.
 struct Row {
     std::size_t lambda = 0;
@@ -92,7 +89,7 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
     output::FigureRequest request;
     request.id = id_of("q6", study.name(), "matrix");
     request.layout = output::Layout::one_frame;
-    request.edges = shows_edges(study);
+    request.coarse_edges = true;
     const std::size_t below = states_below_input(study);
     request.columns = {words.line("head.input")};
     if (below > 0) {
@@ -137,14 +134,17 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
 }
 
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours) {
-    SixViewFigure figure{.id = "q6_views", .title = words.line("views.title"), .caption = words.line("views.caption"), .frame_panel = -1};
+    SixViewFigure figure{.id = "q6_views",
+                         .title = words.line("views.title"),
+                         .caption = words.line("views.caption"),
+                         .coarse_edges = true,
+                         .frame_panel = -1};
     for (const ImplicitStudy& study : studies) {
         const SmoothingCell* good = study.good();
         if (good == nullptr) continue;
         figure.panels.push_back(panel_of(unit_sized(study.subject.mesh(), good->implicit_X), "q6_views_" + study.name(),
                                          words.line("views.panel", "mesh"_a = study.name(), "cell"_a = title_of(study, *good)),
                                          curvature_colours(study.subject, good->implicit_X)));
-        figure.panels.back().edges = shows_edges(study);
     }
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);

@@ -23,8 +23,6 @@ std::string sigma_name(double relative) {
     return "sigma" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
 }
 
-bool shows_edges(const DenoisingGrid& grid) { return grid.clean->mesh().face_count() < 3000; }
-
 Vector distances_of(const DenoisingGrid& grid, const Positions& X) {
     return shape_distances(grid.clean->mesh(), grid.clean->prepared->topology.vertex_faces, X);
 }
@@ -137,13 +135,13 @@ void add_views(Answer& answer, const Grids& grids, const output::ColorRange& col
                          .title = words.line("views.title"),
                          .subtitle = words.line("trial.subtitle"),
                          .caption = words.line("views.caption"),
+                         .coarse_edges = true,
                          .frame_panel = -1};
     for (const DenoisingGrid& grid : grids) {
         const NoisyTrial& trial = grid.pictured();
         if (!trial.improved()) continue;
         figure.panels.push_back(panel_of(unit_sized(grid.clean->mesh(), trial.best.X), "q7_views_" + grid.name(),
                                          words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
-        figure.panels.back().edges = shows_edges(grid);
     }
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);
@@ -156,7 +154,7 @@ void add_levels(Answer& answer, const DenoisingGrid& grid) {
     request.id = id;
     request.subtitle = words.line("trial.subtitle");
     request.layout = output::Layout::one_frame;
-    request.edges = shows_edges(grid);
+    request.coarse_edges = true;
     request.columns = {words.line("states.noisy"), words.line("states.best"), words.line("states.over")};
     for (const NoisyTrial& trial : grid.trials) {
         request.rows.push_back(words.line("levels.row", facts_of(grid, trial)));
