@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 #include "base/sha256.h"
 #include "report/escape.h"
@@ -312,10 +312,10 @@ TEST(WriteHtml, ManyLargePicturesAreQuick) {
         figures[id].sheet = "images/" + id + ".png";
         figures[id].panels = {{"", {{"", 0, 0, 1200, 800, "", std::string(120000, char(i))}}}};
     }
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     const std::string page = write_html(document, figures, Templates());
     EXPECT_GT(page.size(), 23000000u);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));   // 0.3 s when nothing else runs
+    EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);   // of the processor: 0.3 s; minutes where it grows with the square
 }
 
 }   // namespace
