@@ -30,7 +30,7 @@ const capital = (words) => words[0].toUpperCase() + words.slice(1);
 
 class Lab {
     constructor(block, data, question, onStop) {
-        Object.assign(this, { data, question, onStop });
+        Object.assign(this, { data, question, onStop, why: "" });
         this.experiment = new Experiment(data);
         this.radius = 0;
         for (let i = 0; i < data.positions.length; i += 3) this.radius = Math.max(this.radius, Math.hypot(...data.positions.subarray(i, i + 3)));
@@ -119,6 +119,7 @@ class Lab {
 
     /// By the reader; what sets the steps ends the play over them.
     change(state, endsPlay) {
+        this.why = "";
         if (endsPlay && this.isPlaying) this.pause();
         this.set(state);
     }
@@ -166,7 +167,10 @@ class Lab {
             this.moveLines(places);
         }
         if (this.isDrawn) this.view.draw();
-        if (!this.isSlow || now - this.toldAt > seldom) this.showCurve(now, milliseconds);
+        const says = this.isPlaying && !(now - this.saidAt < seldom);
+        if (says || !this.isSlow || now - this.toldAt > seldom) this.showCurve(now, milliseconds);
+        if (says) this.saidAt = now, this.panel.told.textContent = this.words();
+        if (this.isPlaying && this.isGone()) this.pause(` Blown up: no vertex is left in the view, and the play has stopped at t = ${this.state.t}.`);
     }
 
     /// Where frames follow one another slowly, as without a graphics card, they have fewer pixels, and curve and numbers follow now and
@@ -244,8 +248,8 @@ class Lab {
         this.asked = null;
         this.compute(performance.now(), Infinity);
         if (this.isDrawn) this.view.resolve(1);
-        this.panel.told.textContent = this.words();
-        this.root.removeAttribute("aria-busy");
+        this.root.removeAttribute("aria-busy");   // before: what is busy is not read out
+        this.panel.told.textContent = this.words() + this.why;
         this.link = linkOf(this.question, this.state);
         history.replaceState(null, "", this.link);
     }
@@ -278,20 +282,27 @@ class Lab {
     playOrPause() {
         if (this.isPlaying) return this.pause();
         const oneStep = matchMedia("(prefers-reduced-motion: reduce)").matches;
-        if (oneStep) return this.set({ ...this.state, t: this.state.t + 1 });
-        if (this.state.t >= shownSteps) this.set({ ...this.state, t: 0 });
+        if (oneStep) return this.change({ ...this.state, t: this.state.t + 1 });
+        if (this.state.t >= shownSteps || this.isGone()) this.set({ ...this.state, t: 0 });
         this.isPlaying = true;
+        this.why = "";
+        this.panel.tellsAloud(false);
         this.playing = setInterval(() => {
             if (this.state.t >= shownSteps) return this.pause();
             this.set({ ...this.state, t: this.state.t + 1 });
         }, 1000 / stepsPerSecond);
         this.update();
     }
-    pause() {
+    /// @param why  said with what is then told
+    pause(why = "") {
         clearInterval(this.playing);
         this.isPlaying = false;
+        this.why = why;
+        this.panel.tellsAloud(true);
         this.update();
     }
+    /// Has every vertex left the view?
+    isGone() { return this.clamped === this.data.vertices && !this.experiment.hasNoStep; }
 
     /// @param byReader  closed on purpose, not for another
     stop(byReader) {

@@ -25,17 +25,18 @@ class Row {
         const id = `lab-${name}-${++count}`;
         this.to = to;
         this.box = element("div", "lab-row");
-        const label = Object.assign(element("label", "", words), { htmlFor: id });
+        const label = Object.assign(element("label", "", words), { htmlFor: id, id: `${id}-label` }), units = Object.assign(element("span", "lab-unit", unit), { id: `${id}-unit` });
         this.number = Object.assign(element("input", ""), { type: "number", id, name, ...number });
         this.number.addEventListener("change", () => changed({ [name]: this.number.value === "" ? NaN : Number(this.number.value) }));
+        this.number.setAttribute("aria-labelledby", `${label.id} ${units.id}`);
         this.box.append(label);
         if (slider) {
             this.slider = Object.assign(element("input", ""), { type: "range", name: `${name}-slider`, ...slider });
-            this.slider.setAttribute("aria-label", `${words}, slider`);
+            this.slider.setAttribute("aria-label", `${[words, unit].filter(Boolean).join(", ")}, slider`);
             this.slider.addEventListener("input", () => changed({ [name]: from(Number(this.slider.value)) }));
             this.box.append(this.slider);
         }
-        this.box.append(this.number, element("span", "lab-unit", unit));
+        this.box.append(this.number, units);
         this.words = [`${words} %`, unit].filter(Boolean).join(", ");
     }
     show(exact) {
@@ -68,7 +69,12 @@ export class Panel {
         this.makePresets(question, data, act.preset);
         this.table = element("table", "lab-numbers");
         this.told = element("output", "lab-told");
-        this.told.setAttribute("aria-live", "polite");
+        this.tellsAloud(true);
+    }
+
+    /// While it plays, what is told changes too often to be read out.
+    tellsAloud(does) {
+        this.told.setAttribute("aria-live", does ? "polite" : "off");
     }
 
     makePresets(question, data, choose) {
