@@ -91,7 +91,7 @@ class Lab {
         const hasNoise = hasAllModes && ["q7", "lab"].includes(this.question);
         const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
         const all = hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
-        const filters = `λ_crit = 2/μ_max = ${digits(Number(critical.toPrecision(4)))} length², h̄ = ${digits(Number(meanEdge.toPrecision(4)))} length, the mean edge. Filters use the cotangent operator of the mesh${hasNoise ? " before the noise, but for the “operator of the noisy mesh”, with which question 7 denoises; the spectrum shows its result in the modes of the clean mesh" : ""}.${hasNoise ? " Gain: what the noisy mesh has of the distance to the clean surface, of rms to the vertices' own places, and of the angle to the clean normals, over what is left." : ""}`;
+        const filters = `λ_crit = 2/μ_max = ${digits(Number(critical.toPrecision(4)))} length², h̄ = ${digits(Number(meanEdge.toPrecision(4)))} length, the mean edge. Filters use the cotangent operator of the mesh${hasNoise ? " before the noise, but for “noisy mesh's operator”, with which question 7 denoises; the spectrum shows its result in the modes of the clean mesh" : ""}.${hasNoise ? " Gain: what the noisy mesh has of the distance to the clean surface, of rms to the vertices' own places, and of the angle to the clean normals, over what is left." : ""}`;
         return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
             `${filters} In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. “The program”: what meshfolio itself computes on this mesh, stored for the settings of the report and those to try; – elsewhere.`;
     }
@@ -169,7 +169,8 @@ class Lab {
         if (this.isDrawn) this.view.draw();
         const says = this.isPlaying && !(now - this.saidAt < seldom);
         if (says || !this.isSlow || now - this.toldAt > seldom) this.showCurve(now, milliseconds);
-        if (says) this.saidAt = now, this.panel.told.textContent = this.words();
+        if (says) this.saidAt = now;
+        if (says && !this.isGone()) this.panel.told.textContent = this.words();
         if (this.isPlaying && this.isGone()) this.pause(` Blown up: no vertex is left in the view, and the play has stopped at t = ${this.state.t}.`);
     }
 
@@ -259,6 +260,8 @@ class Lab {
         if (experiment.hasNoStep) return "Taubin's second step does not exist for so large a λ: nothing is filtered.";
         const step = state.scheme === "denoising" ? `${digits(state.edges)} h̄²` : `${digits(state.lambda)} λ_crit`;
         const set = state.scheme === "projection" ? `The ${state.k} smoothest of ${data.modes} modes` : `${capital(schemeNames[state.scheme])}, λ = ${step}, t = ${state.t}`;
+        const constant = data.mu.filter(data.isConstant).length;   // modes, one a part of the mesh
+        const parts = state.scheme === "projection" && state.k <= constant ? ` The first ${constant} modes are constant on each part of the mesh: of so few, nothing is left but a point a part.` : "";
         const size = 100 * numbers.rms / data.diagonal;
         const rms = Number.isNaN(size) ? "rms beyond all measure" : `rms ${digits(Number(size.toPrecision(3)), 100 * data.quantisationShift)} % of the box`;
         const finest = ["projection", "denoising"].includes(state.scheme) ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
@@ -266,7 +269,7 @@ class Lab {
         const rim = this.clamped > 0 ? ` Flown out of the view, and drawn at its rim: ${this.clamped} of ${data.vertices} vertices.` : "";
         const best = this.best === null ? "" : this.best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean surface.` : ` Nearest to the clean surface at t = ${this.best}.`;
         const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long${state.sigma > 0 ? this.driftWords() : ""}.` : "";
-        return `${set}: ${rms}.${growth}${rim}${best}${lines}`;
+        return `${set}: ${rms}.${parts}${growth}${rim}${best}${lines}`;
     }
 
     /// How much of the noise's squared error there smoothing has taken, beside that across the surface.

@@ -47,9 +47,15 @@ export class Experiment {
     }
 
     compute() {
-        const { data, x } = this, f = this.positionsAt(this.state.t, x);
-        this.isMeasurable = f === null || lab.isMeasurable(f);
-        this.after = f ? lab.filtered(f, this.coefficients) : lab.withShift(data, x.map((value, i) => value - data.positions[i]));
+        this.filter = this.positionsAt(this.state.t, this.x);
+        this.isMeasurable = this.filter === null || lab.isMeasurable(this.filter);
+        this.made = null;
+    }
+
+    /// Its coefficients.
+    get after() {
+        const { data, filter, x } = this;
+        return this.made ??= filter ? lab.filtered(filter, this.coefficients) : lab.withShift(data, x.map((value, i) => value - data.positions[i]));
     }
 
     /// Against the clean mesh, as question 7 has them [length, length, rad].

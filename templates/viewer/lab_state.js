@@ -1,7 +1,7 @@
 // What is set in the laboratory, its limits, its links and its presets. No page in here.
 
 export const schemeNames = { projection: "k smoothest modes", explicit: "explicit steps", implicit: "implicit steps", taubin: "Taubin's two steps", heat: "exact heat flow",
-    denoising: "implicit steps, operator of the noisy mesh" };
+    denoising: "implicit, noisy mesh's operator" };
 export const mostSteps = 10000, mostSolved = 1000, shownSteps = 200, largestLambda = 1000, largestNoise = 5, largestEdges = 100;
 
 /// λ is in units of λ_crit as `lambda`, in squared mean edges h̄² as `edges`.

@@ -9,6 +9,7 @@
 #include "geometry/spectrum/stability.h"
 #include "mesh/decimation.h"
 #include "mesh/mesh_topology.h"
+#include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
 #include "run/lab/lab_readings.h"
 
@@ -42,6 +43,12 @@ void add_settings(LabMesh& lab, const Spectrum& spectrum, const std::map<std::st
     for (const LabSetting& setting : settings)
         if (std::ranges::find(each_once, setting) == each_once.end()) each_once.push_back(setting);
     lab.readings = readings_at(lab, spectrum, each_once);
+}
+
+/// Without boundary, and with an inside: on a Klein bottle a volume means nothing.
+bool encloses_volume(const TriangleMesh& mesh) {
+    const MeshTopology topology = topology_of(mesh);
+    return topology.boundary_edge_count() == 0 && consistent_orientation(mesh, topology).unorientable_components == 0;
 }
 
 void quantise(LabMesh& lab, const Spectrum& spectrum) {
@@ -116,7 +123,7 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
     lab.mesh.X = lab.mesh.X.rowwise() - box.centre().transpose();
     lab.diagonal = box.diagonal();
     lab.mean_edge = mean_edge_length(lab.mesh);
-    lab.is_closed = topology_of(lab.mesh).boundary_edge_count() == 0;
+    lab.is_closed = encloses_volume(lab.mesh);
     lab.laplacian = laplace_beltrami(lab.mesh);
 
     const int n = lab.mesh.vertex_count();
