@@ -97,7 +97,8 @@ std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum
         const Positions before = noisy(lab, setting), X = filtered(lab, spectrum, setting, before);
         if (!X.allFinite()) continue;
         const LabReading reading = reading_of(lab, setting, before, X);
-        if (std::isfinite(reading.energy) && std::isfinite(reading.volume)) readings.push_back(reading);
+        const bool blew_up = !(reading.rms < SmoothingOptions{}.blow_up_at * lab.diagonal);   // the report has no numbers then
+        if (!blew_up && std::isfinite(reading.energy) && std::isfinite(reading.volume)) readings.push_back(reading);
     }
     return readings;
 }

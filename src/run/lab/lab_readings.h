@@ -9,7 +9,7 @@
 
 namespace meshfolio::run {
 
-/// At these settings; where a run goes beyond all numbers there is none.
+/// At these settings; none where a run has blown up.
 std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum, const std::vector<LabSetting>& settings);
 
 /// Question 7 on this mesh, at each of its levels of noise.

@@ -116,7 +116,12 @@ TEST(LabPresets, APanelOpensWithTheUsersOwnSettings) {
 }
 
 TEST(LabPresets, AMeshOfFewModesIsOfferedNoMore) {
-    const LabMesh lab = lab_mesh(make_sample("tetrahedron"), "tetrahedron", {{"lab", {}}});
+    TriangleMesh tetrahedron;
+    tetrahedron.X.resize(4, 3);
+    tetrahedron.X << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    tetrahedron.F.resize(4, 3);
+    tetrahedron.F << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
+    const LabMesh lab = lab_mesh(tetrahedron, "tetrahedron", {{"lab", {}}});
     for (const LabPreset& preset : lab.presets) {
         if (preset.setting.scheme == "projection") EXPECT_LE(preset.setting.count, 4);
     }
