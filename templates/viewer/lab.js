@@ -1,8 +1,8 @@
 // The live laboratory: one mesh with its modes, a filter on them, and at once the surface, the spectrum and the numbers.
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from "three";
 
+import { Experiment } from "./lab_experiment.js";
 import * as lab from "./lab_math.js";
-import { normalNumbers } from "./lab_noise.js";
 import { digits, Panel } from "./lab_panel.js";
 import { ErrorPlot, SpectrumPlot } from "./lab_plot.js";
 import { held, linkOf, readLink, schemeNames, shownSteps, startOf } from "./lab_state.js";
@@ -13,7 +13,7 @@ const room = 1.25;            // what is seen around the mesh, in its radii: wha
 const longer = 10;            // lines of the drift are that many times too long,
 const above = 0.015;          // and lie that far above the surface, in its radii
 const stepsPerSecond = 15;
-const slowFrame = 40, seldom = 250;   // milliseconds
+const slowFrame = 40, seldom = 250, forCurve = 15;   // milliseconds
 const grey = "#9aa3b0";
 
 /// The edges of the triangles, each once.
@@ -30,12 +30,11 @@ const capital = (words) => words[0].toUpperCase() + words.slice(1);
 
 class Lab {
     constructor(block, data, question, onStop) {
-        Object.assign(this, { data, question, onStop });
-        this.x = new Float64Array(3 * data.vertices);
+        Object.assign(this, { data, question, onStop, why: "" });
+        this.experiment = new Experiment(data);
         this.radius = 0;
-        for (let i = 0; i < this.x.length; i += 3) this.radius = Math.max(this.radius, Math.hypot(...data.positions.subarray(i, i + 3)));
+        for (let i = 0; i < data.positions.length; i += 3) this.radius = Math.max(this.radius, Math.hypot(...data.positions.subarray(i, i + 3)));
         this.normals = lab.normals(data);
-        this.startVolume = lab.volume(data, data.positions);
         this.panel = new Panel(question, data, { changed: (part) => this.change({ ...this.state, ...part }, "t" in part || "scheme" in part), preset: (state) => this.change(state, true), play: () => this.playOrPause() });
         this.spectrum = new SpectrumPlot(data);
         this.errors = new ErrorPlot();
@@ -88,11 +87,13 @@ class Lab {
     }
 
     aboutMesh() {
-        const { name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError } = this.data;
+        const { name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError, critical, meanEdge } = this.data;
+        const hasNoise = hasAllModes && ["q7", "lab"].includes(this.question);
         const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
         const all = hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
+        const filters = `λ_crit = 2/μ_max = ${digits(Number(critical.toPrecision(4)))} length², h̄ = ${digits(Number(meanEdge.toPrecision(4)))} length, the mean edge. Filters use the cotangent operator of the mesh${hasNoise ? " before the noise, but for “noisy mesh's operator”, with which question 7 denoises; the spectrum shows its result in the modes of the clean mesh" : ""}.${hasNoise ? " Gain: what the noisy mesh has of the distance to the clean surface, of rms to the vertices' own places, and of the angle to the clean normals, over what is left." : ""}`;
         return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
-            "Every filter uses the operator of the clean mesh. rms is weighted by area; λ_crit = 2/μ_max. In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. “The program”: what meshfolio itself computes on this mesh, stored for the settings to try; – elsewhere.";
+            `${filters} In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. “The program”: what meshfolio itself computes on this mesh, stored for the settings of the report and those to try; – elsewhere.`;
     }
 
     openView() {
@@ -118,42 +119,25 @@ class Lab {
 
     /// By the reader; what sets the steps ends the play over them.
     change(state, endsPlay) {
+        this.why = "";
         if (endsPlay && this.isPlaying) this.pause();
         this.set(state);
     }
 
     set(state) {
-        const { data } = this, before = this.state;
+        const { data, experiment } = this;
         this.state = held(state, data.modes);
-        if (!data.hasAllModes) this.state.sigma = 0;   // noise lies in the modes that are cut off
-        const { sigma, seed } = this.state;
-        if (!this.noisy || sigma !== before.sigma || seed !== before.seed) this.makeNoise(sigma, seed);
-        const { scheme, lambda } = this.state;
-        this.hasNoStep = scheme === "taubin" && Number.isNaN(lab.taubinBack(data, lambda * data.critical));
-        this.showErrors();
+        if (!data.hasAllModes) Object.assign(this.state, { sigma: 0, scheme: this.state.scheme === "denoising" ? "implicit" : this.state.scheme });   // noise lies in the modes that are cut off
+        if (experiment.set(this.state)) this.models[0].moveTo(this.drawable(experiment.start).places);
         this.update();
     }
 
-    makeNoise(sigma, seed) {
-        const { data } = this;
-        if (sigma > 0 && this.drawnSeed !== seed) this.drawn = normalNumbers(seed, 3 * data.vertices), this.drawnSeed = seed;
-        const shift = sigma > 0 ? this.drawn.map((z) => z * sigma / 100 * data.diagonal) : null;
-        this.noisy = shift ? lab.withShift(data, shift) : data.coefficients;
-        this.models[0].moveTo(this.drawable(shift ? data.positions.map((x, i) => x + shift[i]) : data.positions).places);
-    }
-
     /// The error over t, where there is something to come back from.
-    showErrors() {
-        const { data, state } = this, shown = state.sigma > 0 && state.scheme !== "projection" && !this.hasNoStep;
+    showErrors(milliseconds) {
+        const { state, experiment } = this, shown = state.sigma > 0 && state.scheme !== "projection" && !experiment.hasNoStep;
         this.errors.picture.toggleAttribute("hidden", !shown);
-        this.best = null;
-        if (!shown) return;
-        const key = [state.scheme, state.lambda, state.sigma, state.seed].join();
-        if (key !== this.curveOf) this.curve = lab.errorCurve(data, state, this.noisy, shownSteps).map((error) => 100 * error / data.diagonal);
-        this.curveOf = key;
-        this.best = lab.indexOfLeast(this.curve);
-        const seen = Math.max(20, 4 * this.best, state.t);
-        this.errors.show(this.curve.slice(0, seen + 1), this.best, state.t);
+        this.best = shown ? experiment.extendCurve(milliseconds) : null;
+        if (shown) this.errors.show(experiment.curve, this.best, state.t);
     }
 
     // ---- what is seen -------------------------------------------------------------------------------------------------
@@ -172,18 +156,22 @@ class Lab {
         if (!this.isPlaying) this.later = setTimeout(() => this.settle(), 400);
     }
 
-    compute(now) {
-        const { data, state } = this;
-        if (this.hasNoStep) return this.panel.showNumbers([["Taubin has no second step for this λ", "", "take λ below 10 λ_crit", NaN]]);
-        const f = lab.filter(data, state);
-        lab.sumOfModes(data, f, this.noisy, this.x);
-        const { places, clamped } = this.drawable(this.x);
-        this.clamped = clamped;
-        this.models[1].moveTo(places);
-        this.moveLines(places);
+    compute(now, milliseconds = forCurve) {
+        const { experiment } = this, { hasNoStep } = experiment;
+        this.models[1].mesh.visible = !hasNoStep;
+        if (!hasNoStep) {
+            experiment.compute();
+            const { places, clamped } = this.drawable(experiment.x);
+            this.clamped = clamped;
+            this.models[1].moveTo(places);
+            this.moveLines(places);
+        }
         if (this.isDrawn) this.view.draw();
-        this.filter = f;
-        if (!this.isSlow || now - this.toldAt > seldom) this.showCurve(now);
+        const says = this.isPlaying && !(now - this.saidAt < seldom);
+        if (says || !this.isSlow || now - this.toldAt > seldom) this.showCurve(now, milliseconds);
+        if (says) this.saidAt = now;
+        if (says && !this.isGone()) this.panel.told.textContent = this.words();
+        if (this.isPlaying && this.isGone()) this.pause(` Blown up: no vertex is left in the view, and the play has stopped at t = ${this.state.t}.`);
     }
 
     /// Where frames follow one another slowly, as without a graphics card, they have fewer pixels, and curve and numbers follow now and
@@ -196,10 +184,16 @@ class Lab {
         if (this.isDrawn && this.isSlow) this.view.resolve(0.5);
     }
 
-    showCurve(now) {
+    showCurve(now, milliseconds) {
+        const { data, state, experiment } = this;
         this.toldAt = now;
-        this.spectrum.show(this.filter, this.noisy);
-        this.showNumbers(this.filter);
+        this.showErrors(milliseconds);
+        if (experiment.hasNoStep) {
+            this.spectrum.show(experiment.coefficients, null, null);
+            return this.panel.showNumbers([["Taubin has no second step for this λ", "", "take λ below 10 λ_crit", NaN]]);
+        }
+        this.spectrum.show(experiment.coefficients, experiment.after, lab.filterCurve(data, state));
+        this.showNumbers();
     }
 
     /// In radii of the mesh; what is farther out than the room lies at its rim.
@@ -230,21 +224,21 @@ class Lab {
         this.lines.geometry.attributes.position.needsUpdate = true;
     }
 
-    showNumbers(f) {
-        const { data, state } = this, program = lab.readingAt(data, state) ?? { energy: NaN, volume: NaN, rms: NaN, factor: NaN };
-        const none = lab.isMeasurable(f) ? null : NaN;
-        const energy = none ?? lab.energy(data, f, this.noisy), volume = none ?? lab.volume(data, this.x), rms = none ?? lab.rms(data, f, this.noisy);
-        const percent = 100 / data.diagonal;
-        const numbers = [["Dirichlet energy", "length²", energy, program.energy]];
-        if (data.isClosed) numbers.push(["volume", "length³", volume, program.volume], ["volume kept", "%", 100 * volume / this.startVolume, 100 * program.volume / this.startVolume]);
-        numbers.push([state.sigma > 0 ? "rms to the clean mesh" : "rms to the original", "% of the box", percent * rms, percent * program.rms]);
-        if (state.sigma > 0) numbers.push(["of it along the surface", "%", 100 * (none ?? lab.shareAlong(data, this.normals, this.x)), NaN]);
-        if (state.scheme !== "projection") {
-            const words = { explicit: "largest |1 − λμ|", implicit: "largest 1/(1 + λμ)", taubin: "largest |(1 − λμ)(1 − mμ)|", heat: "largest exp(−λμ)" };
-            numbers.push([words[state.scheme], "", lab.largestFactor(data, state), program.factor]);
+    showNumbers() {
+        const { data, state, experiment: { first } } = this, here = this.numbers = this.experiment.numbers();
+        const none = { energy: NaN, volume: NaN, rms: NaN, factor: NaN, gains: [NaN, NaN, NaN] }, program = lab.readingAt(data, state) ?? none;
+        const percent = 100 / data.diagonal, rounding = 1e-12;   // of the input: what is smaller is not measured
+        const numbers = [["Dirichlet energy", "length²", here.energy, program.energy, rounding * first.energy]];
+        if (data.isClosed) numbers.push(["volume", "length³", here.volume, program.volume, rounding * Math.abs(first.volume)], ["volume kept", "%", 100 * here.volume / first.volume, 100 * program.volume / first.volume, 100 * rounding]);
+        const byArea = state.scheme === "projection" ? ", by area" : "";
+        numbers.push([`rms to the ${state.sigma > 0 ? "clean mesh" : "original"}${byArea}`, "% of the box", percent * here.rms, percent * program.rms, 100 * data.quantisationShift]);
+        if (state.sigma > 0) {
+            ["surface", "places", "normals"].forEach((measure, i) => numbers.push([`gain: ${measure}`, "×", here.gains[i], program.gains[i] ?? NaN]));
+            numbers.push(["along the surface", "% of rms²", 100 * here.along, NaN]);
         }
+        const words = { explicit: "largest |1 − λμ|", implicit: "largest 1/(1 + λμ)", taubin: "largest |(1 − λμ)(1 − mμ)|", heat: "largest exp(−λμ)" };
+        if (state.scheme in words) numbers.push([words[state.scheme], "", here.factor, program.factor]);
         this.panel.showNumbers(numbers);
-        this.measured = { energy, volume, rms };
     }
 
     /// When nothing more is set: what it is, in words, and in the address.
@@ -253,26 +247,37 @@ class Lab {
         this.isSlow = false;
         if (this.asked) cancelAnimationFrame(this.asked);   // a tab in the background gets no frames
         this.asked = null;
-        this.compute(performance.now());
+        this.compute(performance.now(), Infinity);
         if (this.isDrawn) this.view.resolve(1);
-        this.panel.told.textContent = this.words();
-        this.root.removeAttribute("aria-busy");
+        this.root.removeAttribute("aria-busy");   // before: what is busy is not read out
+        this.panel.told.textContent = this.words() + this.why;
         this.link = linkOf(this.question, this.state);
         history.replaceState(null, "", this.link);
     }
 
     words() {
-        const { state, data } = this;
-        if (this.hasNoStep) return "Taubin's second step does not exist for so large a λ.";
-        const set = state.scheme === "projection" ? `The ${state.k} smoothest of ${data.modes} modes` : `${capital(schemeNames[state.scheme])}, λ = ${digits(state.lambda)} λ_crit, t = ${state.t}`;
-        const { rms: size } = this.measured;
-        const rms = Number.isNaN(size) ? "rms beyond all measure" : `rms ${digits(Number((100 * size / data.diagonal).toPrecision(3)))} % of the box`;
-        const finest = state.scheme === "projection" ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
+        const { state, data, experiment, numbers } = this;
+        if (experiment.hasNoStep) return "Taubin's second step does not exist for so large a λ: nothing is filtered.";
+        const step = state.scheme === "denoising" ? `${digits(state.edges)} h̄²` : `${digits(state.lambda)} λ_crit`;
+        const set = state.scheme === "projection" ? `The ${state.k} smoothest of ${data.modes} modes` : `${capital(schemeNames[state.scheme])}, λ = ${step}, t = ${state.t}`;
+        const constant = data.mu.filter(data.isConstant).length;   // modes, one a part of the mesh
+        const parts = state.scheme === "projection" && state.k <= constant ? ` The first ${constant} modes are constant on each part of the mesh: of so few, nothing is left but a point a part.` : "";
+        const size = 100 * numbers.rms / data.diagonal;
+        const rms = Number.isNaN(size) ? "rms beyond all measure" : `rms ${digits(Number(size.toPrecision(3)), 100 * data.quantisationShift)} % of the box`;
+        const finest = ["projection", "denoising"].includes(state.scheme) ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
         const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";
         const rim = this.clamped > 0 ? ` Flown out of the view, and drawn at its rim: ${this.clamped} of ${data.vertices} vertices.` : "";
-        const best = this.best === null ? "" : this.best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean mesh.` : ` Nearest to the clean mesh at t = ${this.best}.`;
-        const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long: no smoothing knows that place.` : "";
-        return `${set}: ${rms}.${growth}${rim}${best}${lines}`;
+        const best = this.best === null ? "" : this.best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean surface.` : ` Nearest to the clean surface at t = ${this.best}.`;
+        const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long${state.sigma > 0 ? this.driftWords() : ""}.` : "";
+        return `${set}: ${rms}.${parts}${growth}${rim}${best}${lines}`;
+    }
+
+    /// How much of the noise's squared error there smoothing has taken, beside that across the surface.
+    driftWords() {
+        const { noisy, x } = this.experiment, now = this.experiment.errors(x);
+        const along = ({ surface, places }) => places ** 2 - surface ** 2, across = ({ surface }) => surface ** 2;
+        const change = (part) => { const share = part(now) / part(noisy); return share <= 1 ? `${digits(Number((100 * (1 - share)).toPrecision(3)))} % less` : `${digits(Number((100 * (share - 1)).toPrecision(3)))} % more`; };
+        return `; of squared error there is ${change(along)} along the surface than in the noisy mesh, and ${change(across)} across it`;
     }
 
     // ---- play ---------------------------------------------------------------------------------------------------------
@@ -280,20 +285,27 @@ class Lab {
     playOrPause() {
         if (this.isPlaying) return this.pause();
         const oneStep = matchMedia("(prefers-reduced-motion: reduce)").matches;
-        if (oneStep) return this.set({ ...this.state, t: this.state.t + 1 });
-        if (this.state.t >= shownSteps) this.set({ ...this.state, t: 0 });
+        if (oneStep) return this.change({ ...this.state, t: this.state.t + 1 });
+        if (this.state.t >= shownSteps || this.isGone()) this.set({ ...this.state, t: 0 });
         this.isPlaying = true;
+        this.why = "";
+        this.panel.tellsAloud(false);
         this.playing = setInterval(() => {
             if (this.state.t >= shownSteps) return this.pause();
             this.set({ ...this.state, t: this.state.t + 1 });
         }, 1000 / stepsPerSecond);
         this.update();
     }
-    pause() {
+    /// @param why  said with what is then told
+    pause(why = "") {
         clearInterval(this.playing);
         this.isPlaying = false;
+        this.why = why;
+        this.panel.tellsAloud(true);
         this.update();
     }
+    /// Has every vertex left the view?
+    isGone() { return this.clamped === this.data.vertices && !this.experiment.hasNoStep; }
 
     /// @param byReader  closed on purpose, not for another
     stop(byReader) {

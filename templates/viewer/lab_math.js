@@ -22,8 +22,8 @@ export function decoded(buffer) {
     return data;
 }
 
-export const schemes = ["projection", "explicit", "implicit", "taubin", "heat"];
 const largest = 1e150;   // so that squares are numbers: what grows beyond is not measured
+const nothing = 1e-10;   // a mode of which less is left is not added up
 
 /// Whether every mode is within what can be measured.
 export const isMeasurable = (f) => f.every((x) => Math.abs(x) < largest);
@@ -51,8 +51,17 @@ export function filter(data, { scheme, k, lambda, t }) {
     return Float64Array.from(data.mu, (mu) => Math.max(-largest, Math.min(largest, factor(mu) ** t)));
 }
 
-/// The largest |factor| of one step over all modes but the constant ones; those beyond the page's own count.
+/// |f(μ)| of a state, between the modes too; of the denoising as if the noisy mesh had the modes of the clean one.
+export function filterCurve(data, { scheme, k, lambda, edges, t }) {
+    if (scheme === "projection") return (mu) => (mu <= data.mu[k - 1] ? 1 : 0);
+    const factor = scheme === "denoising" ? factorOfStep(data, "implicit", edges * data.meanEdge ** 2) : factorOfStep(data, scheme, lambda * data.critical);
+    return (mu) => Math.min(largest, Math.abs(factor(mu)) ** t);
+}
+
+/// The largest |factor| of one step over all modes but the constant ones; those beyond the page's own count. NaN for the denoising, whose
+/// modes the page does not have.
 export function largestFactor(data, { scheme, lambda }) {
+    if (scheme === "denoising") return NaN;
     const factor = factorOfStep(data, scheme, lambda * data.critical);
     return Math.max(...[data.largestEigenvalue, ...data.mu].filter((mu) => !data.isConstant(mu)).map((mu) => Math.abs(factor(mu))));
 }
@@ -71,38 +80,39 @@ export function withShift(data, shift) {
     return c;
 }
 
-/// Σ fⱼ cⱼ φⱼ into `x`, 3 numbers a vertex. Vertices without area are in no mode and stay.
-export function sumOfModes(data, f, c, x) {
-    const { vertices: n, modes: count, area, numbers, scale, positions } = data;
+export const filtered = (f, c) => c.map((number, i) => f[Math.floor(i / 3)] * number);
+
+/// Σ fⱼ cⱼ φⱼ into `x`, 3 numbers a vertex. Vertices without area are in no mode and stay where they start.
+export function sumOfModes(data, f, c, x, start = data.positions) {
+    const { vertices: n, modes: count, area, numbers, scale } = data;
     x.fill(0);
     for (let j = 0; j < count; ++j) {
+        if (Math.abs(f[j]) < nothing) continue;
         const weight = f[j] * scale[j];
-        if (weight === 0) continue;
         const a = weight * c[3 * j], b = weight * c[3 * j + 1], d = weight * c[3 * j + 2];
         for (let v = 0, at = j * n, i = 0; v < n; ++v, ++at, i += 3) {
             const number = numbers[at];
             x[i] += number * a, x[i + 1] += number * b, x[i + 2] += number * d;
         }
     }
-    for (let v = 0; v < n; ++v) if (!(area[v] > 0)) for (let k = 3 * v; k < 3 * v + 3; ++k) x[k] = positions[k];
+    for (let v = 0; v < n; ++v) if (!(area[v] > 0)) for (let k = 3 * v; k < 3 * v + 3; ++k) x[k] = start[k];
     return x;
 }
 
 const squared = (c, j) => c[3 * j] ** 2 + c[3 * j + 1] ** 2 + c[3 * j + 2] ** 2;
 
-/// ½ Σ μ |f c|², the Dirichlet energy [length²].
-export function energy(data, f, c) {
+/// ½ Σ μ |c|², the Dirichlet energy; constant modes have none [length²].
+export function energy(data, c) {
     let sum = 0;
-    for (let j = 0; j < data.modes; ++j) sum += data.mu[j] * f[j] ** 2 * squared(c, j);
+    for (let j = 0; j < data.modes; ++j) if (!data.isConstant(data.mu[j])) sum += data.mu[j] * squared(c, j);
     return sum / 2;
 }
 
-/// √(Σ A |x − clean|² / ΣA) by Parseval: from the coefficients alone; modes that the page does not have are cut off [length].
-export function rms(data, f, c) {
-    const { coefficients: clean } = data;
+/// √(mean |x − clean|²) over the vertices, as the report has it of what is smoothed, or by area, as question 4 has it [length].
+export function rms(data, x, byArea = false) {
     let sum = 0;
-    for (let j = 0; j < data.modes; ++j) for (let k = 3 * j; k < 3 * j + 3; ++k) sum += (f[j] * c[k] - clean[k]) ** 2;
-    return Math.sqrt(sum / data.totalArea + data.leftOut ** 2);
+    for (let i = 0; i < x.length; ++i) sum += (byArea ? data.area[Math.floor(i / 3)] : 1) * (x[i] - data.positions[i]) ** 2;
+    return Math.sqrt(sum / (byArea ? data.totalArea : data.vertices));
 }
 
 /// Σ x₀ · (x₁ × x₂) / 6 [length³].
@@ -115,17 +125,6 @@ export function volume(data, x) {
              + x[a + 2] * (x[b] * x[c + 1] - x[b + 1] * x[c]);
     }
     return sum / 6;
-}
-
-/// rms of t = 0 … most, one number each [length].
-export function errorCurve(data, state, c, most) {
-    const factor = factorOfStep(data, state.scheme, state.lambda * data.critical);
-    const step = Float64Array.from(data.mu, factor), f = new Float64Array(data.modes).fill(1), curve = [];
-    for (let t = 0; t <= most; ++t) {
-        curve.push(rms(data, f, c));
-        for (let j = 0; j < data.modes; ++j) f[j] = Math.max(-largest, Math.min(largest, f[j] * step[j]));
-    }
-    return curve;
 }
 
 export function indexOfLeast(values) {
@@ -147,16 +146,5 @@ export function normals({ positions: x, corners, vertices }) {
     return sums;
 }
 
-/// The share of Σ A |x − clean|² that lies along the surface.
-export function shareAlong(data, normal, x) {
-    let along = 0, all = 0;
-    for (let v = 0, i = 0; v < data.vertices; ++v, i += 3) {
-        const d = [0, 1, 2].map((k) => x[i + k] - data.positions[i + k]);
-        const across = d[0] * normal[i] + d[1] * normal[i + 1] + d[2] * normal[i + 2], whole = d[0] ** 2 + d[1] ** 2 + d[2] ** 2;
-        along += data.area[v] * (whole - across ** 2), all += data.area[v] * whole;
-    }
-    return all > 0 ? along / all : 0;
-}
-
 /// What the program computed at just this state; undefined where it did not.
-export const readingAt = (data, state) => data.readings.find((reading) => sameState(state, { ...state, seed: NaN, k: NaN, lambda: NaN, t: NaN, ...reading.state }));
+export const readingAt = (data, state) => data.readings.find((reading) => sameState(state, { ...state, seed: NaN, k: NaN, lambda: NaN, edges: NaN, t: NaN, ...reading.state }));

@@ -1,6 +1,7 @@
 // The controls of the laboratory and the table of what is measured. What is set is told to `changed(state)`.
 import { indexOfLeast } from "./lab_math.js";
-import { lambdaAt, largestLambda, largestNoise, linkOf, mostSteps, placeOf, presetsOf, sameState, schemeNames, shownSteps, stopsOf } from "./lab_state.js";
+import { amountsOf, edgesAt, lambdaAt, largestEdges, largestLambda, largestNoise, linkOf, mostSteps, placeOf, placeOfEdges, presetsOf, sameState, schemeNames, shownSteps,
+    stopsOf } from "./lab_state.js";
 import { button, element } from "./view.js";
 
 let count = 0;   // of labels
@@ -12,6 +13,7 @@ const along = (stops) => ({ slider: { min: 0, max: stops.length - 1, step: 1 }, 
 const rowsOf = ({ modes }) => ({
     k: { words: "modes k", unit: `of ${modes}`, ...along(stopsOf(1, modes)), number: { step: 1, min: 1, max: modes } },
     lambda: { words: "step λ", unit: "λ_crit", slider: { min: 0, max: 1, step: 0.001 }, to: placeOf, from: (place) => Number(lambdaAt(place).toPrecision(3)), number: { step: "any", min: 0, max: largestLambda } },
+    edges: { words: "step λ", unit: "h̄²", slider: { min: 0, max: 1, step: 0.001 }, to: placeOfEdges, from: (place) => Number(edgesAt(place).toPrecision(3)), number: { step: "any", min: 0, max: largestEdges } },
     t: { words: "steps t", unit: "", ...along(stopsOf(0, shownSteps)), number: { step: 1, min: 0, max: mostSteps } },
     sigma: { words: "noise σ", unit: "% of the box", slider: { min: 0, max: 2, step: 0.05 }, number: { step: "any", min: 0, max: largestNoise } },
     seed: { words: "seed", unit: "of the noise", number: { step: 1, min: 0 } },
@@ -23,17 +25,18 @@ class Row {
         const id = `lab-${name}-${++count}`;
         this.to = to;
         this.box = element("div", "lab-row");
-        const label = Object.assign(element("label", "", words), { htmlFor: id });
+        const label = Object.assign(element("label", "", words), { htmlFor: id, id: `${id}-label` }), units = Object.assign(element("span", "lab-unit", unit), { id: `${id}-unit` });
         this.number = Object.assign(element("input", ""), { type: "number", id, name, ...number });
         this.number.addEventListener("change", () => changed({ [name]: this.number.value === "" ? NaN : Number(this.number.value) }));
+        this.number.setAttribute("aria-labelledby", `${label.id} ${units.id}`);
         this.box.append(label);
         if (slider) {
             this.slider = Object.assign(element("input", ""), { type: "range", name: `${name}-slider`, ...slider });
-            this.slider.setAttribute("aria-label", `${words}, slider`);
+            this.slider.setAttribute("aria-label", `${[words, unit].filter(Boolean).join(", ")}, slider`);
             this.slider.addEventListener("input", () => changed({ [name]: from(Number(this.slider.value)) }));
             this.box.append(this.slider);
         }
-        this.box.append(this.number, element("span", "lab-unit", unit));
+        this.box.append(this.number, units);
         this.words = [`${words} %`, unit].filter(Boolean).join(", ");
     }
     show(exact) {
@@ -66,7 +69,12 @@ export class Panel {
         this.makePresets(question, data, act.preset);
         this.table = element("table", "lab-numbers");
         this.told = element("output", "lab-told");
-        this.told.setAttribute("aria-live", "polite");
+        this.tellsAloud(true);
+    }
+
+    /// While it plays, what is told changes too often to be read out.
+    tellsAloud(does) {
+        this.told.setAttribute("aria-live", does ? "polite" : "off");
     }
 
     makePresets(question, data, choose) {
@@ -94,9 +102,8 @@ export class Panel {
             else link.removeAttribute("aria-current");
         }
         this.scheme.value = state.scheme;
-        const projects = state.scheme === "projection";
-        this.rows.k.box.hidden = !projects;
-        for (const name of ["lambda", "t"]) this.rows[name].box.hidden = projects;
+        const projects = state.scheme === "projection", amounts = amountsOf(state.scheme);
+        for (const name of ["k", "lambda", "edges", "t"]) this.rows[name].box.hidden = !amounts.includes(name);
         this.rows.sigma.box.hidden = !this.hasNoise;
         this.rows.seed.box.hidden = state.sigma === 0;
         this.play.hidden = projects;
@@ -109,25 +116,26 @@ export class Panel {
         return Object.values(this.rows).find(({ box }) => !box.hidden).slider;
     }
 
-    /// @param measured  [[words, unit, here, the program's; NaN: none], …]
+    /// @param measured  [[words, unit, here, the program's; NaN: none, what is rounding], …]
     showNumbers(measured) {
         const cell = (tag, words) => element(tag, "", words);
         const head = element("tr", "");
         head.append(cell("td", ""), ...["this page", "the program"].map((words) => Object.assign(cell("th", words), { scope: "col" })));
-        const body = measured.map(([words, unit, here, program]) => {
+        const body = measured.map(([words, unit, here, program, rounding]) => {
             const row = element("tr", ""), name = Object.assign(cell("th", words), { scope: "row" });
             if (unit) name.append(" ", element("span", "unit", unit));
-            row.append(name, cell("td", digits(here)), cell("td", Number.isNaN(program) ? "–" : digits(program)));
+            row.append(name, cell("td", digits(here, rounding)), cell("td", digits(program, rounding)));
             return row;
         });
         this.table.replaceChildren(head, ...body);
     }
 }
 
-/// Six digits, so that an agreement can be seen.
-export function digits(x) {
+/// Six digits, so that an agreement can be seen. @param rounding  what is smaller may be that alone
+export function digits(x, rounding = 0) {
     if (typeof x === "string") return x;
     if (!Number.isFinite(x)) return "–";
+    if (Math.abs(x) < rounding) return `< ${digits(Number(rounding.toPrecision(1)))}`;
     if (x !== 0 && (Math.abs(x) >= 1e6 || Math.abs(x) < 1e-4)) return x.toExponential(4).replace(/\.?0+e/, "e").replaceAll("-", "−").replace("e+", "e");
     return x.toPrecision(6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "").replaceAll("-", "−");
 }

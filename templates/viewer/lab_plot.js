@@ -8,10 +8,10 @@ const svg = (tag, attributes, ...children) => {
 };
 const text = (x, y, words, anchor = "start") => svg("text", { x, y, "text-anchor": anchor }, words);
 const line = (x1, y1, x2, y2, name) => svg("line", { x1, y1, x2, y2, class: name });
-/// A line through points; null: a gap.
-const path = (points) => points.map((point, i) => (point ? `${points[i - 1] ? "L" : "M"}${point[0].toFixed(1)} ${point[1].toFixed(1)}` : "")).join("");
+const path = (points) => points.map(([x, y], i) => `${i > 0 ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
 const dots = (points) => points.map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join("");
 const lowest = 1e-6, highest = 250;   // of what is drawn
+const samples = 400;   // of the filter's curve
 const size = (c, j) => Math.hypot(c[3 * j], c[3 * j + 1], c[3 * j + 2]);
 
 const frame = { width: 440, height: 230, left: 44, right: 8, top: 22, bottom: 28 };
@@ -31,6 +31,7 @@ function empty(name, ...children) {
 export class SpectrumPlot {
     constructor(data) {
         this.data = data;
+        this.last = data.isConstant(data.mu.at(-1)) ? 0 : data.mu.at(-1);   // 0: every mode is constant
         const [before, after, curve] = ["before", "after", "filter"].map((name) => svg("path", { class: `lab-${name}` }));
         Object.assign(this, { before, after, curve });
         const grid = [-6, -4, -2, 0, 2].flatMap((p) => [line(across(0), this.y(10 ** p), across(1), this.y(10 ** p), p === 0 ? "lab-one" : "lab-grid"),
@@ -42,22 +43,22 @@ export class SpectrumPlot {
             ...axis("0", "μ on a √ scale: coarse to fine", data.hasAllModes ? "μ_max" : "last mode"));
     }
     /// As √μ, the frequency: by Weyl's law the modes then lie less crowded where they are coarse.
-    x(mu) { return across(Math.sqrt(Math.max(0, mu) / this.data.mu.at(-1))); }
+    x(mu) { return across(this.last > 0 ? Math.sqrt(Math.max(0, mu) / this.last) : 0); }
     y(value) { return upward(Math.log10(Math.max(lowest, Math.min(highest, value)) / lowest) / Math.log10(highest / lowest)); }
 
-    /// @param c  coefficients before the filter
-    show(f, c) {
-        const { mu } = this.data, first = mu.findIndex((value) => !this.data.isConstant(value));
-        const sizes = Array.from(mu, (_, j) => size(c, j)), unit = Math.max(...sizes.slice(first)) || 1;
-        const seen = sizes.map((value, j) => [j, value / unit]).slice(first);
-        const place = ([j, value]) => (value >= lowest ? [this.x(mu[j]), this.y(value)] : null);
-        this.before.setAttribute("d", dots(seen.map(place).filter(Boolean)));
-        this.after.setAttribute("d", dots(seen.map(([j, value]) => place([j, Math.abs(f[j]) * value])).filter(Boolean)));
-        this.curve.setAttribute("d", path(Array.from(mu, (value, j) => [this.x(value), this.y(Math.abs(f[j]))])));
+    /// @param before, after  coefficients; curve: |f| of μ; null: there are none
+    show(before, after, curve) {
+        const { mu } = this.data, modes = Array.from(mu.keys()).filter((j) => !this.data.isConstant(mu[j]));
+        const unit = Math.max(...modes.map((j) => size(before, j))) || 1;
+        const seen = (c) => dots(modes.map((j) => [j, size(c, j) / unit]).filter(([, value]) => value >= lowest).map(([j, value]) => [this.x(mu[j]), this.y(value)]));
+        this.before.setAttribute("d", seen(before));
+        this.after.setAttribute("d", after ? seen(after) : "");
+        const places = Array.from({ length: samples + 1 }, (_, i) => this.last * (i / samples) ** 2);
+        this.curve.setAttribute("d", curve && this.last > 0 ? path(places.map((value) => [this.x(value), this.y(curve(value))])) : "");
     }
 }
 
-/// rms to the clean mesh over t, its least marked, and the t that is set.
+/// Distance to the clean surface over t, its least marked, and the t that is set.
 export class ErrorPlot {
     constructor() {
         this.curve = svg("path", { class: "lab-filter" });
@@ -67,19 +68,21 @@ export class ErrorPlot {
         this.word = text(frame.left, 14, "");
         const ends = axis("0", "steps t", "");
         this.last = ends[2];
-        this.picture = empty("Distance to the clean mesh over the steps t, with its least value", line(across(0), upward(0), across(1), upward(0), "lab-grid"),
-            text(frame.left - 5, upward(0) + 4, "0", "end"), ...ends, this.curve, this.now, this.least, this.high, this.word);
+        const [x, y, width, height] = [across(0), upward(1), across(1) - across(0), upward(0) - upward(1)];
+        const inside = svg("svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}` }, this.curve);   // cuts off what is beyond
+        this.picture = empty("Distance to the clean surface over the steps t, with its least value", line(across(0), upward(0), across(1), upward(0), "lab-grid"),
+            text(frame.left - 5, upward(0) + 4, "0", "end"), ...ends, inside, this.now, this.least, this.high, this.word);
     }
-    /// @param curve  of t = 0, 1, … [% of the box]
+    /// @param curve  of t = 0, 1, … [% of the box]; best: the t of its least; null: not known yet
     show(curve, best, t) {
-        const top = Math.min(Math.max(...curve), 3 * curve[0]) || 1, most = curve.length - 1;
-        const at = (i) => [across(i / most), upward(curve[i] / top)];
-        this.curve.setAttribute("d", path(curve.map((error, i) => (error <= top ? at(i) : null))));
-        this.least.setAttribute("cx", at(best)[0]);
-        this.least.setAttribute("cy", at(best)[1]);
+        const cut = 3 * curve[0], largest = Math.max(...curve), top = Math.min(largest, cut) || 1, most = Math.max(1, curve.length - 1);
+        const at = (i) => [across(i / most), upward(Math.min(curve[i] / top, 100))];   // far enough beyond
+        this.curve.setAttribute("d", path(curve.map((error, i) => at(i))));
+        this.least.toggleAttribute("hidden", best === null);
+        if (best !== null) for (const [i, name] of ["cx", "cy"].entries()) this.least.setAttribute(name, at(best)[i]);
         for (const end of ["x1", "x2"]) this.now.setAttribute(end, across(Math.min(1, t / most)));
         this.high.textContent = top.toPrecision(2);
         this.last.textContent = most;
-        this.word.textContent = `rms [% of the box], least at t = ${best}`;
+        this.word.textContent = `distance to the clean surface [% of the box]${best === null ? "" : `, least at t = ${best}`}${largest > cut ? "; goes on above" : ""}`;
     }
 }

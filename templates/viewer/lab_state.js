@@ -1,9 +1,13 @@
 // What is set in the laboratory, its limits, its links and its presets. No page in here.
 
-export const schemeNames = { projection: "k smoothest modes", explicit: "explicit steps", implicit: "implicit steps", taubin: "Taubin's two steps", heat: "exact heat flow" };
-export const mostSteps = 10000, shownSteps = 200, largestLambda = 1000, largestNoise = 5;
+export const schemeNames = { projection: "k smoothest modes", explicit: "explicit steps", implicit: "implicit steps", taubin: "Taubin's two steps", heat: "exact heat flow",
+    denoising: "implicit, noisy mesh's operator" };
+export const mostSteps = 10000, mostSolved = 1000, shownSteps = 200, largestLambda = 1000, largestNoise = 5, largestEdges = 100;
 
-const plain = { scheme: "projection", k: 15, lambda: 0.5, t: 10, sigma: 0, seed: 1, lines: false };
+/// λ is in units of λ_crit as `lambda`, in squared mean edges h̄² as `edges`.
+const plain = { scheme: "projection", k: 15, lambda: 0.5, edges: 0.1, t: 10, sigma: 0, seed: 1, lines: false };
+/// What says how much a scheme does.
+export const amountsOf = (scheme) => (scheme === "projection" ? ["k"] : [scheme === "denoising" ? "edges" : "lambda", "t"]);
 /// What the panel of a question opens with, and [{question, words, state}] to click: src/run/lab/lab_presets.cpp has chosen both.
 export const startOf = (data, question) => ({ ...plain, ...data.starts[question] });
 export const presetsOf = (data, question) => data.presets.filter((preset) => question === "lab" || preset.question === question)
@@ -19,7 +23,8 @@ export function held(state, modes) {
         scheme: Object.hasOwn(schemeNames, state.scheme) ? state.scheme : plain.scheme,
         k: whole(state.k, 1, modes, plain.k),
         lambda: number(state.lambda, 0, largestLambda, plain.lambda),
-        t: whole(state.t, 0, mostSteps, plain.t),
+        edges: number(state.edges, 0, largestEdges, plain.edges),
+        t: whole(state.t, 0, state.scheme === "denoising" ? mostSolved : mostSteps, plain.t),
         sigma: number(state.sigma, 0, largestNoise, 0),
         seed: whole(state.seed, 0, 1e9, 1),
         lines: Boolean(state.lines),
@@ -28,7 +33,7 @@ export function held(state, modes) {
 
 /// "#lab=q5,scheme=explicit,lambda=1.01,t=40": of a state only what matters in it.
 export function linkOf(question, state) {
-    const names = ["scheme", ...(state.scheme === "projection" ? ["k"] : ["lambda", "t"]), "sigma", ...(state.sigma > 0 ? ["seed"] : [])];
+    const names = ["scheme", ...amountsOf(state.scheme), "sigma", ...(state.sigma > 0 ? ["seed"] : [])];
     return "#" + [`lab=${question}`, ...names.map((name) => `${name}=${state[name]}`), ...(state.lines ? ["lines=1"] : [])].join(",");
 }
 
@@ -41,13 +46,18 @@ export function readLink(fragment) {
     return { question, change: Object.fromEntries(names.map((name) => [name, name === "scheme" ? parts.get(name) : Number(parts.get(name))])) };
 }
 
-export const sameState = (a, b) => ["scheme", "sigma", "lines", ...(a.scheme === "projection" ? ["k"] : ["lambda", "t"]), ...(a.sigma > 0 ? ["seed"] : [])]
+export const sameState = (a, b) => ["scheme", "sigma", "lines", ...amountsOf(a.scheme), ...(a.sigma > 0 ? ["seed"] : [])]
     .every((name) => a[name] === b[name] || Math.abs(a[name] - b[name]) <= 1e-9 * Math.abs(b[name]));
 
 /// λ on its slider: the first 60 % are 0 to 3 λ_crit, what follows is logarithmic up to 1000.
 const bend = 0.6, atBend = 3;
 export const lambdaAt = (place) => (place <= bend ? place / bend * atBend : atBend * (largestLambda / atBend) ** ((place - bend) / (1 - bend)));
 export const placeOf = (lambda) => (lambda <= atBend ? lambda / atBend * bend : bend + (1 - bend) * Math.log(lambda / atBend) / Math.log(largestLambda / atBend));
+
+/// λ in squared mean edges on its slider: logarithmic from a ten thousandth on, and 0 at its end.
+const leastEdges = 1e-4;
+export const edgesAt = (place) => (place <= 0 ? 0 : leastEdges * (largestEdges / leastEdges) ** place);
+export const placeOfEdges = (edges) => (edges <= leastEdges ? 0 : Math.log(edges / leastEdges) / Math.log(largestEdges / leastEdges));
 
 /// Whole numbers on a slider: every one up to 50, beyond in steps of 2 %.
 export function stopsOf(low, high) {

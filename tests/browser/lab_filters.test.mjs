@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { before, describe, test } from "node:test";
-import { dataOf, folder, lab, normalNumbers, options, run, states, written } from "./lab_tools.mjs";
+import { dataOf, Experiment, folder, lab, normalNumbers, options, run, states, written } from "./lab_tools.mjs";
 
 const positionsOf = (file) => Float64Array.from(written(file).match(/^v .*$/gm).flatMap((row) => row.split(/\s+/).slice(1, 4).map(Number)));
 const start = (change) => ({ scheme: "projection", k: 15, lambda: 0.5, t: 10, sigma: 0, seed: 1, lines: false, ...change });
@@ -68,16 +68,28 @@ describe("sums over modes in 16 bits are what the program computes", options, ()
         }
     });
 
-    test("what is measured on coefficients is what is measured on positions", () => {
-        const shift = normalNumbers(3, 3 * data.vertices).map((z) => 0.01 * z), c = lab.withShift(data, shift), state = start({ scheme: "explicit", lambda: 0.3, t: 4 });
-        const f = lab.filter(data, state), x = result(data, state, c);
-        let sum = 0;
-        for (let i = 0; i < x.length; ++i) sum += data.area[Math.floor(i / 3)] * (x[i] - data.positions[i]) ** 2;
-        assert.ok(Math.abs(lab.rms(data, f, c) / Math.sqrt(sum / data.totalArea) - 1) < 1e-4);
-        const curve = lab.errorCurve(data, state, c, 10);
-        assert.ok(Math.abs(curve[4] / lab.rms(data, f, c) - 1) < 1e-12);
-        const best = lab.indexOfLeast(curve);
-        assert.ok(best > 0 && best < 10 && curve.every((error) => error >= curve[best]));
+    test("ten denoisings with the operator of the noisy mesh", () => {
+        for (const [sigma, edges, t] of [[0.1, 0.001, 12], [0.3, 0.01, 5], [0.3, 0.1, 1], [1, 0.01, 19], [1, 0.1, 3], [1, 1, 2], [1, 10, 1], [3, 0.1, 9], [3, 1, 4], [3, 10, 48]]) {
+            run("noise", "cube.obj", "-o", "noisy.obj", "--sigma", sigma / 100 * data.diagonal, "--seed", 3);
+            run("smooth", "noisy.obj", "-o", "smooth.obj", "--scheme", "implicit", "--lambda", edges * data.meanEdge ** 2, "--iterations", t);
+            const experiment = new Experiment(data);
+            experiment.set(start({ scheme: "denoising", edges, t, sigma, seed: 3 }));
+            experiment.compute();
+            assert.ok(distance(experiment.x, positionsOf("smooth.obj")) < 1e-9, `σ = ${sigma} %, λ = ${edges} h̄², t = ${t}`);
+        }
+    });
+
+    test("coefficients and the curve of the error belong to the positions", () => {
+        for (const change of [{ scheme: "explicit", lambda: 0.3, t: 4 }, { scheme: "denoising", edges: 0.05, t: 4 }]) {
+            const state = start({ ...change, sigma: 1, seed: 3 }), experiment = new Experiment(data);
+            experiment.set(state);
+            experiment.compute();
+            const { x, after } = experiment, again = lab.sumOfModes(data, new Float64Array(data.modes).fill(1), after, new Float64Array(x.length));
+            assert.ok(again.every((value, i) => Math.abs(value - x[i]) < 1e-4 * data.diagonal));
+            const best = experiment.extendCurve(Infinity), { curve } = experiment;
+            assert.ok(Math.abs(curve[4] / (100 * experiment.errors(x).surface / data.diagonal) - 1) < 1e-12);
+            assert.ok(best > 0 && best < curve.length - 1 && curve.every((error) => error >= curve[best]));
+        }
     });
 
     test("beyond 2,000 vertices the page has the lowest modes and says so", () => {
@@ -87,8 +99,8 @@ describe("sums over modes in 16 bits are what the program computes", options, ()
         assert.equal(few.modes, 300);
         assert.ok(few.readings.length >= 5 && few.presets.every(({ state }) => state.scheme === "projection"));
         for (const { state: { k }, rms } of few.readings) {
-            const f = lab.filter(few, start({ scheme: "projection", k }));
-            assert.ok(Math.abs(lab.rms(few, f, few.coefficients) / rms - 1) < 1e-4, `k = ${k}`);
+            const x = result(few, start({ scheme: "projection", k }));
+            assert.ok(Math.abs(lab.rms(few, x, true) / rms - 1) < 1e-4, `k = ${k}`);
         }
     });
 });
@@ -114,7 +126,7 @@ test("a slider stops at every small number, at both ends, and nowhere far beyond
 
 test("a link restores the state, whatever it holds", () => {
     const start = { starts: { q5: { scheme: "explicit", lambda: 0.25, t: 5, sigma: 1 } } };
-    for (const state of [{ scheme: "projection", k: 7 }, { scheme: "explicit", lambda: 1.05, t: 40 }, { scheme: "heat", lambda: 100, t: 1, sigma: 0.5, seed: 3, lines: true }]) {
+    for (const state of [{ scheme: "projection", k: 7 }, { scheme: "explicit", lambda: 1.05, t: 40 }, { scheme: "heat", lambda: 100, t: 1, sigma: 0.5, seed: 3, lines: true }, { scheme: "denoising", edges: 0.01, t: 19, sigma: 1 }]) {
         const whole = { ...states.startOf({ starts: {} }, "q5"), ...state }, { question, change } = states.readLink(states.linkOf("q5", whole));
         assert.equal(question, "q5");
         const read = states.held({ ...states.startOf(start, "q5"), ...change }, 602);
@@ -125,4 +137,5 @@ test("a link restores the state, whatever it holds", () => {
     const odd = states.held(states.readLink("#lab=q5,scheme=toString,lambda=-1e999,t=NaN,k=1e9,sigma=<b>,seed=").change, 602);
     assert.deepEqual([odd.scheme, odd.lambda, odd.t, odd.k, odd.sigma], ["projection", 0.5, 10, 602, 0]);
     for (const lambda of [0, 0.3, 1, 3, 10, 999]) assert.ok(Math.abs(states.lambdaAt(states.placeOf(lambda)) - lambda) < 1e-9 * (1 + lambda));
+    for (const edges of [0, 0.001, 0.3, 1, 99]) assert.ok(Math.abs(states.edgesAt(states.placeOfEdges(edges)) - edges) < 1e-9 * (1 + edges));
 });

@@ -114,10 +114,10 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
     return factor_operations(whole.A, order);
 }
 
-std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples) {
+std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples) {
     std::vector<double> steps = settings.lambda;
     if (steps.empty()) {
-        for (const double multiple : multiples) steps.push_back(multiple * subject.critical);
+        for (const double multiple : multiples) steps.push_back(multiple * critical);
     }
     return each_once(steps);
 }

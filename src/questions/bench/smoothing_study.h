@@ -47,7 +47,7 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
 FactorOperations implicit_operations_of(const SmoothingSubject& subject);
 
 /// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
-std::vector<double> steps_of(const QuestionSettings& settings, const SmoothingSubject& subject, const std::vector<double>& multiples);
+std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples);
 
 /// As meshes_for(), for sections that look at smoothing itself: cube, noisy plane, noisy fandisk and armadillo in the laboratory, of them
 /// what fits its budget in a report.

@@ -18,7 +18,8 @@ namespace {
 /// All modes are taken when the mesh is no larger than this; beyond, 300 are the "large value".
 constexpr int all_modes_up_to = 700;
 
-/// The k of the assignment, 5, 15 and large, with steps in between.
+}   // namespace
+
 std::vector<int> mode_counts(const QuestionSettings& settings, int n) {
     std::vector<int> counts = settings.k;
     if (counts.empty()) {
@@ -28,8 +29,6 @@ std::vector<int> mode_counts(const QuestionSettings& settings, int n) {
     for (int& k : counts) k = std::clamp(k, 1, n);
     return each_once(counts);
 }
-
-}   // namespace
 
 SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     SpectralStudy study;

@@ -39,6 +39,9 @@ struct SpectralStudy {
     int vertices() const { return source->prepared->preflight.vertices_in_use; }
 };
 
+/// The k of the settings, else those of the assignment, 5, 15 and large, with steps in between; of n modes.
+std::vector<int> mode_counts(const QuestionSettings& settings, int n);
+
 /// From one eigensolve, for the k of the settings or else those of the assignment, 5, 15 and large, with steps in between.
 SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 

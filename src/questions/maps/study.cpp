@@ -248,7 +248,7 @@ SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const Qu
     maps.closed = maps.subject.source->prepared->preflight.closed();
     maps.clean = clean_mesh(*maps.subject.source);
     if (maps.clean) maps.input_error = vertex_rms(maps.clean->X, maps.subject.mesh().X) / maps.subject.diagonal;
-    maps.lambdas = steps_of(settings, maps.subject, relative_steps(grid));
+    maps.lambdas = steps_of(settings, maps.subject.critical, relative_steps(grid));
     maps.iterations = spaced_iterations(std::max(last_or(settings.iterations, grid.iterations), 1), grid.counts_per_decade);
     run_tasks([&] { maps.explicit_map = scheme_map(maps, SmoothingScheme::explicit_euler); },
               [&] { maps.implicit_map = scheme_map(maps, SmoothingScheme::implicit_euler); });

@@ -184,7 +184,7 @@ ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSe
     study.measure = spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings));
     const std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
-    for (const double lambda : steps_of(settings, study.subject, {0.1, 0.5, 0.9})) {
+    for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {
         for (const int count : counts) {
             if (count > 0) study.gaps.push_back(gap_of(study, lambda, count, solver));
         }

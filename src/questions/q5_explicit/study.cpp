@@ -116,6 +116,8 @@ std::vector<double> told_steps(const std::vector<double>& steps, const Smoothing
 
 }   // namespace
 
+int iterations_of(const QuestionSettings& settings) { return last_or(settings.iterations, settings.quick ? 20 : 50); }
+
 std::size_t ExplicitStudy::first_beyond() const {
     std::size_t i = 0;
     while (i < runs.size() && stable(i)) ++i;
@@ -126,8 +128,8 @@ ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.uniform = uniform_limit(*study.subject.source);
-    const int iterations = last_or(settings.iterations, settings.quick ? 20 : 50);
-    const std::vector<double> steps = steps_of(settings, study.subject, {0.05, 0.5, 0.95, 1.05, 2.0});
+    const int iterations = iterations_of(settings);
+    const std::vector<double> steps = steps_of(settings, study.subject.critical, own_steps);
     const std::vector<double> told = told_steps(steps, study.subject);
     study.frame_times = frame_times(study.subject, steps.back(), iterations);
     for (const double lambda : steps) {

@@ -55,8 +55,12 @@ struct ExplicitStudy {
     std::size_t first_beyond() const;
 };
 
-/// With the steps of the settings, else five in units of the limit: two that never overshoot, one that overshoots but is stable, one
-/// just beyond, one far beyond.
+/// In units of the limit: two that never overshoot, one that overshoots but is stable, one just beyond, one far beyond.
+inline const std::vector<double> own_steps{0.05, 0.5, 0.95, 1.05, 2.0};
+/// Of every step.
+int iterations_of(const QuestionSettings& settings);
+
+/// With the steps of the settings, else with its own.
 ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?

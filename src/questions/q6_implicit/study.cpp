@@ -220,14 +220,17 @@ const SmoothingCell* ImplicitStudy::too_much() const {
     return half;
 }
 
+std::vector<int> iterations_of(const QuestionSettings& settings) {
+    if (!settings.iterations.empty()) return each_once(settings.iterations);
+    return settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30, 100};
+}
+
 ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     ImplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.roughness = roughness_of(study.subject, study.subject.mesh().X);
-    study.lambdas = steps_of(settings, study.subject, {0.5, 5, 50});
-    study.iterations = settings.iterations;
-    if (study.iterations.empty()) study.iterations = settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30, 100};
-    study.iterations = each_once(study.iterations);
+    study.lambdas = steps_of(settings, study.subject.critical, own_steps);
+    study.iterations = iterations_of(settings);
     const int last = study.iterations.back();
     ImplicitSolver solver;   // one symbolic analysis for all λ
     for (const double lambda : study.lambdas) {

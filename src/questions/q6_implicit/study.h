@@ -108,7 +108,12 @@ struct ImplicitStudy {
 /// Explicit steps that prices are counted with, at most.
 inline constexpr int most_priced_steps = 1000;
 
-/// With the steps of the settings, else three in units of the explicit limit: within it, a little beyond, far beyond.
+/// In units of the explicit limit: within it, a little beyond, far beyond.
+inline const std::vector<double> own_steps{0.5, 5.0, 50.0};
+/// Of every step; ascending.
+std::vector<int> iterations_of(const QuestionSettings& settings);
+
+/// With the steps of the settings, else with its own.
 ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 
 }   // namespace meshfolio::q6_implicit

@@ -22,9 +22,6 @@ namespace {
 /// Samples of the same noise beside the first.
 constexpr int further_seeds = 4;
 
-/// σ over the box diagonal: from barely visible to hopeless.
-const std::vector<double> default_noise{0.001, 0.003, 0.01, 0.03};
-
 SmoothingOptions smoothing_by(const DenoisingGrid& grid, double lambda, int iterations) {
     return {.scheme = SmoothingScheme::implicit_euler, .lambda = lambda * grid.mean_edge * grid.mean_edge, .iterations = iterations};
 }
@@ -141,12 +138,7 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     if (grid.clean->prepared->preflight.closed()) trial.clean_volume = signed_volume(clean);
     trial.noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchInput input{clean, normals, {trial.noisy, topology}, grid.mean_edge};
-    Patience patience;
-    trial.found = search(input, DenoisingMethod::implicit_flow, {grid.lambdas, grid.mean_edge * grid.mean_edge, grid.iterations},
-                         [&](const SearchState& state, const Positions&) {
-                             trial.states.push_back(state);
-                             return patience.go_on(state);
-                         });
+    trial.found = search_for_best(input, grid.lambdas, grid.iterations, &trial.states);
     trial.best = moved_to(clean, trial.found.X);
     const SearchState& best = trial.found.by_shape;
     ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all
@@ -187,6 +179,27 @@ void try_other_noise(DenoisingGrid& grid, std::uint64_t seed) {
 
 }   // namespace
 
+DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge) {
+    DenoisingTries tries;
+    tries.noise = settings.noise;
+    if (tries.noise.empty()) tries.noise = settings.quick ? std::vector{0.003, 0.01} : std::vector{0.001, 0.003, 0.01, 0.03};
+    tries.noise = each_once(tries.noise);
+    for (const double lambda : each_once(settings.lambda)) tries.lambdas.push_back(lambda / (mean_edge * mean_edge));
+    if (tries.lambdas.empty()) tries.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.001, 0.01, 0.1, 1.0, 10.0};
+    tries.iterations = last_or(settings.iterations, settings.quick ? 16 : 48);
+    return tries;
+}
+
+SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
+                             std::vector<SearchState>* states) {
+    Patience patience;
+    return search(input, DenoisingMethod::implicit_flow, {lambdas, input.mean_edge * input.mean_edge, iterations},
+                  [&](const SearchState& state, const Positions&) {
+                      if (states != nullptr) states->push_back(state);
+                      return patience.go_on(state);
+                  });
+}
+
 DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
     DenoisingGrid grid;
     grid.clean = std::move(source);
@@ -195,9 +208,9 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     grid.diagonal = bounding_box(clean).diagonal();
     grid.mean_edge = mean_edge_length(clean);
     if (grid.clean->prepared->preflight.closed()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
-    for (const double lambda : each_once(settings.lambda)) grid.lambdas.push_back(lambda / (grid.mean_edge * grid.mean_edge));
-    if (grid.lambdas.empty()) grid.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.001, 0.01, 0.1, 1.0, 10.0};
-    grid.iterations = last_or(settings.iterations, settings.quick ? 16 : 48);
+    const DenoisingTries tries = tries_of(settings, grid.mean_edge);
+    grid.lambdas = tries.lambdas;
+    grid.iterations = tries.iterations;
     grid.on_feature = feature_vertices(clean, topology);
     grid.curved = most_curved(clean, topology);
     grid.feature_vertices = static_cast<int>(std::ranges::count(grid.on_feature, 1));
@@ -210,13 +223,10 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     };
     smooth(clean, options);
 
-    std::vector<double> levels = settings.noise;
-    if (levels.empty()) levels = settings.quick ? std::vector{0.003, 0.01} : default_noise;
-    levels = each_once(levels);
-    grid.trials.resize(levels.size());
+    grid.trials.resize(tries.noise.size());
     const Positions normals = face_normals(clean);
-    for_each_task(levels.size(), [&](std::size_t i) {
-        grid.trials[i] = trial_of(grid, normals, levels[i], settings.seed, settings.quick ? 0 : further_seeds);
+    for_each_task(tries.noise.size(), [&](std::size_t i) {
+        grid.trials[i] = trial_of(grid, normals, tries.noise[i], settings.seed, settings.quick ? 0 : further_seeds);
     });
     compare_areas(grid);
     try_other_noise(grid, settings.seed);

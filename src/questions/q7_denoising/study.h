@@ -95,6 +95,20 @@ struct DenoisingGrid {
     const NoisyTrial& pictured() const;
 };
 
+/// What is tried on a mesh of that mean edge.
+struct DenoisingTries {
+    std::vector<double> noise;     // ascending [box diagonals]
+    std::vector<double> lambdas;   // ascending [h̄²]
+    int iterations = 0;            // of each run, at most
+};
+DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
+
+/// Every λ on one noisy mesh; a run is given up when it no longer gets better.
+/// @param input  its mean edge is that of the clean mesh
+/// @param states  where those met on the way are added; null: nowhere
+SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
+                             std::vector<SearchState>* states = nullptr);
+
 /// At the noise levels of the settings, else from barely visible to hopeless; steps λ from a thousandth of a squared mean edge to ten.
 DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const QuestionSettings& settings);
 

@@ -1,111 +1,54 @@
 #include "run/lab/lab_mesh.h"
 
+#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "geometry/smoothing/dirichlet_energy.h"
-#include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/decimation.h"
 #include "mesh/mesh_topology.h"
+#include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
-#include "mesh/vertex_noise.h"
+#include "run/lab/lab_readings.h"
 
 namespace meshfolio::run {
 
 namespace {
 
-constexpr int most_iterations = 200;   // of which the best are looked for, as many as the page's own slider has
+/// "lab", which belongs to no question, has what all of them have.
+std::map<std::string, QuestionSettings> with_all_of_the_lab(std::map<std::string, QuestionSettings> questions) {
+    if (const auto lab = questions.find("lab"); lab != questions.end())
+        for (const char* id : {"q4", "q5", "q6", "q7"}) questions.emplace(id, lab->second);
+    return questions;
+}
 
-/// Where the page shows the program's number beside its own: its presets, what its panels open with, and some between.
-std::vector<LabSetting> reference_settings(const LabMesh& lab) {
+/// What the page opens with and offers, and the program's numbers for all of that and for what the report shows.
+void add_settings(LabMesh& lab, const Spectrum& spectrum, const std::map<std::string, QuestionSettings>& of_this_mesh) {
+    const auto questions = with_all_of_the_lab(of_this_mesh);
+    const LabScale scale{lab.critical(), static_cast<int>(lab.eigenvalues.size()), lab.has_all_modes()};
+    std::vector<BestDenoising> denoised;
+    if (const auto q7 = questions.find("q7"); q7 != questions.end() && scale.has_all) denoised = denoising_on(lab, q7->second);
+    lab.presets = presets_for(questions, scale, denoised);
     std::vector<LabSetting> settings;
     for (const LabPreset& preset : lab.presets) settings.push_back(preset.setting);
-    for (const auto& [question, start] : lab.starts) settings.push_back(start);
-    for (const int k : {60, 100}) settings.push_back({"projection", 0, k});
-    settings.push_back({"explicit", 1.01, 40});
-    settings.push_back({"implicit", 5, 10});
-    for (const int t : {1, 2, 5, 10, 20, 50}) settings.push_back({"explicit", 0.25, t, 0.01});
-    return settings;
-}
-
-Positions noisy(const LabMesh& lab, const LabSetting& setting) {
-    if (setting.sigma == 0) return lab.mesh.X;
-    return with_gaussian_noise(lab.mesh.X, Vector3::Constant(setting.sigma * lab.diagonal), setting.seed);
-}
-
-Positions step(const LabMesh& lab, const LabSetting& setting, const Positions& X) {
-    const double lambda = setting.lambda * lab.critical();
-    if (setting.scheme == "implicit") return implicit_step(lab.laplacian, lambda, X);
-    const Positions smoothed = explicit_step(lab.laplacian, lambda, X);
-    if (setting.scheme == "explicit") return smoothed;
-    return explicit_step(lab.laplacian, taubin_mu_of(lab.laplacian, {.lambda = lambda}), smoothed);
-}
-
-/// What one step multiplies the modes of eigenvalues μ by.
-Vector factors(const LabMesh& lab, const LabSetting& setting, const Vector& mu) {
-    const double lambda = setting.lambda * lab.critical();
-    if (setting.scheme == "implicit") return (1 + lambda * mu.array()).inverse();
-    if (setting.scheme == "heat") return (-lambda * mu.array()).exp();
-    if (setting.scheme == "explicit") return 1 - lambda * mu.array();
-    return (1 - lambda * mu.array()) * (1 - taubin_mu_of(lab.laplacian, {.lambda = lambda}) * mu.array());
-}
-
-/// By the steps of `meshfolio smooth`; of the exact flow, which has none, by its modes.
-Positions filtered(const LabMesh& lab, const Spectrum& spectrum, const LabSetting& setting) {
-    Positions X = noisy(lab, setting);
-    if (setting.scheme == "projection") return reconstruct(spectrum, lab.laplacian.M, X, setting.count);
-    if (setting.scheme == "heat") {
-        const Vector decay = factors(lab, setting, spectrum.eigenvalues).array().pow(setting.count);
-        return spectrum.eigenvectors * (decay.asDiagonal() * spectral_coefficients(spectrum, lab.laplacian.M, X));
+    for (const auto& [question, own] : questions) {
+        for (const LabSetting& setting : reported(question, own, scale, denoised)) settings.push_back(setting);
+        if (!of_this_mesh.contains(question)) continue;
+        lab.starts[question] = start_of(question, own, scale, denoised);
+        settings.push_back(lab.starts[question]);
     }
-    for (int t = 0; t < setting.count; ++t) X = step(lab, setting, X);
-    return X;
+    std::vector<LabSetting> each_once;
+    for (const LabSetting& setting : settings)
+        if (std::ranges::find(each_once, setting) == each_once.end()) each_once.push_back(setting);
+    lab.readings = readings_at(lab, spectrum, each_once);
 }
 
-double rms_to_clean(const LabMesh& lab, const Positions& X) {
-    const Vector& M = lab.laplacian.M;
-    return std::sqrt(M.dot((X - lab.mesh.X).rowwise().squaredNorm()) / M.sum());
-}
-
-int best_iterations(const LabMesh& lab, const LabSetting& setting) {
-    Positions X = noisy(lab, setting);
-    double least = rms_to_clean(lab, X);
-    int best = 0;
-    for (int t = 1; t <= most_iterations; ++t) {
-        X = step(lab, setting, X);
-        if (const double rms = rms_to_clean(lab, X); rms < least) least = rms, best = t;
-    }
-    return best;
-}
-
-double largest_factor(const LabMesh& lab, const LabSetting& setting) {
-    if (setting.scheme == "projection") return 1;
-    const double constant = 1e-9 * lab.largest_eigenvalue;   // modes of eigenvalue 0, but for rounding: one a component
-    Vector mu = (lab.eigenvalues.array() > constant).select(lab.eigenvalues, lab.largest_eigenvalue);
-    return factors(lab, setting, mu).lpNorm<Eigen::Infinity>();
-}
-
-void add_presets(LabMesh& lab) {
-    for (LabPreset preset : lab_presets()) {
-        if (preset.setting.scheme != "projection" && !lab.has_all_modes()) continue;
-        if (preset.setting.count == best_count) preset.setting.count = best_iterations(lab, preset.setting);
-        lab.presets.push_back(preset);
-    }
-}
-
-void add_readings(LabMesh& lab, const Spectrum& spectrum) {
-    for (const LabSetting& setting : reference_settings(lab)) {
-        const bool projects = setting.scheme == "projection";
-        if (projects ? setting.count > spectrum.eigenvalues.size() : !lab.has_all_modes()) continue;
-        const Positions X = filtered(lab, spectrum, setting);
-        const LabReading reading{setting, dirichlet_energy(lab.laplacian.C, X), signed_volume(moved_to(lab.mesh, X), Vector3::Zero()),
-                                 rms_to_clean(lab, X), largest_factor(lab, setting)};
-        if (std::isfinite(reading.energy) && std::isfinite(reading.volume)) lab.readings.push_back(reading);
-    }
+/// Without boundary, and with an inside: on a Klein bottle a volume means nothing.
+bool encloses_volume(const TriangleMesh& mesh) {
+    const MeshTopology topology = topology_of(mesh);
+    return topology.boundary_edge_count() == 0 && consistent_orientation(mesh, topology).unorientable_components == 0;
 }
 
 void quantise(LabMesh& lab, const Spectrum& spectrum) {
@@ -128,12 +71,13 @@ void append(std::string& bytes, const Values& values) {
 nlohmann::json json_of(const LabSetting& setting) {
     nlohmann::json state = {{"scheme", setting.scheme}, {"sigma", 100 * setting.sigma}, {"seed", setting.seed}};
     state[setting.scheme == "projection" ? "k" : "t"] = setting.count;
-    if (setting.lambda != 0) state["lambda"] = setting.lambda;
+    if (setting.scheme != "projection") state[setting.scheme == "denoising" ? "edges" : "lambda"] = setting.lambda;
     return state;
 }
 
 nlohmann::json json_of(const LabReading& r) {
-    return {{"state", json_of(r.setting)}, {"energy", r.energy}, {"volume", r.volume}, {"rms", r.rms}, {"factor", r.factor}};
+    return {{"state", json_of(r.setting)}, {"energy", r.energy}, {"volume", r.volume}, {"rms", r.rms},
+            {"factor", r.factor},          {"gains", r.gains}};
 }
 
 nlohmann::json json_of(const LabPreset& preset) {
@@ -156,7 +100,7 @@ std::string header_of(const LabMesh& lab) {
                                    {"modes", lab.eigenvalues.size()},
                                    {"diagonal", lab.diagonal},
                                    {"largestEigenvalue", lab.largest_eigenvalue},
-                                   {"leftOut", lab.left_out},
+                                   {"meanEdge", lab.mean_edge},
                                    {"quantisationShift", lab.quantisation_shift},
                                    {"orthonormalityError", lab.orthonormality_error},
                                    {"starts", starts},
@@ -178,7 +122,8 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
     const Box box = bounding_box(lab.mesh);
     lab.mesh.X = lab.mesh.X.rowwise() - box.centre().transpose();
     lab.diagonal = box.diagonal();
-    lab.is_closed = topology_of(lab.mesh).boundary_edge_count() == 0;
+    lab.mean_edge = mean_edge_length(lab.mesh);
+    lab.is_closed = encloses_volume(lab.mesh);
     lab.laplacian = laplace_beltrami(lab.mesh);
 
     const int n = lab.mesh.vertex_count();
@@ -187,12 +132,8 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
     lab.eigenvalues = spectrum.eigenvalues;
     lab.largest_eigenvalue = largest_eigenvalue(lab.laplacian).value;
     lab.coefficients = spectral_coefficients(spectrum, lab.laplacian.M, lab.mesh.X);
-    const Vector rms = reconstruction_rms(spectrum, lab.laplacian.M, lab.mesh.X);
-    lab.left_out = rms[rms.size() - 1];
     quantise(lab, spectrum);
-    for (const auto& [question, settings] : questions) lab.starts[question] = start_of(question, settings, lab.critical());
-    add_presets(lab);
-    add_readings(lab, spectrum);
+    add_settings(lab, spectrum, questions);
     return lab;
 }
 

@@ -13,13 +13,14 @@
 
 namespace meshfolio::run {
 
-/// Measured on the positions that the program's own steps lead to, with the operator of the clean mesh.
+/// Measured on the positions that the program's own steps lead to; the energy with the operator of the clean mesh.
 struct LabReading {
     LabSetting setting;
     double energy = 0;   // ½ Σ C_ij |x_i − x_j|² [length²]
     double volume = 0;   // signed; meaningful when closed [length³]
-    double rms = 0;      // √(ΣA|x − x_clean|²/ΣA) [length]
-    double factor = 0;   // the largest that one step multiplies a mode by, the constant ones aside; 1 for the projection
+    double rms = 0;      // √(Σ|x − x_clean|²/n), of a projection √(ΣA|x − x_clean|²/ΣA) [length]
+    double factor = 0;   // the largest that one step multiplies a mode by, the constant ones aside; 1 for the projection, NaN for denoising
+    std::vector<double> gains = {};   // by the measures of question 7; empty without noise
 };
 
 struct LabLimits {
@@ -38,7 +39,7 @@ struct LabMesh {
     QuantisedModes modes;
     double diagonal = 0;                        // of the box [length]
     double largest_eigenvalue = 0;              // of all modes, also where the page has fewer [1/length²]
-    double left_out = 0;                        // rms of what the modes do not hold: rounding where they are all there [length]
+    double mean_edge = 0;                       // h̄ [length]
     double quantisation_shift = 0;              // how far 16 bits move a vertex at most, in box diagonals
     double orthonormality_error = 0;            // ‖ΦᵀMΦ − I‖ of the rounded modes, largest entry
     std::map<std::string, LabSetting> starts;   // by question

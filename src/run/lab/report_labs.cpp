@@ -15,7 +15,7 @@ namespace meshfolio::run {
 
 namespace {
 
-constexpr int most_vertices = 20000;
+constexpr int largest_source = 100000;   // vertices: larger meshes are decimated twice, of which other sections share the first
 
 /// Question, and which of its own choice of meshes.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> choices{
@@ -39,41 +39,40 @@ std::string names_of(const LabJob& job) {
     return names;
 }
 
-/// One of the settings, else the user's own, else the question's choice.
-std::string source_of(std::string_view id, std::string_view role, const ReportSettings& settings) {
-    const QuestionSettings own = question_settings(settings, std::string(id));
-    return !own.meshes.empty() ? "file " + own.meshes.front() : !settings.meshes.empty() ? "own" : std::string(role);
-}
+using MeshPointer = std::shared_ptr<const LibraryMesh>;
 
-void want(Wanted& wanted, const std::string& id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
+/// Null where there is none, which the section has said.
+MeshPointer mesh_for(std::string_view id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
     report::Section unused;
-    LabJob& job = wanted[meshes_for(meshes, question_settings(settings, id), {role}, unused).front()];
-    job.answered.insert(id);
-    for (const auto& [other, its_role] : choices) {
-        if (source_of(other, its_role, settings) == source_of(id, role, settings))
-            job.questions.emplace(other, question_settings(settings, std::string(other)));
-    }
-} catch (const InputError&) {   // the section has said so
+    return meshes_for(meshes, question_settings(settings, std::string(id)), {role}, unused).front();
+} catch (const Error&) {
+    return nullptr;
 }
 
 }   // namespace
 
 std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results, const MeshLibrary& meshes,
                                      const ReportSettings& settings) {
+    const MeshLibrary sources = meshes.limited_to(largest_source);
     Wanted wanted;
     for (const auto& [id, role] : choices) {
-        if (is_answered(results, id)) want(wanted, std::string(id), role, meshes, settings);
+        if (!is_answered(results, id)) continue;
+        if (const MeshPointer mesh = mesh_for(id, role, sources, settings)) wanted[mesh].answered.insert(std::string(id));
+    }
+    for (const auto& [id, role] : choices) {
+        const auto job = wanted.find(mesh_for(id, role, sources, settings));
+        if (job != wanted.end()) job->second.questions.emplace(id, question_settings(settings, std::string(id)));
     }
     std::map<std::string, const Wanted::value_type*> by_questions;   // and not by address
-    for (const auto& job : wanted) {
-        if (job.first->mesh().vertex_count() <= most_vertices) by_questions.emplace(names_of(job.second), &job);
-    }
+    for (const auto& job : wanted) by_questions.emplace(names_of(job.second), &job);
     const std::vector<std::pair<std::string, const Wanted::value_type*>> jobs(by_questions.begin(), by_questions.end());
     std::vector<report::Lab> labs(jobs.size());
     for_each_task(jobs.size(), [&](std::size_t i) {
         const auto& [mesh, job] = *jobs[i].second;
         try {
-            labs[i] = report::lab_of(jobs[i].first, bytes_of(lab_mesh(mesh->mesh(), mesh->name, job.questions)));
+            LabMesh lab = lab_mesh(mesh->mesh(), mesh->name, job.questions);
+            lab.source_vertices = mesh->input.vertices;
+            labs[i] = report::lab_of(jobs[i].first, bytes_of(lab));
         } catch (const Error& error) {
             warn("no laboratory with " + mesh->name + ": " + error.what());
         }

@@ -9,8 +9,7 @@
 
 namespace meshfolio::run {
 
-/// For each of the questions 4 to 7 that is answered the small one of its meshes, or one decimated; a mesh that several share once. A
-/// mesh of more than 20,000 vertices has none: its decimation would take longer than the answer.
+/// For each of the questions 4 to 7 that is answered the small one of its meshes, or one decimated; a mesh that several share once.
 std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results, const MeshLibrary& meshes, const ReportSettings& settings);
 
 }   // namespace meshfolio::run

@@ -107,9 +107,9 @@ TEST(SmoothingStudy, APictureShowsTheLastPositionsInView) {
 TEST(SmoothingStudy, StepsAreTheGivenOnesOrMultiplesOfTheLimit) {
     const SmoothingSubject subject = ball_subject();
     QuestionSettings settings;
-    expect_near(steps_of(settings, subject, {2, 0.5}), {0.5 * subject.critical, 2 * subject.critical});
+    expect_near(steps_of(settings, subject.critical, {2, 0.5}), {0.5 * subject.critical, 2 * subject.critical});
     settings.lambda = {0.3, 0.1, 0.3};
-    EXPECT_EQ(steps_of(settings, subject, {2, 0.5}), (std::vector{0.1, 0.3}));
+    EXPECT_EQ(steps_of(settings, subject.critical, {2, 0.5}), (std::vector{0.1, 0.3}));
 }
 
 TEST(SmoothingStudy, ColoursAreCurvatureInMeanEdges) {

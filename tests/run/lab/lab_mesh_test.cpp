@@ -9,7 +9,7 @@
 
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "mesh/vertex_noise.h"
+#include "questions/core/mesh_library.h"
 
 using namespace meshfolio;
 using namespace meshfolio::run;
@@ -30,17 +30,12 @@ double factor(const LabMesh& lab, const LabSetting& setting, Eigen::Index i) {
 
 // The page's own formula, with the rounded modes: the program's steps lead to the same numbers.
 TEST(LabMesh, SumsOverTheRoundedModesGiveTheProgramsReadings) {
-    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q5", {}}});
+    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q4", {}}, {"q5", {}}, {"q6", {}}});
     const DenseMatrix Phi = lab.modes.restored();
     ASSERT_GE(lab.readings.size(), 20u);
     for (const LabReading& reading : lab.readings) {
         const LabSetting& setting = reading.setting;
         DenseMatrix c = lab.coefficients;
-        if (setting.sigma > 0) {
-            const Positions noise =
-                with_gaussian_noise(Positions::Zero(lab.mesh.X.rows(), 3), Vector3::Constant(setting.sigma * lab.diagonal), setting.seed);
-            c += Phi.transpose() * (lab.laplacian.M.asDiagonal() * noise);
-        }
         for (Eigen::Index i = 0; i < c.rows(); ++i) c.row(i) *= factor(lab, setting, i);
         const double energy = 0.5 * lab.eigenvalues.dot(c.rowwise().squaredNorm());
         EXPECT_NEAR(energy / reading.energy, 1, 1e-4) << setting.scheme << ' ' << setting.lambda << ' ' << setting.count;
@@ -49,29 +44,52 @@ TEST(LabMesh, SumsOverTheRoundedModesGiveTheProgramsReadings) {
     }
 }
 
-TEST(LabMesh, EveryPresetHasTheProgramsNumbersAndTheBestOfTheNoiseIsTheLeast) {
-    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {});
-    ASSERT_EQ(lab.presets.size(), lab_presets().size());
-    const auto reading_at = [&](const LabSetting& setting) {
-        return std::find_if(lab.readings.begin(), lab.readings.end(), [&](const LabReading& r) {
-            return r.setting.scheme == setting.scheme && r.setting.lambda == setting.lambda && r.setting.count == setting.count &&
-                   r.setting.sigma == setting.sigma;
-        });
-    };
-    double least = INFINITY, best = INFINITY;
-    for (const LabPreset& preset : lab.presets) {
-        ASSERT_NE(reading_at(preset.setting), lab.readings.end()) << preset.words;
-        if (preset.words == "best t for this noise") best = reading_at(preset.setting)->rms;
+namespace {
+
+std::vector<LabReading>::const_iterator reading_at(const LabMesh& lab, const LabSetting& setting) {
+    return std::ranges::find(lab.readings, setting, &LabReading::setting);
+}
+
+}   // namespace
+
+TEST(LabMesh, EveryPresetAndEveryPanelHasTheProgramsNumbers) {
+    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q4", {}}, {"q5", {}}, {"q6", {}}, {"q7", {}}, {"lab", {}}});
+    for (const char* question : {"q4", "q5", "q6", "q7"})
+        EXPECT_GE(std::ranges::count(lab.presets, question, &LabPreset::question), 3) << question;
+    for (const LabPreset& preset : lab.presets) EXPECT_NE(reading_at(lab, preset.setting), lab.readings.end()) << preset.words;
+    ASSERT_EQ(lab.starts.size(), 5u);
+    for (const auto& [question, start] : lab.starts) EXPECT_NE(reading_at(lab, start), lab.readings.end()) << question;
+}
+
+// The report's own table of results, made by its own study.
+TEST(LabMesh, ItsGainsAreThoseOfQuestion7) {
+    QuestionSettings settings;
+    settings.noise = {0.01};
+    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q7", settings}});
+    const auto cube = MeshLibrary({}, {}).role("cube");
+    const q7_denoising::DenoisingGrid grid = q7_denoising::denoising_grid(cube, settings);
+    const q7_denoising::NoisyTrial& trial = grid.trials.front();
+    ASSERT_EQ(lab.mesh.vertex_count(), cube->mesh().vertex_count());
+    for (std::size_t m = 0; m < measures.size(); ++m) {
+        const SearchState& best = trial.best_by(measures[m]);
+        const auto reading = reading_at(lab, {"denoising", best.value, best.step, 0.01, 1});
+        ASSERT_NE(reading, lab.readings.end()) << measures[m].key;
+        EXPECT_NEAR(reading->gains[m] / trial.gain(measures[m]), 1, 1e-9) << measures[m].key;
     }
-    for (const LabReading& reading : lab.readings) {
-        if (reading.setting.sigma > 0) least = std::min(least, reading.rms);
-    }
-    EXPECT_EQ(best, least);
+}
+
+TEST(LabMesh, HasTheNumbersOfTheReportsTables) {
+    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q4", {}}, {"q5", {}}, {"q6", {}}});
+    for (const int k : {5, 15, 30, 60, 150, 602}) EXPECT_NE(reading_at(lab, {"projection", 0, k}), lab.readings.end()) << k;
+    for (const double lambda : {0.05, 0.5, 0.95, 1.05}) EXPECT_NE(reading_at(lab, {"explicit", lambda, 50}), lab.readings.end()) << lambda;
+    for (const double lambda : {0.5, 5.0, 50.0})
+        for (const int t : {1, 3, 10, 30, 100})
+            EXPECT_NE(reading_at(lab, {"implicit", lambda, t}), lab.readings.end()) << lambda << ' ' << t;
 }
 
 // The constant mode does not count: it would make every factor at least 1.
 TEST(LabMesh, TheLargestFactorOfAStepIsThatOfTheFinestOrOfTheCoarsestMode) {
-    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {});
+    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q5", {}}, {"q6", {}}});
     const double coarsest = lab.eigenvalues[1];
     for (const LabReading& reading : lab.readings) {
         const double step = reading.setting.lambda * lab.critical();
@@ -84,22 +102,40 @@ TEST(LabMesh, TheLargestFactorOfAStepIsThatOfTheFinestOrOfTheCoarsestMode) {
 }
 
 TEST(LabPresets, APanelOpensWithTheUsersOwnSettings) {
-    QuestionSettings own, one_step;
+    const LabScale scale{.critical = 0.01, .modes = 400, .has_all = true};
+    QuestionSettings own;
     own.k = {7, 9};
     own.lambda = {0.02};
     own.iterations = {12, 40};
-    own.noise = {0.003};
-    own.seed = 5;
-    one_step.lambda = {1};
-    EXPECT_EQ(start_of("q4", own, 0.01).count, 7);
-    const LabSetting denoising = start_of("q7", own, 0.01);
-    EXPECT_EQ(denoising.scheme, "explicit");
-    EXPECT_EQ(denoising.lambda, 2);   // 0.02 of an area, 0.01 the largest stable one
-    EXPECT_EQ(denoising.count, 12);
-    EXPECT_EQ(denoising.sigma, 0.003);
-    EXPECT_EQ(denoising.seed, 5u);
-    EXPECT_EQ(start_of("q5", one_step, 3).lambda, 0.3333);
-    EXPECT_EQ(start_of("q6", {}, 3).scheme, "implicit");
+    EXPECT_EQ(start_of("q4", own, scale, {}), (LabSetting{"projection", 0, 9}));   // nearest to 15
+    EXPECT_EQ(start_of("q5", own, scale, {}), (LabSetting{"explicit", 2, 40}));    // 0.02 of an area, 0.01 the largest stable one
+    EXPECT_EQ(start_of("q6", own, scale, {}), (LabSetting{"implicit", 2, 12}));
+    BestDenoising weak{.sigma = 0.003, .seed = 5, .found = {}}, strong{.sigma = 0.02, .seed = 5, .found = {}};
+    weak.found.by_shape = {.value = 0.1, .step = 4};
+    EXPECT_EQ(start_of("q7", own, scale, {weak, strong}), (LabSetting{"denoising", 0.1, 4, 0.003, 5}));
+}
+
+TEST(LabPresets, AMeshOfFewModesIsOfferedNoMore) {
+    TriangleMesh tetrahedron;
+    tetrahedron.X.resize(4, 3);
+    tetrahedron.X << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    tetrahedron.F.resize(4, 3);
+    tetrahedron.F << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
+    const LabMesh lab = lab_mesh(tetrahedron, "tetrahedron", {{"lab", {}}});
+    for (const LabPreset& preset : lab.presets) {
+        const bool projects = preset.setting.scheme == "projection";
+        EXPECT_TRUE(!projects || preset.setting.count <= 4) << preset.words;
+    }
+    EXPECT_EQ(lab.starts.at("lab").count, 4);
+}
+
+TEST(LabMesh, ASurfaceWithoutInsideHasNoVolume) {
+    TriangleMesh plane;   // projective: six vertices, every two of them joined
+    plane.X = Positions::Random(6, 3);
+    plane.F.resize(10, 3);
+    plane.F << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3;
+    EXPECT_FALSE(lab_mesh(plane, "plane", {}).is_closed);
+    EXPECT_TRUE(lab_mesh(icosphere(1), "sphere", {}).is_closed);
 }
 
 TEST(LabMesh, LargeMeshesAreDecimatedAndItsRoundingIsMeasured) {
@@ -113,11 +149,12 @@ TEST(LabMesh, LargeMeshesAreDecimatedAndItsRoundingIsMeasured) {
 }
 
 TEST(LabMesh, BeyondItsLimitThereAreTheLowestModesAndOnlyProjections) {
-    const LabMesh lab = lab_mesh(icosphere(3), "sphere", {}, {.vertices = 0, .all_modes = 100, .fewer_modes = 40});
+    const LabMesh lab = lab_mesh(icosphere(3), "sphere", {{"lab", {}}}, {.vertices = 0, .all_modes = 100, .fewer_modes = 40});
     EXPECT_EQ(lab.mesh.vertex_count(), 642);
     EXPECT_EQ(lab.eigenvalues.size(), 40);
     EXPECT_FALSE(lab.has_all_modes());
     EXPECT_GT(lab.largest_eigenvalue, lab.eigenvalues[39]);
+    ASSERT_FALSE(lab.readings.empty());
     for (const LabReading& reading : lab.readings) EXPECT_EQ(reading.setting.scheme, "projection");
 }
 

@@ -1,0 +1,126 @@
+#include "run/lab/lab_readings.h"
+
+#include <cmath>
+
+#include "base/parallel_tasks.h"
+#include "geometry/smoothing/dirichlet_energy.h"
+#include "geometry/smoothing/laplacian_smoothing.h"
+#include "geometry/spectrum/spectral_reconstruction.h"
+#include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+Positions noisy(const LabMesh& lab, const LabSetting& setting) {
+    if (setting.sigma == 0) return lab.mesh.X;
+    return with_gaussian_noise(lab.mesh.X, Vector3::Constant(setting.sigma * lab.diagonal), setting.seed);
+}
+
+Positions step(const LabMesh& lab, const LabSetting& setting, const Positions& X) {
+    const double lambda = setting.lambda * lab.critical();
+    if (setting.scheme == "implicit") return implicit_step(lab.laplacian, lambda, X);
+    const Positions smoothed = explicit_step(lab.laplacian, lambda, X);
+    if (setting.scheme == "explicit") return smoothed;
+    return explicit_step(lab.laplacian, taubin_mu_of(lab.laplacian, {.lambda = lambda}), smoothed);
+}
+
+/// What one step multiplies the modes of eigenvalues μ by.
+Vector factors(const LabMesh& lab, const LabSetting& setting, const Vector& mu) {
+    const double lambda = setting.lambda * lab.critical();
+    if (setting.scheme == "implicit") return (1 + lambda * mu.array()).inverse();
+    if (setting.scheme == "heat") return (-lambda * mu.array()).exp();
+    if (setting.scheme == "explicit") return 1 - lambda * mu.array();
+    return (1 - lambda * mu.array()) * (1 - taubin_mu_of(lab.laplacian, {.lambda = lambda}) * mu.array());
+}
+
+/// As question 7 does it.
+Positions denoised(const LabMesh& lab, const LabSetting& setting, const Positions& X) {
+    if (setting.count == 0) return X;
+    const double lambda = setting.lambda * lab.mean_edge * lab.mean_edge;
+    return smooth(moved_to(lab.mesh, X), {.scheme = SmoothingScheme::implicit_euler, .lambda = lambda, .iterations = setting.count}).X;
+}
+
+/// By the steps of `meshfolio smooth`; of the exact flow, which has none, by its modes.
+Positions filtered(const LabMesh& lab, const Spectrum& spectrum, const LabSetting& setting, Positions X) {
+    if (setting.scheme == "denoising") return denoised(lab, setting, X);
+    if (setting.scheme == "projection") return reconstruct(spectrum, lab.laplacian.M, X, setting.count);
+    if (setting.scheme == "heat") {
+        const Vector decay = factors(lab, setting, spectrum.eigenvalues).array().pow(setting.count);
+        return spectrum.eigenvectors * (decay.asDiagonal() * spectral_coefficients(spectrum, lab.laplacian.M, X));
+    }
+    for (int t = 0; t < setting.count; ++t) X = step(lab, setting, X);
+    return X;
+}
+
+/// As questions 5 to 7 have it, over the vertices; of projections by area, as question 4 has it.
+double rms_of(const LabMesh& lab, const LabSetting& setting, const Positions& X) {
+    if (setting.scheme != "projection") return vertex_rms(lab.mesh.X, X);
+    const Vector& M = lab.laplacian.M;
+    return std::sqrt(M.dot((X - lab.mesh.X).rowwise().squaredNorm()) / M.sum());
+}
+
+double largest_factor(const LabMesh& lab, const LabSetting& setting) {
+    if (setting.scheme == "projection") return 1;
+    if (setting.scheme == "denoising") return NAN;           // of another operator
+    const double constant = 1e-9 * lab.largest_eigenvalue;   // modes of eigenvalue 0, but for rounding: one a component
+    const Vector mu = (lab.eigenvalues.array() > constant).select(lab.eigenvalues, lab.largest_eigenvalue);
+    return factors(lab, setting, mu).lpNorm<Eigen::Infinity>();
+}
+
+/// A state of the search, where it did not search: what is judged there.
+SearchState judged(const LabMesh& lab, const Positions& normals, const Incidence& vertex_faces, const Positions& X) {
+    return {.shape = shape_rms(lab.mesh, vertex_faces, X),
+            .rms = vertex_rms(lab.mesh.X, X),
+            .angle = mean_normal_angle(normals, face_normals(moved_to(lab.mesh, X)))};
+}
+
+LabReading reading_of(const LabMesh& lab, const LabSetting& setting, const Positions& before, const Positions& X) {
+    LabReading reading{setting, dirichlet_energy(lab.laplacian.C, X), signed_volume(moved_to(lab.mesh, X), Vector3::Zero()),
+                       rms_of(lab, setting, X), largest_factor(lab, setting)};
+    if (setting.sigma == 0) return reading;
+    const Positions normals = face_normals(lab.mesh);
+    const Incidence vertex_faces = triangles_around(lab.mesh);
+    SearchResult result;
+    result.noisy = judged(lab, normals, vertex_faces, before);
+    result.by_shape = result.by_rms = result.by_angle = judged(lab, normals, vertex_faces, X);
+    for (const Measure& measure : measures) reading.gains.push_back((result.*measure.gain)());
+    return reading;
+}
+
+}   // namespace
+
+std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum, const std::vector<LabSetting>& settings) {
+    std::vector<LabReading> readings;
+    for (const LabSetting& setting : settings) {
+        const Positions before = noisy(lab, setting), X = filtered(lab, spectrum, setting, before);
+        if (!X.allFinite()) continue;
+        const LabReading reading = reading_of(lab, setting, before, X);
+        const bool blew_up = !(reading.rms < SmoothingOptions{}.blow_up_at * lab.diagonal);   // the report has no numbers then
+        if (!blew_up && std::isfinite(reading.energy) && std::isfinite(reading.volume)) readings.push_back(reading);
+    }
+    return readings;
+}
+
+std::vector<BestDenoising> denoising_on(const LabMesh& lab, const QuestionSettings& settings) {
+    const q7_denoising::DenoisingTries tries = q7_denoising::tries_of(settings, lab.mean_edge);
+    const MeshTopology topology = topology_of(lab.mesh);
+    const Positions normals = face_normals(lab.mesh);
+    std::vector<BestDenoising> all(tries.noise.size());
+    for_each_task(all.size(), [&](std::size_t i) {
+        BestDenoising& best = all[i];
+        best.sigma = tries.noise[i];
+        best.seed = settings.seed;
+        const TriangleMesh mesh = moved_to(lab.mesh, noisy(lab, {.sigma = best.sigma, .seed = best.seed}));
+        const SearchInput input{lab.mesh, normals, {mesh, topology}, lab.mean_edge};
+        best.found = q7_denoising::search_for_best(input, tries.lambdas, tries.iterations);
+        for (const Measure& measure : measures) {   // the noisy mesh itself is that of any λ
+            SearchState& state = best.found.*measure.best;
+            if (state.step == 0) state.value = tries.lambdas[tries.lambdas.size() / 2];
+        }
+    });
+    return all;
+}
+
+}   // namespace meshfolio::run
