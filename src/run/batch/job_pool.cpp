@@ -9,9 +9,9 @@
 
 namespace meshfolio::run {
 
-int jobs_for(std::vector<double> memories, double available, int cores) {
+int jobs_for(std::vector<double> memories, double available, int processors) {
     std::ranges::sort(memories, std::greater());
-    const std::size_t most = std::min(memories.size(), static_cast<std::size_t>(std::max(1, cores)));
+    const std::size_t most = std::min(memories.size(), static_cast<std::size_t>(std::max(1, processors)));
     std::size_t jobs = 0;
     for (double sum = 0; jobs < most; ++jobs) {
         sum += memories[jobs];

@@ -8,10 +8,10 @@
 
 namespace meshfolio::run {
 
-/// As many as there are cores and tasks, and as the available memory holds of the largest; at least one.
+/// As many as there are processors and tasks, and as the available memory holds of the largest; at least one.
 /// @param memories   of each task [bytes]
 /// @param available  [bytes]; 0: not known
-int jobs_for(std::vector<double> memories, double available, int cores);
+int jobs_for(std::vector<double> memories, double available, int processors);
 
 /// Calls task(i) for each, in order, from `jobs` threads. One begins only when its memory fits beside that of those at work, or none is
 /// at work. What a task throws first is thrown again once those at work have ended; no other begins.
