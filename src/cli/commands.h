@@ -48,6 +48,7 @@ struct Command {
 
 Command report_command(CLI::App& parent);
 Command merge_command(CLI::App& parent);
+Command batch_command(CLI::App& parent);
 Command render_command(CLI::App& parent);
 Command inspect_command(CLI::App& parent);
 Command curvature_command(CLI::App& parent);

@@ -6,13 +6,16 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <new>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -85,6 +88,14 @@ void hand_on(int signal) { pthread_kill(ending_thread, signal); }
     ::_exit(static_cast<int>(ExitCode::failed));
 }
 
+/// A run that another of ours began (run/batch) ends with it, also where that was killed.
+void end_with_parent() {
+    const char* parent = std::getenv("MESHFOLIO_PARENT");
+    if (parent == nullptr) return;
+    static_cast<void>(::prctl(PR_SET_PDEATHSIG, SIGTERM));
+    if (std::to_string(::getppid()) != parent) ::_exit(128 + SIGTERM);   // it was gone before
+}
+
 [[noreturn]] void end_before_begin() {
     tell("meshfolio: out of memory; the program could not begin\n");
     ::_exit(static_cast<int>(ExitCode::failed));
@@ -110,6 +121,7 @@ void prepare_process() {
     ::mallopt(M_MMAP_THRESHOLD, 32 << 20);   // the most it takes
     ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
+    end_with_parent();
     fill_closed_descriptors();
     std::set_terminate(end_after_uncaught);
     for (const int ignored : {SIGPIPE, SIGXFSZ}) static_cast<void>(::signal(ignored, SIG_IGN));   // both can be: such a write fails instead

@@ -15,6 +15,30 @@ Check::Status status_of(bool within) { return within ? Check::Status::passed : C
 
 std::string number_or_dash(double x, int digits = 6) { return std::isnan(x) ? "–" : plain_text(x, digits); }
 
+/// "whole-name-of-the-part", from letters and digits of the names; "…-2" where two are named alike.
+/// @param unnamed  for a name without any
+template <class Part>
+std::vector<std::string> ids_from(const std::string& whole, const std::vector<Part>& parts, std::string Part::*name,
+                                  const std::string& unnamed) {
+    constexpr std::size_t longest = 100;
+    std::vector<std::string> ids;
+    std::set<std::string> taken;
+    for (const Part& part : parts) {
+        std::string stem = whole;
+        bool in_word = false;
+        for (const char c : (part.*name).substr(0, longest)) {
+            const bool is_upper = c >= 'A' && c <= 'Z', belongs = is_upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+            if (belongs) stem += std::string(in_word ? "" : "-") + static_cast<char>(is_upper ? c - 'A' + 'a' : c);
+            in_word = belongs;
+        }
+        if (stem == whole) stem += "-" + unnamed;
+        std::string id = stem;
+        for (int number = 2; !taken.insert(id).second; ++number) id = stem + "-" + std::to_string(number);
+        ids.push_back(std::move(id));
+    }
+    return ids;
+}
+
 }   // namespace
 
 std::string plain(const Text& text) {
@@ -76,24 +100,8 @@ std::string words_of(const Score& score) {
            (score.undecided > 0 ? ", " + std::to_string(score.undecided) + " undecided" : "");
 }
 
-std::vector<std::string> check_ids(const Section& section) {
-    constexpr std::size_t longest = 100;
-    std::vector<std::string> ids;
-    std::set<std::string> taken;
-    for (const Check& check : section.checks) {
-        std::string stem = section.id;
-        bool in_word = false;
-        for (const char c : check.name.substr(0, longest)) {
-            const bool is_upper = c >= 'A' && c <= 'Z', belongs = is_upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-            if (belongs) stem += std::string(in_word ? "" : "-") + static_cast<char>(is_upper ? c - 'A' + 'a' : c);
-            in_word = belongs;
-        }
-        if (stem == section.id) stem += "-check";
-        std::string id = stem;
-        for (int number = 2; !taken.insert(id).second; ++number) id = stem + "-" + std::to_string(number);
-        ids.push_back(std::move(id));
-    }
-    return ids;
-}
+std::vector<std::string> column_ids(const Table& table) { return ids_from(table.id, table.columns, &Column::name, "column"); }
+
+std::vector<std::string> check_ids(const Section& section) { return ids_from(section.id, section.checks, &Check::name, "check"); }
 
 }   // namespace meshfolio::report

@@ -247,6 +247,9 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
+/// Ids of its columns, unique in the document: "q5_limits-our", from the table and the name.
+std::vector<std::string> column_ids(const Table& table);
+
 /// Ids of its checks, unique in the document: "q5-energy-falls-on-cube", from the section and the name; "…-2" where two are named alike.
 std::vector<std::string> check_ids(const Section& section);
 

@@ -2,8 +2,10 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "report/batch/batch.h"
 #include "report/escape.h"
 #include "report/writers.h"
 
@@ -34,29 +36,70 @@ std::string decimal(double seconds) {
     return std::to_string(std::llround(1000 * seconds) / 1000) + "." + milliseconds;
 }
 
-std::string suite_of(const Section& section, std::size_t number, bool timings) {
-    const Score score = score_of(section.checks);
-    const std::size_t broken = section.status == Status::failed ? 1 : 0, left_out = section.status == Status::skipped ? 1 : 0;
-    const std::vector<std::string> ids = check_ids(section);
-    std::string cases;
-    if (broken == 1) cases += test_case(section.id, section.id, "<error type=\"section\"" + attribute("message", section.failure) + "/>");
-    if (left_out == 1) cases += test_case(section.id, section.id, "<skipped" + attribute("message", section.extent) + "/>");
-    for (std::size_t i = 0; i < ids.size(); ++i) cases += test_case(section.id, ids[i], outcome_of(section.checks[i]));
-    const double seconds = timings && !section.timings.empty() ? section.timings.back().seconds : 0;
-    const auto count = [](const std::string& name, std::size_t n) { return attribute(name, std::to_string(n)); };
-    return "  <testsuite" + attribute("name", section.id + ": " + section.title) + count("id", number) + " package=\"meshfolio\"" +
-           " timestamp=\"1970-01-01T00:00:00\" hostname=\"localhost\"" + count("tests", score.total() + broken + left_out) +
-           count("failures", score.failed) + count("errors", broken) + count("skipped", score.undecided + left_out) +
-           attribute("time", decimal(seconds)) + ">\n    <properties/>\n" + cases +
-           "    <system-out/>\n    <system-err/>\n  </testsuite>\n";
+/// Sections that are counted together.
+class Suite {
+public:
+    /// @param group  what names its cases come from: "q1"
+    Suite(std::string name, std::string group) : name_(std::move(name)), group_(std::move(group)) {}
+
+    void add(const Section& section) {
+        if (section.status == Status::failed) add_error(section.id, "section", section.failure);
+        if (section.status == Status::skipped) {
+            cases_ += test_case(group_, section.id, "<skipped" + attribute("message", section.extent) + "/>");
+            ++left_out_;
+        }
+        const std::vector<std::string> ids = check_ids(section);
+        for (std::size_t i = 0; i < ids.size(); ++i) cases_ += test_case(group_, ids[i], outcome_of(section.checks[i]));
+        score_ += score_of(section.checks);
+    }
+    void add_error(const std::string& name, const std::string& kind, const std::string& message) {
+        cases_ += test_case(group_, name, "<error" + attribute("type", kind) + attribute("message", message) + "/>");
+        ++broken_;
+    }
+
+    std::string text(std::size_t number, double seconds) const {
+        const auto count = [](const std::string& name, std::size_t n) { return attribute(name, std::to_string(n)); };
+        return "  <testsuite" + attribute("name", name_) + count("id", number) + " package=\"meshfolio\"" +
+               " timestamp=\"1970-01-01T00:00:00\" hostname=\"localhost\"" + count("tests", score_.total() + broken_ + left_out_) +
+               count("failures", score_.failed) + count("errors", broken_) + count("skipped", score_.undecided + left_out_) +
+               attribute("time", decimal(seconds)) + ">\n    <properties/>\n" + cases_ +
+               "    <system-out/>\n    <system-err/>\n  </testsuite>\n";
+    }
+
+private:
+    std::string name_, group_, cases_;
+    Score score_;
+    std::size_t broken_ = 0, left_out_ = 0;
+};
+
+std::string junit_of(const std::string& suites) {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n" + suites + "</testsuites>\n";
 }
 
 }   // namespace
 
 std::string write_junit(const Document& document, bool timings) {
     std::string suites;
-    for (std::size_t i = 0; i < document.sections.size(); ++i) suites += suite_of(document.sections[i], i, timings);
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n" + suites + "</testsuites>\n";
+    for (std::size_t i = 0; i < document.sections.size(); ++i) {
+        const Section& section = document.sections[i];
+        Suite suite(section.id + ": " + section.title, section.id);
+        suite.add(section);
+        suites += suite.text(i, timings && !section.timings.empty() ? section.timings.back().seconds : 0);
+    }
+    return junit_of(suites);
+}
+
+std::string write_batch_junit(const Batch& batch) {
+    std::string suites;
+    for (std::size_t i = 0; i < batch.rows.size(); ++i) {
+        const BatchRow& row = batch.rows[i];
+        Suite suite(row.name + ": " + row.file, row.name);
+        if (row.state == BatchRow::State::failed) suite.add_error("report", "mesh", row.error);
+        for (const Section& section : row.sections) suite.add(section);
+        const auto* seconds = std::get_if<double>(&row.seconds);
+        suites += suite.text(i, seconds != nullptr ? *seconds : 0);
+    }
+    return junit_of(suites);
 }
 
 }   // namespace meshfolio::report

@@ -1,15 +1,30 @@
 """Killed at any moment (SIGKILL): the old report or the new one, whole; the next run works and removes what was left."""
 
+import json
 import os
 import shutil
 import signal
 import time
 import unittest
+from pathlib import Path
 
 from common import WHOLE, Faults, needs_strace, some, sums_hold, tree
 
 CHANGES = ["openat", "write", "rename", "renameat", "renameat2", "link", "unlink", "unlinkat", "mkdir", "mkdirat", "rmdir", "ftruncate",
            "fsync", "close", "sendfile", "copy_file_range"]
+
+
+def runs_into(folder):
+    """The command lines that name the folder."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            line = process.read_bytes()
+        except OSError:
+            continue
+        if os.fsencode(folder) in line:
+            found.append(line)
+    return found
 
 
 class Kill(Faults):
@@ -124,6 +139,27 @@ class Kill(Faults):
             self.run_with(call, "signal=KILL", *words)
             self.assertEqual(tree(self.out), good, call.line)
         self.require_next_run(good, *words)
+
+    def test_a_batch_at_random_moments(self):
+        """Every report that is there is whole, no process goes on alone, and in the end all is as by one run."""
+        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "q1", "--size", 64, "--no-timings", "--jobs", 2]
+        straight = self.run_program(*words, "--out", self.folder / "straight")
+        for _ in range(40 if WHOLE else 4):
+            process = self.start(*words, "--out", self.out)
+            time.sleep(self.random.uniform(0, 1.2 * straight.seconds))
+            process.kill()
+            process.communicate()
+            limit = time.monotonic() + 20
+            while runs_into(self.out) and time.monotonic() < limit:
+                time.sleep(0.02)
+            self.assertEqual(runs_into(self.out), [])
+            for results in self.out.glob("*/results.json"):
+                self.assertTrue(".tmp-" in results.parent.name or sums_hold(results.parent), results)
+            for index in self.out.glob("batch.json"):
+                self.assertEqual(len(json.loads(index.read_text())["meshes"]), 2)
+        self.assertEqual(self.run_program(*words, "--out", self.out).code, straight.code)
+        self.assertEqual(tree(self.out), tree(self.folder / "straight"))
+        self.assertEqual(self.beside(), [])
 
     def test_folders_of_a_dead_printer_are_swept(self):
         """A browser's folder, left by a run that was killed while printing; that of a living one stays."""

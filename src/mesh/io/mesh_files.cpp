@@ -92,6 +92,10 @@ std::string_view ending_of_content(std::string_view bytes) {
 
 std::string lower_case_ending(const std::string& file) { return lower_case(std::filesystem::path(file).extension().string()); }
 
+bool is_mesh_file(const std::string& file) {
+    return std::ranges::find(formats, std::string_view(lower_case_ending(file)), &Format::ending) != std::end(formats);
+}
+
 LoadedMesh parse_mesh(std::string_view bytes, const std::string& file) {
     const std::string ending = lower_case_ending(file);
     const auto format = std::find_if(std::begin(formats), std::end(formats), [&](const Format& f) { return f.ending == ending; });

@@ -45,6 +45,9 @@ std::string encode_mesh(const TriangleMesh& mesh, const std::string& file);
 /// The ending of a file's name with its dot: ".obj" of "Cow.OBJ".
 std::string lower_case_ending(const std::string& file);
 
+/// Of a format that is read, by its ending?
+bool is_mesh_file(const std::string& file);
+
 /// encode_mesh into a file, checked.
 /// @throws OutputError
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);

@@ -62,6 +62,18 @@ struct BlockEntry {
     std::vector<std::string> ids;
 };
 
+/// A column with the id it goes by in its report.
+struct ColumnEntry {
+    std::string id;
+    Column column;
+};
+inline std::vector<ColumnEntry> column_entries(const Table& table) {
+    const std::vector<std::string> ids = column_ids(table);
+    std::vector<ColumnEntry> entries;
+    for (std::size_t i = 0; i < ids.size(); ++i) entries.push_back({ids[i], table.columns[i]});
+    return entries;
+}
+
 /// A check with the id it goes by in its report.
 struct CheckEntry {
     std::string id;
@@ -126,12 +138,23 @@ void describe(Fields& fields, part_of<Column> auto& column) {
 }
 
 template <class Fields>
+void describe(Fields& fields, part_of<ColumnEntry> auto& entry) {
+    fields.optional("id", entry.id, {});   // earlier files have none
+    describe(fields, entry.column);
+}
+
+template <class Fields>
 void describe(Fields& fields, part_of<Table> auto& table) {
     fields("id", table.id);
     fields("caption", table.caption);
     fields.derived("file", [&] { return table_file(table.id); });
     fields.optional("sortable", table.sortable, false, "readers of the page may sort it");
-    fields("columns", table.columns);
+    std::vector<ColumnEntry> columns = column_entries(table);
+    fields("columns", columns);
+    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(table)>>) {   // it is read
+        table.columns.clear();
+        for (ColumnEntry& entry : columns) table.columns.push_back(std::move(entry.column));
+    }
     fields("rows", table.rows);
 }
 

@@ -59,14 +59,7 @@ FieldReader::FieldReader(const Json& object, const JsonPlace& place) : object_(o
     if (!object.is_object()) refuse_type(object, place, "an object");
 }
 
-void FieldReader::finish() const {
-    for (const auto& [key, value] : object_.items()) {
-        if (!known_.contains(key)) throw JsonProblem(place_, "has the unknown key " + in_quotes(key), "take it out");
-    }
-}
-
 const Json& FieldReader::required(const char* key) {
-    known_.insert(key);
     const auto it = object_.find(key);
     if (it == object_.end()) throw JsonProblem(place_, std::string("has no '") + key + "'", "take a whole results.json");
     return *it;
@@ -81,11 +74,6 @@ FieldReader::Odd FieldReader::odd_of(const char* key) {
     Odd odd;
     const auto it = object_.find(std::string(key) + not_finite);
     if (it == object_.end()) return odd;
-    const auto known = object_.items();
-    for (const auto& [name, value] : known) {
-        if (name != std::string(key) + not_finite) continue;
-        known_.insert(name);   // the key lives as long as the object
-    }
     const JsonPlace place{&place_, key};
     const auto refuse = [&] { throw JsonProblem(place, "has a broken list of what is not finite", "write [[place, 1, −1 or 0], …]"); };
     if (!it->is_array()) refuse();
@@ -193,9 +181,9 @@ void FieldReader::rows(const char* key, std::vector<double>& values, std::size_t
 
 // ---- what belongs together ----------------------------------------------------------------------------------------------
 
-void FieldReader::require_sound(const Column& column, const JsonPlace& place) {
-    if (column.heat && !(column.heat->low > 0 && column.heat->low < column.heat->high))
-        throw JsonProblem({&place, "heat"}, "has no range above 0");
+void FieldReader::require_sound(const ColumnEntry& entry, const JsonPlace& place) {
+    const auto& heat = entry.column.heat;
+    if (heat && !(heat->low > 0 && heat->low < heat->high)) throw JsonProblem({&place, "heat"}, "has no range above 0");
 }
 
 void FieldReader::require_sound(const Table& table, const JsonPlace& place) {

@@ -1,5 +1,6 @@
 /// @file
-/// JSON to values, by the descriptions of json_fields.h. Strict: every key is there and known, every value of its type and in its limits.
+/// JSON to values, by the descriptions of json_fields.h. Strict: every key is there, every value of its type and in its
+/// limits; keys that are not known are passed over, as a later version may have added them.
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -50,8 +50,6 @@ class FieldReader {
 public:
     /// @throws JsonProblem unless it is an object
     FieldReader(const Json& object, const JsonPlace& place);
-    /// @throws JsonProblem naming a key that was not asked for
-    void finish() const;
 
     template <class Value>
     void operator()(const char* key, Value& value, const Note& note = {}) {
@@ -114,7 +112,6 @@ public:
         for (std::size_t i = 0; i < list.size(); ++i) {
             FieldReader fields(list[i], {&place, {}, i});
             describe_one(fields, items[i]);
-            fields.finish();
         }
     }
     void rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height, const Note& = {});
@@ -122,7 +119,6 @@ public:
 private:
     const Json& object_;
     JsonPlace place_;
-    std::set<std::string_view> known_;
 
     /// The list of the numbers of a value that are not finite.
     struct Odd {
@@ -159,7 +155,6 @@ private:
         } else {
             FieldReader fields(json, place);
             describe(fields, value);
-            fields.finish();
             require_sound(value, place);
         }
     }
@@ -176,7 +171,7 @@ private:
     }
 
     // What a description cannot say: sizes that belong together.
-    static void require_sound(const Column& column, const JsonPlace& place);
+    static void require_sound(const ColumnEntry& entry, const JsonPlace& place);
     static void require_sound(const Table& table, const JsonPlace& place);
     static void require_sound(const Series& series, const JsonPlace& place);
     static void require_sound(const Diagram::Path& path, const JsonPlace& place);
@@ -190,7 +185,6 @@ Value read_value(const Json& json, const JsonPlace& place) {
     Value value;
     FieldReader fields(json, place);
     describe(fields, value);
-    fields.finish();
     return value;
 }
 

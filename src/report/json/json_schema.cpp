@@ -34,7 +34,7 @@ Json rules_of(const Part&) {
 class FieldSchema {
 public:
     FieldSchema(Json& schema, std::string pointer, KnownTypes& known) : schema_(schema), pointer_(std::move(pointer)), known_(known) {
-        schema_ = {{"type", "object"}, {"required", Json::array()}, {"additionalProperties", false}, {"properties", Json::object()}};
+        schema_ = {{"type", "object"}, {"required", Json::array()}, {"properties", Json::object()}};
     }
 
     template <class Value>
@@ -186,7 +186,10 @@ private:
 
 std::string made() {
     KnownTypes known;
-    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "results.json of meshfolio"}};
+    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                   {"$id", "urn:meshfolio:results:" + std::to_string(schema_version)},
+                   {"title", "results.json of meshfolio"},
+                   {"description", "keys may be added: readers pass over those they do not know"}};
     schema.update(FieldSchema::schema_of_part(ReportEntry(), "", known));
     return schema.dump(1) + "\n";
 }

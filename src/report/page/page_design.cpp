@@ -62,6 +62,7 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     std::vector<std::string> styles = {"figure.css", on_screen ? "report.css" : "print.css"}, scripts;
     if (design == "print") scripts = {"print_float.js"};
     if (design == "report") scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
+    if (design == "batch") styles.emplace_back("batch.css"), scripts = {"page_tables.js"};
     if (has_models) styles.emplace_back("models.css");
     if (with_viewer && !parts.labs.empty()) styles.emplace_back("lab.css");
     if (with_viewer) scripts.emplace_back("models.js");

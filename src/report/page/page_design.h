@@ -18,7 +18,7 @@ struct DesignParts {
 };
 
 /// Fills `style`, `scheme_script`, `script`, `viewer`, `labs` and `policy` of a view model for `design`.html; "lab" is the laboratory
-/// alone.
+/// alone, "batch" the index of many reports.
 /// @throws UsageError for a text that would end its element
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/batch/batch.h"
 #include "report/bibliography.h"
 #include "report/numbering.h"
 #include "report/page/page_design.h"
@@ -54,6 +55,10 @@ nlohmann::json documented_model() {
     drawn.models.emplace_back();
     nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates, {.table_rows = rows_shown});
     add_design(model, templates, "report", {true, "viewer", {{"q1", "data"}}});
+    BatchRow row;
+    row.defects = {{"", 0}};
+    enter(model, {{"batch", "meshes with a report each (batch.html only)", batch_view({{row}})},
+                  {"version", "of the program (batch.html only)", ""}});
     return model;
 }
 

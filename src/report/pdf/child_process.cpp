@@ -7,10 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <mutex>
-#include <set>
+#include <thread>
 
 #include "base/errors.h"
 
@@ -31,7 +32,7 @@ constexpr std::size_t most_output = 1 << 16, drain_step = 4096;
 /// The groups that run, so that a signal can end them.
 struct Registry {
     std::mutex mutex;
-    std::set<pid_t> groups;
+    std::map<pid_t, bool> groups;   // whether it tidies up
 };
 
 /// Never destroyed: a signal may come while the program ends.
@@ -112,7 +113,7 @@ int start(const ChildTask& task, int output, pid_t& process) {
     const std::lock_guard lock(registry().mutex);
     const int error = ::posix_spawn(&process, task.program.c_str(), &rules.files, &rules.attributes, pointers_to(words).data(),
                                     pointers_to(environment).data());
-    if (error == 0) registry().groups.insert(process);
+    if (error == 0) registry().groups[process] = task.tidies_up;
     return error;
 }
 
@@ -139,6 +140,12 @@ bool wait_until(Clock::time_point limit, int process, int output, std::string& t
         if (watched[1].revents != 0) open = drain(output, text);
         if (watched[0].revents != 0) return true;
     }
+}
+
+/// It is not collected.
+bool has_ended(pid_t process) {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
 }
 
 }   // namespace
@@ -179,6 +186,14 @@ ChildEnd run_child(const ChildTask& task) {
     return end;
 }
 
+std::string last_line(const ChildEnd& end) {
+    const std::size_t last = end.output.find_last_not_of(" \n\r");
+    if (last == std::string::npos) return "";
+    const std::size_t before = end.output.rfind('\n', last);
+    const std::size_t first = before == std::string::npos ? 0 : before + 1;
+    return printable(end.output.substr(first, std::min<std::size_t>(last + 1 - first, 300)));
+}
+
 std::string words_of(const ChildEnd& end) {
     std::string words;
     switch (end.kind) {
@@ -195,16 +210,19 @@ std::string words_of(const ChildEnd& end) {
             words = std::string("could not be started (") + std::strerror(end.code) + ")";
             break;
     }
-    const std::size_t last = end.output.find_last_not_of(" \n\r");
-    if (last == std::string::npos) return words;
-    const std::size_t before = end.output.rfind('\n', last);
-    const std::size_t first = before == std::string::npos ? 0 : before + 1;
-    return words + ": " + printable(end.output.substr(first, std::min<std::size_t>(last + 1 - first, 300)));
+    const std::string line = last_line(end);
+    return line.empty() ? words : words + ": " + line;
 }
 
 void end_children() noexcept {
+    constexpr auto pause = std::chrono::milliseconds(10), most = std::chrono::milliseconds(700);
     registry().mutex.lock();   // and never unlocked
-    for (const pid_t group : registry().groups) ::kill(-group, SIGKILL);
+    for (const auto& [group, tidies_up] : registry().groups) ::kill(-group, tidies_up ? SIGTERM : SIGKILL);
+    const auto all_have_ended = [] {
+        return std::ranges::all_of(registry().groups, [](const auto& group) { return has_ended(group.first); });
+    };
+    for (auto waited = pause; waited < most && !all_have_ended(); waited += pause) std::this_thread::sleep_for(pause);
+    for (const auto& [group, tidies_up] : registry().groups) ::kill(-group, SIGKILL);
 }
 
 }   // namespace meshfolio::report

@@ -16,6 +16,7 @@ struct ChildTask {
     std::map<std::string, std::string> environment;   // takes the place of, or adds to, that of this process
     std::filesystem::path folder = "/";               // where it runs
     std::chrono::milliseconds limit = std::chrono::seconds(120);
+    bool tidies_up = false;   // end_children() asks it to end, by SIGTERM, before it kills
 };
 
 struct ChildEnd {
@@ -27,10 +28,13 @@ struct ChildEnd {
 /// Runs the program with no input and waits for its end. Whatever it leaves running in its group is killed.
 ChildEnd run_child(const ChildTask& task);
 
+/// Of what it wrote, without control characters; at most 300 bytes.
+std::string last_line(const ChildEnd& end);
+
 /// "ended with exit code 3", "was killed by signal 9", …, and the last line that it wrote.
 std::string words_of(const ChildEnd& end);
 
-/// For an early end of the process, such as a signal: kills all running children and starts no more.
+/// For an early end of the process, such as a signal: kills all running children, within a second, and starts no more.
 void end_children() noexcept;
 
 }   // namespace meshfolio::report

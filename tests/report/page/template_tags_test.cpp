@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/batch/batch.h"
 #include "report/page/view_model.h"
 #include "report/sample_document.h"
 
@@ -35,7 +36,11 @@ void collect(const json& value, const std::string& path, std::set<std::string>& 
 
 std::set<std::string> tags_of_the_sample() {
     std::set<std::string> tags{"style",  "scheme_script", "script", "has_viewer",     "viewer",
-                               "policy", "is_screen",     "labs",   "labs.questions", "labs.data"};   // of the page: add_design()
+                               "policy", "is_screen",     "labs",   "labs.questions", "labs.data",   // of the page: add_design()
+                               "batch",  "version"};
+    BatchRow row;
+    row.defects = {{"holes", 1}};
+    collect(batch_view({{row}}), "batch", tags);
     for (const DrawnFigures& figures : {sample_models(), sample_layouts()})
         collect(view_model(sample_document(), figures, Templates(), {.plot_files = true}), "", tags);
     return tags;

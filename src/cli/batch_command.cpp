@@ -1,0 +1,37 @@
+#include <memory>
+
+#include "cli/commands.h"
+#include "run/batch/batch.h"
+
+namespace meshfolio::cli {
+
+Command batch_command(CLI::App& parent) {
+    const auto flags = std::make_shared<BatchFlags>();
+    ReportFlags& report = flags->report;
+    report.quick = true;
+    report.pdf = "off";
+    CommandOptions app(parent, "batch", "Many meshes: a report each, and an index of them that can be sorted");
+    app.texts("MESH", flags->meshes, "meshes, folders of them, patterns, or @FILE as --list");
+    app.texts("--list", flags->lists, "file with one of these a line, relative to its own folder (repeatable)");
+    app.required("--out", report.out, "folder of the index and of a report for each mesh, which keeps what is finished");
+    app.text("--jobs", flags->jobs, "reports at a time; default: as cores and memory allow");
+    app.flag("--quick,!--full", report.quick, "small settings, as by default; --full: those of report");
+    app.text("--time", report.time, "seconds on two cores for each report");
+    app.text("--only", report.only, "some of the questions: q1,q4");
+    app.text("--config", report.config, "settings file (TOML) of every report");
+    app.text("--author", report.author, "whose work it is");
+    app.text("--size", report.size, "pixels of one view");
+    app.text("--threads", report.threads, "at most so many threads, of all reports together; default: all");
+    app.flag("--views-files", report.view_files, "every view of every figure as a PNG");
+    app.text("--pdf", report.pdf, "report.pdf of each: off, auto or require");
+    app.text("--pdf-browser", report.pdf_browser, "the browser that prints, by name or path");
+    app.text("--templates", report.templates, "folder of templates; reports that are finished keep theirs");
+    app.flag("--no-timings", report.no_timings, "leave out everything that differs from run to run");
+    app.flag("--no-cache", report.no_cache, "answer every question anew and keep no answer");
+    app.footer(
+        "Interrupted or not, run it again: only what is missing, failed or of other meshes, settings or programs is made.\n"
+        "Example: meshfolio batch meshes scans/*.ply @more.txt --out reports");
+    return {app, [flags] { return run_batch(*flags); }};
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,73 @@
+/// @file
+/// Many meshes with a report each: one row a mesh, and the index of them as page, JSON, CSV and JUnit XML. Pure functions; what runs the
+/// reports is run/batch.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/document.h"
+#include "report/writers.h"
+
+namespace meshfolio::report {
+
+/// The check with the least room: a failed one where there is any, else the one that came nearest to its limit.
+struct WorstCheck {
+    std::string id, words;   // words: its name and what was measured
+    bool failed = false;
+    double used = 0;   // of what is allowed: 1 is the limit, beyond it fails; ∞ where nothing is allowed
+};
+
+/// The share of what a check allows that its number takes up. Whole numbers that are met exactly take up nothing.
+double used_share(const Check& check);
+std::optional<WorstCheck> worst_check(const std::vector<Section>& sections);
+
+struct BatchRow {
+    enum class State { waiting, good, bad, failed };   // bad: its report has a failure; failed: there is no report
+    std::string name;                                  // of its folder and its suite
+    std::string file;                                  // of the mesh, as it was named
+    State state = State::waiting;
+    std::string error = {};    // why it failed, in one line
+    std::string report = {};   // its page: "bunny/index.html"; empty: none
+    struct Picture {
+        std::string jpeg, alt;
+        int width = 0, height = 0;
+    };
+    std::optional<Picture> picture = {};
+    std::string sha256 = {};
+    /// From the sections of the report that tell of them; empty cells where none does.
+    Cell vertices = {}, edges = {}, triangles = {}, components = {}, boundary_loops = {}, euler_characteristic = {}, genus = {};
+    Cell manifold = {}, orientation = {};                                      // words
+    Cell lambda_critical = {};                                                 // [length²]
+    std::optional<std::vector<std::pair<std::string, double>>> defects = {};   // kind and count; none: not looked for
+    Score score = {};
+    std::optional<WorstCheck> worst = {};
+    Cell seconds = {};                    // absent without timings
+    std::vector<Section> sections = {};   // checks alone
+};
+
+/// What a report on one mesh says of it. @param timings  also how long it took
+BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings);
+
+struct Batch {
+    std::vector<BatchRow> rows;   // as they are shown
+    bool timings = true;
+};
+
+/// How many rows are in a state.
+std::size_t count_of(const Batch& batch, BatchRow::State state);
+
+Table batch_table(const Batch& batch);   // for write_csv()
+std::string write_batch_json(const Batch& batch, const std::string& version);
+/// A suite a mesh, a case a check.
+std::string write_batch_junit(const Batch& batch);
+/// @throws UsageError for a template that asks for what there is not
+std::string write_batch_page(const Batch& batch, const std::string& version, const Templates& templates);
+
+/// What batch.html prints, for the list of tags.
+nlohmann::json batch_view(const Batch& batch);
+
+}   // namespace meshfolio::report

@@ -1,0 +1,129 @@
+// batch.csv and batch.json.
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
+#include "report/batch/batch.h"
+#include "report/escape.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+const char* name_of(BatchRow::State state) {
+    constexpr const char* names[] = {"waiting", "ok", "checks failed", "failed"};
+    return names[static_cast<std::size_t>(state)];
+}
+
+/// "boundary edges 4, needles 3"
+std::string defect_words(const BatchRow& row) {
+    std::string words;
+    for (const auto& [kind, count] : *row.defects) words += (words.empty() ? "" : ", ") + kind + " " + plain_text(count, 10);
+    return words;
+}
+
+Cell text_cell(const std::string& text) { return text.empty() ? Cell() : Cell(text); }
+
+OrderedJson json_of_cell(const Cell& cell) {
+    if (const auto* number = std::get_if<double>(&cell)) return exact_text(*number).empty() ? OrderedJson() : OrderedJson(*number);
+    if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+    return {};
+}
+
+OrderedJson json_of_row(const BatchRow& row) {
+    OrderedJson json{{"name", row.name}, {"file", row.file}, {"status", name_of(row.state)}};
+    if (row.state == BatchRow::State::failed) json["error"] = row.error;
+    if (row.report.empty()) return json;
+    json["report"] = row.report;
+    json["sha256"] = row.sha256;
+    for (const auto& [key, cell] : {std::pair{"vertices", &BatchRow::vertices},
+                                    {"edges", &BatchRow::edges},
+                                    {"triangles", &BatchRow::triangles},
+                                    {"components", &BatchRow::components},
+                                    {"boundary_loops", &BatchRow::boundary_loops},
+                                    {"euler_characteristic", &BatchRow::euler_characteristic},
+                                    {"genus", &BatchRow::genus},
+                                    {"manifold", &BatchRow::manifold},
+                                    {"orientation", &BatchRow::orientation},
+                                    {"lambda_crit", &BatchRow::lambda_critical}})
+        json[key] = json_of_cell(row.*cell);
+    json["defects"] = OrderedJson();
+    if (row.defects) {
+        json["defects"] = OrderedJson::array();
+        for (const auto& [kind, count] : *row.defects) json["defects"].push_back({{"kind", kind}, {"count", count}});
+    }
+    json["checks"] = {{"passed", row.score.passed}, {"failed", row.score.failed}, {"undecided", row.score.undecided}};
+    if (row.worst) {
+        const WorstCheck& worst = *row.worst;
+        json["worst_check"] = {
+            {"id", worst.id}, {"words", worst.words}, {"failed", worst.failed}, {"share_of_limit", json_of_cell(Cell(worst.used))}};
+    }
+    if (row.seconds != Cell()) json["seconds"] = json_of_cell(row.seconds);
+    return json;
+}
+
+}   // namespace
+
+Table batch_table(const Batch& batch) {
+    Table table{.id = "batch",
+                .columns = {{"mesh"},
+                            {"file"},
+                            {"status"},
+                            {"vertices"},
+                            {"edges"},
+                            {"triangles"},
+                            {"components"},
+                            {"boundary loops"},
+                            {"Euler characteristic"},
+                            {"genus"},
+                            {"manifold"},
+                            {"orientation"},
+                            {"defects"},
+                            {"λ_crit", "length²"},
+                            {"checks passed"},
+                            {"checks failed"},
+                            {"checks undecided"},
+                            {"worst check"},
+                            {"worst check", "share of its limit"},
+                            {"report"},
+                            {"error"}}};
+    if (batch.timings) table.columns.push_back({"time", "s"});
+    for (const BatchRow& row : batch.rows) {
+        const auto count = [&](std::size_t n) { return row.report.empty() ? Cell() : Cell(double(n)); };
+        std::vector<Cell> cells{row.name,
+                                row.file,
+                                name_of(row.state),
+                                row.vertices,
+                                row.edges,
+                                row.triangles,
+                                row.components,
+                                row.boundary_loops,
+                                row.euler_characteristic,
+                                row.genus,
+                                row.manifold,
+                                row.orientation,
+                                row.defects ? Cell(defect_words(row)) : Cell(),
+                                row.lambda_critical,
+                                count(row.score.passed),
+                                count(row.score.failed),
+                                count(row.score.undecided),
+                                row.worst ? Cell(row.worst->id) : Cell(),
+                                row.worst ? Cell(row.worst->used) : Cell(),
+                                text_cell(row.report),
+                                text_cell(row.error)};
+        if (batch.timings) cells.push_back(row.seconds);
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+std::string write_batch_json(const Batch& batch, const std::string& version) {
+    constexpr int batch_version = 1;   // raised whenever a reader of the earlier one would misread what is written
+    OrderedJson meshes = OrderedJson::array();
+    for (const BatchRow& row : batch.rows) meshes.push_back(json_of_row(row));
+    const OrderedJson json{{"schema_version", batch_version}, {"program", "meshfolio"}, {"version", version}, {"meshes", meshes}};
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+}   // namespace meshfolio::report

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report/batch/batch.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+bool is_whole(double x) { return std::trunc(x) == x; }
+
+double share_of(double part, double whole) {
+    if (part <= 0) return 0;
+    return whole > 0 ? part / whole : std::numeric_limits<double>::infinity();
+}
+
+const Table* table_of(const Document& document, const std::string& id) {
+    for (const Section& section : document.sections) {
+        for (const Block& block : section.blocks) {
+            const auto* table = std::get_if<Table>(&block);
+            if (table != nullptr && table->id == id) return table;
+        }
+    }
+    return nullptr;
+}
+
+/// The cell of the first row below this head; empty where there is none.
+Cell cell_below(const Table* table, const std::string& head) {
+    if (table == nullptr || table->rows.empty()) return {};
+    const auto column = std::ranges::find(table->columns, head, &Column::name);
+    const auto place = static_cast<std::size_t>(column - table->columns.begin());
+    return column != table->columns.end() && place < table->rows.front().size() ? table->rows.front()[place] : Cell();
+}
+
+const Section* answered(const Document& document, const std::string& id) {
+    const auto section = std::ranges::find(document.sections, id, &Section::id);
+    return section != document.sections.end() && section->status == Status::ok ? &*section : nullptr;
+}
+
+/// Kinds and counts, in the table's order.
+std::vector<std::pair<std::string, double>> defects_in(const Table& table) {
+    std::vector<std::pair<std::string, double>> defects;
+    for (const std::vector<Cell>& row : table.rows) {
+        if (row.size() < 2) continue;
+        const auto* kind = std::get_if<std::string>(&row[0]);
+        const auto* count = std::get_if<double>(&row[1]);
+        if (kind != nullptr && count != nullptr) defects.emplace_back(*kind, *count);
+    }
+    return defects;
+}
+
+void take_counts(BatchRow& row, const Document& document) {
+    for (const Section& section : document.sections) {
+        if (section.inputs.empty()) continue;
+        const Input& input = section.inputs.front();
+        row.sha256 = input.sha256;
+        row.vertices = double(input.vertices);
+        row.triangles = double(input.triangles);
+        break;
+    }
+    const Table* connectivity = table_of(document, "preflight_connectivity");
+    row.edges = cell_below(connectivity, "edges");
+    row.components = cell_below(connectivity, "components");
+    row.boundary_loops = cell_below(connectivity, "boundary loops");
+    row.euler_characteristic = cell_below(connectivity, "χ");
+    row.genus = cell_below(connectivity, "genus");
+    row.manifold = cell_below(connectivity, "manifold");
+    row.orientation = cell_below(connectivity, "orientation");
+    row.lambda_critical = cell_below(table_of(document, "q5_limits"), "λ_crit");
+    if (answered(document, "preflight") == nullptr) return;
+    const Table* defects = table_of(document, "preflight_defects");   // there is none where nothing was found
+    row.defects = defects != nullptr ? defects_in(*defects) : std::vector<std::pair<std::string, double>>();
+}
+
+}   // namespace
+
+double used_share(const Check& check) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const double limit = check.kind == Check::Kind::at_least ? check.expected - check.tolerance : check.expected + check.tolerance;
+    if (!std::isfinite(check.measured) || !std::isfinite(limit)) return check.passed() ? 0 : none;
+    if (check.kind == Check::Kind::near) return share_of(std::abs(check.measured - check.expected), check.tolerance);
+    if (check.measured == limit && is_whole(limit)) return 0;
+    if (limit <= 0) return check.passed() ? 0 : none;   // no scale to measure by
+    return check.kind == Check::Kind::at_most ? share_of(check.measured, limit) : share_of(limit, check.measured);
+}
+
+std::optional<WorstCheck> worst_check(const std::vector<Section>& sections) {
+    std::optional<WorstCheck> worst;
+    for (const Section& section : sections) {
+        const std::vector<std::string> ids = check_ids(section);
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const Check& check = section.checks[i];
+            if (check.status == Check::Status::undecided) continue;
+            const double used = used_share(check);
+            const bool is_worse = !worst || (check.failed() != worst->failed ? check.failed() : used > worst->used);
+            if (is_worse) worst = {ids[i], check.name + ": " + words_of(check), check.failed(), used};
+        }
+    }
+    return worst;
+}
+
+BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings) {
+    BatchRow row{.name = std::move(name), .file = std::move(file)};
+    bool is_good = true;
+    for (const Section& section : document.sections) {
+        Section& kept = row.sections.emplace_back(section);
+        kept.blocks.clear();
+        row.score += score_of(section.checks);
+        is_good = is_good && section.status != Status::failed;
+    }
+    row.state = is_good && row.score.failed == 0 ? BatchRow::State::good : BatchRow::State::bad;
+    row.worst = worst_check(row.sections);
+    if (timings && !document.timings.empty()) row.seconds = document.timings.back().seconds;
+    take_counts(row, document);
+    return row;
+}
+
+std::size_t count_of(const Batch& batch, BatchRow::State state) {
+    return static_cast<std::size_t>(std::ranges::count(batch.rows, state, &BatchRow::state));
+}
+
+}   // namespace meshfolio::report

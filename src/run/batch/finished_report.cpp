@@ -1,0 +1,98 @@
+#include "run/batch/finished_report.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "output/draw/finished_picture.h"
+#include "output/publish/publish.h"
+#include "png/png.h"
+#include "run/arguments.h"
+#include "run/earlier_report.h"
+#include "run/provenance.h"
+
+namespace meshfolio::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Small enough that the page can hold hundreds.
+std::optional<report::BatchRow::Picture> thumbnail(const EarlierReport& report) {
+    constexpr int side = 192, quality = 80;   // pixels; of JPEG
+    const auto figure = report.figures.find("cover");
+    if (!report.document.cover || figure == report.figures.end()) return {};
+    if (figure->second.panels.empty() || figure->second.panels.front().pictures.empty()) return {};
+    const auto bytes = report.bytes_of(figure->second.sheet);
+    const auto sheet = bytes ? render::decode_png(*bytes) : std::nullopt;
+    const report::DrawnPicture& place = figure->second.panels.front().pictures.front();
+    if (!sheet || place.left < 0 || place.top < 0 || place.width > sheet->width - place.left || place.height > sheet->height - place.top)
+        return {};
+    render::Image picture = output::part_of(*sheet, place.left, place.top, place.width, place.height);
+    const double scale = std::min(1.0, static_cast<double>(side) / std::max(picture.width, picture.height));
+    const auto scaled = [&](int pixels) { return std::max(1, static_cast<int>(scale * pixels)); };
+    if (scale < 1) picture = render::shrink(picture, scaled(picture.width), scaled(picture.height));
+    return report::BatchRow::Picture{render::encode_jpeg(picture, quality), report.document.cover->alt, picture.width, picture.height};
+}
+
+report::BatchRow row_of(const BatchMesh& mesh, const EarlierReport& report, const std::string& folder) {
+    report::BatchRow row = report::batch_row(mesh.name, mesh.file, report.document, report.timings);
+    row.report = folder + "/index.html";
+    row.picture = thumbnail(report);
+    return row;
+}
+
+const report::Input* input_with(const report::Document& document, const std::string& sha256) {
+    for (const report::Section& section : document.sections) {
+        const auto input = std::ranges::find(section.inputs, sha256, &report::Input::sha256);
+        if (input != section.inputs.end()) return &*input;
+    }
+    return nullptr;
+}
+
+bool has_the_words_of(const report::Document& document, const ReportSettings& settings) {
+    return document.title == settings.title && document.author == settings.author && document.course == settings.course;
+}
+
+/// What is asked for is there, as far as the plan does it, and went well.
+bool is_complete(const report::Document& document, const ReportSettings& settings) {
+    return std::ranges::all_of(document.sections, [&](const report::Section& section) {
+        const bool is_wanted = settings.only.empty() || contains(settings.only, section.id);
+        if (section.status == report::Status::skipped) return !is_wanted || effort_of(settings, section.id).left_out;
+        return section.status == report::Status::ok;
+    });
+}
+
+bool is_the_same(const EarlierReport& report, const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
+    const report::Input* input = input_with(report.document, sha256);
+    if (input == nullptr || report.timings != settings.timings || !has_the_words_of(report.document, settings)) return false;
+    const ReportSettings own = settings_on(mesh, std::max<double>(input->vertices, 0.5 * input->triangles), settings);
+    return difference(report.document.provenance, provenance_of(described(own), own.seed)).empty() && is_complete(report.document, own);
+}
+
+}   // namespace
+
+ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSettings settings) {
+    settings.meshes = {mesh.file};
+    settings.efforts = plan_for(settings, {{fs::path(mesh.file).filename().string(), vertices}}).efforts();
+    return settings;
+}
+
+report::BatchRow row_of_report(const BatchMesh& mesh, const fs::path& out, const std::string& folder) {
+    return row_of(mesh, EarlierReport(out / folder / "results.json"), folder);
+}
+
+std::optional<report::BatchRow> finished_row(const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
+    for (const std::string& folder : {mesh.name, output::failed_beside(mesh.name).string()}) {
+        try {
+            if (!may_be_there(settings.out / folder / "results.json")) continue;
+            const EarlierReport report(settings.out / folder / "results.json");
+            const bool is_printed = settings.pdf != "require" || may_be_there(settings.out / folder / "report.pdf");
+            if (is_printed && is_the_same(report, mesh, sha256, settings)) return row_of(mesh, report, folder);
+        } catch (const InputError&) {   // of another version, or damaged: it is made again
+        }
+    }
+    return {};
+}
+
+}   // namespace meshfolio::run

@@ -1,0 +1,20 @@
+/// @file
+/// Tasks that wait for other programs, so many at a time as there is memory for.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace meshfolio::run {
+
+/// As many as there are processors and tasks, and as the available memory holds of the largest; at least one.
+/// @param memories   of each task [bytes]
+/// @param available  [bytes]; 0: not known
+int jobs_for(std::vector<double> memories, double available, int processors);
+
+/// Calls task(i) for each, in order, from `jobs` threads. One begins only when its memory fits beside that of those at work, or none is
+/// at work. What a task throws first is thrown again once those at work have ended; no other begins.
+void run_jobs(int jobs, const std::vector<double>& memories, double available, const std::function<void(std::size_t)>& task);
+
+}   // namespace meshfolio::run

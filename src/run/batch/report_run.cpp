@@ -1,0 +1,67 @@
+#include "run/batch/report_run.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace meshfolio::run {
+
+std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& mesh, const std::vector<std::string>& more) {
+    const ReportFlags& report = flags.report;
+    std::vector<std::string> words{"report", mesh.file.starts_with('-') ? "./" + mesh.file : mesh.file,
+                                   "--out=" + (std::filesystem::path(report.out) / mesh.name).string()};
+    // In one word: a value may begin with a minus.
+    for (const auto& [name, value] : {std::pair{"--only", &report.only},
+                                      {"--config", &report.config},
+                                      {"--author", &report.author},
+                                      {"--size", &report.size},
+                                      {"--time", &report.time},
+                                      {"--templates", &report.templates},
+                                      {"--pdf", &report.pdf},
+                                      {"--pdf-browser", &report.pdf_browser}}) {
+        if (!value->empty()) words.push_back(std::string(name) + "=" + *value);
+    }
+    for (const auto& [name, is_given] : {std::pair{"--quick", report.quick},
+                                         {"--views-files", report.view_files},
+                                         {"--no-timings", report.no_timings},
+                                         {"--no-cache", report.no_cache}}) {
+        if (is_given) words.emplace_back(name);
+    }
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+report::ChildEnd run_this_program(const std::vector<std::string>& words) {
+    report::ChildTask task;
+    task.program = "/proc/self/exe";   // this very one, also where another has taken its name
+    task.arguments = words;
+    task.environment["MESHFOLIO_PARENT"] = std::to_string(::getpid());
+    task.folder = std::filesystem::current_path();
+    task.limit = std::chrono::hours(24 * 20);   // as good as none
+    task.tidies_up = true;
+    return report::run_child(task);
+}
+
+std::optional<double> planned_vertices(const std::string& output) {
+    using nlohmann::json;
+    const std::size_t begin = output.starts_with("{\n") ? 0 : output.find("\n{\n");   // behind warnings
+    if (begin == std::string::npos) return {};
+    const json plan = json::parse(output.begin() + static_cast<std::ptrdiff_t>(begin), output.end(), nullptr, false);
+    if (!plan.is_object() || !plan.contains("sections")) return {};
+    for (const json& section : plan["sections"]) {
+        for (const json& mesh : section.value("meshes", json::array()))
+            if (mesh.contains("vertices") && mesh["vertices"].is_number()) return mesh["vertices"].get<double>();
+    }
+    return 0;   // none of what is asked for needs a mesh
+}
+
+std::string failure_of(const report::ChildEnd& end) {
+    constexpr std::string_view program = "meshfolio: ";
+    const std::string line = report::last_line(end);
+    if (end.kind != report::ChildEnd::Kind::exited || !line.starts_with(program)) return "the report " + words_of(end);
+    return line.substr(program.size());
+}
+
+}   // namespace meshfolio::run
