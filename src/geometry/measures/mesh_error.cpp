@@ -46,19 +46,6 @@ double squared_one_sided_hausdorff(const Positions& from, const TriangleMesh& to
     return largest;
 }
 
-/// In coordinates centred and scaled by a power of two, so that no square overflows and far-away meshes lose nothing.
-double two_sided_hausdorff(const TriangleMesh& a, const TriangleMesh& b) {
-    const double scale = std::min(unit_scale(a), unit_scale(b));
-    const Vector3 centre = bounding_box(a).centre();
-    const auto normalised = [&](const TriangleMesh& mesh) { return moved_to(mesh, scale * (mesh.X.rowwise() - centre.transpose())); };
-    const TriangleMesh unit_a = normalised(a), unit_b = normalised(b);
-    std::vector<char> in_use(static_cast<std::size_t>(a.X.rows()), 0);
-    for (const int v : a.F.reshaped()) in_use[static_cast<std::size_t>(v)] = 1;
-    const double squared =
-        std::max(squared_one_sided_hausdorff(unit_a.X, unit_b, in_use), squared_one_sided_hausdorff(unit_b.X, unit_a, in_use));
-    return std::sqrt(squared) / scale;
-}
-
 /// Angles between corresponding normals; triangles without area in either mesh have none and are left out.
 void compare_normals(const TriangleMesh& a, const TriangleMesh& b, MeshDifference& difference) {
     const Positions normals_a = face_normals(a), normals_b = face_normals(b);
@@ -88,12 +75,26 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     if (squared.size() > 0) difference.max = std::sqrt(squared.maxCoeff());
     const Vector areas = vertex_areas(a, AreaForm::barycentric);
     if (areas.sum() > 0) difference.area_weighted_rms = std::sqrt((areas / areas.sum()).dot(squared));
-    if (a.face_count() > 0) difference.hausdorff = two_sided_hausdorff(a, b);
     compare_normals(a, b, difference);
     const double volume = signed_volume(a);
     difference.volume_ratio = volume != 0 ? signed_volume(b) / volume : std::numeric_limits<double>::quiet_NaN();
     difference.area_ratio = surface_area(b) / surface_area(a);
     return difference;
+}
+
+/// In coordinates centred and scaled by a power of two, so that no square overflows and far-away meshes lose nothing.
+double hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b) {
+    require_same_triangles(a, b);
+    if (a.face_count() == 0) return 0;
+    const double scale = std::min(unit_scale(a), unit_scale(b));
+    const Vector3 centre = bounding_box(a).centre();
+    const auto normalised = [&](const TriangleMesh& mesh) { return moved_to(mesh, scale * (mesh.X.rowwise() - centre.transpose())); };
+    const TriangleMesh unit_a = normalised(a), unit_b = normalised(b);
+    std::vector<char> in_use(static_cast<std::size_t>(a.X.rows()), 0);
+    for (const int v : a.F.reshaped()) in_use[static_cast<std::size_t>(v)] = 1;
+    const double squared =
+        std::max(squared_one_sided_hausdorff(unit_a.X, unit_b, in_use), squared_one_sided_hausdorff(unit_b.X, unit_a, in_use));
+    return std::sqrt(squared) / scale;
 }
 
 double vertex_rms(const Positions& a, const Positions& b) {
