@@ -21,16 +21,33 @@ double squared_distance_to_segment(const Vector3& p, const Vector3& a, const Vec
     return (p - a - t * along).squaredNorm();
 }
 
+/// From its sides, and its plane where p lies over it: in coordinates along its longest side ab and across, for as narrow as the triangle
+/// may be, they lose no more than rounding of the corners does, where a normal would point anywhere.
+double squared_distance_to_narrow_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
+    const double to_sides =
+        std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c), squared_distance_to_segment(p, c, a)});
+    const Vector3 along = b - a;
+    const double squared_length = along.squaredNorm();
+    if (!(squared_length > 0)) return to_sides;
+    const double t = (p - a).dot(along) / squared_length, t_of_c = (c - a).dot(along) / squared_length;
+    const Vector3 off = p - a - t * along, across = c - a - t_of_c * along;
+    const double s = off.dot(across) / across.squaredNorm();   // NaN without any width
+    const bool over = s >= 0 && t >= s * t_of_c && 1 - t >= s * (1 - t_of_c);
+    return over ? std::min(to_sides, (off - s * across).squaredNorm()) : to_sides;
+}
+
 }   // namespace
 
-/// By the region of the plane that p lies over (Ericson 2005, Real-Time Collision Detection, 5.1.5).
+/// By the region of the plane that p lies over (Ericson 2005, Real-Time Collision Detection, 5.1.5), whose products keep twelve digits
+/// where the triangle is not much narrower than long and p is not far beyond it.
 double squared_distance_to_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c, double known_bound) {
     const Vector3 ab = b - a, ac = c - a, bc = c - b, from_a = p - a, normal = ab.cross(ac);
     const double squared_to_a = from_a.squaredNorm(), squared_twice_area = normal.squaredNorm();
-    const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), bc.squaredNorm()});   // squared
-    // Narrower than the rounding of what follows, its edges are the triangle.
-    if (!(squared_twice_area > 1e-24 * longest * std::max(longest, squared_to_a))) {
-        return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c), squared_distance_to_segment(p, c, a)});
+    const double squared_ab = ab.squaredNorm(), squared_ac = ac.squaredNorm(), squared_bc = bc.squaredNorm();
+    const double longest = std::max({squared_ab, squared_ac, squared_bc});
+    if (!(squared_twice_area > longest * std::max(1e-6 * longest, 1e-18 * squared_to_a))) {
+        if (squared_ab == longest) return squared_distance_to_narrow_triangle(p, a, b, c);
+        return squared_bc == longest ? squared_distance_to_narrow_triangle(p, b, c, a) : squared_distance_to_narrow_triangle(p, c, a, b);
     }
     const double along_normal = normal.dot(from_a), squared_height = along_normal / squared_twice_area * along_normal;
     if (squared_height >= known_bound) return known_bound;

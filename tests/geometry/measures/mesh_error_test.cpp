@@ -68,9 +68,9 @@ TEST(MeshError, RmsAndMaxOfOneMovedVertex) {
     EXPECT_NEAR(difference.mean_squared_normal_angle, angle * angle, 1e-14);
 }
 
+// Of noise, of a blob that lies far inside, of meshes apart, and where all distances are the same or triangles have no area.
 TEST(MeshError, HausdorffAgreesWithBruteForce) {
-    const TriangleMesh a = irregular_sphere(2);
-    TriangleMesh b{with_gaussian_noise(a.X, Vector3(0.05, 0.1, 0.02), 5), a.F};
+    const TriangleMesh a = scaled(irregular_sphere(2), 3);
     const auto one_sided = [](const TriangleMesh& from, const TriangleMesh& to) {
         double largest = 0;
         for (Eigen::Index v = 0; v < from.X.rows(); ++v) {
@@ -83,9 +83,20 @@ TEST(MeshError, HausdorffAgreesWithBruteForce) {
         }
         return std::sqrt(largest);
     };
-    const double brute = std::max(one_sided(a, b), one_sided(b, a));
-    EXPECT_NEAR(hausdorff_distance(a, b), brute, 1e-14);
-    EXPECT_LT(brute, compare_meshes(a, b).max);
+    const auto with = [&](const Positions& X) { return TriangleMesh{X, a.F}; };
+    Positions blob = 0.1 * a.X, flattened = a.X;
+    blob.col(2).array() += 0.7;
+    flattened.col(0).setZero();
+    const Positions turned = rotated_and_moved(a).X, far = a.X.array() + 1e4;
+    const Positions noisy = with_gaussian_noise(a.X, Vector3(0.05, 0.1, 0.02), 5);
+    for (const Positions& X : {noisy, blob, flattened, turned, far, Positions(0.5 * a.X), Positions(0 * a.X), Positions(-a.X)}) {
+        const TriangleMesh b = with(X);
+        const double brute = std::max(one_sided(a, b), one_sided(b, a));
+        EXPECT_NEAR(hausdorff_distance(a, b), brute, 1e-12 * brute);
+        EXPECT_NEAR(hausdorff_distance(b, a), brute, 1e-12 * brute);
+        EXPECT_LE(brute, compare_meshes(a, b).max * (1 + 1e-14));
+    }
+    EXPECT_LT(hausdorff_distance(a, with(noisy)), compare_meshes(a, with(noisy)).max);
 }
 
 TEST(MeshError, NormalsOfARotation) {
