@@ -53,6 +53,19 @@ BenchMesh read_bench_mesh(const std::string& file) {
     return mesh;
 }
 
+meshfolio::TriangleMesh triangle_mesh(const BenchMesh& mesh) {
+    meshfolio::TriangleMesh result;
+    result.X.resize(static_cast<Eigen::Index>(mesh.positions.size()), 3);
+    result.F.resize(static_cast<Eigen::Index>(mesh.triangles.size()), 3);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        for (int c = 0; c < 3; ++c) result.X(static_cast<Eigen::Index>(i), c) = mesh.positions[i][c];
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (int c = 0; c < 3; ++c) result.F(static_cast<Eigen::Index>(i), c) = mesh.triangles[i][c];
+    }
+    return result;
+}
+
 BenchMesh subdivided(const BenchMesh& mesh) {
     BenchMesh fine{mesh.positions, {}, {}};
     std::vector<glm::ivec3> middle(mesh.triangles.size());   // of the edge opposite each corner

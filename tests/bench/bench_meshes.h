@@ -8,6 +8,10 @@
 
 #include "draw_mesh.h"
 
+namespace meshfolio {
+struct TriangleMesh;
+}
+
 namespace bench {
 
 inline constexpr int levels = 5;    // sizes of one mesh, each four times as many triangles as the one before
@@ -28,6 +32,8 @@ struct BenchMesh {
 };
 
 BenchMesh read_bench_mesh(const std::string& file);
+
+meshfolio::TriangleMesh triangle_mesh(const BenchMesh& mesh);
 
 /// Every triangle into four through its edge midpoints. Midpoints are numbered by the edges' vertices.
 BenchMesh subdivided(const BenchMesh& mesh);

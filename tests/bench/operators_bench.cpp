@@ -19,15 +19,7 @@ const Subject& subject_at(int level) {
     static int current = -1;
     static Subject subject;
     if (current == level) return subject;
-    const bench::BenchMesh& mesh = bench::mesh_at_level(level);
-    subject.mesh.X.resize(static_cast<Eigen::Index>(mesh.positions.size()), 3);
-    subject.mesh.F.resize(static_cast<Eigen::Index>(mesh.triangles.size()), 3);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        for (int c = 0; c < 3; ++c) subject.mesh.X(static_cast<Eigen::Index>(i), c) = mesh.positions[i][c];
-    }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        for (int c = 0; c < 3; ++c) subject.mesh.F(static_cast<Eigen::Index>(i), c) = mesh.triangles[i][c];
-    }
+    subject.mesh = bench::triangle_mesh(bench::mesh_at_level(level));
     subject.topology = topology_of(subject.mesh);
     subject.laplacian = laplace_beltrami(subject.mesh);
     current = level;

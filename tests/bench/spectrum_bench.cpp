@@ -29,14 +29,7 @@ double clock_seconds(clockid_t clock) {
 TriangleMesh bench_mesh(const std::string& file, int level) {
     bench::BenchMesh mesh = bench::read_bench_mesh(file);
     for (int i = 0; i < level; ++i) mesh = bench::subdivided(mesh);
-    TriangleMesh result{Positions(Eigen::Index(mesh.positions.size()), 3), Faces(Eigen::Index(mesh.triangles.size()), 3)};
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        for (int c = 0; c < 3; ++c) result.X(Eigen::Index(i), c) = mesh.positions[i][c];
-    }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        for (int c = 0; c < 3; ++c) result.F(Eigen::Index(i), c) = mesh.triangles[i][c];
-    }
-    return result;
+    return bench::triangle_mesh(mesh);
 }
 
 /// (A − σM)⁻¹ with M's square root on both sides, timed.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/errors.h"
@@ -33,31 +35,68 @@ void require_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
     }
 }
 
-/// max over the vertices of `from` of the distance to the surface of `to`, whose vertex i lies near vertex i of `from`: that vertex
-/// bounds the distance, and vertices bounded by the maximum so far need no search. [length²]
-double squared_one_sided_hausdorff(const Positions& from, const TriangleMesh& to, const std::vector<char>& in_use) {
-    const ClosestPoint surface(to);
-    double largest = 0;
-    for (Eigen::Index i = 0; i < from.rows(); ++i) {
-        if (!in_use[static_cast<std::size_t>(i)]) continue;
-        const double bound = (from.row(i) - to.X.row(i)).squaredNorm();
-        if (bound > largest) largest = std::max(largest, surface.squared_distance(from.row(i), bound, largest));
+/// The largest distance of any of the points X from a surface, by branch and bound: a step of r changes a distance by r at most, so that
+/// the distance of one point bounds those of all around it, and few must be measured.
+class FarthestPoint {
+public:
+    /// @param bounds  of the distances
+    FarthestPoint(const Positions& X, Vector bounds, const ClosestPoint& surface) : X_(X), bounds_(std::move(bounds)), surface_(surface) {
+        order_.resize(static_cast<std::size_t>(X.rows()));
+        std::iota(order_.begin(), order_.end(), 0);
     }
-    return largest;
-}
+    double distance() {
+        search(order_.begin(), order_.end());
+        return farthest_;
+    }
 
-/// In coordinates centred and scaled by a power of two, so that no square overflows and far-away meshes lose nothing.
-double two_sided_hausdorff(const TriangleMesh& a, const TriangleMesh& b) {
-    const double scale = std::min(unit_scale(a), unit_scale(b));
-    const Vector3 centre = bounding_box(a).centre();
-    const auto normalised = [&](const TriangleMesh& mesh) { return moved_to(mesh, scale * (mesh.X.rowwise() - centre.transpose())); };
-    const TriangleMesh unit_a = normalised(a), unit_b = normalised(b);
-    std::vector<char> in_use(static_cast<std::size_t>(a.X.rows()), 0);
-    for (const int v : a.F.reshaped()) in_use[static_cast<std::size_t>(v)] = 1;
-    const double squared =
-        std::max(squared_one_sided_hausdorff(unit_a.X, unit_b, in_use), squared_one_sided_hausdorff(unit_b.X, unit_a, in_use));
-    return std::sqrt(squared) / scale;
-}
+private:
+    using Place = std::vector<int>::iterator;
+
+    void search(Place first, Place last) {
+        last = std::partition(first, last, [&](int i) { return bounds_[i] > farthest_; });
+        if (first == last) return;
+        const Place middle = first + (last - first) / 2;
+        const int axis = longest_side(first, last);
+        std::nth_element(first, middle, last, [&](int i, int j) { return X_(i, axis) < X_(j, axis); });
+        measure(*middle, first, last);
+        const auto largest_bound = [&](Place begin, Place end) {
+            double largest = 0;
+            for (; begin != end; ++begin) largest = std::max(largest, bounds_[*begin]);
+            return largest;
+        };
+        const bool right_first = largest_bound(first, middle) < largest_bound(middle, last);
+        if (right_first) search(middle, last);
+        search(first, middle);
+        if (!right_first) search(middle, last);
+    }
+
+    int longest_side(Place first, Place last) const {
+        Eigen::RowVector3d low = X_.row(*first), high = low;
+        for (; first != last; ++first) {
+            low = low.cwiseMin(X_.row(*first));
+            high = high.cwiseMax(X_.row(*first));
+        }
+        int axis = 0;
+        (high - low).maxCoeff(&axis);
+        return axis;
+    }
+
+    /// Point v, as exactly as it takes to leave out all of [first, last).
+    void measure(int v, Place first, Place last) {
+        double radius = 0;
+        for (Place i = first; i != last; ++i) radius = std::max(radius, (X_.row(*i) - X_.row(v)).norm());
+        const double enough = std::max(0.0, farthest_ - radius);
+        const double distance = std::sqrt(surface_.squared_distance(X_.row(v), bounds_[v] * bounds_[v], enough * enough));
+        farthest_ = std::max(farthest_, distance);
+        for (; first != last; ++first) bounds_[*first] = std::min(bounds_[*first], distance + (X_.row(*first) - X_.row(v)).norm());
+    }
+
+    const Positions& X_;
+    Vector bounds_;
+    const ClosestPoint& surface_;
+    std::vector<int> order_;
+    double farthest_ = 0;
+};
 
 /// Angles between corresponding normals; triangles without area in either mesh have none and are left out.
 void compare_normals(const TriangleMesh& a, const TriangleMesh& b, MeshDifference& difference) {
@@ -88,12 +127,25 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     if (squared.size() > 0) difference.max = std::sqrt(squared.maxCoeff());
     const Vector areas = vertex_areas(a, AreaForm::barycentric);
     if (areas.sum() > 0) difference.area_weighted_rms = std::sqrt((areas / areas.sum()).dot(squared));
-    if (a.face_count() > 0) difference.hausdorff = two_sided_hausdorff(a, b);
     compare_normals(a, b, difference);
     const double volume = signed_volume(a);
     difference.volume_ratio = volume != 0 ? signed_volume(b) / volume : std::numeric_limits<double>::quiet_NaN();
     difference.area_ratio = surface_area(b) / surface_area(a);
     return difference;
+}
+
+/// In coordinates centred and scaled by a power of two, so that no square overflows and far-away meshes lose nothing.
+double hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b) {
+    require_same_triangles(a, b);
+    if (a.face_count() == 0) return 0;
+    const double scale = std::min(unit_scale(a), unit_scale(b));
+    const Vector3 centre = bounding_box(a).centre();
+    const auto normalised = [&](const TriangleMesh& mesh) { return moved_to(mesh, scale * (mesh.X.rowwise() - centre.transpose())); };
+    const TriangleMesh unit_a = normalised(a), unit_b = normalised(b);
+    Vector bounds = Vector::Zero(a.X.rows());   // no vertex is farther from the other surface than from its own place there
+    for (const int v : a.F.reshaped()) bounds[v] = (unit_a.X.row(v) - unit_b.X.row(v)).norm();
+    const ClosestPoint surface_a(unit_a), surface_b(unit_b);
+    return std::max(FarthestPoint(unit_a.X, bounds, surface_b).distance(), FarthestPoint(unit_b.X, bounds, surface_a).distance()) / scale;
 }
 
 double vertex_rms(const Positions& a, const Positions& b) {
@@ -113,7 +165,7 @@ Vector shape_distances(const TriangleMesh& clean, const Incidence& vertex_faces,
         double nearest = (X.row(v) - clean.X.row(v)).squaredNorm();
         for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
             const auto corner = [&](int k) -> Vector3 { return clean.X.row(clean.F(*t, k)); };
-            nearest = std::min(nearest, ClosestPoint::Triangle(corner(0), corner(1), corner(2)).squared_distance(x, nearest));
+            nearest = std::min(nearest, squared_distance_to_triangle(x, corner(0), corner(1), corner(2), nearest));
         }
         distances[v] = std::sqrt(nearest);
     }

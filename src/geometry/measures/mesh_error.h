@@ -11,7 +11,6 @@ struct MeshDifference {
     double rms = 0;                         // √(Σ|a_i − b_i|²/n) over vertices [length]
     double max = 0;                         // largest |a_i − b_i| [length]
     double area_weighted_rms = 0;           // √(Σ A_i|a_i − b_i|²/ΣA_i), barycentric areas of `a` [length]
-    double hausdorff = 0;                   // two-sided, vertices of each to the surface of the other [length]
     double mean_normal_angle = 0;           // mean angle between corresponding face normals [rad]
     double mean_squared_normal_angle = 0;   // [rad²]
     double volume_ratio = 0;                // V(b)/V(a); NaN when V(a) = 0
@@ -23,6 +22,11 @@ struct MeshDifference {
 /// b measured against a.
 /// @throws MeshError if the triangles differ
 MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b);
+
+/// Two-sided Hausdorff distance: of the vertices of each, those that no triangle uses aside, to the surface of the other; 0 without
+/// triangles. [length]
+/// @throws MeshError if the triangles differ
+double hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b);
 
 /// The cheap part, for error-versus-iteration curves. [length]
 double vertex_rms(const Positions& a, const Positions& b);

@@ -57,6 +57,9 @@ report::Table result_table(const DenoisingTrials& mesh) {
     const NoiseTrial& trial = mesh.pictured_trial();
     const double percent = 100 / mesh.subject.diagonal;
     const auto defined = [](auto value_of) { return [=](auto& r) { return cell_of(value_of(r), r.defined); }; };
+    const auto hausdorff = [&](auto& r) {
+        return r.defined ? report::Cell{percent * hausdorff_distance(mesh.subject.mesh, moved_to(mesh.subject.mesh, r.X))} : report::Cell{};
+    };
     return table(id_of("methods", mesh.name(), "results"), words.line("at_their_best", "mesh"_a = mesh.name(), "noise"_a = trial.title()),
                  trial.results)
         .column("method", [](auto& r) { return method_title(r); })
@@ -64,7 +67,7 @@ report::Table result_table(const DenoisingTrials& mesh) {
         .column("error of shape", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.by_shape.shape; }))
         .column("gain", {.unit = "×"}, [](auto& r) { return cell_of(r.gain()); })
         .column("rms error", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.difference.rms; }))
-        .column("Hausdorff", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.difference.hausdorff; }))
+        .column("Hausdorff", {.unit = "% of box"}, hausdorff)
         .column("normal angle", {.unit = "°"}, defined([](auto& r) { return degrees * r.difference.mean_normal_angle; }))
         .column("squared normal angle", {.unit = "°²"},
                 defined([](auto& r) { return degrees * degrees * r.difference.mean_squared_normal_angle; }))
