@@ -12,6 +12,7 @@
 #include "base/nearest_word.h"
 #include "build_info.h"
 #include "cli/commands.h"
+#include "cli/signals.h"
 #include "run/console.h"
 #include "run/progress.h"
 #include "run/settings/report_settings.h"
@@ -140,6 +141,8 @@ int run(int argc, const char* const* argv) {
     } catch (const SettingsErrors& errors) {
         complain_about(errors);
         return static_cast<int>(errors.exit_code());
+    } catch (const ReaderGone&) {
+        end_by_broken_pipe();
     } catch (const Error& error) {
         complain(error.what());
         return static_cast<int>(error.exit_code());
