@@ -21,7 +21,7 @@ std::vector<const CLI::App*> commands_of(const CLI::App& program) {
     return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
-bool takes_value(const CLI::Option& option) { return option.get_type_size() != 0; }
+bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
 /// "-o", "--output".
 std::vector<std::string> names_of(const CLI::Option& option) {
@@ -182,7 +182,7 @@ std::string fish_completion(const CLI::App& program) {
     const auto quoted = [](const std::string& words) { return single_quoted(replaced(words, "\\", "\\\\"), "\\'"); };
     const auto given = [&](const CLI::Option& option) {
         const std::string values = values_of(program, option);
-        return values.empty() ? std::string() : " -x -a " + (values.starts_with('$') ? values.substr(1) : quoted(values));
+        return values.empty() ? std::string() : " -x -a " + quoted(values.starts_with('$') ? values.substr(1) : values);
     };
     for (const CLI::App* command : commands_of(program)) {
         text += "complete -c meshfolio -n __fish_use_subcommand -f -a " + command->get_name() + " -d " +
