@@ -30,7 +30,7 @@ installed=$(date +%s)
 meshfolio report --quick
 test -s out/index.html
 echo "apt install $((installed - began)) s, report --quick $(($(date +%s) - installed)) s: $(($(date +%s) - began)) s to index.html"
-meshfolio version
+meshfolio --version
 for blas in libopenblas0-pthread libblas3; do
     apt-get purge -qq -y 'libopenblas*' >/tmp/log 2>&1 || { cat /tmp/log; exit 1; }
     apt-get install -qq -y "$blas" >/tmp/log 2>&1 || { cat /tmp/log; exit 1; }
