@@ -1,5 +1,8 @@
 # What `cmake --install` copies, and the Debian package of it (`cpack` in the build folder). What is written about the program is made from its own
 # definitions when it is built: documents.cmake.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize|-fprofile")
+  return()   # a program to be tested alone, which may not even run in the middle of a build
+endif()
 include(GNUInstallDirs)
 set(MESHFOLIO_CONTACT "the meshfolio authors <meshfolio@users.noreply.github.com>" CACHE STRING "Name and address of whoever passes the package on")
 set(documents ${PROJECT_BINARY_DIR}/documents)

@@ -15,7 +15,7 @@ from program import PROGRAM, SOURCE, run
 BUILD = os.path.dirname(PROGRAM)
 
 
-@unittest.skipUnless(os.path.exists(os.path.join(BUILD, 'cmake_install.cmake')), 'the program is not in its build folder')
+@unittest.skipUnless(os.path.exists(os.path.join(BUILD, 'documents', 'made')), 'a build that is not to be installed')
 class Install(unittest.TestCase):
 
     @classmethod
