@@ -85,13 +85,27 @@ UsageError usage_error(const CLI::App& command, const CLI::ParseError& error) {
 
 /// What stands for a value in the help, by the name of its option; NUMBER for the others.
 std::string type_of(const std::string& names) {
-    static const std::map<std::string, std::string> types{{"-o,--output", "FILE"},   {"--author", "NAME"},    {"--config", "FILE"},
-                                                          {"--csv", "FILE"},         {"--data", "DIR"},       {"--from", "FILE"},
-                                                          {"--glb", "FILE"},         {"--junit", "FILE"},     {"--only", "QUESTIONS"},
-                                                          {"--out", "DIR"},          {"--part", "DIR"},       {"--pdf", "auto|require|off"},
-                                                          {"--pdf-browser", "FILE"}, {"--range", "LOW,HIGH"}, {"--reconstruct", "NUMBERS"},
-                                                          {"--templates", "DIR"},    {"--time", "SECONDS"},   {"--values", "FILE:COLUMN"},
-                                                          {"--vectors", "FILE"},     {"--views", "VIEWS"}};
+    static const std::map<std::string, std::string> types{{"-o,--output", "FILE"},
+                                                          {"--author", "NAME"},
+                                                          {"--config", "FILE"},
+                                                          {"--csv", "FILE"},
+                                                          {"--data", "DIR"},
+                                                          {"--from", "FILE"},
+                                                          {"--glb", "FILE"},
+                                                          {"--junit", "FILE"},
+                                                          {"--only", "QUESTIONS"},
+                                                          {"--out", "DIR"},
+                                                          {"--part", "DIR"},
+                                                          {"--pdf", "auto|require|off"},
+                                                          {"--pdf-browser", "FILE"},
+                                                          {"--range", "LOW,HIGH"},
+                                                          {"--reconstruct", "NUMBERS"},
+                                                          {"--size", "PIXELS"},
+                                                          {"--templates", "DIR"},
+                                                          {"--time", "SECONDS"},
+                                                          {"--values", "FILE:COLUMN"},
+                                                          {"--vectors", "FILE"},
+                                                          {"--views", "VIEWS"}};
     if (!names.starts_with('-')) return "";   // a place is called what it is
     const auto known = types.find(names);
     return known != types.end() ? known->second : "NUMBER";
