@@ -5,6 +5,7 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
+#include "cli/fields.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/smoothing/stability_certificate.h"
 #include "questions/preflight/defects.h"
@@ -213,7 +214,7 @@ Command inspect_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
-    app.text("--operator", options->laplacian, "whose largest stable step: " + operator_names());
+    app.choice("--operator", options->laplacian, operator_choices(), "whose largest stable step");
     app.flag("--json", options->json, "for programs");
     app.footer("Example: meshfolio inspect bunny.off --json");
     return {app, [options] {
