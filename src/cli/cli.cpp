@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array makers{report_command, merge_command,  render_command,  inspect_command,   curvature_command, spectrum_command,
                             smooth_command, noise_command,  compare_command, lab_command,       sample_command,    list_command,
-                            doctor_command, verify_command, cache_command,   templates_command, submit_command};
+                            doctor_command, verify_command, cache_command,   templates_command, submit_command,    mark_command};
 
 /// `meshfolio` alone, or with options only, means `meshfolio report`.
 std::vector<std::string> with_command(int argc, const char* const* argv) {

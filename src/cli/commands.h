@@ -63,5 +63,6 @@ Command verify_command(CLI::App& parent);
 Command submit_command(CLI::App& parent);
 Command cache_command(CLI::App& parent);
 Command templates_command(CLI::App& parent);
+Command mark_command(CLI::App& parent);
 
 }   // namespace meshfolio::cli

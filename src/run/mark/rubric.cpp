@@ -8,6 +8,7 @@
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
+#include "base/number_text.h"
 #include "output/publish/folder_system.h"
 #include "run/mark/conventions.h"
 #include "run/settings/settings_reader.h"
@@ -212,6 +213,21 @@ Rubric read_rubric(const std::string& file) {
         if (source.path == "data/rubric.toml") return parse_rubric(source.bytes, "rubric.toml");
     }
     throw InputError({"rubric.toml"}, "is not among the bundled files of this build", "name one with --rubric");
+}
+
+std::string described(const RubricItem& item, const AnswerSettings& settings) {
+    constexpr std::array schemes{"explicit", "implicit", "taubin"}, units{"raw", "tau", "h2"};   // in the order of their enumerators
+    const std::map<std::string, std::string> values{{"operator", std::string(operator_entry(settings.laplacian).name)},
+                                                    {"area", std::string(name_of(settings.area))},
+                                                    {"k", std::to_string(settings.k)},
+                                                    {"scheme", schemes.at(static_cast<std::size_t>(settings.scheme))},
+                                                    {"lambda", plain_text(settings.lambda)},
+                                                    {"unit", units.at(static_cast<std::size_t>(settings.unit))},
+                                                    {"iterations", std::to_string(settings.iterations)},
+                                                    {"rebuild", settings.rebuild ? "true" : "false"}};
+    std::string text;
+    for (const std::string& key : entry_of(item.what).settings) text += (text.empty() ? "" : ", ") + key + " = " + values.at(key);
+    return text;
 }
 
 std::map<std::string, StudentAnswer> parse_answers(std::string_view text, const Rubric& rubric, std::vector<std::string>& problems) {

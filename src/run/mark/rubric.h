@@ -58,6 +58,9 @@ Rubric parse_rubric(std::string_view text, const std::string& file);
 /// From a file; empty: the bundled example. @throws SettingsErrors, InputError for a file that cannot be read
 Rubric read_rubric(const std::string& file);
 
+/// Of these settings, those that the answer depends on: "area = mixed, k = 5".
+std::string described(const RubricItem& item, const AnswerSettings& settings);
+
 /// answers.toml: by id of an item what the student chose.
 struct StudentAnswer {
     AnswerSettings settings;
