@@ -1,8 +1,7 @@
 #include "run/mark/mark_pages.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
@@ -52,15 +51,17 @@ std::string in_words(const std::vector<ConventionKeys>& conventions) {
     for (const ConventionKeys& keys : conventions) {
         std::vector<std::string> sentences;
         std::ranges::transform(keys, std::back_inserter(sentences), sentence_of);
-        each.push_back(joined_by(sentences, words.line("and")));
+        each.push_back(joined_by(sentences, "; " + words.line("and") + " "));
     }
-    return joined_by(each, words.line("or"));
+    return joined_by(each, "; " + words.line("or") + " ");
 }
 
-/// "plane.obj, vertex 17".
+/// "that of vertex 17".
 std::string place_of(const ItemMark& mark) {
     const bool is_position = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
-    if (is_position) return words.line("place.coordinate", "vertex"_a = mark.agreement.where / 3, "axis"_a = mark.agreement.where % 3);
+    if (is_position)
+        return words.line("place.coordinate", "vertex"_a = mark.agreement.where / 3,
+                          "axis"_a = std::string(1, "xyz"[mark.agreement.where % 3]));
     if (mark.item->what == MarkedThing::eigenvalues) return words.line("place.eigenvalue", "index"_a = mark.agreement.where + 1);
     if (mark.item->what == MarkedThing::number) return words.line("place.number");
     return words.line("place.vertex", "vertex"_a = mark.agreement.where);

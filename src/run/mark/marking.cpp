@@ -146,8 +146,8 @@ double StudentMarks::score() const {
 
 StudentMarks marks_of(const submission::HandedIn& files, const Rubric& rubric, References& references) {
     StudentMarks marks;
-    const auto named = files.find(answers_file);
-    const auto answers = parse_answers(named == files.end() ? "" : named->second, rubric, marks.remarks);
+    const auto* named = file_like(files, answers_file);
+    const auto answers = parse_answers(named == nullptr ? "" : named->second, rubric, marks.remarks);
     for (const RubricItem& item : rubric.items) {
         ItemMark mark;
         mark.item = &item;

@@ -242,7 +242,11 @@ std::map<std::string, StudentAnswer> parse_answers(std::string_view text, const 
         const TableReader known(*root, "", {"name"}, found, ids);
         for (const RubricItem& item : rubric.items) {
             const toml::node* node = root->get(item.id);
-            if (node != nullptr && node->is_table()) answers[item.id] = answer_of(*node->as_table(), item, found);
+            if (node != nullptr && node->is_table()) {
+                answers[item.id] = answer_of(*node->as_table(), item, found);
+            } else if (const auto value = known.numbers(item.id, -1e100, 1e100, false); !value.empty()) {   // q2-kappa = 0.5
+                answers[item.id].value = value.front();
+            }
         }
     }
     try {

@@ -41,7 +41,7 @@ struct RubricItem {
     std::vector<std::string> free;     // keys of settings that the student may choose
     std::vector<std::string> accept;   // conventions that cost nothing
     double value = 0;                  // of a number
-    double tolerance = 1e-6;           // relative, of each value
+    double tolerance = 1e-4;           // relative, of each value
     double points = 1;
     double recognised = 0.5;   // share of the points for an answer that is right but for a known convention
 };
