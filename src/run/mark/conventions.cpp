@@ -15,13 +15,22 @@ std::function<Vector(const Vector&)> magnitude_times(double factor) {
     return [factor](const Vector& right) -> Vector { return factor * right.cwiseAbs(); };
 }
 
-const ValueConvention as_it_is{{}, times(1)}, doubled{{"doubled"}, times(2)}, halved{{"halved"}, times(0.5)},
-    negated{{"negated"}, times(-1)}, magnitude{{"magnitude"}, magnitude_times(1)}, doubled_negated{{"doubled", "negated"}, times(-2)},
-    halved_negated{{"halved", "negated"}, times(-0.5)}, doubled_magnitude{{"doubled", "magnitude"}, magnitude_times(2)},
-    root{{"square_root"}, [](const Vector&right) -> Vector { return right.cwiseMax(0).cwiseSqrt(); }},
-    descending{{"descending"}, [](const Vector&right) -> Vector { return right.reverse(); }},
-    negated_descending{{"descending", "negated"}, [](const Vector&right) -> Vector { return -right.reverse(); }},
-    inverse{{"inverse"}, [](const Vector&right) -> Vector { return right.cwiseInverse(); }};
+namespace of_values {
+
+const ValueConvention as_it_is{{}, times(1)};
+const ValueConvention doubled{{"doubled"}, times(2)};
+const ValueConvention halved{{"halved"}, times(0.5)};
+const ValueConvention negated{{"negated"}, times(-1)};
+const ValueConvention magnitude{{"magnitude"}, magnitude_times(1)};
+const ValueConvention doubled_negated{{"doubled", "negated"}, times(-2)};
+const ValueConvention halved_negated{{"halved", "negated"}, times(-0.5)};
+const ValueConvention doubled_magnitude{{"doubled", "magnitude"}, magnitude_times(2)};
+const ValueConvention root{{"square_root"}, [](const Vector& right) -> Vector { return right.cwiseMax(0).cwiseSqrt(); }};
+const ValueConvention descending{{"descending"}, [](const Vector& right) -> Vector { return right.reverse(); }};
+const ValueConvention negated_descending{{"descending", "negated"}, [](const Vector& right) -> Vector { return -right.reverse(); }};
+const ValueConvention inverse{{"inverse"}, [](const Vector& right) -> Vector { return right.cwiseInverse(); }};
+
+}   // namespace of_values
 
 double median_magnitude(const Vector& values) {
     std::vector<double> magnitudes;
@@ -50,6 +59,7 @@ const std::vector<std::string>& convention_keys() {
 }
 
 const std::vector<ValueConvention>& value_conventions(MarkedThing what) {
+    using namespace of_values;
     static const std::vector<ValueConvention> curvature{as_it_is,  doubled,         halved,         negated,
                                                         magnitude, doubled_negated, halved_negated, doubled_magnitude};
     static const std::vector<ValueConvention> spectrum{as_it_is,   doubled,         halved,         negated,           root,
@@ -72,24 +82,25 @@ const std::vector<ValueConvention>& value_conventions(MarkedThing what) {
 Agreement agreement_of(const Vector& given, const RightValues& right, double tolerance) {
     const double typical = right.relative_to_scale ? right.scale : std::max(median_magnitude(right.values), right.scale);
     Agreement agreement;
-    Eigen::Index asked = 0, good = 0;
+    Eigen::Index good = 0;
     for (Eigen::Index i = 0; i < right.values.size(); ++i) {
         if (!std::isfinite(right.values[i])) continue;
         const double size = right.relative_to_scale ? typical : std::abs(right.values[i]) + typical;
         const double difference = std::abs(given[i] - right.values[i]) / size;
         const double off = std::isfinite(difference) ? difference : std::numeric_limits<double>::infinity();
-        ++asked;
+        ++agreement.asked;
         good += off <= tolerance ? 1 : 0;
         if (agreement.where < 0 || off > agreement.worst) agreement.worst = off, agreement.where = i;
     }
-    agreement.share = asked > 0 ? static_cast<double>(good) / static_cast<double>(asked) : 1;
+    agreement.share = agreement.asked > 0 ? static_cast<double>(good) / static_cast<double>(agreement.asked) : 1;
     return agreement;
 }
 
 std::vector<ConventionKeys> recognised(const Vector& given, const RightValues& right, MarkedThing what, double tolerance,
                                        const std::function<const std::vector<Variant>&()>& variants) {
     std::vector<ConventionKeys> found;
-    if (agreement_of(given, right, tolerance).agrees(tolerance)) return found;
+    const Agreement with_right = agreement_of(given, right, tolerance);
+    if (with_right.agrees(tolerance)) return found;
     const auto try_one = [&](const Vector& base, const std::string& key, const ValueConvention& convention) {
         ConventionKeys keys = convention.keys;
         if (!key.empty()) keys.insert(keys.begin(), key);
@@ -98,7 +109,8 @@ std::vector<ConventionKeys> recognised(const Vector& given, const RightValues& r
         wrong.values = convention.apply(base);
         // As large as right values are: where they are all 0, so is what they are measured by.
         if (agreement_of(wrong.values, right, tolerance).worst <= 2 * tolerance) return;   // no other answer than the right one
-        if (!agreement_of(given, wrong, tolerance).agrees(tolerance)) return;
+        const Agreement with_wrong = agreement_of(given, wrong, tolerance);
+        if (!with_wrong.agrees(tolerance) || 2 * with_wrong.asked < with_right.asked) return;   // hardly defined: it explains nothing
         if (!found.empty() && keys.size() < found.front().size()) found.clear();
         found.push_back(std::move(keys));
     };

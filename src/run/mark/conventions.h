@@ -40,6 +40,7 @@ struct Variant {
 
 struct Agreement {
     double worst = 0;          // largest difference, over what counts as the size there: within the tolerance, it agrees
+    Eigen::Index asked = 0;    // values that are defined
     double share = 0;          // of the values asked for, how many agree
     Eigen::Index where = -1;   // that of `worst`
     bool agrees(double tolerance) const { return worst <= tolerance; }
