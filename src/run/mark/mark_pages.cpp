@@ -89,7 +89,9 @@ bool keeps_all(const ItemMark& mark) { return mark.verdict == Verdict::right || 
 
 std::string points_text(double points) { return plain_text(points, 6); }
 
-json item_view(const ItemMark& mark, bool has_picture) {
+bool has_picture(const ItemMark& mark) { return mark.difference.size() > 0 && mark.difference.array().isFinite().any(); }
+
+json item_view(const ItemMark& mark) {
     return {{"id", mark.item->id},
             {"title", report::safe_text(mark.item->title)},
             {"score", points_text(mark.score)},
@@ -102,7 +104,7 @@ json item_view(const ItemMark& mark, bool has_picture) {
             {"has_file", !mark.file.empty()},
             {"settings", described(*mark.item, mark.settings)},
             {"said", report::safe_text(said_of(mark))},
-            {"has_picture", has_picture},
+            {"has_picture", has_picture(mark)},
             {"picture", report::url_path(picture_file(mark))}};
 }
 
@@ -146,7 +148,7 @@ std::string said_of(const ItemMark& mark) {
 std::string picture_file(const ItemMark& mark) { return mark.item->id + ".jpg"; }
 
 std::string picture_of(const ItemMark& mark) {
-    if (mark.difference.size() == 0 || !mark.difference.array().isFinite().any()) return "";
+    if (!has_picture(mark)) return "";
     const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
     const bool is_distance = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
     const output::ColorRange range =
@@ -166,7 +168,7 @@ std::string picture_of(const ItemMark& mark) {
 
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates) {
     json items = json::array(), remarks = json::array();
-    for (const ItemMark& mark : marks.items) items.push_back(item_view(mark, mark.difference.size() > 0));
+    for (const ItemMark& mark : marks.items) items.push_back(item_view(mark));
     for (const std::string& remark : marks.remarks) remarks.push_back({{"text", report::safe_text(remark)}});
     json model{{"title", report::safe_text(rubric.title)},
                {"student", marks.id},

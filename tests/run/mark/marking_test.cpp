@@ -18,8 +18,9 @@ namespace {
 
 /// One item on a bundled mesh with an irregular surface and a boundary.
 Rubric rubric_of(const std::string& keys) {
-    return parse_rubric("[[item]]\nid = \"a\"\npoints = 8\nmesh = \"lily.obj\"\nfile = \"*\"\ncolumn = \"v\"\nvalue = 3\n" + keys,
-                        "r.toml");
+    return parse_rubric(
+        "[[item]]\nid = \"a\"\npoints = 8\nmesh = \"lily.obj\"\nfile = \"*\"\ncolumn = \"v\"\nvalue = 3\ntolerance = 1e-6\n" + keys,
+        "r.toml");
 }
 
 const std::vector<std::string> things{"what = \"H\"",
