@@ -43,6 +43,7 @@ mesh = "creature.obj"
 file = "q4_*.csv"
 column = "eigenvalue"
 k = 10
+tolerance = 1e-6
 points = 10
 [[item]]
 id = "k15"
