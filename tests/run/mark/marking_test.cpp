@@ -23,19 +23,19 @@ Rubric rubric_of(const std::string& keys) {
         "r.toml");
 }
 
-const std::vector<std::string> things{"what = \"H\"",
-                                      "what = \"H_uniform\"",
-                                      "what = \"K\"",
-                                      "what = \"K\"\narea = \"mixed\"",
-                                      "what = \"eigenvalues\"\nk = 7",
-                                      "what = \"reconstruction\"\nk = 6",
-                                      "what = \"smoothed\"\nlambda = 0.5\niterations = 4",
-                                      "what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 3\niterations = 3"};
+const std::vector<std::string> marked_things{"what = \"H\"",
+                                             "what = \"H_uniform\"",
+                                             "what = \"K\"",
+                                             "what = \"K\"\narea = \"mixed\"",
+                                             "what = \"eigenvalues\"\nk = 7",
+                                             "what = \"reconstruction\"\nk = 6",
+                                             "what = \"smoothed\"\nlambda = 0.5\niterations = 4",
+                                             "what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 3\niterations = 3"};
 
-bool has(const std::vector<ConventionKeys>& found, const ConventionKeys& keys) { return std::ranges::find(found, keys) != found.end(); }
+bool names(const std::vector<ConventionKeys>& found, const ConventionKeys& keys) { return std::ranges::find(found, keys) != found.end(); }
 
 /// The files of a student whose values are these.
-submission::HandedIn handed_in(const Vector& values, const Reference& reference, MarkedThing what) {
+submission::HandedIn files_with(const Vector& values, const Reference& reference, MarkedThing what) {
     if (what == MarkedThing::reconstruction || what == MarkedThing::smoothed) {
         const Positions X = Eigen::Map<const Positions>(values.data(), values.size() / 3, 3);
         return {{"a.ply", encode_mesh(moved_to(reference.mesh->mesh(), X), "a.ply")}};
@@ -48,13 +48,13 @@ submission::HandedIn handed_in(const Vector& values, const Reference& reference,
 }   // namespace
 
 TEST(Marking, WhatIsRightHasAllPoints) {
-    for (const std::string& thing : things) {
+    for (const std::string& thing : marked_things) {
         const Rubric rubric = rubric_of(thing);
         References references(rubric);
         const RubricItem& item = rubric.items.front();
         const Reference& reference = references.of(item, item.settings);
         for (const double noise : {0.0, 1e-7}) {
-            const StudentMarks marks = marks_of(handed_in((1 + noise) * reference.right.values, reference, item.what), rubric, references);
+            const StudentMarks marks = marks_of(files_with((1 + noise) * reference.right.values, reference, item.what), rubric, references);
             EXPECT_EQ(marks.items.front().verdict, Verdict::right) << thing << ": " << said_of(marks.items.front());
             EXPECT_EQ(marks.score(), 8) << thing;
         }
@@ -62,17 +62,17 @@ TEST(Marking, WhatIsRightHasAllPoints) {
 }
 
 TEST(Marking, EveryConventionIsNamed) {
-    for (const std::string& thing : things) {
+    for (const std::string& thing : marked_things) {
         const Rubric rubric = rubric_of(thing);
         References references(rubric);
         const RubricItem& item = rubric.items.front();
         const Reference& reference = references.of(item, item.settings);
         const auto expect_named = [&](const Vector& values, const ConventionKeys& keys) {
             if (agreement_of(values, reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // no mistake on this mesh
-            const StudentMarks marks = marks_of(handed_in(values, reference, item.what), rubric, references);
+            const StudentMarks marks = marks_of(files_with(values, reference, item.what), rubric, references);
             const ItemMark& mark = marks.items.front();
             EXPECT_EQ(mark.verdict, Verdict::recognised) << thing << ": " << keys.front();
-            EXPECT_TRUE(has(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << said_of(mark);
+            EXPECT_TRUE(names(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << said_of(mark);
             EXPECT_EQ(mark.score, 4);
         };
         for (const ValueConvention& convention : value_conventions(item.what))
@@ -86,14 +86,14 @@ TEST(Marking, EveryConventionIsNamed) {
 }
 
 TEST(Marking, WhatIsWrongIsNotExcused) {
-    for (const std::string& thing : things) {
+    for (const std::string& thing : marked_things) {
         const Rubric rubric = rubric_of(thing);
         References references(rubric);
         const RubricItem& item = rubric.items.front();
         const Reference& reference = references.of(item, item.settings);
         Vector values = reference.right.values;
         for (Eigen::Index i = 0; i < values.size(); ++i) values[i] *= 1 + 0.1 * (i % 7);
-        const StudentMarks marks = marks_of(handed_in(values, reference, item.what), rubric, references);
+        const StudentMarks marks = marks_of(files_with(values, reference, item.what), rubric, references);
         EXPECT_EQ(marks.items.front().verdict, Verdict::wrong) << thing << ": " << said_of(marks.items.front());
         EXPECT_EQ(marks.score(), 0) << thing;
     }
@@ -109,7 +109,7 @@ TEST(Marking, TrianglesTurnedRoundAreNamed) {
     turned.X = Eigen::Map<const Positions>(reference.right.values.data(), turned.X.rows(), 3);
     turned.F.col(1).swap(turned.F.col(2));
     const StudentMarks marks = marks_of({{"a.ply", encode_mesh(turned, "a.ply")}}, rubric, references);
-    EXPECT_TRUE(has(marks.items.front().conventions, {"reversed_faces"})) << said_of(marks.items.front());
+    EXPECT_TRUE(names(marks.items.front().conventions, {"reversed_faces"})) << said_of(marks.items.front());
 }
 
 TEST(Marking, WhatCannotBeUsedIsSaidOfItsItem) {
