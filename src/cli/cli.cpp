@@ -24,10 +24,10 @@ namespace meshfolio::cli {
 
 namespace {
 
-constexpr std::array makers{report_command,    merge_command,     batch_command,  render_command, inspect_command,
-                            curvature_command, spectrum_command,  smooth_command, noise_command,  compare_command,
-                            lab_command,       sample_command,    list_command,   doctor_command, verify_command,
-                            cache_command,     templates_command, submit_command, help_command,   version_command};
+constexpr std::array makers{report_command,    merge_command,    batch_command,  mark_command,   render_command,  inspect_command,
+                            curvature_command, spectrum_command, smooth_command, noise_command,  compare_command, lab_command,
+                            sample_command,    list_command,     doctor_command, verify_command, cache_command,   templates_command,
+                            submit_command,    help_command,     version_command};
 
 /// `meshfolio` alone says what it can do; with options only it means `meshfolio report`.
 std::vector<std::string> with_command(int argc, const char* const* argv) {

@@ -67,5 +67,6 @@ Command cache_command(CLI::App& parent);
 Command templates_command(CLI::App& parent);
 Command help_command(CLI::App& parent);
 Command version_command(CLI::App& parent);
+Command mark_command(CLI::App& parent);
 
 }   // namespace meshfolio::cli

@@ -13,7 +13,8 @@ from file_readers import obj, ply, png, read
 from in_folder import InFolder
 from program import PROGRAM
 
-COMMANDS = ['report', 'batch', 'render', 'inspect', 'curvature', 'spectrum', 'smooth', 'noise', 'compare', 'sample', 'list', 'doctor', 'verify']
+COMMANDS = ['report', 'batch', 'render', 'inspect', 'curvature', 'spectrum', 'smooth', 'noise', 'compare', 'sample', 'list', 'doctor', 'verify',
+            'merge', 'mark']
 VIEWS = ['+x', '-x', '+y', '-y', '+z', '-z']
 
 # A box of 2 x 4 x 6 about the origin, its sides split by vertex order so that each triangle is told apart by its number.

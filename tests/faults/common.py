@@ -146,6 +146,23 @@ class Faults(unittest.TestCase):
         self.restore_old()
         return old, new, words
 
+    def with_marks(self):
+        """The trees of old marks, which are put in place, and of those for a better answer; the words that mark it."""
+        self.old_folder = self.folder / "made-marks" / "out"
+        rubric, student = self.folder / "rubric.toml", self.folder / "ada"
+        rubric.write_text('[[item]]\nid = "kappa"\nwhat = "number"\nvalue = 2.0\npoints = 3\n')
+        student.mkdir(exist_ok=True)
+        trees = []
+        for answer, out in (("1.0", self.old_folder), ("2.0", self.out)):
+            (student / "answers.toml").write_text(f"kappa = {answer}\n")
+            out.parent.mkdir(parents=True, exist_ok=True)
+            shutil.rmtree(out, ignore_errors=True)
+            words = ["mark", student, "--rubric", rubric, "--out", out]
+            self.assertEqual(self.run_program(*words).code, 0)
+            trees.append(tree(out))
+        self.restore_old()
+        return *trees, words
+
     old_folder = None
 
     def restore_old(self):

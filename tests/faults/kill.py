@@ -109,8 +109,8 @@ class Kill(Faults):
         self.assertEqual(self.beside(), ["x.ply"])
 
     @needs_strace
-    def test_before_system_calls_of_a_renewal_and_of_a_merge(self):
-        for made_of in (self.with_renewal, self.with_parts):
+    def test_before_system_calls_of_a_renewal_a_merge_and_marks(self):
+        for made_of in (self.with_renewal, self.with_parts, self.with_marks):
             old, new, words = made_of()
             points = self.calls(CHANGES, *words)
             for call in {*some(points, 8), *(c for c in points if c.name.startswith("rename"))}:

@@ -46,8 +46,8 @@ class Space(Faults):
             self.assertEqual(self.beside(), [], call.line)
 
     @needs_strace
-    def test_each_failing_call_of_a_renewal_and_of_a_merge(self):
-        for made_of in (self.with_renewal, self.with_parts):
+    def test_each_failing_call_of_a_renewal_a_merge_and_marks(self):
+        for made_of in (self.with_renewal, self.with_parts, self.with_marks):
             old, _, words = made_of()
             for call in some(list(writing(self.calls(WRITES, *words))), 8):
                 self.restore_old()

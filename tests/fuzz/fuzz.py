@@ -27,7 +27,7 @@ KEEP_MEMORY = {"MALLOC_MMAP_THRESHOLD_": "100000000", "MALLOC_TRIM_THRESHOLD_": 
 # What the fast build does without is also the bookkeeping of rare features, a third of its time.
 FAST_LIMITS = ["-entropic=0"]
 SANITIZER_OPTIONS = {"ASAN_OPTIONS": "detect_leaks=1:allocator_may_return_null=1", "UBSAN_OPTIONS": "print_stacktrace=1"}
-FORMATS = {"settings": ".toml", "template": ".html", "results": ".json", "values": ".csv", "sums": "SHA256SUMS"}
+FORMATS = {"settings": ".toml", "template": ".html", "results": ".json", "values": ".csv", "sums": "SHA256SUMS", "handed_in": ".zip"}
 
 
 def build(preset, targets):

@@ -1,0 +1,124 @@
+#include "run/mark/conventions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace meshfolio::run {
+
+namespace {
+
+std::function<Vector(const Vector&)> times(double factor) {
+    return [factor](const Vector& right) -> Vector { return factor * right; };
+}
+std::function<Vector(const Vector&)> magnitude_times(double factor) {
+    return [factor](const Vector& right) -> Vector { return factor * right.cwiseAbs(); };
+}
+
+namespace of_values {
+
+const ValueConvention as_it_is{{}, times(1)};
+const ValueConvention doubled{{"doubled"}, times(2)};
+const ValueConvention halved{{"halved"}, times(0.5)};
+const ValueConvention negated{{"negated"}, times(-1)};
+const ValueConvention magnitude{{"magnitude"}, magnitude_times(1)};
+const ValueConvention doubled_negated{{"doubled", "negated"}, times(-2)};
+const ValueConvention halved_negated{{"halved", "negated"}, times(-0.5)};
+const ValueConvention doubled_magnitude{{"doubled", "magnitude"}, magnitude_times(2)};
+const ValueConvention root{{"square_root"}, [](const Vector& right) -> Vector { return right.cwiseMax(0).cwiseSqrt(); }};
+const ValueConvention descending{{"descending"}, [](const Vector& right) -> Vector { return right.reverse(); }};
+const ValueConvention negated_descending{{"descending", "negated"}, [](const Vector& right) -> Vector { return -right.reverse(); }};
+const ValueConvention inverse{{"inverse"}, [](const Vector& right) -> Vector { return right.cwiseInverse(); }};
+
+}   // namespace of_values
+
+double median_magnitude(const Vector& values) {
+    std::vector<double> magnitudes;
+    for (const double value : values)
+        if (std::isfinite(value)) magnitudes.push_back(std::abs(value));
+    if (magnitudes.empty()) return 0;
+    const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+    std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+    return *middle;
+}
+
+}   // namespace
+
+const std::vector<std::string>& convention_keys() {
+    static const std::vector<std::string> all = [] {
+        std::vector<std::string> keys{"doubled",        "halved",        "negated",      "magnitude",     "square_root",   "descending",
+                                      "inverse",        "without_area",  "whole_ring",   "valence_sum",   "scaled",        "unclamped",
+                                      "zero_left_out",  "unmapped",      "unweighted",   "one_more",      "one_less",      "lambda_negated",
+                                      "lambda_doubled", "lambda_halved", "other_scheme", "other_rebuild", "reversed_faces"};
+        for (const OperatorEntry& entry : operator_list()) keys.push_back("operator_" + std::string(entry.name));
+        for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed})
+            keys.push_back("area_" + std::string(name_of(form)));
+        return keys;
+    }();
+    return all;
+}
+
+const std::vector<ValueConvention>& value_conventions(MarkedThing what) {
+    using namespace of_values;
+    static const std::vector<ValueConvention> curvature{as_it_is,  doubled,         halved,         negated,
+                                                        magnitude, doubled_negated, halved_negated, doubled_magnitude};
+    static const std::vector<ValueConvention> spectrum{as_it_is,   doubled,         halved,         negated,           root,
+                                                       descending, doubled_negated, halved_negated, negated_descending};
+    static const std::vector<ValueConvention> number{as_it_is, doubled, halved, negated, inverse, doubled_negated, halved_negated};
+    static const std::vector<ValueConvention> positions{as_it_is};
+    switch (what) {
+        case MarkedThing::eigenvalues:
+            return spectrum;
+        case MarkedThing::number:
+            return number;
+        case MarkedThing::reconstruction:
+        case MarkedThing::smoothed:
+            return positions;
+        default:
+            return curvature;
+    }
+}
+
+Agreement agreement_of(const Vector& given, const RightValues& right, double tolerance) {
+    const double typical = right.relative_to_scale ? right.scale : std::max(median_magnitude(right.values), right.scale);
+    Agreement agreement;
+    Eigen::Index good = 0;
+    for (Eigen::Index i = 0; i < right.values.size(); ++i) {
+        if (!std::isfinite(right.values[i])) continue;
+        const double size = right.relative_to_scale ? typical : std::abs(right.values[i]) + typical;
+        const double difference = std::abs(given[i] - right.values[i]) / size;
+        const double off = std::isfinite(difference) ? difference : std::numeric_limits<double>::infinity();
+        ++agreement.asked;
+        good += off <= tolerance ? 1 : 0;
+        if (agreement.where < 0 || off > agreement.worst) agreement.worst = off, agreement.where = i;
+    }
+    agreement.share = agreement.asked > 0 ? static_cast<double>(good) / static_cast<double>(agreement.asked) : 1;
+    return agreement;
+}
+
+std::vector<ConventionKeys> recognised(const Vector& given, const RightValues& right, MarkedThing what, double tolerance,
+                                       const std::function<const std::vector<Variant>&()>& variants) {
+    std::vector<ConventionKeys> found;
+    const Agreement with_right = agreement_of(given, right, tolerance);
+    if (with_right.agrees(tolerance)) return found;
+    const auto try_one = [&](const Vector& base, const std::string& key, const ValueConvention& convention) {
+        ConventionKeys keys = convention.keys;
+        if (!key.empty()) keys.insert(keys.begin(), key);
+        if (keys.empty() || (!found.empty() && keys.size() > found.front().size())) return;
+        RightValues wrong = right;
+        wrong.values = convention.apply(base);
+        // As large as right values are: where they are all 0, so is what they are measured by.
+        if (agreement_of(wrong.values, right, tolerance).worst <= 2 * tolerance) return;   // no other answer than the right one
+        const Agreement with_wrong = agreement_of(given, wrong, tolerance);
+        if (!with_wrong.agrees(tolerance) || 2 * with_wrong.asked < with_right.asked) return;   // hardly defined: it explains nothing
+        if (!found.empty() && keys.size() < found.front().size()) found.clear();
+        found.push_back(std::move(keys));
+    };
+    for (const ValueConvention& convention : value_conventions(what)) try_one(right.values, "", convention);
+    if (what == MarkedThing::number) return found;
+    for (const Variant& variant : variants())
+        for (const ValueConvention& convention : value_conventions(what)) try_one(variant.values, variant.key, convention);
+    return found;
+}
+
+}   // namespace meshfolio::run

@@ -1,0 +1,98 @@
+#include "run/mark/mark_class.h"
+
+#include <filesystem>
+#include <set>
+
+#include "base/file_bytes.h"
+#include "output/publish/folder_system.h"
+#include "output/publish/publish.h"
+#include "report/words.h"
+#include "run/console.h"
+#include "run/mark/mark_pages.h"
+#include "run/progress.h"
+
+namespace meshfolio::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void require_submissions(const std::vector<std::string>& submissions) {
+    for (const std::string& path : submissions)
+        if (!may_be_there(path)) throw InputError({path}, "is not there", near_names(path));
+}
+
+/// The name of the folder or zip where it is a safe one, else made so; one that another has gets a number.
+std::string id_of(const fs::path& submission, std::set<std::string>& taken) {
+    const fs::path named = submission.has_filename() ? submission : submission.parent_path();
+    const std::string whole = fs::absolute(named).lexically_normal().filename().string();
+    const bool is_zip = fs::path(whole).extension() == ".zip";
+    const std::string stem = is_zip ? fs::path(whole).stem().string() : whole;
+    const std::string name = output::is_safe_name(stem) ? stem : short_name(stem);
+    std::string id = name;
+    for (int number = 2; !taken.insert(id).second; ++number) id = name + "-" + std::to_string(number);
+    return id;
+}
+
+/// Right answers at the settings of the rubric: what is wrong with them is wrong with the rubric.
+void compute_references(const Rubric& rubric, References& references) {
+    for (const RubricItem& item : rubric.items) {
+        if (references.of(item, item.settings).not_unique)
+            warn(item.id + ": k = " + std::to_string(item.settings.k) +
+                 " parts equal eigenvalues; other reconstructions are right as well");
+    }
+}
+
+StudentMarks marks_of_submission(const std::string& path, const Rubric& rubric, References& references) {
+    try {
+        return marks_of(submission::read_handed_in(path), rubric, references);
+    } catch (const InputError& error) {
+        StudentMarks refused;
+        refused.refused = error.what();
+        complain(error.what());
+        return refused;
+    }
+}
+
+void write_student(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates, const fs::path& folder) {
+    output::make_folder(folder);
+    for (const ItemMark& mark : marks.items) {
+        if (const std::string picture = picture_of(mark); !picture.empty()) write_file(folder / picture_file(mark), picture);
+    }
+    write_file(folder / "index.html", student_page(marks, rubric, templates));
+    write_file(folder / "results.json", student_json(marks, rubric));
+}
+
+}   // namespace
+
+ExitCode mark_class(const MarkFlags& flags) {
+    const Rubric rubric = read_rubric(flags.rubric);
+    const report::Templates templates(flags.templates);
+    report::use_words_of(templates);
+    require_submissions(flags.submissions);
+    References references(rubric);
+    compute_references(rubric, references);
+    output::Publication publication(flags.out);
+    std::vector<StudentMarks> students;
+    std::set<std::string> taken{"class.csv", output::sums_file};
+    int refused = 0;
+    Stage stage("marking");
+    for (const std::string& path : flags.submissions) {
+        StudentMarks marks = marks_of_submission(path, rubric, references);
+        marks.id = id_of(path, taken);
+        marks.source = fs::path(path).filename().string();
+        if (marks.source.empty()) marks.source = marks.id;
+        refused += marks.refused.empty() ? 0 : 1;
+        write_student(marks, rubric, templates, publication.folder() / marks.id);
+        for (ItemMark& mark : marks.items) mark.difference = {};   // drawn, and as large as the mesh
+        students.push_back(std::move(marks));
+        stage.advance(static_cast<double>(students.size()) / static_cast<double>(flags.submissions.size()));
+    }
+    write_file(publication.folder() / "class.csv", class_csv(students, rubric));
+    if (const std::string note = publication.publish(); !note.empty()) warn(note);
+    complain(std::to_string(students.size() - static_cast<std::size_t>(refused)) + " marked, " + std::to_string(refused) + " refused");
+    print_path(fs::path(flags.out) / "class.csv");
+    return refused > 0 ? ExitCode::failed : ExitCode::ok;
+}
+
+}   // namespace meshfolio::run

@@ -1,0 +1,237 @@
+#include "run/mark/mark_pages.h"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
+#include "output/draw/robust_range.h"
+#include "output/draw/surface_of.h"
+#include "png/png.h"
+#include "questions/operators/study.h"
+#include "report/escape.h"
+#include "report/page/page_design.h"
+#include "report/page/template_render.h"
+#include "report/words.h"
+#include "sheet/contact_sheet.h"
+
+namespace meshfolio::run {
+
+using namespace report::literals;
+
+namespace {
+
+using nlohmann::json;
+
+constexpr report::Words words("mark");
+constexpr int view_side = 300;   // pixels
+
+/// "area_voronoi" is the sentence "area" with the name of the form; most keys are sentences of their own.
+std::string sentence_of(const std::string& key) {
+    const auto after = [&](std::string_view start) { return key.substr(start.size()); };
+    if (key.starts_with("operator_")) {
+        const OperatorEntry& entry = operator_entry(operator_named(after("operator_")));
+        return words.line("convention.operator", "operator"_a = entry.title, "description"_a = entry.description);
+    }
+    if (key.starts_with("area_")) {
+        const operators::LaboratoryOperator with_area{OperatorKind::cotan, area_form_named(after("area_"))};
+        return words.line("convention.area", "area"_a = name_of(with_area.area));
+    }
+    return words.line("convention." + key);
+}
+
+std::string joined_by(const std::vector<std::string>& parts, const std::string& between) {
+    std::string all;
+    for (const std::string& part : parts) all += (all.empty() ? "" : between) + part;
+    return all;
+}
+
+std::string in_words(const std::vector<ConventionKeys>& conventions) {
+    std::vector<std::string> each;
+    for (const ConventionKeys& keys : conventions) {
+        std::vector<std::string> sentences;
+        std::ranges::transform(keys, std::back_inserter(sentences), sentence_of);
+        each.push_back(joined_by(sentences, "; " + words.line("and") + " "));
+    }
+    return joined_by(each, "; " + words.line("or") + " ");
+}
+
+/// "that of vertex 17".
+std::string place_of(const ItemMark& mark) {
+    const bool is_position = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
+    if (is_position)
+        return words.line("place.coordinate", "vertex"_a = mark.agreement.where / 3,
+                          "axis"_a = std::string(1, "xyz"[mark.agreement.where % 3]));
+    if (mark.item->what == MarkedThing::eigenvalues) return words.line("place.eigenvalue", "index"_a = mark.agreement.where + 1);
+    if (mark.item->what == MarkedThing::number) return words.line("place.number");
+    return words.line("place.vertex", "vertex"_a = mark.agreement.where);
+}
+
+const char* verdict_word(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::right:
+            return "right";
+        case Verdict::accepted:
+            return "accepted";
+        case Verdict::recognised:
+            return "recognised";
+        case Verdict::wrong:
+            return "wrong";
+        case Verdict::missing:
+            return "missing";
+        case Verdict::unusable:
+            return "unusable";
+    }
+    return "";
+}
+
+bool keeps_all(const ItemMark& mark) { return mark.verdict == Verdict::right || mark.verdict == Verdict::accepted; }
+
+std::string points_text(double points) { return plain_text(points, 6); }
+
+bool has_picture(const ItemMark& mark) { return mark.difference.size() > 0 && mark.difference.array().isFinite().any(); }
+
+json item_view(const ItemMark& mark) {
+    return {{"id", mark.item->id},
+            {"title", report::safe_text(mark.item->title)},
+            {"score", points_text(mark.score)},
+            {"points", points_text(mark.item->points)},
+            {"verdict", words.line("verdict." + std::string(verdict_word(mark.verdict)))},
+            {"is_right", keeps_all(mark)},
+            {"is_partial", mark.verdict == Verdict::recognised},
+            {"is_lost", !keeps_all(mark) && mark.verdict != Verdict::recognised},
+            {"file", report::safe_text(mark.file)},
+            {"has_file", !mark.file.empty()},
+            {"settings", described(*mark.item, mark.settings)},
+            {"said", report::safe_text(said_of(mark))},
+            {"has_picture", has_picture(mark)},
+            {"picture", report::url_path(picture_file(mark))}};
+}
+
+/// What a spreadsheet would take for a formula is a text.
+std::string harmless_cell(const std::string& text) {
+    const std::string plain = report::safe_text(text);
+    return !plain.empty() && std::string_view("=+-@").find(plain.front()) != std::string_view::npos ? "'" + plain : plain;
+}
+
+}   // namespace
+
+std::string said_of(const ItemMark& mark) {
+    const std::string worst = readable(mark.agreement.worst), tolerance = readable(mark.item->tolerance);
+    std::string said;
+    switch (mark.verdict) {
+        case Verdict::right:
+            said = words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance);
+            break;
+        case Verdict::accepted:
+            said = words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
+            break;
+        case Verdict::recognised:
+            said = words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
+                              "share"_a = readable_percent(mark.item->recognised));
+            break;
+        case Verdict::wrong:
+            said = words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,
+                              "place"_a = place_of(mark), "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
+            break;
+        case Verdict::missing:
+            said = mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
+                                                          : words.line("said.missing", "pattern"_a = mark.item->file);
+            break;
+        case Verdict::unusable:
+            return words.line("said.unusable", "problem"_a = mark.problem);
+    }
+    if (mark.reference->not_unique && mark.verdict != Verdict::right) said += " " + words.line("said.not_unique");
+    return said;
+}
+
+std::string picture_file(const ItemMark& mark) { return mark.item->id + ".jpg"; }
+
+std::string picture_of(const ItemMark& mark) {
+    if (!has_picture(mark)) return "";
+    const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
+    const bool is_distance = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
+    const output::ColorRange range =
+        output::robust_range({{"", "", mesh, mark.difference}}, is_distance ? "viridis" : "diverging",
+                             words.line(is_distance ? "picture.distance" : "picture.difference"), "", mark.reference->right.scale * 1e-12);
+    render::DrawOptions draw;
+    draw.width = draw.height = view_side;
+    draw.range = output::value_range(range);
+    render::ContactSheet sheet;
+    sheet.title = mark.item->title;
+    for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
+    sheet.pictures = render::draw_views(output::surface_of(*mesh, &mark.difference), render::six_views, draw);
+    sheet.color_bar = output::color_bar_of(range, !mark.difference.array().isFinite().all(), draw.undefined_color);
+    constexpr int quality = 85;
+    return render::encode_jpeg(render::compose(sheet), quality);
+}
+
+std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates) {
+    json items = json::array(), remarks = json::array();
+    for (const ItemMark& mark : marks.items) items.push_back(item_view(mark));
+    for (const std::string& remark : marks.remarks) remarks.push_back({{"text", report::safe_text(remark)}});
+    json model{{"title", report::safe_text(rubric.title)},
+               {"student", marks.id},
+               {"source", report::safe_text(marks.source)},
+               {"score", points_text(marks.score())},
+               {"points", points_text(rubric.points())},
+               {"refused", report::safe_text(marks.refused)},
+               {"is_refused", !marks.refused.empty()},
+               {"has_remarks", !remarks.empty()},
+               {"remarks", remarks},
+               {"items", items}};
+    report::add_design(model, templates, "mark");
+    return report::render(templates, "mark.html", model, report::xml_escape);
+}
+
+std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
+    nlohmann::ordered_json tests = nlohmann::ordered_json::array();
+    for (const ItemMark& mark : marks.items) {
+        nlohmann::ordered_json conventions = nlohmann::ordered_json::array();
+        for (const ConventionKeys& keys : mark.conventions) conventions.push_back(keys);
+        tests.push_back({{"number", mark.item->id},
+                         {"name", report::safe_text(mark.item->title)},
+                         {"score", mark.score},
+                         {"max_score", mark.item->points},
+                         {"status", keeps_all(mark) ? "passed" : "failed"},
+                         {"output", report::safe_text(said_of(mark))},
+                         {"output_format", "text"},
+                         {"extra_data", {{"verdict", verdict_word(mark.verdict)}, {"conventions", conventions}}}});
+    }
+    std::vector<std::string> remarks;
+    std::ranges::transform(marks.remarks, std::back_inserter(remarks), report::safe_text);
+    const std::string output = marks.refused.empty() ? joined_by(remarks, "\n") : report::safe_text(marks.refused);
+    const nlohmann::ordered_json results{{"score", marks.score()},
+                                         {"output", output},
+                                         {"output_format", "text"},
+                                         {"tests", tests},
+                                         {"extra_data", {{"student", marks.id}, {"max_score", rubric.points()}}}};
+    return results.dump(2) + "\n";
+}
+
+std::string class_csv(const std::vector<StudentMarks>& students, const Rubric& rubric) {
+    report::Table table;
+    for (const char* name : {"student", "submission", "score", "max_score"}) table.columns.push_back({name});
+    for (const RubricItem& item : rubric.items) {
+        table.columns.push_back({item.id});
+        table.columns.push_back({item.id + "_verdict"});
+    }
+    table.columns.push_back({"remarks"});
+    for (const StudentMarks& marks : students) {
+        std::vector<report::Cell> row{harmless_cell(marks.id), harmless_cell(marks.source), marks.score(), rubric.points()};
+        for (std::size_t i = 0; i < rubric.items.size(); ++i) {
+            const ItemMark* mark = i < marks.items.size() ? &marks.items[i] : nullptr;
+            std::vector<std::string> each;
+            if (mark != nullptr)
+                for (const ConventionKeys& keys : mark->conventions) each.push_back(joined_by(keys, " + "));
+            row.emplace_back(mark != nullptr ? mark->score : 0.0);
+            row.emplace_back(mark == nullptr ? std::string("refused")
+                                             : verdict_word(mark->verdict) + (each.empty() ? "" : ": " + joined_by(each, " | ")));
+        }
+        row.emplace_back(harmless_cell(marks.refused.empty() ? joined_by(marks.remarks, "; ") : marks.refused));
+        table.rows.push_back(std::move(row));
+    }
+    return report::write_csv(table);
+}
+
+}   // namespace meshfolio::run

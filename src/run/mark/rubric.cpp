@@ -1,0 +1,260 @@
+#include "run/mark/rubric.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/in_quotes.h"
+#include "base/nearest_word.h"
+#include "base/number_text.h"
+#include "output/publish/folder_system.h"
+#include "run/mark/conventions.h"
+#include "run/settings/settings_reader.h"
+#include "submission/source_listing.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+using Keys = std::vector<std::string>;
+
+/// The name of each thing in a rubric, and which settings its answer depends on.
+struct ThingEntry {
+    MarkedThing what;
+    std::string_view name;
+    Keys settings;
+};
+const std::array<ThingEntry, 7>& things() {
+    static const std::array<ThingEntry, 7> list{
+        {{MarkedThing::H, "H", {"operator", "area"}},
+         {MarkedThing::H_uniform, "H_uniform", {}},
+         {MarkedThing::K, "K", {"area"}},
+         {MarkedThing::eigenvalues, "eigenvalues", {"operator", "area", "k"}},
+         {MarkedThing::reconstruction, "reconstruction", {"operator", "area", "k"}},
+         {MarkedThing::smoothed, "smoothed", {"operator", "area", "scheme", "lambda", "unit", "iterations", "rebuild"}},
+         {MarkedThing::number, "number", {}}}};
+    return list;
+}
+const ThingEntry& entry_of(MarkedThing what) { return *std::ranges::find(things(), what, &ThingEntry::what); }
+
+Keys thing_names() {
+    Keys names;
+    for (const ThingEntry& entry : things()) names.emplace_back(entry.name);
+    return names;
+}
+
+constexpr long long most_modes = 500, most_steps = 1000;
+constexpr int most_chosen = 100;   // by a student: none may take minutes. The rubric may have more
+constexpr double largest_points = 1e6;
+
+/// A word that a function knows, or what the function says of it.
+template <class Value, class Named>
+void read_named(const TableReader& reader, const char* key, Problems& problems, Value& value, Named named) {
+    const auto word = reader.text(key);
+    if (!word) return;
+    try {
+        value = named(*word);
+    } catch (const UsageError& error) {
+        problems.add(*reader.node(key), error.what());
+    }
+}
+
+void read_settings_of_answer(const TableReader& reader, Problems& problems, AnswerSettings& settings) {
+    read_named(reader, "operator", problems, settings.laplacian, operator_named);
+    read_named(reader, "area", problems, settings.area, area_form_named);
+    read_named(reader, "scheme", problems, settings.scheme, smoothing_scheme_named);
+    read_named(reader, "unit", problems, settings.unit, step_unit_named);
+    if (const auto k = reader.integer("k", 1, most_modes)) settings.k = static_cast<int>(*k);
+    if (const auto steps = reader.integer("iterations", 1, most_steps)) settings.iterations = static_cast<int>(*steps);
+    if (const auto lambda = reader.numbers("lambda", 0, limits::largest_lambda, true); !lambda.empty()) settings.lambda = lambda.front();
+    settings.rebuild = reader.truth("rebuild").value_or(settings.rebuild);
+}
+
+/// Words of a list, each one of the known ones.
+Keys read_some_of(const TableReader& reader, const char* key, Problems& problems, const Keys& known) {
+    return reader.texts(key, [&](const std::string& word, const toml::node& where) {
+        if (contains(known, word)) return;
+        problems.add(where, reader.called(key) + ": unknown word " + in_quotes(word),
+                     known.empty() ? "there is none here" : "did you mean '" + nearest_word(word, known) + "'?");
+    });
+}
+
+class RubricReader {
+public:
+    RubricReader(Rubric& rubric, Problems& problems) : rubric_(rubric), problems_(problems) {}
+
+    void read(const toml::table& root) {
+        const TableReader reader(root, "", {"title"}, problems_, {"item"});
+        rubric_.title = reader.text("title").value_or("Coursework");
+        if (const toml::node* node = root.get("item")) {
+            for_each_table(*node, "item", problems_, [&](const toml::table& table) { rubric_.items.push_back(item_of(table)); });
+        } else {
+            problems_.add(root, "the rubric has no item", "write [[item]] above each");
+        }
+    }
+
+private:
+    Rubric& rubric_;
+    Problems& problems_;
+    std::set<std::string> ids_;
+
+    RubricItem item_of(const toml::table& table) {
+        static const Keys known{"id",   "title",  "what",   "mesh",      "file",   "column",     "operator",
+                                "area", "k",      "scheme", "lambda",    "unit",   "iterations", "rebuild",
+                                "free", "accept", "value",  "tolerance", "points", "recognised"};
+        const TableReader reader(table, "[[item]]", known, problems_);
+        RubricItem item;
+        item.id = reader.text("id").value_or("");
+        if (!output::is_safe_name(item.id) || !ids_.insert(item.id).second)
+            problems_.add(table, "[[item]] has no id of its own", "add id = \"q3-h\", say: letters, digits, '_', '-' and '.'");
+        item.title = reader.text("title").value_or(item.id);
+        read_named(reader, "what", problems_, item.what, [&](const std::string& word) {
+            const auto entry = std::ranges::find(things(), word, &ThingEntry::name);
+            if (entry != things().end()) return entry->what;
+            throw UsageError("unknown what " + in_quotes(word), "did you mean '" + nearest_word(word, thing_names()) + "'?");
+        });
+        const ThingEntry& entry = entry_of(item.what);
+        item.mesh = reader.text("mesh").value_or("");
+        item.file = reader.text("file").value_or("");
+        item.columns = reader.texts("column");
+        read_settings_of_answer(reader, problems_, item.settings);
+        item.free = read_some_of(reader, "free", problems_, entry.settings);
+        item.accept = read_some_of(reader, "accept", problems_, convention_keys());
+        const auto number = [&](const char* key, double low, double high, bool above, double& value) {
+            if (const auto given = reader.numbers(key, low, high, above); !given.empty()) value = given.front();
+        };
+        number("value", -1e100, 1e100, false, item.value);
+        number("tolerance", 0, 1, true, item.tolerance);
+        number("points", 0, largest_points, false, item.points);
+        number("recognised", 0, 1, false, item.recognised);
+        require(table, reader, item.what);
+        return item;
+    }
+
+    void require(const toml::table& table, const TableReader& reader, MarkedThing what) {
+        Keys must{"id", "what", "points"};
+        const bool is_mesh = what == MarkedThing::reconstruction || what == MarkedThing::smoothed;
+        if (what == MarkedThing::number) {
+            must.emplace_back("value");
+        } else {
+            must.insert(must.end(), {"mesh", "file"});
+            if (!is_mesh) must.emplace_back("column");
+        }
+        for (const std::string& key : must) {
+            if (reader.node(key) == nullptr) problems_.add(table, "[[item]] has no " + key, "data/rubric.toml shows one");
+        }
+    }
+};
+
+/// The table of a TOML text; null where it is none, which is reported.
+std::optional<toml::table> table_of(std::string_view text, const std::string& file, Problems& problems) {
+    if (const long line = line_of_long_key(text); line > 0) {
+        problems.add(line, "a key has too many parts between dots", "none that is known has more than two");
+        return {};
+    }
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        problems.add(static_cast<long>(error.source().begin.line), std::string(error.description()), "correct the TOML");
+        return {};
+    }
+}
+
+StudentAnswer answer_of(const toml::table& table, const RubricItem& item, Problems& problems) {
+    Keys known = item.free;
+    if (item.what == MarkedThing::number || known.empty()) known.emplace_back("value");
+    const TableReader reader(table, "[" + item.id + "]", known, problems);
+    StudentAnswer answer{item.settings, {}};
+    AnswerSettings chosen = item.settings;
+    read_settings_of_answer(reader, problems, chosen);
+    const auto limit = [&](const char* key, int& value, int own) {
+        const int most = std::max(own, most_chosen);
+        if (value <= most) return;
+        problems.add(table, reader.called(key) + " is above " + std::to_string(most), "that of the rubric is taken");
+        value = own;
+    };
+    limit("k", chosen.k, item.settings.k);
+    limit("iterations", chosen.iterations, item.settings.iterations);
+    const auto is_free = [&](const char* key) { return contains(item.free, key); };
+    if (is_free("operator")) answer.settings.laplacian = chosen.laplacian;
+    if (is_free("area")) answer.settings.area = chosen.area;
+    if (is_free("k")) answer.settings.k = chosen.k;
+    if (is_free("scheme")) answer.settings.scheme = chosen.scheme;
+    if (is_free("lambda")) answer.settings.lambda = chosen.lambda;
+    if (is_free("unit")) answer.settings.unit = chosen.unit;
+    if (is_free("iterations")) answer.settings.iterations = chosen.iterations;
+    if (is_free("rebuild")) answer.settings.rebuild = chosen.rebuild;
+    if (const auto value = reader.numbers("value", -1e100, 1e100, false); !value.empty()) answer.value = value.front();
+    return answer;
+}
+
+}   // namespace
+
+double Rubric::points() const {
+    double sum = 0;
+    for (const RubricItem& item : items) sum += item.points;
+    return sum;
+}
+
+Rubric parse_rubric(std::string_view text, const std::string& file) {
+    Problems problems(file);
+    Rubric rubric;
+    rubric.base = std::filesystem::path(file).parent_path();
+    if (const auto table = table_of(text, file, problems)) RubricReader(rubric, problems).read(*table);
+    problems.raise();
+    return rubric;
+}
+
+Rubric read_rubric(const std::string& file) {
+    if (!file.empty()) return parse_rubric(read_file(file, limits::largest_settings), file);
+    for (const submission::SourceFile& source : submission::source_tree()) {
+        if (source.path == "data/rubric.toml") return parse_rubric(source.bytes, "rubric.toml");
+    }
+    throw InputError({"rubric.toml"}, "is not among the bundled files of this build", "name one with --rubric");
+}
+
+std::string described(const RubricItem& item, const AnswerSettings& settings) {
+    constexpr std::array schemes{"explicit", "implicit", "taubin"}, units{"raw", "tau", "h2"};   // in the order of their enumerators
+    const std::map<std::string, std::string> values{{"operator", std::string(operator_entry(settings.laplacian).name)},
+                                                    {"area", std::string(name_of(settings.area))},
+                                                    {"k", std::to_string(settings.k)},
+                                                    {"scheme", schemes.at(static_cast<std::size_t>(settings.scheme))},
+                                                    {"lambda", plain_text(settings.lambda)},
+                                                    {"unit", units.at(static_cast<std::size_t>(settings.unit))},
+                                                    {"iterations", std::to_string(settings.iterations)},
+                                                    {"rebuild", settings.rebuild ? "true" : "false"}};
+    std::string text;
+    for (const std::string& key : entry_of(item.what).settings) text += (text.empty() ? "" : ", ") + key + " = " + values.at(key);
+    return text;
+}
+
+std::map<std::string, StudentAnswer> parse_answers(std::string_view text, const Rubric& rubric, std::vector<std::string>& problems) {
+    std::map<std::string, StudentAnswer> answers;
+    Keys ids;
+    for (const RubricItem& item : rubric.items) {
+        answers[item.id].settings = item.settings;
+        ids.push_back(item.id);
+    }
+    Problems found(answers_file);
+    if (const auto root = text.size() <= limits::largest_settings ? table_of(text, answers_file, found) : std::nullopt) {
+        const TableReader known(*root, "", {"name"}, found, ids);
+        for (const RubricItem& item : rubric.items) {
+            const toml::node* node = root->get(item.id);
+            if (node != nullptr && node->is_table()) {
+                answers[item.id] = answer_of(*node->as_table(), item, found);
+            } else if (const auto value = known.numbers(item.id, -1e100, 1e100, false); !value.empty()) {   // q2-kappa = 0.5
+                answers[item.id].value = value.front();
+            }
+        }
+    }
+    try {
+        found.raise();
+    } catch (const SettingsErrors& errors) {
+        for (const UsageError& error : errors.problems()) problems.emplace_back(error.what());
+    }
+    return answers;
+}
+
+}   // namespace meshfolio::run

@@ -1,0 +1,34 @@
+/// @file
+/// What someone else hands in, a folder or a zip, read into memory. It is not trusted: nothing is written, followed or executed, and
+/// limits hold for what is read.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace meshfolio::submission {
+
+struct HandInLimits {
+    int most_entries = 5000;
+    std::uintmax_t largest_file = std::uintmax_t{64} << 20;   // unpacked, of those that are read [bytes]
+    std::uintmax_t largest_total = std::uintmax_t{256} << 20;
+    /// Unpacked over packed, of the whole, where more than `ratio_from` bytes come out: text seldom shrinks below 1 %, a bomb always does.
+    double largest_ratio = 100;
+    std::uintmax_t ratio_from = std::uintmax_t{8} << 20;
+};
+
+/// Path → bytes of all files with one of our endings: .csv .toml .obj .off .ply .stl, in any case. Others are looked at no further than
+/// their names. Where all lies in one folder, paths begin in it.
+using HandedIn = std::map<std::string, std::string>;
+
+/// @throws InputError naming what is wrong: a path that leads outside or is written with backslashes, a link, a device, an entry that
+/// stands twice or is encrypted, and what is beyond the limits
+HandedIn read_handed_in(const std::filesystem::path& path, const HandInLimits& limits = {});
+
+/// The same of a zip in memory. @param file  what messages call it
+HandedIn unpacked(std::string_view zip, const std::string& file, const HandInLimits& limits = {});
+
+}   // namespace meshfolio::submission

@@ -1,0 +1,180 @@
+// Laws of marking: what is right is never blamed, and every known convention is named when it is made from the right answer.
+#include "run/mark/marking.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/number_text.h"
+#include "mesh/io/mesh_files.h"
+#include "run/mark/mark_pages.h"
+#include "run/settings/report_settings.h"
+
+using namespace meshfolio;
+using namespace meshfolio::run;
+
+namespace {
+
+/// One item on a bundled mesh with an irregular surface and a boundary.
+Rubric rubric_of(const std::string& keys) {
+    return parse_rubric(
+        "[[item]]\nid = \"a\"\npoints = 8\nmesh = \"lily.obj\"\nfile = \"*\"\ncolumn = \"v\"\nvalue = 3\ntolerance = 1e-6\n" + keys,
+        "r.toml");
+}
+
+const std::vector<std::string> marked_things{"what = \"H\"",
+                                             "what = \"H_uniform\"",
+                                             "what = \"K\"",
+                                             "what = \"K\"\narea = \"mixed\"",
+                                             "what = \"eigenvalues\"\nk = 7",
+                                             "what = \"reconstruction\"\nk = 6",
+                                             "what = \"smoothed\"\nlambda = 0.5\niterations = 4",
+                                             "what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 3\niterations = 3"};
+
+bool names(const std::vector<ConventionKeys>& found, const ConventionKeys& keys) { return std::ranges::find(found, keys) != found.end(); }
+
+/// The files of a student whose values are these.
+submission::HandedIn files_with(const Vector& values, const Reference& reference, MarkedThing what) {
+    if (what == MarkedThing::reconstruction || what == MarkedThing::smoothed) {
+        const Positions X = Eigen::Map<const Positions>(values.data(), values.size() / 3, 3);
+        return {{"a.ply", encode_mesh(moved_to(reference.mesh->mesh(), X), "a.ply")}};
+    }
+    std::string csv = "v,w\n";
+    for (const double value : values) csv += exact_text(value) + ",0\n";
+    return {{"a.csv", csv}};
+}
+
+}   // namespace
+
+TEST(Marking, WhatIsRightHasAllPoints) {
+    for (const std::string& thing : marked_things) {
+        const Rubric rubric = rubric_of(thing);
+        References references(rubric);
+        const RubricItem& item = rubric.items.front();
+        const Reference& reference = references.of(item, item.settings);
+        for (const double noise : {0.0, 1e-7}) {
+            const StudentMarks marks = marks_of(files_with((1 + noise) * reference.right.values, reference, item.what), rubric, references);
+            EXPECT_EQ(marks.items.front().verdict, Verdict::right) << thing << ": " << said_of(marks.items.front());
+            EXPECT_EQ(marks.score(), 8) << thing;
+        }
+    }
+}
+
+TEST(Marking, EveryConventionIsNamed) {
+    for (const std::string& thing : marked_things) {
+        const Rubric rubric = rubric_of(thing);
+        References references(rubric);
+        const RubricItem& item = rubric.items.front();
+        const Reference& reference = references.of(item, item.settings);
+        const auto expect_named = [&](const Vector& values, const ConventionKeys& keys) {
+            if (agreement_of(values, reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // no mistake on this mesh
+            const StudentMarks marks = marks_of(files_with(values, reference, item.what), rubric, references);
+            const ItemMark& mark = marks.items.front();
+            EXPECT_EQ(mark.verdict, Verdict::recognised) << thing << ": " << keys.front();
+            EXPECT_TRUE(names(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << said_of(mark);
+            EXPECT_EQ(mark.score, 4);
+        };
+        for (const ValueConvention& convention : value_conventions(item.what))
+            if (convention.keys.size() == 1) expect_named(convention.apply(reference.right.values), convention.keys);
+        const std::vector<Variant>& variants = references.variants_of(item, item.settings);
+        EXPECT_FALSE(variants.empty()) << thing;
+        for (const Variant& variant : variants)
+            if (variant.values.allFinite() || item.what == MarkedThing::H || item.what == MarkedThing::K)
+                expect_named(variant.values, {variant.key});
+    }
+}
+
+TEST(Marking, WhatIsWrongIsNotExcused) {
+    for (const std::string& thing : marked_things) {
+        const Rubric rubric = rubric_of(thing);
+        References references(rubric);
+        const RubricItem& item = rubric.items.front();
+        const Reference& reference = references.of(item, item.settings);
+        Vector values = reference.right.values;
+        for (Eigen::Index i = 0; i < values.size(); ++i) values[i] *= 1 + 0.1 * (i % 7);
+        const StudentMarks marks = marks_of(files_with(values, reference, item.what), rubric, references);
+        EXPECT_EQ(marks.items.front().verdict, Verdict::wrong) << thing << ": " << said_of(marks.items.front());
+        EXPECT_EQ(marks.score(), 0) << thing;
+    }
+}
+
+TEST(Marking, TrianglesTurnedRoundAreNamed) {
+    const Rubric rubric = rubric_of("what = \"reconstruction\"\nk = 6");
+    References references(rubric);
+    const RubricItem& item = rubric.items.front();
+    const Reference& reference = references.of(item, item.settings);
+    if (reference.mesh->prepared->preflight.flipped_faces > 0) GTEST_SKIP() << "the file itself is turned";
+    TriangleMesh turned = reference.mesh->mesh();
+    turned.X = Eigen::Map<const Positions>(reference.right.values.data(), turned.X.rows(), 3);
+    turned.F.col(1).swap(turned.F.col(2));
+    const StudentMarks marks = marks_of({{"a.ply", encode_mesh(turned, "a.ply")}}, rubric, references);
+    EXPECT_TRUE(names(marks.items.front().conventions, {"reversed_faces"})) << said_of(marks.items.front());
+}
+
+TEST(Marking, WhatCannotBeUsedIsSaidOfItsItem) {
+    const Rubric rubric = rubric_of("what = \"H\"");
+    References references(rubric);
+    const auto verdict = [&](const submission::HandedIn& files) { return marks_of(files, rubric, references).items.front().verdict; };
+    EXPECT_EQ(verdict({}), Verdict::missing);
+    EXPECT_EQ(verdict({{"a.csv", ""}}), Verdict::unusable);
+    EXPECT_EQ(verdict({{"a.csv", "w\n1\n"}}), Verdict::unusable);
+    EXPECT_EQ(verdict({{"a.csv", "v\n1\n"}}), Verdict::unusable) << "too few rows";
+    const Rubric of_mesh = rubric_of("what = \"smoothed\"");
+    References others(of_mesh);
+    EXPECT_EQ(marks_of({{"a.ply", "ply\nformat ascii 1.0\nelement vertex 999999999\n"}}, of_mesh, others).items.front().verdict,
+              Verdict::unusable);
+}
+
+TEST(Marking, NumbersStandInTheAnswers) {
+    const Rubric rubric = rubric_of("what = \"number\"\naccept = \"negated\"");
+    References references(rubric);
+    const auto mark_for = [&](const std::string& answers) { return marks_of({{answers_file, answers}}, rubric, references).items.front(); };
+    EXPECT_EQ(mark_for("a = 3").score, 8);
+    EXPECT_EQ(mark_for("[a]\nvalue = -3.0").verdict, Verdict::accepted);
+    EXPECT_EQ(mark_for("a = 6").conventions, std::vector<ConventionKeys>{{"doubled"}});
+    EXPECT_EQ(mark_for("a = 4").score, 0);
+    EXPECT_EQ(mark_for("no TOML").verdict, Verdict::missing);
+}
+
+TEST(Marking, EveryConventionHasItsSentence) {
+    const Reference reference;
+    const Rubric rubric = rubric_of("what = \"H\"");
+    for (const std::string& key : convention_keys()) {
+        ItemMark mark;
+        mark.item = &rubric.items.front();
+        mark.reference = &reference;
+        mark.verdict = Verdict::recognised;
+        mark.conventions = {{key}};
+        EXPECT_NO_THROW(EXPECT_GT(said_of(mark).size(), 60u)) << key;
+    }
+}
+
+TEST(Rubrics, TheBundledOneIsGoodAndItsMeshesAreThere) {
+    const Rubric rubric = read_rubric("");
+    EXPECT_GT(rubric.items.size(), 5u);
+    EXPECT_NO_THROW(References{rubric});
+}
+
+TEST(Rubrics, EverythingWrongIsToldWithItsLine) {
+    try {
+        parse_rubric("[[item]]\nid = \"a\"\nwhat = \"Hx\"\npoints = -1\nacept = \"negated\"\n", "r.toml");
+        FAIL();
+    } catch (const SettingsErrors& errors) {
+        EXPECT_GE(errors.problems().size(), 4u);
+        EXPECT_TRUE(std::string(errors.what()).starts_with("r.toml:")) << errors.what();
+    }
+    EXPECT_THROW(parse_rubric("", "r.toml"), SettingsErrors);
+}
+
+TEST(Rubrics, StudentsChooseOnlyWhatIsFree) {
+    const Rubric rubric = rubric_of("what = \"smoothed\"\nfree = \"iterations\"");
+    std::vector<std::string> problems;
+    const auto answers = parse_answers("[a]\niterations = 7\nlambda = 9\n", rubric, problems);
+    EXPECT_EQ(answers.at("a").settings.iterations, 7);
+    EXPECT_EQ(answers.at("a").settings.lambda, rubric.items.front().settings.lambda);
+    EXPECT_EQ(problems.size(), 1u);
+    problems.clear();
+    EXPECT_EQ(parse_answers("[a]\niterations = 1000\n", rubric, problems).at("a").settings.iterations, 1) << "would take too long";
+    EXPECT_EQ(problems.size(), 1u);
+}
