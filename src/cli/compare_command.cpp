@@ -1,41 +1,20 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "geometry/measures/mesh_error.h"
 #include "mesh/io/mesh_files.h"
 #include "run/console.h"
+#include "run/one_mesh/difference_lines.h"
 
 namespace meshfolio::cli {
 
 namespace {
 
-struct Line {
-    const char* key;
-    double value;
-    const char* meaning;
-};
-
-std::vector<Line> lines_of(const MeshDifference& d) {
-    const double degrees = 180 / std::numbers::pi;
-    return {{"rms", d.rms, "sqrt(sum d^2 / n) over vertices"},
-            {"max", d.max, "largest vertex distance"},
-            {"hausdorff", d.hausdorff, "two-sided, vertices to surface"},
-            {"mean_normal_angle_deg", degrees * d.mean_normal_angle, "between corresponding faces"},
-            {"volume_ratio", d.volume_ratio, "B over A"},
-            {"area_ratio", d.area_ratio, "B over A"},
-            {"area_weighted_rms", d.area_weighted_rms, "with the vertex areas of A"},
-            {"mean_squared_normal_angle_deg2", degrees * degrees * d.mean_squared_normal_angle, ""},
-            {"box_diagonal", d.box_diagonal, "of A"},
-            {"inverted_faces", static_cast<double>(d.inverted_faces), "normal turned by more than 90 degrees"}};
-}
-
 std::string as_json(const MeshDifference& difference) {
     nlohmann::ordered_json json;
-    for (const Line& line : lines_of(difference))
+    for (const DifferenceLine& line : difference_lines(difference))
         json[line.key] = std::isfinite(line.value) ? nlohmann::ordered_json(line.value) : nlohmann::ordered_json();
     json["inverted_faces"] = difference.inverted_faces;
     return json.dump(2) + "\n";
@@ -43,7 +22,7 @@ std::string as_json(const MeshDifference& difference) {
 
 std::string in_words(const MeshDifference& difference) {
     std::string text;
-    for (const Line& line : lines_of(difference)) {
+    for (const DifferenceLine& line : difference_lines(difference)) {
         const std::string value = std::isfinite(line.value) ? plain_text(line.value) : "undefined", key = line.key;
         text += key + std::string(34 - key.size(), ' ') + value;
         if (*line.meaning != '\0') text += std::string(value.size() < 14 ? 14 - value.size() : 1, ' ') + line.meaning;

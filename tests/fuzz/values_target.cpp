@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "cli/fields.h"
+#include "run/one_mesh/fields.h"
 #include "fuzz/fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const Eigen::Index rows = bytes[0] % 8;
     Vector values;
     try {
-        values = cli::csv_column(fuzzing::text_of(bytes + 1, size - 1), "fuzz.csv", "h", rows);
+        values = run::csv_column(fuzzing::text_of(bytes + 1, size - 1), "fuzz.csv", "h", rows);
     } catch (const InputError& error) {
         fuzzing::require(std::string_view(error.what()).find('\n') == std::string_view::npos, "an error is one line");
         return 0;
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     fuzzing::require(values.size() == rows, "one value a vertex");
     std::string again = "h\n";
     for (const double x : values) again += (std::isnan(x) ? "" : exact_text(x)) + "\n";
-    const Vector read = cli::csv_column(again, "again.csv", "h", rows);
+    const Vector read = run::csv_column(again, "again.csv", "h", rows);
     for (Eigen::Index v = 0; v < rows; ++v) {
         fuzzing::require(!std::isinf(values[v]), "values are finite");
         const bool same = std::bit_cast<std::uint64_t>(values[v]) == std::bit_cast<std::uint64_t>(read[v]);

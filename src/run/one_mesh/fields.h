@@ -1,5 +1,5 @@
 /// @file
-/// Per-vertex quantities by name, for `render --field`.
+/// Per-vertex quantities by name, for `render --field` and the Python module.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "mesh/mesh_checks.h"
 #include "mesh/triangle_mesh.h"
 
-namespace meshfolio::cli {
+namespace meshfolio::run {
 
 struct Field {
     Vector values;                // n; empty: none
@@ -29,6 +29,9 @@ Field field_of(const PreparedMesh& mesh, const std::string& name);
 /// @throws InputError for a file that does not fit, UsageError for a missing ":COLUMN"
 Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_column);
 
+/// Values of any origin, NaN where undefined: signed if they are on both sides of 0.
+Field field_of_values(Vector values, const std::string& quantity);
+
 inline constexpr std::uintmax_t largest_csv = std::uintmax_t{1} << 30;   // bytes
 
 /// The column called `column`, one row a vertex; empty cells are NaN. Cells are not quoted: `curvature --csv` writes none that would be.
@@ -37,4 +40,4 @@ inline constexpr std::uintmax_t largest_csv = std::uintmax_t{1} << 30;   // byte
 ///         rows are missing or left over
 Vector csv_column(std::string_view bytes, const std::string& file, const std::string& column, Eigen::Index rows);
 
-}   // namespace meshfolio::cli
+}   // namespace meshfolio::run
