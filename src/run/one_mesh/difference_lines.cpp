@@ -2,9 +2,12 @@
 
 #include <numbers>
 
+#include "geometry/measures/mesh_error.h"
+
 namespace meshfolio::run {
 
-std::vector<DifferenceLine> difference_lines(const MeshDifference& d) {
+std::vector<DifferenceLine> difference_lines(const TriangleMesh& a, const TriangleMesh& b) {
+    const MeshDifference d = compare_meshes(a, b);
     const double degrees = 180 / std::numbers::pi;
     return {{"rms", d.rms, "sqrt(sum d^2 / n) over vertices"},
             {"max", d.max, "largest vertex distance"},

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/measures/mesh_error.h"
+#include "mesh/triangle_mesh.h"
 
 namespace meshfolio::run {
 
@@ -13,6 +13,7 @@ struct DifferenceLine {
     double value;      // NaN: not defined
     const char* meaning;
 };
-std::vector<DifferenceLine> difference_lines(const MeshDifference& difference);
+/// b measured against a. The last line is a count, that of inverted faces. @throws MeshError if the triangles differ
+std::vector<DifferenceLine> difference_lines(const TriangleMesh& a, const TriangleMesh& b);
 
 }   // namespace meshfolio::run
