@@ -42,23 +42,24 @@ inline Mesh moved_to(const PreparedMesh& mesh, Positions X) {
 
 // ---- arrays in -------------------------------------------------------------------------------------------------------------
 
-inline void require_three_columns(const py::array& array, const std::string& name) {
-    if (array.ndim() == 2 && array.shape(1) == 3) return;
+/// Rows of three numbers, of what NumPy takes for an array. @param kinds  of its numbers: i, u, f
+inline py::array rows_of_three(const py::object& rows, const std::string& name, const std::string& kinds) {
+    const py::array array = py::array::ensure(rows);
+    if (!array || kinds.find(array.dtype().kind()) == std::string::npos)
+        throw MeshError(name + (kinds == "iu" ? " are no integers" : " are no numbers"));
+    if (array.ndim() == 2 && array.shape(1) == 3) return array;
     std::string shape;
     for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) shape += (axis > 0 ? " x " : "") + std::to_string(array.shape(axis));
     throw MeshError(name + " have the shape " + shape + ", not n x 3",
-                    name == "faces" ? "of PyVista's faces take faces.reshape(-1, 4)[:, 1:]" : "");
+                    kinds == "iu" ? "of PyVista's take faces.reshape(-1, 4)[:, 1:]" : "");
 }
 
-inline Mesh mesh_of_arrays(const py::array& vertices, const py::array& faces, const std::string& name) {
-    require_three_columns(vertices, "vertices");
-    require_three_columns(faces, "faces");
-    if (faces.dtype().kind() != 'i' && faces.dtype().kind() != 'u') throw MeshError("faces are no integers", "give indices of vertices");
+inline Mesh mesh_of_arrays(const py::object& vertices, const py::object& faces, const std::string& name) {
     using Indices = Eigen::Matrix<long long, Eigen::Dynamic, 3, Eigen::RowMajor>;
     LoadedMesh loaded;
     loaded.file = name;
-    loaded.mesh.X = vertices.cast<Positions>();
-    const Indices indices = faces.cast<Indices>();
+    loaded.mesh.X = rows_of_three(vertices, "vertices", "iuf").cast<Positions>();
+    const Indices indices = rows_of_three(faces, "faces", "iu").cast<Indices>();
     for (Eigen::Index v = 0; v < loaded.mesh.X.rows(); ++v) {
         if (!loaded.mesh.X.row(v).allFinite()) throw MeshError("vertex " + std::to_string(v) + " is not finite", "", {name});
     }
@@ -70,13 +71,17 @@ inline Mesh mesh_of_arrays(const py::array& vertices, const py::array& faces, co
     return interruptible([loaded](const Stop&) { return prepared(loaded); });
 }
 
-/// One of the number or a pair: pixels across and down.
+/// N or (width, height).
 inline std::pair<int, int> picture_size(const py::object& size) {
-    const auto [width, height] =
-        py::isinstance<py::int_>(size) ? std::pair{size.cast<int>(), size.cast<int>()} : size.cast<std::pair<int, int>>();
+    std::pair<int, int> sides;
+    try {
+        sides = PyIndex_Check(size.ptr()) != 0 ? std::pair{size.cast<int>(), size.cast<int>()} : size.cast<std::pair<int, int>>();
+    } catch (const py::cast_error&) {   // no numbers: refused below
+    }
+    const auto [width, height] = sides;
     if (std::min(width, height) < 1 || std::max(width, height) > run::largest_side)
         throw UsageError("size is not N or (width, height)", "both between 1 and " + std::to_string(run::largest_side));
-    return {width, height};
+    return sides;
 }
 
 // ---- arrays out ------------------------------------------------------------------------------------------------------------

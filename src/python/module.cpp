@@ -2,6 +2,7 @@
 /// The Python module: the functions behind the commands, with NumPy arrays in and out. src/python/meshfolio is the package around it.
 #include <pybind11/eigen.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
@@ -86,7 +87,7 @@ Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string
     if (is_dimensionless(options.laplacian) && unit == StepUnit::h2)
         throw UsageError("unit h2 makes no sense with operator " + laplacian + ", whose step has no unit", "use raw or tau");
     const bool warns = options.scheme == SmoothingScheme::explicit_euler && !adaptive;
-    const auto [smoothed, chosen] = interruptible([=, of = mesh.prepared](const Stop& stop) mutable {
+    auto [smoothed, chosen] = interruptible([=, of = mesh.prepared](const Stop& stop) mutable {
         const ChosenStep found = chosen_step(of->mesh, options, step, unit);
         options.lambda = found.lambda;
         options.after_step = [&stop](int, const Positions&) { return !stop.asked(); };
@@ -104,7 +105,7 @@ Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string
                                    plain_text(chosen.critical) + "; the highest modes will grow";
         if (PyErr_WarnEx(PyExc_RuntimeWarning, beyond.c_str(), 1) != 0) throw py::error_already_set();
     }
-    return moved_to(*mesh.prepared, smoothed.X);
+    return moved_to(*mesh.prepared, std::move(smoothed.X));
 }
 
 Mesh noise(const Mesh& mesh, double sigma, std::uint64_t seed, const std::string& unit) {
@@ -135,7 +136,8 @@ py::object inspect(const Mesh& mesh, const std::string& laplacian) {
 py::array draw(const Mesh& mesh, const std::string& field_name, const std::optional<Vector>& values, const std::string& label,
                const std::string& views, const py::object& size, const std::string& colormap,
                const std::optional<std::pair<double, double>>& range, double isolines, bool edges, bool transparent) {
-    run::PictureRequest request{.views = run::views_named(views), .colormap = colormap, .title = mesh.prepared->file};
+    run::PictureRequest request{
+        .views = run::views_named(views), .colormap = colormap, .title = std::filesystem::path(mesh.prepared->file).filename().string()};
     std::tie(request.draw.width, request.draw.height) = picture_size(size);
     if (range) {
         request.range =
