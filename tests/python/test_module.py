@@ -248,11 +248,11 @@ class LongCalls(unittest.TestCase):
         thread = threading.Thread(target=count)
         thread.start()
         began = time.monotonic()
-        meshfolio.smooth(meshfolio.sample("sphere", 1), 0.5, unit="tau", iterations=2000)
+        meshfolio.smooth(meshfolio.sample("sphere", 1), 0.5, unit="tau", iterations=20_000)
         took = time.monotonic() - began
         done.set()
         thread.join()
-        self.assertGreater(counted, 0.2 * took / 0.01 - 1)
+        self.assertGreater(counted, 0.05 * took / 0.01 - 1)
 
     def test_control_c_ends_a_long_call(self):
         words = f"import meshfolio\nprint('ready', flush=True)\n{LONG}"
