@@ -71,6 +71,12 @@ public:
         : Error(ExitCode::output, {path, 0}, problem, remedy) {}
 };
 
+/// Whoever read the pipe that is written to has closed it. Nothing failed, but nothing more is wanted.
+class ReaderGone : public OutputError {
+public:
+    using OutputError::OutputError;
+};
+
 /// A program that was required (a PDF engine, say) is not on this machine.
 class EngineError : public Error {
 public:

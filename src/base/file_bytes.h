@@ -49,7 +49,7 @@ private:
 };
 
 /// Writes to an open descriptor (1: standard output) until all is taken.
-/// @throws OutputError as above; `name` is what the message calls the target
+/// @throws OutputError as above, ReaderGone for a pipe; `name` is what the message calls the target
 void write_all(int descriptor, std::string_view bytes, const std::string& name);
 
 }   // namespace meshfolio

@@ -3,15 +3,19 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "build_info.h"
 #include "cli/commands.h"
+#include "cli/help_formats.h"
+#include "cli/signals.h"
 #include "run/console.h"
 #include "run/progress.h"
 #include "run/settings/report_settings.h"
@@ -20,16 +24,30 @@ namespace meshfolio::cli {
 
 namespace {
 
-constexpr std::array makers{report_command, merge_command,  render_command,  inspect_command,   curvature_command, spectrum_command,
-                            smooth_command, noise_command,  compare_command, lab_command,       sample_command,    list_command,
-                            doctor_command, verify_command, cache_command,   templates_command, submit_command};
+constexpr std::array makers{report_command,    merge_command,  render_command, inspect_command, curvature_command,
+                            spectrum_command,  smooth_command, noise_command,  compare_command, lab_command,
+                            sample_command,    list_command,   doctor_command, verify_command,  cache_command,
+                            templates_command, submit_command, help_command,   version_command};
 
-/// `meshfolio` alone, or with options only, means `meshfolio report`.
+/// `meshfolio` alone says what it can do; with options only it means `meshfolio report`.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
-    const bool asks_about_itself = !words.empty() && (words[0] == "-h" || words[0] == "--help" || words[0] == "--version");
-    if (words.empty() || (words[0].starts_with('-') && !asks_about_itself)) words.insert(words.begin(), "report");
+    if (words.empty()) words.emplace_back("help");
+    const bool asks_about_itself = words[0] == "-h" || words[0] == "--help" || words[0] == "--version";
+    if (words[0].starts_with('-') && !asks_about_itself) words.insert(words.begin(), "report");
     return words;
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+    return text;
+}
+
+/// "did you mean 'render'? ", of what is near enough; else empty.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+    const std::vector<std::string> near = near_words(word, known);
+    return near.empty() ? "" : "did you mean '" + joined(near, "' or '") + "'? ";
 }
 
 /// A script's variable that is not set: CLI11 would take the next word for the value of "--out=".
@@ -47,7 +65,36 @@ void refuse_unknown_command(const std::string& word, const std::vector<Command>&
     std::vector<std::string> known;
     for (const Command& command : commands) known.push_back(command.app->get_name());
     if (word.starts_with('-') || std::find(known.begin(), known.end(), word) != known.end()) return;
-    throw UsageError("unknown command '" + word + "'", "did you mean '" + nearest_word(word, known) + "'? See meshfolio --help");
+    throw UsageError("unknown command '" + word + "'", suggestion(word, known) + "see meshfolio help");
+}
+
+/// What CLI11 refuses. A misspelt option is told first: what else is missing or left over may follow from it.
+UsageError usage_error(const CLI::App& command, const CLI::ParseError& error) {
+    const std::string help = "see " + called(command) + " --help";
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    const std::vector<std::string> left = command.remaining();
+    for (const std::string& word : left) {
+        const std::string name = word.substr(0, word.find('='));
+        if (name.starts_with('-')) return UsageError(called(command) + " has no option '" + name + "'", suggestion(name, known) + help);
+    }
+    if (!left.empty()) return UsageError("'" + left.front() + "' is one argument too many", help);
+    return UsageError(error.what(), help);
+}
+
+/// What stands for a value in the help, by the name of its option; NUMBER for the others.
+std::string type_of(const std::string& names) {
+    static const std::map<std::string, std::string> types{{"-o,--output", "FILE"},   {"--author", "NAME"},    {"--config", "FILE"},
+                                                          {"--csv", "FILE"},         {"--data", "DIR"},       {"--from", "FILE"},
+                                                          {"--glb", "FILE"},         {"--junit", "FILE"},     {"--only", "QUESTIONS"},
+                                                          {"--out", "DIR"},          {"--part", "DIR"},       {"--pdf", "auto|require|off"},
+                                                          {"--pdf-browser", "FILE"}, {"--range", "LOW,HIGH"}, {"--reconstruct", "NUMBERS"},
+                                                          {"--templates", "DIR"},    {"--time", "SECONDS"},   {"--values", "FILE:COLUMN"},
+                                                          {"--vectors", "FILE"},     {"--views", "VIEWS"}};
+    if (!names.starts_with('-')) return "";   // a place is called what it is
+    const auto known = types.find(names);
+    return known != types.end() ? known->second : "NUMBER";
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
@@ -55,7 +102,10 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     const std::string version = std::string("meshfolio ") + build_info::version;
     app.set_version_flag("--version", version);
     app.require_subcommand(0, 1);
-    app.footer("`meshfolio` alone is `meshfolio report`. Each command explains itself: meshfolio render --help");
+    app.footer(
+        "Begin with\n    meshfolio report --quick\nwhich answers every question on the bundled meshes and writes out/index.html. Each "
+        "command "
+        "explains itself: meshfolio help render");
     std::vector<Command> commands;
     for (const auto make : makers) {
         commands.push_back(make(app));
@@ -73,14 +123,14 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         return ExitCode::ok;
     } catch (const CLI::CallForHelp&) {
         const auto chosen = app.get_subcommands();
-        print(chosen.empty() ? app.help() : chosen.front()->help());
+        print(help_text(chosen.empty() ? app : *chosen.front()));
         return ExitCode::ok;
     } catch (const CLI::CallForVersion& asked) {
         print(std::string(asked.what()) + "\n");
         return ExitCode::ok;
     } catch (const CLI::ParseError& error) {
         const auto chosen = app.get_subcommands();
-        throw UsageError(error.what(), "see meshfolio " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
+        throw usage_error(chosen.empty() ? app : *chosen.front(), error);
     }
     const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& command) { return command.app->parsed(); });
     const Stage stage(chosen->app->get_name());
@@ -109,25 +159,31 @@ CommandOptions::CommandOptions(CLI::App& parent, const std::string& command, con
     : app_(parent.add_subcommand(command, purpose)) {}
 
 void CommandOptions::text(const std::string& names, std::string& value, const std::string& help) {
-    CLI::Option* option = app_->add_option(names, value, help);
+    CLI::Option* option = app_->add_option(names, value, help)->type_name(type_of(names));
     if (!value.empty()) option->capture_default_str();
 }
 
 void CommandOptions::required(const std::string& names, std::string& value, const std::string& help) {
-    app_->add_option(names, value, help)->required();
+    app_->add_option(names, value, help)->type_name(type_of(names))->required();
 }
 
 void CommandOptions::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices,
                             const std::string& help) {
-    app_->add_option(names, value, help)->capture_default_str()->check(CLI::IsMember(choices));
+    const std::string type = joined(choices, "|"), name = names;
+    const auto check = [choices, name](const std::string& word) -> std::string {
+        if (std::find(choices.begin(), choices.end(), word) != choices.end()) return "";
+        throw UsageError("unknown " + name + " " + in_quotes(word), suggestion(word, choices) + "it takes " + joined(choices, ", "));
+    };
+    CLI::Option* option = app_->add_option(names, value, help)->type_name(type)->check(check);
+    if (!value.empty()) option->capture_default_str();
 }
 
 void CommandOptions::texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-    app_->add_option(names, values, help)->allow_extra_args(!names.starts_with('-'));
+    app_->add_option(names, values, help)->type_name(type_of(names))->allow_extra_args(!names.starts_with('-'));
 }
 
 void CommandOptions::required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-    app_->add_option(names, values, help)->required();
+    app_->add_option(names, values, help)->type_name(type_of(names))->required();
 }
 
 void CommandOptions::flag(const std::string& names, bool& value, const std::string& help) { app_->add_flag(names, value, help); }
@@ -140,6 +196,8 @@ int run(int argc, const char* const* argv) {
     } catch (const SettingsErrors& errors) {
         complain_about(errors);
         return static_cast<int>(errors.exit_code());
+    } catch (const ReaderGone&) {
+        end_by_broken_pipe();
     } catch (const Error& error) {
         complain(error.what());
         return static_cast<int>(error.exit_code());

@@ -1,6 +1,6 @@
 /// @file
 /// The subcommands, one file each (<name>_command.cpp). A new one is a function here and a line in the table of cli.cpp. CLI11, whose
-/// headers take seconds to compile, is included by cli.cpp alone.
+/// headers take seconds to compile, is included by cli.cpp and help_formats.cpp alone.
 #pragma once
 
 #include <functional>
@@ -27,6 +27,7 @@ public:
 
     void text(const std::string& names, std::string& value, const std::string& help);
     void required(const std::string& names, std::string& value, const std::string& help);
+    /// One of the words; another is refused with the nearest of them.
     void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help);
     void required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
     /// A place takes all that follows, an option one word each time.
@@ -63,5 +64,7 @@ Command verify_command(CLI::App& parent);
 Command submit_command(CLI::App& parent);
 Command cache_command(CLI::App& parent);
 Command templates_command(CLI::App& parent);
+Command help_command(CLI::App& parent);
+Command version_command(CLI::App& parent);
 
 }   // namespace meshfolio::cli

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "run/console.h"
 #include "run/one_mesh/curvature_columns.h"
+#include "run/one_mesh/fields.h"
 
 namespace meshfolio::cli {
 
@@ -42,8 +43,8 @@ Command curvature_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "curvature", "Areas and curvatures of every vertex as CSV");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
-    app.text("--area", options->area, "barycentric, voronoi or mixed");
-    app.text("--operator", options->laplacian, "adds the mean curvature by another operator, as h_<its name>: " + operator_names());
+    app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
+    app.choice("--operator", options->laplacian, operator_choices(), "adds the mean curvature by another operator, as h_<its name>");
     app.flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
     app.text("--csv", options->csv, "file, or - for standard output");
     app.footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");

@@ -56,16 +56,15 @@ void add_pdf(nlohmann::ordered_json& json) {
     }
 }
 
-/// The folder, and "171 MB of at most 2147 MB".
-std::string cache_in_words() try {
+/// The folder and its size; why there is none.
+nlohmann::ordered_json cache_found() try {
     const auto folder = output::default_cache_folder();
-    if (!folder) return "none: neither XDG_CACHE_HOME nor HOME names a folder";
-    const auto megabytes = [](std::uintmax_t bytes) { return plain_text(static_cast<double>(bytes) / 1e6, 4) + " MB"; };
+    if (!folder) return {{"folder", "none: neither XDG_CACHE_HOME nor HOME names a folder"}};
     const std::uintmax_t limit = cache_limit();
-    return printable(folder->string()) + ", " + megabytes(output::ResultCache(*folder, limit).size().bytes) + " of at most " +
-           megabytes(limit);
+    return {
+        {"folder", printable(folder->string())}, {"used_bytes", output::ResultCache(*folder, limit).size().bytes}, {"limit_bytes", limit}};
 } catch (const OutputError& error) {
-    return std::string("none: ") + error.what();
+    return {{"folder", std::string("none: ") + error.what()}};
 }
 
 nlohmann::ordered_json findings() {
@@ -79,7 +78,7 @@ nlohmann::ordered_json findings() {
     json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
     json["blas"] = blas_in_words();
-    json["cache"] = cache_in_words();
+    json["cache"] = cache_found();
     add_pdf(json);
     if (report::viewer_program().empty()) json["missing"].push_back("the viewer of models: apt install npm, then build again");
     return json;
@@ -90,10 +89,17 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
     const auto line = [&](const std::string& key, const std::string& value) {
         text += key + std::string(key.size() < 26 ? 26 - key.size() : 1, ' ') + value + "\n";
     };
-    const std::map<std::string, std::string> group{{"libraries", "library "}, {"blas", "BLAS, "}, {"pdf_engine", "PDF engine, "}};
+    const std::map<std::string, std::string> group{
+        {"libraries", "library "}, {"blas", "BLAS, "}, {"cache", "cache, "}, {"pdf_engine", "PDF engine, "}};
+    constexpr std::string_view unit = "_bytes";
     for (const auto& [key, value] : json.items()) {
         if (value.is_object()) {
-            for (const auto& [name, detail] : value.items()) line(group.at(key) + name, detail.get<std::string>());
+            for (const auto& [name, detail] : value.items()) {
+                if (detail.is_string())
+                    line(group.at(key) + name, detail.get<std::string>());
+                else
+                    line(group.at(key) + name.substr(0, name.size() - unit.size()), plain_text(detail.get<double>() / 1e6, 4) + " MB");
+            }
         } else if (value.is_array()) {
             for (const auto& entry : value) line(key == "missing" ? key : "PDF engine refused", entry.get<std::string>());
         } else if (!value.is_null()) {

@@ -6,6 +6,7 @@
 #include "geometry/operators/laplace_operator.h"
 #include "questions/preflight/defects.h"
 #include "run/console.h"
+#include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
 #include "run/progress.h"
 
@@ -103,7 +104,7 @@ Command inspect_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
-    app.text("--operator", options->laplacian, "whose largest stable step: " + operator_names());
+    app.choice("--operator", options->laplacian, operator_choices(), "whose largest stable step");
     app.flag("--json", options->json, "for programs");
     app.footer("Example: meshfolio inspect bunny.off --json");
     return {app, [options] {

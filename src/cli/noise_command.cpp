@@ -20,7 +20,7 @@ Command noise_command(CLI::App& parent) {
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.required("-o,--output", options->output, "OBJ, OFF or PLY");
     app.required("--sigma", options->sigma, "standard deviation of each coordinate");
-    app.text("--unit", options->unit, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)");
+    app.choice("--unit", options->unit, {"raw", "bbox"}, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)");
     app.text("--seed", options->seed, "the same seed gives the same noise");
     app.footer("Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {
@@ -28,8 +28,6 @@ Command noise_command(CLI::App& parent) {
                 if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100");
                 const auto seed =
                     static_cast<std::uint64_t>(integer_between("--seed", options->seed, 0, std::numeric_limits<std::int64_t>::max()));
-                if (options->unit != "raw" && options->unit != "bbox")
-                    throw UsageError("unknown unit '" + options->unit + "'", "raw or bbox");
                 const PreparedMesh prepared = load_mesh(options->mesh);
                 const Vector3 scale = options->unit == "bbox" ? bounding_box(prepared.mesh).extent() : Vector3::Ones();
                 write_mesh_to(options->output, moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, sigma * scale, seed)));

@@ -18,13 +18,14 @@
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/mesh_pictures.h"
+#include "run/settings/setting_list.h"
 
 namespace meshfolio::cli {
 
 namespace {
 
 struct RenderFlags {
-    std::string mesh, out = ".", size = "1024", views, field = "none", values, colormap, range;
+    std::string mesh, out, names = "sign", size = "1024", views, field = "none", values, colormap, range;
     std::string isolines, glb;
     bool edges = false, plain = false, transparent = false;
 };
@@ -83,17 +84,23 @@ void refuse_large_sheet(std::size_t views, const render::DrawOptions& draw) {
                          "take a smaller --size or fewer --views");
 }
 
+/// "+x", or "x-pos" for programs that take a sign for an option.
+std::string file_name(const std::string& view, bool in_words) {
+    if (!in_words || (view[0] != '+' && view[0] != '-')) return view + ".png";
+    return view.substr(1) + (view[0] == '+' ? "-pos.png" : "-neg.png");
+}
+
 /// The sheet takes longer than all the views: it is begun first.
-void add_pictures(output::FileGroup& files, const std::filesystem::path& folder, const render::ContactSheet& sheet, bool bare) {
+void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, const render::ContactSheet& sheet, bool bare) {
     const std::vector<render::Image>& pictures = sheet.pictures;
     for_each_task(1 + pictures.size(), [&](std::size_t task) {
         if (task == 0) {
-            files.add(folder / "sheet.png", render::encode_png(composed(sheet, bare)));
+            files.add(paths.back(), render::encode_png(composed(sheet, bare)));
             return;
         }
         render::Image picture = pictures[task - 1];
         if (!bare) output::label_view(picture, sheet.view_names[task - 1]);
-        files.add(folder / (sheet.view_names[task - 1] + ".png"), render::encode_png(picture));
+        files.add(paths[task - 1], render::encode_png(picture));
     });
 }
 
@@ -128,20 +135,16 @@ ExitCode run_render(const RenderFlags& options) {
     files.keep(options.values.substr(0, options.values.rfind(':')));
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
-    output::make_folder(options.out);
-    add_pictures(files, options.out, drawn.sheet, bare);
+    const std::filesystem::path folder =
+        options.out.empty() ? std::filesystem::path(options.mesh).stem() : std::filesystem::path(options.out);
+    std::vector<std::filesystem::path> paths;
+    for (const render::View& view : views) paths.push_back(folder / file_name(std::string(view.name), options.names == "word"));
+    paths.push_back(folder / "sheet.png");
+    output::make_folder(folder);
+    add_pictures(files, paths, drawn.sheet, bare);
     files.publish();
+    for (const std::filesystem::path& path : paths) print_path(path);
     return ExitCode::ok;
-}
-
-/// "h-cotan-no-half, h-clamped, …"
-std::string other_curvatures() {
-    std::string names;
-    for (const std::string& name : field_names()) {
-        if (!name.starts_with("h-") || name == "h-uniform" || name == "h-cotan") continue;
-        names += (names.empty() ? "" : ", ") + name;
-    }
-    return names;
 }
 
 }   // namespace
@@ -150,13 +153,15 @@ Command render_command(CLI::App& parent) {
     const auto options = std::make_shared<RenderFlags>();
     CommandOptions app(parent, "render", "Pictures of a mesh from six directions, and a contact sheet");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
-    app.text("--out", options->out, "folder for +x.png … -z.png and sheet.png");
+    app.text("--out", options->out,
+             "folder for +x.png … -z.png and sheet.png, whose paths are printed; default: a folder called as the mesh");
+    app.choice("--names", options->names, {"sign", "word"}, "of the pictures: +x.png, or x-pos.png");
     app.text("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
     app.text("--size", options->size, "pixels of one view: N or WxH");
-    app.text("--field", options->field,
-             "none, h-uniform, h-cotan, gauss, area, x, y, z, id, or the mean curvature by another operator: " + other_curvatures());
+    app.choice("--field", options->field, field_names(), "what is drawn in colours; h-… is the mean curvature by that operator");
     app.text("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
-    app.text("--colormap", options->colormap, "see meshfolio list; default: diverging for signed values, viridis otherwise");
+    app.choice("--colormap", options->colormap, colormap_names(),
+               "see meshfolio list; default: diverging for signed values, viridis otherwise");
     app.text("--range", options->range, "lo,hi of the colours; default: robust");
     app.text("--isolines", options->isolines, "lines where the value is a multiple of this");
     app.text("--glb", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");

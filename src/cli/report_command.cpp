@@ -153,7 +153,8 @@ Command report_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
     CommandOptions app(parent, "report", "All questions: the full report");
     app.texts("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
-    app.text("--only", flags->only, "some of the questions: q1,q4; a report of the same inputs and settings in --out keeps its others");
+    app.text("--only", flags->only,
+             "some of the questions: q1,q4 or 1-3,7; a report of the same inputs and settings in --out keeps its others");
     app.flag("--alone", flags->alone, "nothing but what --only names");
     app.text("--part", flags->part, "folder for a part of a report, to be joined with others by meshfolio merge");
     app.texts("--data", flags->data, "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");

@@ -130,4 +130,10 @@ void prepare_process() {
     }
 }
 
+void end_by_broken_pipe() {
+    static_cast<void>(::signal(SIGPIPE, SIG_DFL));
+    static_cast<void>(::raise(SIGPIPE));
+    ::_exit(128 + SIGPIPE);   // it was blocked
+}
+
 }   // namespace meshfolio::cli

@@ -8,6 +8,7 @@
 #include "mesh/triangle_measures.h"
 #include "run/arguments.h"
 #include "run/console.h"
+#include "run/one_mesh/fields.h"
 #include "run/progress.h"
 
 namespace meshfolio::cli {
@@ -147,10 +148,11 @@ Command smooth_command(CLI::App& parent) {
     CommandOptions app(parent, "smooth", "One Laplacian smoothing run");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.required("-o,--output", options->output, "OBJ, OFF or PLY");
-    app.text("--scheme", options->scheme, "explicit, implicit or taubin");
-    app.text("--operator", options->laplacian, operator_names());
+    app.choice("--scheme", options->scheme, {"explicit", "implicit", "taubin"}, "how a step is made");
+    app.choice("--operator", options->laplacian, operator_choices(), "of the Laplacian");
     app.text("--lambda", options->lambda, "step; default: half the largest stable one");
-    app.text("--unit", options->unit, "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)");
+    app.choice("--unit", options->unit, {"raw", "tau", "h2"},
+               "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)");
     app.text("--mu", options->mu, "Taubin's negative step, in model units; default: from pass-band 0.1");
     app.text("--iterations", options->iterations, "how many");
     app.flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");

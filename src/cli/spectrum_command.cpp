@@ -13,6 +13,7 @@
 #include "output/publish/folder_system.h"
 #include "run/arguments.h"
 #include "run/console.h"
+#include "run/one_mesh/fields.h"
 
 namespace meshfolio::cli {
 
@@ -120,8 +121,8 @@ Command spectrum_command(CLI::App& parent) {
     CommandOptions app(parent, "spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
     app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
     app.required("-k", options->k, "how many eigenpairs, 1 to 100000");
-    app.text("--area", options->area, "barycentric, voronoi or mixed");
-    app.text("--operator", options->laplacian, operator_names());
+    app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
+    app.choice("--operator", options->laplacian, operator_choices(), "whose eigenpairs");
     app.text("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
     app.text("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
     app.text("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");

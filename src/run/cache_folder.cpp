@@ -8,7 +8,7 @@ namespace meshfolio::run {
 
 namespace {
 
-constexpr std::uintmax_t megabyte = 1 << 20;
+constexpr std::uintmax_t megabyte = 1'000'000;              // as `doctor` and `cache` tell sizes
 constexpr std::uintmax_t default_limit = 2048 * megabyte;   // some ten full reports
 
 }   // namespace

@@ -118,6 +118,42 @@ class Usage(InFolder):
         self.assertEqual(len(obj(self.path('made.obj'))[1]) % 12, 0)
 
 
+class Manners(InFolder):
+
+    def test_alone_it_says_what_it_can_do_and_how_to_begin(self):
+        told = self.succeed()
+        self.assertEqual(told, self.succeed('--help'))
+        for words in ('meshfolio report --quick', *COMMANDS):
+            self.assertIn(words, told)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_help_and_version_are_words_too(self):
+        self.assertEqual(self.succeed('help'), self.succeed('--help'))
+        self.assertEqual(self.succeed('version'), self.succeed('--version'))
+        for command in COMMANDS:
+            told = self.succeed('help', command)
+            self.assertEqual(told, self.succeed(command, '--help'))
+            self.assertIn(f'Usage: meshfolio {command}', told)
+            self.assertNotIn(' TEXT', told)
+        self.assertIn("'render'", self.refuse(2, 'help', 'rendr'))
+
+    def test_what_is_misspelt_gets_a_suggestion(self):
+        for words, meant in ((['report', '--qick'], '--quick'), (['render', '--fild', 'x', 'a.obj'], '--field'), (['rendre', 'a.obj'], 'render'),
+                             (['smooth', 'a.obj', '--outptu=b.ply'], '--output'), (['smooth', 'a.obj', '-o', 'b', '--scheme', 'implict'], 'implicit'),
+                             (['render', 'a.obj', '--colormap', 'virids'], 'viridis'), (['curvature', 'a.obj', '--area', 'mixd'], 'mixed'),
+                             (['sample', 'creatur', '-o', 'a.obj'], 'creature'), (['vesion'], 'version')):
+            self.assertRegex(self.refuse(2, *words), f'did you mean [\'"]{meant}[\'"]')
+        self.assertNotIn('did you mean', self.refuse(2, 'inspect', 'a.obj', '--xyzzyxyzzy'), 'nothing is like it')
+        self.assertIn('too many', self.refuse(2, 'inspect', 'a.obj', 'b.obj'))
+
+    def test_a_closed_pipe_ends_it_quietly_and_leaves_what_was_there(self):
+        mesh = self.sample('creature')
+        line = '"$0" curvature "$1" | head -1; "$0" list | true; "$0" spectrum "$1" -k 3 --vectors kept.npy | true'
+        done = subprocess.run(['sh', '-c', line, PROGRAM, mesh], cwd=self.folder, capture_output=True, text=True)
+        self.assertRegex(done.stdout, '^vertex,x,y,z,[^\n]*\n$')
+        self.assertEqual([told for told in done.stderr.splitlines() if 'warning' not in told and 'proved' not in told], [])
+
+
 class Inspect(InFolder):
 
     def test_first_line_and_json_agree(self):
@@ -394,6 +430,15 @@ class Render(InFolder):
         self.assertEqual(sorted(os.listdir(self.path('two'))), ['+z.png', '-x.png', 'sheet.png'])
         self.assertEqual(png(self.path('two', '-x.png'))[:2], (32, 32))
 
+    def test_without_a_folder_it_makes_one_and_says_where_pictures_are(self):
+        mesh = self.write('box.obj', BOX)
+        paths = self.succeed('render', 'box.obj', '--size', '32').splitlines()
+        self.assertEqual(paths, [f'box/{name}.png' for name in (*VIEWS, 'sheet')])
+        self.assertEqual(sorted(os.listdir(self.folder)), ['box', 'box.obj'])
+        words = self.succeed('render', mesh, '--size', '32', '--views', '-x,+z,hero', '--names', 'word', '--out', 'words').splitlines()
+        self.assertEqual(words, [f'words/{name}.png' for name in ('x-neg', 'z-pos', 'hero', 'sheet')])
+        self.assertEqual(read(self.path(words[0])), read(self.path('box/-x.png')))
+
     def test_options_before_the_mesh(self):
         mesh = self.write('box.obj', BOX)
         self.succeed('render', '--size', '32', '--views', '+x', '--out', 'one', mesh)
@@ -504,6 +549,9 @@ class ListAndDoctor(InFolder):
     def test_doctor(self):
         found = json.loads(self.succeed('doctor', '--json'))
         self.assertGreaterEqual(found['threads'], 1)
+        self.assertEqual((found['cache']['used_bytes'], found['cache']['limit_bytes']), (0, 2048 * 10**6))
+        self.assertRegex(self.succeed('doctor'), r'cache, limit +2048 MB\n')
+        self.assertIn('none', json.loads(self.succeed('doctor', '--json', HOME='', XDG_CACHE_HOME=''))['cache']['folder'])
         for library in ('Eigen', 'oneTBB'):
             self.assertRegex(found['libraries'][library], r'^\d+\.\d+')
         if 'CHOLMOD' in found['libraries']:

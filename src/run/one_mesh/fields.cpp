@@ -17,6 +17,12 @@
 
 namespace meshfolio::run {
 
+std::vector<std::string> operator_choices() {
+    std::vector<std::string> names;
+    for (const OperatorEntry& entry : operator_list()) names.emplace_back(entry.name);
+    return names;
+}
+
 std::vector<std::string> field_names() {
     std::vector<std::string> names{"none", "h-uniform"};
     for (const OperatorEntry& entry : operator_list()) {

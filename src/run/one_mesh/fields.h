@@ -19,7 +19,8 @@ struct Field {
     double floor = 0;             // narrowest range that is worth colours
 };
 
-std::vector<std::string> field_names();   // none, h-uniform, h-cotan and the other operators, gauss, area, x, y, z, id
+std::vector<std::string> operator_choices();   // the operators' names
+std::vector<std::string> field_names();        // none, h-uniform, h-cotan and the other operators, gauss, area, x, y, z, id
 /// What must be known of the mesh before a field can be computed.
 Checks checks_for(const std::string& name);
 /// @throws UsageError for an unknown name

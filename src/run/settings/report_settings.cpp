@@ -52,11 +52,31 @@ void take(std::vector<std::filesystem::path>& folders, const Setting&, const std
     if (!given.empty()) folders.assign(given.begin(), given.end());
 }
 
+/// "Q1" and "1" are q1, "1-3" and "q1-q3" are three of them; anything else stays what it is, to be told as given.
+std::vector<std::string> ids_meant(const std::string& word) {
+    const auto number_of = [](std::string_view text) {
+        if (text.starts_with('q') || text.starts_with('Q')) text.remove_prefix(1);
+        const bool is_number = !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == std::string_view::npos;
+        return is_number ? parse_integer(text) : std::nullopt;
+    };
+    const std::size_t dash = word.find('-');
+    const auto first = number_of(std::string_view(word).substr(0, dash));
+    const auto last = dash == std::string::npos ? first : number_of(std::string_view(word).substr(dash + 1));
+    if (!first || !last || *first > *last) return {word};
+    std::vector<std::string> ids;
+    for (long long number = *first; number <= *last; ++number) ids.push_back("q" + std::to_string(number));
+    return ids;
+}
+
 void take(std::vector<std::string>& chosen, const Setting& setting, const std::string& name, const std::string& text) {
     const std::vector<std::string> known = setting.choices();
-    std::vector<std::string> ids;
+    std::vector<std::string> ids, given;
+    for (const std::string& word : split(text, ',')) {
+        const std::vector<std::string> meant = ids_meant(word);
+        given.insert(given.end(), meant.begin(), meant.end());
+    }
     Problems problems("");
-    for (const std::string& id : split(text, ',')) {
+    for (const std::string& id : given) {
         if (id.empty()) {
             problems.add(0, name + " " + in_quotes(text) + " has a comma with nothing before or behind it", "write q1,q4");
         } else if (!contains(known, id)) {

@@ -182,7 +182,16 @@ TEST(ReportSettings, InputsNamedInSettingsOutsideOfTheFolderThatIsReplaced) {
 TEST(ReportSettings, OnlyListsQuestions) {
     ReportFlags flags;
     flags.only = "q1,q4";
+    const auto asked = [&](const std::string& only) {
+        flags.only = only;
+        return report_settings(flags).only;
+    };
     EXPECT_EQ(report_settings(flags).only, (std::vector<std::string>{"q1", "q4"}));
+    EXPECT_EQ(asked("Q1,4"), asked("q1,q4"));
+    EXPECT_EQ(asked("1-3,Q5-q6"), asked("q1,q2,q3,q5,q6"));
+    EXPECT_EQ(asked("truth,2-2"), asked("q2,truth"));
+    for (const char* none : {"0-1", "3-1", "1-", "-3", "6-8", "1-3,2", "qq1", "1-2-3", "123"})
+        EXPECT_THROW(asked(none), UsageError) << none;
 }
 
 TEST(ReportSettings, AQuestionGetsItsTableAndTheRest) {

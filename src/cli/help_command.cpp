@@ -1,0 +1,45 @@
+#include <memory>
+
+#include "build_info.h"
+#include "cli/commands.h"
+#include "cli/help_formats.h"
+#include "run/console.h"
+
+namespace meshfolio::cli {
+
+namespace {
+
+std::string help_as(const std::string& format, const CLI::App& program, const std::string& command) {
+    if (format == "man") return man_page(command_called(program, command));
+    if (format == "bash") return bash_completion(program);
+    if (format == "zsh") return zsh_completion(program);
+    if (format == "fish") return fish_completion(program);
+    return help_text(command_called(program, command));
+}
+
+}   // namespace
+
+Command help_command(CLI::App& parent) {
+    struct HelpFlags {
+        std::string command, format = "text";
+    };
+    const auto flags = std::make_shared<HelpFlags>();
+    CommandOptions app(parent, "help", "What the program can do, or how a command is used");
+    app.text("COMMAND", flags->command, "a command; default: all of them in short");
+    app.choice("--as", flags->format, {"text", "man", "bash", "zsh", "fish"}, "a page for man(1), or completions for a shell");
+    app.footer("Example: meshfolio help render\n         source <(meshfolio help --as bash)");
+    return {app, [flags, &parent] {
+                print(help_as(flags->format, parent, flags->command));
+                return ExitCode::ok;
+            }};
+}
+
+Command version_command(CLI::App& parent) {
+    const CommandOptions app(parent, "version", "The version of the program");
+    return {app, [] {
+                print(std::string("meshfolio ") + build_info::version + "\n");
+                return ExitCode::ok;
+            }};
+}
+
+}   // namespace meshfolio::cli

@@ -1,0 +1,43 @@
+#!/bin/sh
+# The Debian package: twice the same bytes, no error for lintian, installed by apt in a bare Debian 12, where it makes a report with whichever BLAS.
+#   tests/end_to_end/slow_bare_root.sh [BUILD]   default: build/release, whose program is built already
+# Needs root, mmdebstrap, lintian and the Debian mirror that apt knows; ends with 77 without them.
+set -eu
+root=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd)
+build=${1:-$root/build/release}
+mirror=$(sed -n 's/^URIs: *//p; s/^deb \(\[[^]]*\] \)*\([^ ]*\) .*/\2/p' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | grep -m1 '/debian/*$' || true)
+if [ "$(id -u)" != 0 ] || ! command -v mmdebstrap >/dev/null || ! command -v lintian >/dev/null || [ -z "$mirror" ]; then
+    echo "skipped: needs root, mmdebstrap, lintian and a Debian mirror of apt" >&2
+    exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for time in one two; do
+    (cd "$build" && cpack -G DEB -B "$work/$time" >"$work/log" 2>&1) || { cat "$work/log" >&2; exit 1; }
+    mv "$work/$time"/*.deb "$work/$time.deb"
+done
+cmp "$work/one.deb" "$work/two.deb"
+lintian --fail-on error --allow-root "$work/one.deb"
+
+cat >"$work/inside" <<'END'
+set -eu
+cd /tmp
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+apt-get -qq update
+began=$(date +%s)
+apt-get install -qq -y /tmp/one.deb >/tmp/log 2>&1 || { cat /tmp/log; exit 1; }
+installed=$(date +%s)
+meshfolio report --quick
+test -s out/index.html
+echo "apt install $((installed - began)) s, report --quick $(($(date +%s) - installed)) s: $(($(date +%s) - began)) s to index.html"
+meshfolio --version
+for blas in libopenblas0-pthread libblas3; do
+    apt-get purge -qq -y 'libopenblas*' >/tmp/log 2>&1 || { cat /tmp/log; exit 1; }
+    apt-get install -qq -y "$blas" >/tmp/log 2>&1 || { cat /tmp/log; exit 1; }
+    meshfolio doctor | grep '^BLAS'
+    meshfolio sample torus -o torus.ply
+    meshfolio spectrum torus.ply -k 20 >/dev/null
+done
+END
+mmdebstrap --quiet --mode=root --variant=apt --format=null --customize-hook="copy-in $work/one.deb $work/inside /tmp" \
+    --customize-hook='chroot "$1" sh /tmp/inside' bookworm - "$mirror"

@@ -1,0 +1,93 @@
+"""What `cmake --install` leaves in a prefix, and what is in it that was made from the program's own definitions."""
+
+import gzip
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from program import PROGRAM, SOURCE, run
+
+BUILD = os.path.dirname(PROGRAM)
+
+
+@unittest.skipUnless(os.path.exists(os.path.join(BUILD, 'documents', 'made')), 'a build that is not to be installed')
+class Install(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix='meshfolio-test-')
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.prefix = cls.folder / 'usr'
+        done = subprocess.run(['cmake', '--install', BUILD, '--prefix', cls.prefix], capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+        cls.share = cls.prefix / 'share'
+        cls.commands = re.findall(r'^  ([a-z]+) ', run('--help').stdout.split('Subcommands:')[1], re.MULTILINE)
+
+    def test_the_program_runs_from_there(self):
+        done = subprocess.run([self.prefix / 'bin' / 'meshfolio', 'version'], capture_output=True, text=True, cwd=self.folder)
+        self.assertRegex(done.stdout, r'^meshfolio \d+\.\d+\.\d+\n$')
+
+    def test_every_command_has_a_page_that_names_its_options(self):
+        pages = self.share / 'man' / 'man1'
+        for command in set(self.commands) - {'version'}:
+            page = gzip.decompress((pages / f'meshfolio-{command}.1.gz').read_bytes()).decode().replace('\\-', '-')
+            for option in re.findall(r'^  (?:-\w,)?(--[\w-]+)', run('help', command).stdout, re.MULTILINE):
+                self.assertIn(option, page, command)
+        self.assertTrue((pages / 'meshfolio.1.gz').exists())
+        if shutil.which('man'):
+            for page in pages.iterdir():
+                done = subprocess.run(['man', '--warnings', '-E', 'UTF-8', '-l', page], capture_output=True, text=True, env={**os.environ, 'MANWIDTH': '300'})
+                self.assertEqual((done.returncode, done.stderr), (0, ''), page)
+                self.assertIn('SYNOPSIS', done.stdout)
+
+    def test_shells_read_their_completions(self):
+        files = {'bash': 'bash-completion/completions/meshfolio', 'zsh': 'zsh/vendor-completions/_meshfolio',
+                 'fish': 'fish/vendor_completions.d/meshfolio.fish'}
+        for shell, file in files.items():
+            self.assertIn('render', (self.share / file).read_text())
+            if shutil.which(shell):
+                done = subprocess.run([shell, '--no-execute' if shell == 'fish' else '-n', self.share / file], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ''), shell)
+
+    def test_bash_completes_commands_options_and_their_values(self):
+        script = f'''source "{self.share}/bash-completion/completions/meshfolio"
+            COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _meshfolio; echo "${{COMPREPLY[*]}}"'''
+
+        def completed(*words):
+            path = f'{self.prefix}/bin:{os.environ["PATH"]}'
+            return subprocess.run(['bash', '-c', script, 'bash', 'meshfolio', *words], capture_output=True, text=True, env={**os.environ, 'PATH': path}).stdout.split()
+
+        self.assertEqual(completed('rep'), ['report'])
+        self.assertEqual(set(completed('')) - {'--help', '--version'}, set(self.commands))
+        self.assertEqual(completed('render', '--iso'), ['--isolines'])
+        self.assertEqual(completed('smooth', 'a.obj', '--scheme', ''), ['explicit', 'implicit', 'taubin'])
+        self.assertEqual(completed('sample', 'creat'), ['creature'])
+        self.assertEqual(completed('help', 'rend'), ['render'])
+        self.assertEqual(completed('render', '--out', ''), [], 'names of files are left to bash')
+
+    def test_the_bill_of_materials_names_what_is_built_in(self):
+        bill = json.loads((self.share / 'doc/meshfolio/meshfolio.spdx.json').read_text())
+        self.assertEqual(bill['spdxVersion'], 'SPDX-2.3')
+        names = {package['name'] for package in bill['packages']}
+        self.assertTrue({'meshfolio', 'Eigen', 'oneTBB', 'CLI11'} <= names, names)
+        ids = {package['SPDXID'] for package in bill['packages']}
+        self.assertEqual(len(ids), len(bill['packages']))
+        linked = {relation['relatedSpdxElement'] for relation in bill['relationships']}
+        self.assertEqual(linked, ids, 'each is said to be in it')
+
+    def test_licence_and_documents(self):
+        about = self.share / 'doc' / 'meshfolio'
+        self.assertEqual((about / 'LICENSE').read_bytes(), (SOURCE / 'LICENSE').read_bytes())
+        self.assertIn('{{', (about / 'templates.md').read_text())
+        for name in ('README.md', 'NOTICES.md', 'copyright', 'changelog.gz', 'examples/report.toml'):
+            self.assertGreater((about / name).stat().st_size, 100, name)
+
+
+if __name__ == '__main__':
+    unittest.main()
