@@ -13,10 +13,15 @@ foreach(target IN LISTS meshfolio_library)
 endforeach()
 target_include_directories(meshfolio_render INTERFACE $<INSTALL_INTERFACE:${meshfolio_headers}/render>)
 
-install(TARGETS ${meshfolio_library} EXPORT meshfolio-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-install(DIRECTORY src/base src/mesh src/geometry render DESTINATION ${meshfolio_headers} COMPONENT development FILES_MATCHING PATTERN "*.h"
-        PATTERN "*-inl.h" EXCLUDE PATTERN engine EXCLUDE)
-install(EXPORT meshfolio-targets NAMESPACE meshfolio:: DESTINATION ${meshfolio_config} COMPONENT development)
+# A package of the program, or of who builds this along, holds none of it.
+set(apart COMPONENT development)
+if(MESHFOLIO_PROGRAM OR NOT PROJECT_IS_TOP_LEVEL)
+  list(APPEND apart EXCLUDE_FROM_ALL)
+endif()
+install(TARGETS ${meshfolio_library} EXPORT meshfolio-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${apart})
+install(DIRECTORY src/base src/mesh src/geometry render DESTINATION ${meshfolio_headers} ${apart} FILES_MATCHING PATTERN "*.h"
+        PATTERN "*-inl.h" EXCLUDE)
+install(EXPORT meshfolio-targets NAMESPACE meshfolio:: DESTINATION ${meshfolio_config} ${apart})
 
 # Of the libraries below ours only those that are linked: Spectra and stb are compiled in.
 if(CHOLMOD_INCLUDE AND CHOLMOD_LIBRARY)
@@ -36,4 +41,4 @@ include(\${CMAKE_CURRENT_LIST_DIR}/meshfolio-targets.cmake)
 " @ONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/library/meshfolio-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/library/meshfolio-config.cmake ${PROJECT_BINARY_DIR}/library/meshfolio-config-version.cmake
-        DESTINATION ${meshfolio_config} COMPONENT development)
+        DESTINATION ${meshfolio_config} ${apart})
