@@ -1,52 +1,14 @@
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <tuple>
-#include <vector>
 
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/fields.h"
-#include "geometry/curvature/curvature.h"
-#include "geometry/curvature/jet_fit.h"
-#include "geometry/operators/laplace_operator.h"
 #include "run/console.h"
+#include "run/one_mesh/curvature_columns.h"
+#include "run/one_mesh/fields.h"
 
 namespace meshfolio::cli {
 
 namespace {
-
-struct NamedColumn {
-    std::string name;
-    Vector values;   // n; NaN is an empty cell
-};
-
-/// h_idt, h_cotan_no_half, …
-NamedColumn operator_column(const PreparedMesh& prepared, AreaForm form, OperatorKind kind) {
-    std::string name = "h_" + std::string(operator_entry(kind).name);
-    std::replace(name.begin(), name.end(), '-', '_');
-    const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
-    return {name, operator_mean_curvature(prepared.mesh, prepared.topology, kind, laplacian)};
-}
-
-std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets) {
-    const auto& [mesh, topology] = std::tie(prepared.mesh, prepared.topology);
-    const LaplaceBeltrami laplacian = laplace_beltrami(mesh, form);
-    const Vector& areas = laplacian.M;
-    std::vector<NamedColumn> columns{{"area", (areas.array() > 0).select(areas, std::nan(""))},
-                                     {"h_uniform", uniform_mean_curvature(mesh, topology)},
-                                     {"k_gauss", gaussian_curvature(mesh, topology, areas)},
-                                     {"h_cotan", cotangent_mean_curvature(mesh, topology, laplacian)},
-                                     {"h_uniform_scaled", uniform_mean_curvature_scaled(mesh, topology)}};
-    if (with_jets) {
-        JetCurvature jet = jet_curvature(mesh, topology);
-        columns.push_back({"h_jet", std::move(jet.H)});
-        columns.push_back({"k_jet", std::move(jet.K)});
-    }
-    const bool has_column = kind == OperatorKind::cotan || kind == OperatorKind::uniform;   // h_cotan, h_uniform_scaled
-    if (!has_column) columns.push_back(operator_column(prepared, form, kind));
-    return columns;
-}
 
 std::string curvature_table(const PreparedMesh& prepared, const std::vector<NamedColumn>& columns) {
     std::string csv = "vertex,x,y,z,boundary";

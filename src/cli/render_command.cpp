@@ -8,9 +8,7 @@
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "cli/commands.h"
-#include "cli/fields.h"
 #include "draw_mesh.h"
-#include "mesh/io/polygon_list.h"
 #include "output/draw/finished_picture.h"
 #include "output/draw/surface_of.h"
 #include "output/draw/write_glb.h"
@@ -19,15 +17,12 @@
 #include "png/png.h"
 #include "run/arguments.h"
 #include "run/console.h"
+#include "run/one_mesh/mesh_pictures.h"
 #include "run/settings/setting_list.h"
-#include "sheet/contact_sheet.h"
 
 namespace meshfolio::cli {
 
 namespace {
-
-constexpr int largest_side = 8192;
-constexpr int largest_cell = 2048;   // of a labelled sheet: to be looked at, not measured
 
 struct RenderFlags {
     std::string mesh, out, names = "sign", size = "1024", views, field = "none", values, colormap, range;
@@ -47,45 +42,13 @@ std::pair<int, int> picture_size(const std::string& text) {
     return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
-constexpr double narrowest_range = 1 / largest_coordinate;   // where numbers on a colour bar end
-
 /// "lo,hi".
-std::pair<double, double> value_limits(const std::string& text) {
+std::pair<double, double> value_limits_in(const std::string& text) {
     const std::size_t comma = text.find(',');
     const auto low = parse_number(std::string_view(text).substr(0, comma));
     const auto high = comma == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(comma + 1));
-    if (!low || !high || !(*low < *high)) throw UsageError("--range '" + text + "' is not lo,hi with lo < hi");
-    if (std::max(std::abs(*low), std::abs(*high)) > largest_coordinate || *high - *low < narrowest_range)
-        throw UsageError("--range '" + text + "' is beyond 1e100 or narrower than 1e-100", "scale the values");
-    return {*low, *high};
-}
-
-std::vector<render::View> chosen_views(const std::string& names) {
-    std::vector<render::View> views;
-    for (const std::string& name : split(names, ',')) {
-        try {
-            views.push_back(render::view_named(name));
-        } catch (const std::invalid_argument& error) {
-            throw UsageError(error.what());
-        }
-    }
-    if (views.empty()) views.assign(render::six_views.begin(), render::six_views.end());
-    return views;
-}
-
-output::ColorRange color_range(const RenderFlags& options, const PreparedMesh& prepared, const Field& field) {
-    const std::string colormap = !options.colormap.empty() ? options.colormap : field.is_signed ? "diverging" : "viridis";
-    const output::Panel panel{"", "", std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &prepared.mesh), field.values};
-    output::ColorRange range = output::robust_range({panel}, colormap, field.quantity, field.unit, field.floor);
-    if (options.range.empty()) return range;
-    std::tie(range.low, range.high) = value_limits(options.range);
-    const auto share = [&](auto outside) {
-        const double finite = static_cast<double>(field.values.array().isFinite().count());
-        return finite > 0 ? static_cast<double>(std::count_if(field.values.begin(), field.values.end(), outside)) / finite : 0;
-    };
-    range.clipped_below = share([&](double v) { return v < range.low; });
-    range.clipped_above = share([&](double v) { return v > range.high; });
-    return range;
+    const double nothing = std::nan("");
+    return value_limits(low.value_or(nothing), high.value_or(nothing), "--range '" + text + "'");
 }
 
 /// 0 where none is wanted.
@@ -112,46 +75,13 @@ render::DrawOptions draw_options(const RenderFlags& options) {
     return draw;
 }
 
-/// Of a sheet without anything added: three pictures in a row.
-struct BareGrid {
-    explicit BareGrid(std::size_t pictures)
-        : columns(std::min(3, static_cast<int>(pictures))), rows((static_cast<int>(pictures) + columns - 1) / columns) {}
-    int columns, rows;
-};
-
 /// No PNG can hold it. Refused before anything is drawn.
 void refuse_large_sheet(std::size_t views, const render::DrawOptions& draw) {
-    const BareGrid grid(views);
-    const std::int64_t pixels = std::int64_t{grid.columns} * draw.width * grid.rows * draw.height;
+    const std::int64_t pixels = bare_sheet_pixels(views, draw);
     if (pixels > render::largest_png)
         throw UsageError("a plain sheet of " + std::to_string(views) + " views has " + std::to_string(pixels) + " pixels, more than " +
                              std::to_string(render::largest_png),
                          "take a smaller --size or fewer --views");
-}
-
-render::Image bare_sheet(const std::vector<render::Image>& pictures) {
-    const BareGrid grid(pictures.size());
-    render::Image sheet(grid.columns * pictures.front().width, grid.rows * pictures.front().height);
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        render::paste(sheet, pictures[i], static_cast<int>(i) % grid.columns * pictures[i].width,
-                      static_cast<int>(i) / grid.columns * pictures[i].height);
-    }
-    return sheet;
-}
-
-render::ContactSheet sheet_of(const RenderFlags& options, const PreparedMesh& prepared, const std::optional<output::ColorRange>& range,
-                              const Field& field, const render::DrawOptions& draw, const std::vector<render::View>& views,
-                              std::vector<render::Image> pictures) {
-    render::ContactSheet sheet;
-    sheet.background = draw.background;
-    sheet.title = std::filesystem::path(options.mesh).filename().string();
-    sheet.subtitle =
-        std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
-    for (const render::View& view : views) sheet.view_names.emplace_back(view.name);
-    sheet.pictures = std::move(pictures);
-    if (std::max(draw.width, draw.height) > largest_cell) sheet.cell = largest_cell;
-    if (range) sheet.color_bar = output::color_bar_of(*range, field.values.array().isNaN().any(), draw.undefined_color);
-    return sheet;
 }
 
 /// "+x", or "x-pos" for programs that take a sign for an option.
@@ -165,8 +95,7 @@ void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::p
     const std::vector<render::Image>& pictures = sheet.pictures;
     for_each_task(1 + pictures.size(), [&](std::size_t task) {
         if (task == 0) {
-            const render::Image image = bare ? bare_sheet(pictures) : render::compose(sheet);
-            files.add(paths.back(), render::encode_png(image));
+            files.add(paths.back(), render::encode_png(composed(sheet, bare)));
             return;
         }
         render::Image picture = pictures[task - 1];
@@ -183,10 +112,11 @@ bool show_something(const std::vector<render::Image>& pictures, render::Rgba bac
 
 ExitCode run_render(const RenderFlags& options) {
     const render::DrawOptions given = draw_options(options);
-    const std::vector<render::View> views = chosen_views(options.views);
+    const std::vector<render::View> views = views_named(options.views);
     const bool bare = options.plain || given.face_colors_from_id;
     if (bare) refuse_large_sheet(views.size(), given);
-    if (!options.range.empty()) value_limits(options.range);
+    std::optional<std::pair<double, double>> range;
+    if (!options.range.empty()) range = value_limits_in(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id")) {
@@ -194,30 +124,24 @@ ExitCode run_render(const RenderFlags& options) {
     }
     const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_csv(prepared, options.values);
 
-    render::DrawOptions draw = given;
-    std::optional<output::ColorRange> range;
-    if (field.values.size() > 0) {
-        range = color_range(options, prepared, field);
-        draw.range = output::value_range(*range);
-    }
-    std::vector<render::Image> pictures =
-        render::draw_views(output::surface_of(prepared.mesh, range ? &field.values : nullptr), views, draw);
-
-    if (!show_something(pictures, draw.background))
+    PictureRequest request{.draw = given, .views = views, .colormap = options.colormap, .range = range};
+    request.title = std::filesystem::path(options.mesh).filename().string();
+    const MeshPictures drawn = draw_pictures(prepared, field, request);
+    if (!show_something(drawn.sheet.pictures, given.background))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
     output::FileGroup files;
     files.keep(options.mesh);
     files.keep(options.values.substr(0, options.values.rfind(':')));
     if (!options.glb.empty())
-        files.add(options.glb, output::write_glb(prepared.mesh, field.values, range, output::ball_around(prepared.mesh)));
+        files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
     const std::filesystem::path folder =
         options.out.empty() ? std::filesystem::path(options.mesh).stem() : std::filesystem::path(options.out);
     std::vector<std::filesystem::path> paths;
     for (const render::View& view : views) paths.push_back(folder / file_name(std::string(view.name), options.names == "word"));
     paths.push_back(folder / "sheet.png");
     output::make_folder(folder);
-    add_pictures(files, paths, sheet_of(options, prepared, range, field, draw, views, std::move(pictures)), bare);
+    add_pictures(files, paths, drawn.sheet, bare);
     files.publish();
     for (const std::filesystem::path& path : paths) print_path(path);
     return ExitCode::ok;

@@ -2,13 +2,13 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/fields.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/triangle_measures.h"
 #include "run/arguments.h"
 #include "run/console.h"
+#include "run/one_mesh/fields.h"
 #include "run/progress.h"
 
 namespace meshfolio::cli {

@@ -6,7 +6,6 @@
 #include "base/in_quotes.h"
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "cli/fields.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "geometry/spectrum/spectrum_certificate.h"
@@ -14,6 +13,7 @@
 #include "output/publish/folder_system.h"
 #include "run/arguments.h"
 #include "run/console.h"
+#include "run/one_mesh/fields.h"
 
 namespace meshfolio::cli {
 

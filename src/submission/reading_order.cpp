@@ -30,7 +30,7 @@ const std::vector<Part>& parts() {
         {"The report and its writers", false, {"src/report/"}},
         {"Drawing and publishing", false, {"src/output/"}},
         {"The submission", false, {"src/submission/"}},
-        {"The command line", false, {"src/main.cpp", "src/cli/", "src/run/"}},
+        {"The command line", false, {"src/main.cpp", "src/cli/", "src/run/", "src/python/"}},
         {"The base of all", false, {"src/"}},
         {"The renderer", false, {""}},
     };

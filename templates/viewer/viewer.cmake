@@ -2,7 +2,7 @@
 # written into the source: npm works on a copy in the build folder.
 #   viewer_program   the file; empty where there is no viewer, and then the page has its pictures only
 #   MESHFOLIO_VIEWER AUTO: what goes wrong is told and the program is built without; ON: it is an error; OFF: not tried
-set(viewer_folder ${CMAKE_BINARY_DIR}/viewer)
+set(viewer_folder ${PROJECT_BINARY_DIR}/viewer)
 set(viewer_program ${viewer_folder}/viewer.min.js)
 set(viewer_sources package.json package-lock.json viewer.js view.js model.js shader.js lab.js lab_denoising.js lab_experiment.js lab_math.js
                    lab_noise.js lab_panel.js lab_plot.js lab_state.js)

@@ -1,4 +1,4 @@
-#include "cli/fields.h"
+#include "run/one_mesh/fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "mesh/io/csv_column.h"
 #include "mesh/triangle_measures.h"
 
-namespace meshfolio::cli {
+namespace meshfolio::run {
 
 std::vector<std::string> operator_choices() {
     std::vector<std::string> names;
@@ -34,7 +34,7 @@ Checks checks_for(const std::string& name) { return name == "h-uniform" ? Checks
 
 Field field_of(const PreparedMesh& mesh, const std::string& name) {
     if (name == "none" || name == "id") return {};
-    const double diagonal = Box{mesh.preflight.box_low, mesh.preflight.box_high}.diagonal();
+    const double diagonal = bounding_box(mesh.mesh).diagonal();
     if (name == "h-uniform") return {uniform_mean_curvature(mesh.mesh, mesh.topology), "½‖Δx‖, uniform", "length", true, 1e-9 * diagonal};
     for (const OperatorEntry& entry : operator_list()) {
         if (name != "h-" + std::string(entry.name)) continue;
@@ -59,9 +59,11 @@ Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_colum
     if (colon == std::string::npos) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
     if (file.empty() || column.empty()) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
-    Field field;
-    field.quantity = column;
-    field.values = csv_column(read_file(file, largest_csv), file, column, {.rows = mesh.mesh.vertex_count()});
+    return field_of_values(csv_column(read_file(file, largest_csv), file, column, {.rows = mesh.mesh.vertex_count()}), column);
+}
+
+Field field_of_values(Vector values, const std::string& quantity) {
+    Field field{.values = std::move(values), .quantity = quantity, .unit = ""};
     const double low = field.values.array().isNaN().select(0, field.values).minCoeff();
     const double high = field.values.array().isNaN().select(0, field.values).maxCoeff();
     field.is_signed = low < 0 && high > 0;
@@ -69,4 +71,4 @@ Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_colum
     return field;
 }
 
-}   // namespace meshfolio::cli
+}   // namespace meshfolio::run

@@ -1,5 +1,5 @@
 /// @file
-/// Per-vertex quantities by name, for `render --field`.
+/// Per-vertex quantities by name, for `render --field` and the Python module.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 #include "mesh/mesh_checks.h"
 #include "mesh/triangle_mesh.h"
 
-namespace meshfolio::cli {
+namespace meshfolio::run {
 
 struct Field {
     Vector values;                // n; empty: none
@@ -28,4 +28,7 @@ Field field_of(const PreparedMesh& mesh, const std::string& name);
 /// @throws InputError for a file that does not fit, UsageError for a missing ":COLUMN"
 Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_column);
 
-}   // namespace meshfolio::cli
+/// Values of any origin, NaN where undefined: signed if they are on both sides of 0.
+Field field_of_values(Vector values, const std::string& quantity);
+
+}   // namespace meshfolio::run

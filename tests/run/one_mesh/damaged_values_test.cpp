@@ -5,13 +5,13 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "cli/fields.h"
+#include "run/one_mesh/fields.h"
 #include "damaged_bytes.h"
 #include "mesh/small_meshes.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;
-using namespace meshfolio::cli;
+using namespace meshfolio::run;
 using testing_tools::for_each_damage;
 using testing_tools::is_one_line_about;
 
