@@ -44,7 +44,9 @@ report::Table error_table(const BenchRuns& runs) {
     const auto order = [](std::string_view estimator) {
         return [=](const BenchRun& run) { return cell_of(std::round(10 * run.errors(estimator).order().exponent) / 10); };
     };
-    return table("q1_errors", words.line("errors"), runs)
+    int vertices = 0;
+    for (const BenchRun& run : runs) vertices = std::max(vertices, run.finest().vertices);
+    return table("q1_errors", words.line("errors", "vertices"_a = vertices), runs)
         .column("surface", &BenchRun::surface)
         .column("triangulation", [](auto& run) { return name_of(run.kind); })
         .column("uniform H", {.unit = "%"}, error(uniform_H))

@@ -170,7 +170,8 @@ json gap_view(std::size_t left_out, std::size_t columns) {
     for (std::size_t c = 1; c < columns; ++c) fill += " |";
     return view_of({{"cells", "of a row", json::array()},
                     {"is_gap", "rows are left out here", true},
-                    {"left_out", "how many: \"1 row\", \"410 rows\"", std::to_string(left_out) + (left_out == 1 ? " row" : " rows")},
+                    {"left_out", "how many: \"1 row\", \"410 rows\"",
+                     readable_integer(static_cast<double>(left_out)) + (left_out == 1 ? " row" : " rows")},
                     {"columns", "how many columns the table has", std::to_string(columns)},
                     {"fill", "bars of the cells that a row of Markdown lacks when it only tells what is left out", std::move(fill)}});
 }
