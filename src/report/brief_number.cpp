@@ -6,7 +6,7 @@
 
 namespace meshfolio::report {
 
-std::string readable_integer(double x) { return readable_count(std::llround(x)); }
+std::string readable_integer(double x) { return std::isfinite(x) ? readable_count(std::llround(x)) : readable(x); }
 
 std::string brief(double x, int most) {
     const std::string wanted = plain_text(x, most);   // without trailing zeros
