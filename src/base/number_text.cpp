@@ -94,6 +94,8 @@ std::string readable(double x, int digits) {
     return with_typographic_minus(s.mantissa) + "\u202f×\u202f" + power_of_ten(s.exponent);
 }
 
+std::string readable_count(long long n) { return with_typographic_minus(grouped(std::to_string(n))); }
+
 std::string scientific_text(double x, int digits) {
     if (!std::isfinite(x) || x == 0) return readable(x, digits);
     const Scientific s = scientific(x, digits);

@@ -15,6 +15,9 @@ std::string exact_text(double x);
 /// Minus is U+2212 and powers are written ×10⁻⁷. NaN gives "–".
 std::string readable(double x, int digits = 3);
 
+/// A whole number with all its digits, for people: 5120, 40 962. Four digits stay together, five and more are parted by thin spaces.
+std::string readable_count(long long n);
+
 /// 3.59 × 10⁻⁵ whatever the size; for a column in which some numbers need the power.
 std::string scientific_text(double x, int digits);
 

@@ -1,14 +1,12 @@
 #include "report/brief_number.h"
 
+#include <cmath>
+
 #include "base/number_text.h"
 
 namespace meshfolio::report {
 
-std::string readable_integer(double x) {
-    constexpr int all_digits = 10;
-    const std::string text = readable(x, all_digits);
-    return text.substr(0, text.find('.'));
-}
+std::string readable_integer(double x) { return std::isfinite(x) ? readable_count(std::llround(x)) : readable(x); }
 
 std::string brief(double x, int most) {
     const std::string wanted = plain_text(x, most);   // without trailing zeros

@@ -48,8 +48,8 @@ struct Column {
     std::string unit = {};                                           // "1/length"; empty: none
     int digits = 3;                                                  // significant digits for people; files get all
     enum class Best { none, smallest, largest } best = Best::none;   // which value is marked
-    /// How people's digits are rounded: bounds outwards. Files get all digits anyway.
-    enum class Rounding { nearest, down, up } rounding = Rounding::nearest;
+    /// How people's digits are rounded: bounds outwards, orders of convergence to tenths whatever `digits`. Files get all digits anyway.
+    enum class Rounding { nearest, down, up, tenths } rounding = Rounding::nearest;
     /// A heat map: cells are shaded on a logarithmic scale, not at all up to `low`, fully from `high` on.
     struct Heat {
         double low, high;

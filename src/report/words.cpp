@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "base/sha256.h"
 #include "report/writers.h"
 
@@ -80,7 +81,7 @@ Text filled(std::string_view placeholder, const Facts& facts, std::string_view m
             throw std::logic_error("'" + std::string(placeholder) + "' needs a count, and words for one and for many");
         return text(std::string(*count == 1 ? placeholder.substr(bar + 1, second - bar - 1) : placeholder.substr(second + 1)));
     }
-    if (count != nullptr) return text(std::to_string(*count));
+    if (count != nullptr) return text(readable_count(*count));
     if (const auto* words = std::get_if<std::string>(&fact.value)) return text(*words);
     return std::get<Text>(fact.value);
 }

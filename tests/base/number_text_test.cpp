@@ -44,6 +44,15 @@ TEST(NumberText, ReadableRoundsToSignificantDigits) {
     EXPECT_EQ(readable_percent(0.1234), "12.3\u202f%");
 }
 
+// In prose and in tables by one rule, which readable() follows as well.
+TEST(NumberText, CountsOfFiveDigitsAndMoreAreParted) {
+    EXPECT_EQ(readable_count(0), "0");
+    EXPECT_EQ(readable_count(9999), "9999");
+    EXPECT_EQ(readable_count(40962), "40\u202f962");
+    EXPECT_EQ(readable_count(-1234567), "\u22121\u202f234\u202f567");
+    EXPECT_EQ(readable_count(12345678901), "12\u202f345\u202f678\u202f901");
+}
+
 TEST(NumberText, ScientificRoundsUpIntoTheNextPower) {
     EXPECT_EQ(scientific_text(9.996e-4, 3), "1.00\u202f×\u202f10⁻³");
     EXPECT_EQ(scientific_text(-1234.0, 2), "\u22121.2\u202f×\u202f10³");

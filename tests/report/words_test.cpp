@@ -48,6 +48,7 @@ TEST(Words, CountsChooseTheWord) {
     EXPECT_EQ(of(1), "1 mesh has");
     EXPECT_EQ(of(0), "0 meshes have");
     EXPECT_EQ(of(12), "12 meshes have");
+    EXPECT_EQ(of(40962), "40\u202f962 meshes have");
     EXPECT_THROW(running_text("{{n|mesh|meshes}}", {"n"_a = "1"}), std::logic_error) << "no count";
 }
 

@@ -173,7 +173,7 @@ void set_legend(FigureJob& job, render::FigureSheet& sheet) {
     const ColorRange& range = *job.request->range;
     sheet.color_bar = color_bar_of(range, has_undefined(*job.request), render::DrawOptions().undefined_color);
     // of these panels: several figures may share a range
-    sheet.color_bar->histogram = histogram_of(finite_values(job.request->panels), sheet.color_bar->range);
+    if (!range.relative) sheet.color_bar->histogram = histogram_of(finite_values(job.request->panels), sheet.color_bar->range);
     job.drawn.legend = legend_of(*sheet.color_bar);
 }
 

@@ -27,6 +27,7 @@ struct ColorRange {
     bool logarithmic = false;                      // equal ratios are equally far apart; low > 0
     double clipped_below = 0, clipped_above = 0;   // share of the finite values outside
     std::vector<double> sample = {};               // of the finite values, evenly through their order, for the histogram
+    bool relative = false;                         // values are in percent of each panel's own range: one histogram of all means nothing
 };
 
 enum class Layout {

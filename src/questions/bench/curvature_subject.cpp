@@ -121,7 +121,12 @@ output::Panel relative_panel(const CurvatureSubject& subject, std::string name, 
 }
 
 output::ColorRange relative_range(std::string quantity) {
-    return {.colormap = "diverging", .low = -100, .high = 100, .quantity = std::move(quantity), .unit = curvature_words.line("own_range")};
+    return {.colormap = "diverging",
+            .low = -100,
+            .high = 100,
+            .quantity = std::move(quantity),
+            .unit = curvature_words.line("own_range"),
+            .relative = true};
 }
 
 double share_beyond(const Vector& values, double range) {

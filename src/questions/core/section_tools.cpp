@@ -134,7 +134,7 @@ std::string listed_observed(const std::vector<Observed>& observed) {
 
 std::string counted(int n, std::string_view singular, std::string_view plural) {
     const std::string many = plural.empty() ? std::string(singular) + "s" : std::string(plural);
-    return std::to_string(n) + " " + (n == 1 ? std::string(singular) : many);
+    return readable_count(n) + " " + (n == 1 ? std::string(singular) : many);
 }
 
 }   // namespace meshfolio

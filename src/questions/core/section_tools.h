@@ -83,7 +83,7 @@ struct Observed {
 /// "a, b and c, each time under x" where all conditions are the same, else "a (under x) and b (under y)".
 std::string listed_observed(const std::vector<Observed>& observed);
 
-/// "1 mesh", "4 meshes".
+/// "1 mesh", "4 meshes", "40 962 vertices".
 std::string counted(int n, std::string_view singular, std::string_view plural = "");
 
 }   // namespace meshfolio

@@ -26,7 +26,7 @@ struct SixViewFigure {
 /// Appends the figure to the section, with an alternative text made from the data, and asks for its pictures.
 void add_figure(Answer& answer, SixViewFigure figure);
 
-/// "lily.obj, 1,284 vertices".
+/// "lily.obj, 1284 vertices".
 std::string subtitle_of(const LibraryMesh& mesh);
 
 /// A panel of the library's own mesh; of other positions or another mesh.

@@ -100,7 +100,7 @@ report::Table damping_table(const Studies& studies) {
     const auto top_law = [](auto& r) { return r.part.law(r.whole.eigenvalues[r.whole.eigenvalues.size() - 1]); };
     return table("modes_damping", words.line("damping"), parts_within(studies, &ModeStudy::dampings))
         .column("mesh", [](auto& r) { return r.whole.name(); })
-        .column("modes", {.digits = 6}, [](auto& r) { return std::to_string(r.whole.eigenvalues.size()) + (r.whole.all ? " (all)" : ""); })
+        .column("modes", {.digits = 6}, [](auto& r) { return readable_count(r.whole.eigenvalues.size()) + (r.whole.all ? " (all)" : ""); })
         .column("scheme", [](auto& r) { return scheme_name(r.part.scheme); })
         .column("λ/λ_crit", [](auto& r) { return r.part.lambda / r.whole.subject.critical; })
         .column("steps", {.digits = 4}, [](auto& r) { return r.part.steps; })

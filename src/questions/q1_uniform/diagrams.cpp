@@ -62,7 +62,7 @@ Diagram::Panel laplacian_panel() {
     const DiagramPoint left = *std::ranges::min_element(corners, {}, [](const DiagramPoint& p) { return p[0]; });
     panel.labels.push_back({.x = left[0], .y = left[1], .words = text(math("x_j")), .side = Side::left, .dot = true});
     panel.labels.push_back({.x = tip[0], .y = tip[1], .words = text(math("Δx")), .side = Side::below_right, .accent = true});
-    panel.labels.push_back({.x = foot[0], .y = foot[1], .words = words.say("diagram.drift"), .side = Side::right});
+    panel.labels.push_back({.x = foot[0], .y = foot[1], .words = words.say("diagram.drift"), .side = Side::above_right});
     return panel;
 }
 

@@ -49,7 +49,8 @@ report::Text curved_picture(const MeshCurvature& c) {
     const Picture p = picture_of(c);
     if (p.varies_where_truth_does_not()) {
         const Contrast drift = tangential_part(c).length;
-        report::Text t = words.say("h.uneven", "mesh"_a = mesh, "spread"_a = readable(p.spread, 2));
+        report::Text t = words.say("h.uneven", "mesh"_a = mesh, "spread"_a = readable(p.spread, 2),
+                                   "cotangent"_a = readable_percent(p.cotangent_spread - 1, 2));
         if (drift.most > drift.least + 0.05)
             go_on(t, words.say("h.uneven.drift", "most"_a = readable_percent(drift.most, 2), "least"_a = readable_percent(drift.least, 2)));
         return t;
@@ -58,8 +59,12 @@ report::Text curved_picture(const MeshCurvature& c) {
     return words.say(key, "mesh"_a = mesh, "correlation"_a = readable(p.correlation, 2));
 }
 
+/// Has the mesh a picture that is compared with that of cotangent H?
+bool is_compared(const MeshCurvature& c) { return !c.subject.plane_normal && summary_of(c.H).count >= fewest_to_read; }
+
 report::Text about_H_picture(const Findings& found) {
     report::Text t = words.say("h.read");
+    if (std::ranges::any_of(found.meshes, is_compared)) go_on(t, words.say("h.reference"));
     for (const MeshCurvature& c : found.meshes)
         if (!c.subject.plane_normal) go_on(t, curved_picture(c));
     for (const FlatMesh& f : found.flat) go_on(t, flat_picture(f));
@@ -118,14 +123,14 @@ report::Text K_picture(const MeshCurvature& c) {
 
 /// Caps outside and saddles between them: what several meshes show alike is said once.
 struct Caps {
-    std::vector<std::string> meshes, negative, outer;
+    std::vector<std::string> negative, outer;
 
     /// Does the mesh show them?
     bool take(const MeshCurvature& c) {
         const SignsByDistance seen = signs_by_distance(c.subject, c.K, 0.05 * colour_range(c.K));
         if (irregular_vertices(c).ringed() || !(c.K.array() < 0).any() || !seen.caps_outside()) return false;
-        meshes.push_back(c.subject.name());
-        negative.push_back(readable_percent(seen.negative, 2));
+        negative.push_back(words.line(negative.empty() ? "k.caps.saddles" : "k.caps.saddles_too",
+                                      "share"_a = readable_percent(seen.negative, 2), "mesh"_a = c.subject.name()));
         outer.push_back(readable_percent(seen.outer_positive, 2));
         return true;
     }
@@ -136,9 +141,7 @@ report::Text about_K_picture(const Findings& found) {
     Caps caps;
     for (const MeshCurvature& c : found.meshes)
         if (!c.subject.plane_normal && !caps.take(c)) go_on(others, K_picture(c));
-    if (!caps.meshes.empty())
-        go_on(t,
-              words.say("k.caps", "meshes"_a = listed(caps.meshes), "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
+    if (!caps.outer.empty()) go_on(t, words.say("k.caps", "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
     report::extend(t, others);
     for (const FlatMesh& f : found.flat)
         if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
@@ -169,7 +172,7 @@ report::Text about_errors(const BenchRuns& runs, const BenchRuns& panel) {
                        "jittered"_a = on_sphere(MeshKind::jittered), "rest"_a = readable_percent(worst(runs, normal_H), 2)));
     const auto worse = std::ranges::count_if(runs, [](const BenchRun& run) { return run.errors(uniform_H).order().exponent < -0.5; });
     if (2 * worse > std::ssize(runs)) go_on(t, words.say("errors.worse", "worse"_a = worse, "runs"_a = runs.size()));
-    go_on(t, words.say("errors.panel", "converging"_a = converging, "runs"_a = panel.size()));
+    go_on(t, words.say(converging > 0 ? "errors.panel" : "errors.panel.none", "converging"_a = converging, "runs"_a = panel.size()));
     return t;
 }
 

@@ -35,10 +35,18 @@ output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
 }
 
-/// Irregular vertices that the text reads are too small, or too faint, to be found without rings. Are there any?
-bool mark_irregular_vertices(output::Panel& panel, const MeshCurvature& c) {
-    if (const IrregularVertices odd = irregular_vertices(c); odd.ringed()) panel.marked_vertices = odd.vertices;
-    return !panel.marked_vertices.empty();
+/// Irregular vertices that the text reads are too small, or too faint, to be found without rings. Where there are many, none has one.
+/// @return a space and a sentence that says which meshes have rings, or nothing where none has
+std::string mark_irregular_vertices(std::vector<output::Panel>& panels, const Meshes& meshes) {
+    std::vector<std::string> ringed;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const IrregularVertices odd = irregular_vertices(meshes[i]);
+        if (!odd.ringed()) continue;
+        panels[i].marked_vertices = odd.vertices;
+        ringed.push_back(meshes[i].subject.name());
+    }
+    if (ringed.empty()) return {};
+    return " " + words.line(ringed.size() == meshes.size() ? "k.marked.all" : "k.marked", "meshes"_a = listed(ringed));
 }
 
 }   // namespace
@@ -48,12 +56,10 @@ void add_figures(Answer& answer, const Meshes& meshes) {
     for (const MeshCurvature& c : meshes) masked += undefined_vertices(c.subject);
     for (const Shown& quantity : shown) {
         SixViewFigure figure{.id = "q1_" + quantity.key, .title = words.line(quantity.title)};
-        bool marked = false;
-        for (const MeshCurvature& c : meshes) {
-            figure.panels.push_back(panel_of(quantity, c));
-            if (quantity.key == "k") marked = mark_irregular_vertices(figure.panels.back(), c) || marked;
-        }
-        figure.caption = words.line(quantity.caption) + (marked ? " " + words.line("k.marked") : std::string()) + undefined_words(masked);
+        for (const MeshCurvature& c : meshes) figure.panels.push_back(panel_of(quantity, c));
+        figure.caption = words.line(quantity.caption);
+        if (quantity.key == "k") figure.caption += mark_irregular_vertices(figure.panels, meshes);
+        figure.caption += undefined_words(masked);
         figure.range = relative_range(words.line(quantity.quantity));
         figure.frame_panel = -1;
         figure.turnable = quantity.key == "h";

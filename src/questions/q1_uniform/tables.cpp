@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/linear/special_values.h"
 #include "questions/core/table.h"
@@ -42,16 +41,18 @@ report::Table error_table(const BenchRuns& runs) {
         return [=](const BenchRun& run) { return 100 * run.finest().error(estimator).*norm; };
     };
     const auto order = [](std::string_view estimator) {
-        return [=](const BenchRun& run) { return cell_of(std::round(10 * run.errors(estimator).order().exponent) / 10); };
+        return [=](const BenchRun& run) { return cell_of(run.errors(estimator).order().exponent); };
     };
-    return table("q1_errors", words.line("errors"), runs)
+    int vertices = 0;
+    for (const BenchRun& run : runs) vertices = std::max(vertices, run.finest().vertices);
+    return table("q1_errors", words.line("errors", "vertices"_a = vertices), runs)
         .column("surface", &BenchRun::surface)
         .column("triangulation", [](auto& run) { return name_of(run.kind); })
         .column("uniform H", {.unit = "%"}, error(uniform_H))
-        .column("order of H", {.digits = 2}, order(uniform_H))
+        .column("order of H", {.rounding = report::Column::Rounding::tenths}, order(uniform_H))
         .column("normal part", {.unit = "%", .digits = 2}, error(normal_H))
         .column("K barycentric", {.unit = "%", .digits = 2}, error(deficit_K))
-        .column("order of K", {.digits = 2}, order(deficit_K))
+        .column("order of K", {.rounding = report::Column::Rounding::tenths}, order(deficit_K))
         .column("worst vertex", {.unit = "%", .digits = 2}, error(deficit_K, &EstimateError::linf))
         .column("K Voronoi", {.unit = "%", .digits = 2}, error("K.voronoi"))
         .column("K mixed", {.unit = "%", .digits = 2}, error("K.mixed"));

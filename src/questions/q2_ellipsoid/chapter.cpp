@@ -94,8 +94,9 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add(section, pole_table(flat_ellipsoid, pole));
     add(section, discrete_table(tip, discrete));
 
-    section.parameters = {{"ellipsoids", axes_text(flat_ellipsoid) + "; " + axes_text(tall_ellipsoid)},
-                          {"random points", words.line("parameter.points", "points"_a = oracles.front().points, "seed"_a = settings.seed)}};
+    section.parameters = {
+        {"ellipsoids", axes_text(flat_ellipsoid) + "; " + axes_text(tall_ellipsoid)},
+        {"random points", words.line("parameter.points", "points"_a = oracles.front().points, "seed"_a = std::to_string(settings.seed))}};
     section.extent = words.line("extent", "points"_a = total_points(oracles), "ellipsoids"_a = oracles.size());
     return answer;
 }

@@ -23,11 +23,11 @@ std::vector<DiagramPoint> ellipse(double half_width, double half_height) {
     return points;
 }
 
-/// An arrow from the origin, named at its head.
-void add_arrow(Diagram::Panel& panel, DiagramPoint head, const char* name, Side side, Style style) {
+/// An arrow from the origin, named at its head, where it may say along which axis it is.
+void add_arrow(Diagram::Panel& panel, DiagramPoint head, const char* name, Side side, Style style, const char* axis = "") {
     panel.paths.push_back(path_through({{0, 0}, head}, style));
     panel.paths.back().arrow = true;
-    panel.labels.push_back({.x = head[0], .y = head[1], .words = text(math(name)), .side = side, .accent = style == Style::accent});
+    panel.labels.push_back({.x = head[0], .y = head[1], .words = text(math(name), axis), .side = side, .accent = style == Style::accent});
 }
 
 /// The tangent plane at the tip, seen along −n: p_u to the right, −p_v upwards. The outline is that of the ellipsoid.
@@ -36,8 +36,8 @@ Diagram::Panel tangent_plane(const Tip& tip) {
     Diagram::Panel panel{.title = words.line("diagram.tangent_plane")};
     panel.paths.push_back(path_through(ellipse(b, c), Style::area, true));
     panel.paths.push_back(path_through(ellipse(b, c), Style::thin, true));
-    add_arrow(panel, {b, 0}, "p_u", Side::below_right, Style::line);
-    add_arrow(panel, {0, c}, "−p_v", Side::above, Style::line);
+    add_arrow(panel, {b, 0}, "p_u", Side::below_right, Style::line, " (+y)");
+    add_arrow(panel, {0, c}, "−p_v", Side::above, Style::line, " (+z)");
     add_arrow(panel, {std::cos(drawn_angle), std::sin(drawn_angle)}, "t", Side::above_right, Style::accent);
     panel.paths.push_back(report::arc({0, 0}, 0.4, 0, drawn_angle, Style::accent));
     panel.labels.push_back({.x = 0.5 * std::cos(drawn_angle / 2),

@@ -59,7 +59,7 @@ void add_disagreement_figure(Answer& answer, const CotangentComparison& c, const
                          .subtitle = subtitle_of(*s.source),
                          .caption = words.line("disagreement.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)),
                          .panels = {panel_of(*s.source, id, s.name(), s.mean_edge * d.size)}};
-    figure.range = range_from_zero(figure.panels, colormap, "|ΔH| × mean edge", 0.001);
+    figure.range = range_from_zero(figure.panels, colormap, words.line("disagreement.quantity"), 0.001);
     add_figure(answer, std::move(figure));
 }
 

@@ -45,7 +45,8 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
     if (what == "reconstructions") {
         figure.caption =
             words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact,
-                       "first"_a = study.reconstructions.front().k, "last"_a = study.reconstructions.back().k);
+                       "first"_a = std::to_string(study.reconstructions.front().k),   // of file names
+                       "last"_a = std::to_string(study.reconstructions.back().k));
         figure.panels.insert(figure.panels.begin(), meshfolio::panel_of(*study.source, id_of(study, "original"), original));
         figure.turnable = true;
     } else {

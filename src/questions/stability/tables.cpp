@@ -45,10 +45,10 @@ report::Series curve(const std::string& name, const std::string& step, const Mod
     return series;
 }
 
-std::string vertex_text(int vertex) { return vertex >= 0 ? std::to_string(vertex) : "–"; }
+std::string vertex_text(int vertex) { return vertex >= 0 ? readable_count(vertex) : "–"; }
 
 /// The step something happened in, or "never".
-std::string when(int iteration) { return iteration > 0 ? std::to_string(iteration) : "never"; }
+std::string when(int iteration) { return iteration > 0 ? readable_count(iteration) : "never"; }
 
 const char* end_of(const Smoothed& run) { return run.blew_up ? "blow-up" : run.collapse_iteration > 0 ? "collapse" : "number of steps"; }
 

@@ -97,7 +97,7 @@ struct SectionEntry {
 // ---- words for choices --------------------------------------------------------------------------------------------------
 
 inline constexpr std::array<const char*, 3> names_of(Column::Best) { return {"none", "smallest", "largest"}; }
-inline constexpr std::array<const char*, 3> names_of(Column::Rounding) { return {"nearest", "down", "up"}; }
+inline constexpr std::array<const char*, 4> names_of(Column::Rounding) { return {"nearest", "down", "up", "tenths"}; }
 inline constexpr std::array<const char*, 4> names_of(Series::Style) { return {"line", "points", "line_and_points", "dashed"}; }
 inline constexpr std::array<const char*, 2> names_of(Map::Colours) { return {"sequential", "diverging"}; }
 inline constexpr std::array<const char*, 6> names_of(Diagram::Style) { return {"line", "thin", "dashed", "area", "accent", "accent_area"}; }

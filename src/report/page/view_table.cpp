@@ -71,6 +71,8 @@ double rounded(double x, const Column& column) {
             return rounded_down(x, column.digits);
         case Column::Rounding::up:
             return rounded_up(x, column.digits);
+        case Column::Rounding::tenths:
+            return std::round(10 * x) / 10;
         case Column::Rounding::nearest:
             break;
     }
@@ -83,13 +85,20 @@ std::string number_text(double x, Notation notation, int digits) {
     return notation == Notation::whole ? readable_integer(x) : readable(x, digits);
 }
 
+/// Significant digits of x: with tenths as many as one decimal takes.
+int digits_of(double x, const Column& column) {
+    if (column.rounding != Column::Rounding::tenths || !std::isfinite(x)) return column.digits;
+    return std::abs(x) < 1 ? 1 : 2 + static_cast<int>(std::floor(std::log10(std::abs(x))));
+}
+
 /// The column's numbers as they are printed, "–" for what is undefined; texts are left empty.
 std::vector<std::string> number_texts(const Table& table, std::size_t column) {
     const Notation notation = notation_of(table, column);
     std::vector<std::string> texts;
     for (const auto& row : table.rows) {
-        const double* x = number_in(row, column);
-        texts.push_back(x ? number_text(rounded(*x, table.columns[column]), notation, table.columns[column].digits) : "–");
+        const double* value = number_in(row, column);
+        const double x = value ? rounded(*value, table.columns[column]) : std::nan("");
+        texts.push_back(number_text(x, notation, digits_of(x, table.columns[column])));
     }
     return texts;
 }
@@ -170,7 +179,8 @@ json gap_view(std::size_t left_out, std::size_t columns) {
     for (std::size_t c = 1; c < columns; ++c) fill += " |";
     return view_of({{"cells", "of a row", json::array()},
                     {"is_gap", "rows are left out here", true},
-                    {"left_out", "how many: \"1 row\", \"410 rows\"", std::to_string(left_out) + (left_out == 1 ? " row" : " rows")},
+                    {"left_out", "how many: \"1 row\", \"410 rows\"",
+                     readable_integer(static_cast<double>(left_out)) + (left_out == 1 ? " row" : " rows")},
                     {"columns", "how many columns the table has", std::to_string(columns)},
                     {"fill", "bars of the cells that a row of Markdown lacks when it only tells what is left out", std::move(fill)}});
 }

@@ -247,6 +247,7 @@ TEST(MeshLibrary, ALargeMeshIsExploredOnADecimatedCopyThatTheSectionNames) {
     EXPECT_GT(explored[0]->decimation_error, 1e-7);
     EXPECT_LT(explored[0]->decimation_error, 1e-3);
     ASSERT_EQ(quick.warnings.size(), 1u);
-    EXPECT_NE(quick.warnings[0].find("large.ply: this section works on a decimated copy of 10000 of the 40962 vertices"), std::string::npos)
+    EXPECT_NE(quick.warnings[0].find("large.ply: this section works on a decimated copy of 10\u202f000 of the 40\u202f962 vertices"),
+              std::string::npos)
         << quick.warnings[0];
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/mesh_topology.h"
 #include "mesh/samples/sample_shapes.h"
@@ -89,7 +90,7 @@ TEST(Q3, ItsExtentIsThatOfTheLargestMesh) {
     for (const KnownSurface& surface : question_surfaces())
         most = std::max(most, bench_mesh(surface, MeshKind::regular, refinement_levels(true).back(), 1).mesh.vertex_count());
     const Answer answer = answer_for(icosphere(1), "small3");
-    EXPECT_NE(answer.section.extent.find("up to " + std::to_string(most) + " vertices"), std::string::npos) << answer.section.extent;
+    EXPECT_NE(answer.section.extent.find("up to " + readable_count(most) + " vertices"), std::string::npos) << answer.section.extent;
 }
 
 TEST(Q3, TheTextFollowsTheData) {

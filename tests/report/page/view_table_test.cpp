@@ -70,6 +70,13 @@ TEST(ViewTable, HeatRisesWithTheLogarithmBetweenItsLimits) {
     EXPECT_EQ(view_of(column({1.0}))["rows"][0]["cells"][0]["has_heat"], false);
 }
 
+// An order of −0.77 ± 0.6 has no second decimal.
+TEST(ViewTable, OrdersHaveOneDecimal) {
+    Table orders = column({-0.77, 0.98, -1.14, 0.04, -0.04, 12.31, Cell()});
+    orders.columns[0].rounding = Column::Rounding::tenths;
+    EXPECT_EQ(numbers_of(view_of(orders)), (Words{"\u22120.8", "1.0", "\u22121.1", "0", "0", "12.3", "–"}));
+}
+
 // Right-aligned with these figure spaces all points stand under each other.
 TEST(ViewTable, PaddingPutsPointsUnderEachOther) {
     const json view = view_of(column({0.0352, 28.1, 120.0, Cell()}));
