@@ -198,6 +198,7 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     for (const double lambda : each_once(settings.lambda)) grid.lambdas.push_back(lambda / (grid.mean_edge * grid.mean_edge));
     if (grid.lambdas.empty()) grid.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.001, 0.01, 0.1, 1.0, 10.0};
     grid.iterations = last_or(settings.iterations, settings.quick ? 16 : 48);
+    grid.fitted_to_clean = noise_level(clean, topology).sigma / grid.mean_edge;
     grid.on_feature = feature_vertices(clean, topology);
     grid.curved = most_curved(clean, topology);
     grid.feature_vertices = static_cast<int>(std::ranges::count(grid.on_feature, 1));
