@@ -11,7 +11,7 @@ namespace render {
 
 namespace {
 
-constexpr Rgba mark_color{214, 39, 40, 255}, mark_rim{255, 255, 255, 255};
+constexpr Rgba mark_color{0, 0, 0, 255}, mark_rim{255, 255, 255, 255};   // black: no colour map has it
 
 /// Where the vertex lies in the picture, in pixels, and its height towards the viewer.
 struct Place {
@@ -41,7 +41,7 @@ bool is_seen(const Place& place, const HeightField& heights) {
 
 void draw_marks(const ProjectedScene& projected, std::span<const int> vertices, ViewPicture& picture) {
     Image& image = picture.image();
-    const double radius = std::max(4.0, std::min(image.width, image.height) / 110.0), width = std::max(1.5, radius / 3);
+    const double radius = std::max(5.0, std::min(image.width, image.height) / 36.0), width = std::max(1.5, radius / 3);
     for (const int v : vertices) {
         if (v < 0 || static_cast<std::size_t>(v) >= projected.scene.vertices.size()) continue;
         if (projected.scene.vertices[static_cast<std::size_t>(v)].at[0] <= GridVertex::far_off) continue;

@@ -294,7 +294,7 @@ TEST(DrawViews, AMarkOnTheVeryEdgeOfThePictureIsRinged) {
     const std::vector<int> corners{0, 1, 2, 3, 4, 5, 6, 7};
     options.marked_vertices = corners;
     const auto marked = six_pictures(mesh, options);
-    for (std::size_t v = 0; v < 6; ++v) EXPECT_NE(marked[v].at(0, 4), unmarked[v].at(0, 4)) << render::six_views[v].name;
+    for (std::size_t v = 0; v < 6; ++v) EXPECT_NE(marked[v].at(0, 5), unmarked[v].at(0, 5)) << render::six_views[v].name;
 }
 
 TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {

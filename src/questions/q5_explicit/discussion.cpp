@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
@@ -61,13 +62,15 @@ report::Text how_large(const Studies& studies) {
     const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
     // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
     static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
-    const double lowest = low->critical_in_edges();
+    const double lowest = low->critical_in_edges(), times = high->critical_in_edges() / lowest;
     const report::Facts facts{
         "low"_a = readable(lowest, 2), "low_mesh"_a = low->name(),   "high"_a = readable(high->critical_in_edges(), 2),
-        "high_mesh"_a = high->name(),  "grid"_a = readable(grid, 2), "times"_a = readable(grid / lowest, 2),
-        "meshes"_a = studies.size()};
-    return paragraph_of({words.say(studies.size() > 1 ? "limit.several" : "limit.one", facts),
-                         words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
+        "high_mesh"_a = high->name(),  "grid"_a = readable(grid, 2), "grid_times"_a = readable(grid / lowest, 2),
+        "times"_a = readable(times, 2)};
+    const bool several = studies.size() > 1;
+    return paragraph_of({words.say(several ? "limit.several" : "limit.one", facts),
+                         several && times > 1.5 ? words.say("limit.times", facts) : report::Text(),
+                         several ? report::Text() : words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
                          places(studies, Extent::whole, "limit.whole"), places(studies, Extent::region, "limit.region"),
                          places(studies, Extent::spot, "limit.spot"), ringed(studies), words.say("limit.why")});
 }
@@ -164,6 +167,7 @@ report::Text effect_of(const ExplicitStudy& study) {
                               "boundary"_a = readable(best.on_boundary, 2),
                               "time"_a = readable(study.in_edges(best.time()), 2),
                               "turned"_a = run.moved.inverted_faces,
+                              "share"_a = readable_percent(double(run.moved.inverted_faces) / study.subject.mesh().face_count(), 2),
                               "before"_a = best.folded_before,
                               "after"_a = best.folded_after,
                               "faces"_a = study.subject.mesh().face_count()};
@@ -171,7 +175,8 @@ report::Text effect_of(const ExplicitStudy& study) {
     const bool unfolded = 2 * best.folded_before > run.moved.inverted_faces && 10 * best.folded_after < best.folded_before;
     return paragraph_of({if_so(best.all_kept, "stop.kept"), if_so(best.on_features > 1.5, "stop.features"),
                          if_so(best.on_boundary > 1.5, "stop.boundary"), if_so(run.moved.inverted_faces > 0, "stop.turned"),
-                         if_so(unfolded, "stop.turned.unfolded"), if_so(!unfolded && best.folded_after > 0, "stop.turned.folded")});
+                         if_so(unfolded, "stop.turned.unfolded"), if_so(!unfolded && best.folded_after > 0, "stop.turned.folded"),
+                         if_so(!unfolded && best.folded_before > 0 && best.folded_after == 0, "stop.turned.flat")});
 }
 
 }   // namespace
@@ -374,12 +379,18 @@ report::Text answer_in_short(const Studies& studies) {
 }
 
 report::Text lead(const Studies& studies) {
-    const auto first = std::ranges::find_if(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); });
-    if (first == studies.end()) return {};
-    const double lambda = first->recommended->stopped.lambda;
-    const std::string limits = in_limits(first->subject, lambda);
-    return words.say(limits == "0.5" ? "lead.half" : "lead", "limits"_a = limits, "lambda"_a = readable(lambda, 2),
-                     "mesh"_a = first->name());
+    Names steps;
+    std::set<std::string> limits;
+    for (const ExplicitStudy& study : studies) {
+        if (!study.recommended) continue;
+        const double lambda = study.recommended->stopped.lambda;
+        const std::string limit = in_limits(study.subject, lambda);
+        if (!limits.empty() && !limits.contains(limit)) continue;   // the table has the others
+        limits.insert(limit);
+        steps.push_back(words.line("lead.mesh", "lambda"_a = readable(lambda, 2), "mesh"_a = study.name()));
+    }
+    if (steps.empty()) return {};
+    return words.say(limits.contains("0.5") ? "lead.half" : "lead", "limits"_a = *limits.begin(), "meshes"_a = listed(steps));
 }
 
 }   // namespace meshfolio::q5_explicit

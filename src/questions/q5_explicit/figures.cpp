@@ -51,8 +51,10 @@ std::string on_sharp_edges(const Studies& studies) {
 
 /// Likewise where a few vertices set the limit.
 std::string on_rings(const Studies& studies) {
-    const bool ringed = std::ranges::any_of(studies, [](const ExplicitStudy& s) { return s.recommended && !limiting_spot(s).empty(); });
-    return ringed ? " " + words.line("figure.ring") : "";
+    std::vector<std::string> ringed;
+    for (const ExplicitStudy& study : studies)
+        if (study.recommended && !limiting_spot(study).empty()) ringed.push_back(study.name());
+    return ringed.empty() ? "" : " " + words.line("figure.ring", "meshes"_a = listed(ringed));
 }
 
 report::Facts facts_of(const ExplicitStudy& study) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "base/number_text.h"
 #include "questions/bench/sentences.h"
@@ -14,31 +15,51 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool blows_up(const ImplicitStudy& study) { return study.first_blown().has_value(); }
-
 /// Which scheme is cheaper for what is recommended.
 report::Text price_of_recommended(const Studies& studies) {
     const std::vector<double> ratios = prices(studies);
     return ratios.empty() ? report::Text() : words.say("answer.good." + price_key(ratios), "ratios"_a = span_of(ratios));
 }
 
-/// From which amount on implicit steps pay, and what is left of the size there; on which meshes they do at no amount tried.
+/// From which amount and with which step on implicit steps pay, and what is left of the size there; on which meshes they do at none tried.
 report::Text pays_from(const Studies& studies) {
     Names paying, never;
-    std::vector<double> times, kept;
+    std::vector<double> kept;
+    bool large = true;   // only steps beyond the explicit limit pay
     for (const ImplicitStudy& study : studies) {
         if (!study.prices.counted()) continue;
         const std::optional<BreakEven> even = study.break_even();
-        (even ? paying : never).push_back(study.name());
-        if (!even) continue;
-        times.push_back(in_edges(study, even->time()));
+        if (!even) {
+            never.push_back(study.name());
+            continue;
+        }
+        for (std::size_t l = 0; l < study.lambdas.size() && study.lambdas[l] <= study.subject.critical; ++l)
+            large = large && !study.break_even(l);
+        paying.push_back(words.line("answer.even.mesh", "mesh"_a = study.name(), "time"_a = readable(in_edges(study, even->time()), 2),
+                                    "limits"_a = in_limits(study.subject, even->lambda)));
         kept.push_back(100 * even->kept);
     }
-    report::Text paid;
-    if (!times.empty())
-        paid = words.say(never.empty() ? "answer.even" : "answer.even.some", "times"_a = span_of(times), "kept"_a = span_of(kept),
-                         "meshes"_a = listed(paying));
-    return paragraph_of({paid, said_of(never, words, "answer.even.never")});
+    const report::Text left = kept.empty() ? report::Text() : words.say("answer.even.kept", "kept"_a = span_of(kept));
+    return paragraph_of(
+        {said_of(paying, words, large ? "answer.even.large" : "answer.even"), left, said_of(never, words, "answer.even.never")});
+}
+
+/// Whether the explicit runs blew up, and the last of them within how many steps, where one λ blew up first on all meshes.
+report::Text stability_of(const Studies& studies) {
+    double largest = 0;
+    std::set<std::string> blown;
+    int last = 0;
+    bool all = true;
+    for (const ImplicitStudy& study : studies) {
+        largest = std::max(largest, study.lambdas.back() / study.subject.critical);
+        const std::optional<std::size_t> l = study.first_blown();
+        all = all && l.has_value();
+        if (!l) continue;
+        blown.insert(in_limits(study.subject, study.lambdas[*l]));
+        last = std::max(last, study.explicit_runs[*l].result.blow_up_iteration);
+    }
+    const char* key = blown.empty() ? "answer.alike" : all && blown.size() == 1 ? "answer.blown" : "answer";
+    return words.say(key, "limits"_a = readable(largest, 2), "blown"_a = blown.empty() ? "" : *blown.begin(), "last"_a = last);
 }
 
 /// Meshes on which the angle grows from almost none: it measures how round the shape has become.
@@ -83,10 +104,7 @@ std::string smoothness_key(const ImplicitStudy& study) {
 }
 
 report::Text answer_of(const Studies& studies) {
-    double largest = 0;
-    for (const ImplicitStudy& study : studies) largest = std::max(largest, study.lambdas.back() / study.subject.critical);
-    return paragraph_of({words.say(std::ranges::any_of(studies, blows_up) ? "answer" : "answer.alike", "limits"_a = readable(largest, 2)),
-                         price_of_recommended(studies), pays_from(studies)});
+    return paragraph_of({stability_of(studies), price_of_recommended(studies), pays_from(studies)});
 }
 
 /// What is recommended: "λt = 0.91 h̄² on plane".
@@ -113,6 +131,26 @@ report::Text quality_of(const Studies& studies) {
     }
     if (!told.empty()) told = paragraph_of({words.say("quality"), told});
     return paragraph_of({told, roundness(studies)});
+}
+
+/// Which scheme to use: for what is recommended, and for more.
+report::Text verdict_of(const Studies& studies) {
+    const std::vector<double> ratios = prices(studies);
+    if (ratios.empty()) return {};
+    const std::string price = price_key(ratios);
+    const auto none_is = [&](const char* key) {
+        return std::ranges::none_of(studies, [&](const ImplicitStudy& study) { return smoothness_key(study) == key; });
+    };
+    Names cheaper, dearer;
+    for (const ImplicitStudy& study : studies)
+        if (study.cost && !std::isnan(study.cost->ratio)) (study.cost->ratio < 1 ? cheaper : dearer).push_back(study.name());
+    const std::string key = price == "cheaper"  ? none_is("rougher") ? "explicit.smooth" : "explicit"
+                            : price == "dearer" ? none_is("smoother") ? "implicit.smooth" : "implicit"
+                                                : price;
+    const bool more = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.break_even().has_value(); });
+    return paragraph_of(
+        {words.say("verdict." + key, "ratios"_a = span_of(ratios), "cheaper"_a = listed(cheaper), "dearer"_a = listed(dearer)),
+         more && price != "dearer" ? words.say("verdict.more") : report::Text()});
 }
 
 /// What a step and a factorisation cost, and which λ can pay: as (1 − h)ᵏ ≤ 1/(1 + kh) for 0 ≤ h ≤ 1, no more than about 2λ/λ_crit explicit

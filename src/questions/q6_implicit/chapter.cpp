@@ -48,7 +48,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_paragraphs(section, {comparison_of(studies), larger_steps_of(studies)});
     if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
     if (report::Table prices = price_table(studies); !prices.rows.empty()) add(section, std::move(prices));
-    add_paragraphs(section, {price_of(studies), quality_of(studies)});
+    add_paragraphs(section, {price_of(studies), quality_of(studies), verdict_of(studies)});
 
     begin_appendix(section);
     if (report::Plot gaps = gap_plot(studies); !gaps.series.empty()) add(section, std::move(gaps));

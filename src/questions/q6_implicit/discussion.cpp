@@ -150,19 +150,17 @@ report::Text speckles(const ImplicitStudy& study, const SmoothingCell& good) {
     return words.say("reading.speckles", "t"_a = good.iterations);
 }
 
-/// Which method to use for as much: where implicit steps within the explicit limit cost more for the same, explicit ones.
-report::Text which_method(const ImplicitStudy& study, const SmoothingCell& good) {
-    if (!study.cost || !(study.cost->ratio < 1 / 1.2) || good.lambda > study.subject.critical) return {};
-    return words.say("reading.explicit", "times"_a = readable(1 / study.cost->ratio, 2));
-}
-
+/// What is recommended, by either scheme where explicit steps get as far.
 report::Text recommended(const ImplicitStudy& study) {
     const SmoothingCell* good = study.good();
     if (good == nullptr) return {};
+    const bool either = study.cost && study.cost->reached();
     report::Text turned;
-    if (good->inverted_faces > 0)
-        turned = words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = study.subject.mesh().face_count());
-    return paragraph_of({words.say("reading.good", "cell"_a = title_of(study, *good)), which_method(study, *good),
+    if (const int faces = study.subject.mesh().face_count(); good->inverted_faces > 0)
+        turned = words.say("reading.turned", "turned"_a = good->inverted_faces, "faces"_a = faces,
+                           "share"_a = readable_percent(double(good->inverted_faces) / faces, 2));
+    return paragraph_of({words.say(either ? "reading.either" : "reading.good", "cell"_a = title_of(study, *good),
+                                   "steps"_a = either ? study.cost->explicit_steps : 0),
                          where_it_goes(study, *good), turned, speckles(study, *good)});
 }
 

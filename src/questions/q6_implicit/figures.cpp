@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "base/number_text.h"
 #include "mesh/triangle_measures.h"
@@ -16,23 +17,24 @@ struct Row {
     bool is_explicit = false;
 };
 
-/// Explicit above implicit, λ by λ; from the first λ whose explicit run blows up on the implicit scheme alone.
+/// The first explicit run that blew up, if one of its pictures can be drawn.
+std::optional<std::size_t> drawn_blow_up(const ImplicitStudy& study) {
+    const std::optional<std::size_t> blown = study.first_blown();
+    for (std::size_t t = 0; blown && t < study.iterations.size(); ++t)
+        if (const SmoothingCell& cell = study.cell(*blown, t); cell.has_explicit() && fits_a_frame(study.subject, cell.explicit_X))
+            return blown;
+    return {};
+}
+
+/// Explicit above implicit, λ by λ; beyond the first λ whose explicit run blows up the implicit scheme alone.
 std::vector<Row> rows_of(const ImplicitStudy& study) {
     std::vector<Row> rows;
     const std::size_t blown = study.first_blown().value_or(study.lambdas.size());
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
-        if (l < blown) rows.push_back({l, true});
+        if (l < blown || l == drawn_blow_up(study)) rows.push_back({l, true});
         rows.push_back({l, false});
     }
     return rows;
-}
-
-/// Of the first run that blew up as many iterations as have a place in the column below the input, its end among them.
-std::size_t states_below_input(const ImplicitStudy& study) {
-    if (!study.first_blown()) return 0;
-    std::size_t states = 0;
-    while (states < study.iterations.size() && study.cell(*study.first_blown(), states).has_explicit()) ++states;
-    return std::min(std::min(states + 1, study.iterations.size()), rows_of(study).size() - 1);
 }
 
 /// Smaller than one sees: a fiftieth of the box of the input.
@@ -64,7 +66,7 @@ TriangleMesh unit_sized(const TriangleMesh& mesh, const Positions& X) {
 std::string left_out(const ImplicitStudy& study) {
     std::vector<std::string> runs;
     for (std::size_t l = study.first_blown().value_or(study.lambdas.size()); l < study.lambdas.size(); ++l) {
-        if (l == study.first_blown() && states_below_input(study) > 0) continue;
+        if (l == drawn_blow_up(study)) continue;
         const Smoothed& run = study.explicit_runs[l].result;
         if (run.blew_up)
             runs.push_back(words.line("matrix.not_drawn.run", "limits"_a = in_limits(study.subject, study.lambdas[l]),
@@ -90,16 +92,7 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
     request.id = id_of("q6", study.name(), "matrix");
     request.layout = output::Layout::one_frame;
     request.coarse_edges = true;
-    const std::size_t below = states_below_input(study);
     request.columns = {words.line("head.input")};
-    if (below > 0) {
-        std::vector<std::string> times;
-        for (std::size_t t = 0; t < below; ++t)
-            if (study.cell(*study.first_blown(), t).has_explicit()) times.push_back(std::to_string(study.iterations[t]));
-        const std::string limits = in_limits(study.subject, study.lambdas[*study.first_blown()]);
-        request.columns = {times.empty() ? words.line("head.input.ended", "limits"_a = limits)
-                                         : words.line("head.input.below", "limits"_a = limits, "times"_a = listed(times))};
-    }
     for (const int t : study.iterations) request.columns.push_back(words.line("head.time", "iterations"_a = t));
     std::vector<std::string> labels;
     for (const Row& row : rows_of(study)) {
@@ -109,11 +102,8 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
         if (r == 0)
             request.panels.push_back(panel_of(*study.subject.source, request.id + "_input", words.line("head.input"),
                                               curvature_colours(study.subject, study.subject.mesh().X)));
-        else if (r <= below)
-            request.panels.push_back(panel_of_cell(study, study.cell(*study.first_blown(), r - 1), true));
         else
             request.panels.push_back({request.id + "_none" + std::to_string(r), "", nullptr});
-        if (r > 0 && r <= below) labels.push_back(request.panels.back().label);
         for (std::size_t t = 0; t < study.iterations.size(); ++t) {
             request.panels.push_back(panel_of_cell(study, study.cell(row.lambda, t), row.is_explicit));
             labels.push_back(request.panels.back().label);

@@ -43,6 +43,7 @@ report::Text comparison_of(const Studies& studies);
 report::Text larger_steps_of(const Studies& studies);
 report::Text quality_of(const Studies& studies);
 report::Text price_of(const Studies& studies);
+report::Text verdict_of(const Studies& studies);
 
 /// A λt in squared mean edges.
 inline double in_edges(const ImplicitStudy& study, double time) { return time / (study.subject.mean_edge * study.subject.mean_edge); }

@@ -49,16 +49,19 @@ report::Text other_samples(const Grids& grids) {
 
 /// The gains that more smoothing, or less, might raise.
 report::Text at_the_end_of_the_grid(const Grids& grids) {
-    int all = 0, ended = 0, near = 0;
+    int all = 0, ended = 0, near = 0, small = 0;
     for (const Case& c : cases_of(grids)) {
         for (const Measure& measure : measures) {
             const SearchState& best = c.part.best_by(measure);
             all += best.step > 0 ? 1 : 0;
             ended += is_unended(c.whole, best) ? 1 : 0;
-            near += !is_unended(c.whole, best) && best.step == c.whole.iterations - 1 ? 1 : 0;
+            if (best.step == 0 || is_unended(c.whole, best)) continue;
+            near += best.step == c.whole.iterations - 1 ? 1 : 0;
+            small += best.value == c.whole.lambdas.front() && best.step < c.whole.iterations - 1 ? 1 : 0;
         }
     }
-    return ended + near == 0 ? report::Text() : words.say("ended", "all"_a = all, "ended"_a = ended, "near"_a = near);
+    return paragraph_of({ended + near == 0 ? report::Text() : words.say("ended", "all"_a = all, "ended"_a = ended, "near"_a = near),
+                         small == 0 ? report::Text() : words.say("ended.small", "small"_a = small)});
 }
 
 /// The case with the least gain: little where the noise is weak, no success, or just the least.
@@ -69,7 +72,9 @@ report::Text least_gain(const Grids& grids) {
     const double gain = least.gain(measures[0]);
     if (std::isnan(gain)) return {};
     const bool is_weak = least.sigma < weak * grid.mean_edge && gain < 1.25;
-    return words.say("least" + std::string(is_weak ? ".weak" : "") + (gain < helps ? ".fails" : ""), facts_of(grid, least));
+    const bool harms = is_weak && grid.after_one(least) > 1;
+    return paragraph_of({words.say("least" + std::string(is_weak ? ".weak" : "") + (gain < helps ? ".fails" : ""), facts_of(grid, least)),
+                         harms ? words.say("least.weak.harm", "middle"_a = readable(grid.middle_lambda(), 2)) : report::Text()});
 }
 
 /// The cases in which the distance to the surface is halved, whatever becomes of the volume.
@@ -77,11 +82,26 @@ std::ptrdiff_t halved(const Grids& grids) {
     return std::ranges::count_if(cases_of(grids), [](const Case& c) { return c.part.gain(measures[0]) >= works; });
 }
 
-/// Between which noise levels lies the one from which smoothing works: nothing there was tried.
-report::Text untested(const Grids& grids) {
-    const NoiseSplit split = noise_split(grids);
-    if (!split.decides()) return {};
-    return words.say("untested", "halved"_a = readable(split.smallest_halved, 2), "other"_a = readable(split.largest_other, 2));
+/// The largest gain by a measure, of the cases whose noise does not halve the distance to the surface; null: no gain.
+const Case* most_below(const std::vector<Case>& cases, const Measure& measure) {
+    const Case* most = nullptr;
+    for (const Case& c : cases)
+        if (c.part.gain(measures[0]) < works && c.part.gain(measure) > (most ? most->part.gain(measure) : 1)) most = &c;
+    return most;
+}
+
+/// From which noise on smoothing halves the distance, what it gains below, and what normals gain there already.
+report::Text split_told(const Grids& grids, const NoiseSplit& split) {
+    const std::vector<Case> cases = cases_of(grids);
+    const Case *surface = most_below(cases, measures[0]), *normals = most_below(cases, measures[2]);
+    const double most = surface ? surface->part.gain(measures[0]) : 1;
+    report::Text told = words.say("answer.split", "halved"_a = readable(split.smallest_halved, 2), "count"_a = halved(grids),
+                                  "cases"_a = count_of(grids, measures[0]).cases(), "other"_a = readable(split.largest_other, 2),
+                                  "most"_a = readable(rounded_down(most, 2), 2));
+    if (normals && normals->part.gain(measures[2]) >= works && normals->part.gain(measures[2]) > 1.2 * most)
+        go_on(told, words.say("answer.normals", "gain"_a = readable(normals->part.gain(measures[2]), 2), "mesh"_a = normals->whole.name(),
+                              "edges"_a = readable(normals->part.sigma / normals->whole.mean_edge, 2)));
+    return told;
 }
 
 }   // namespace
@@ -107,8 +127,7 @@ report::Text answer_of(const Grids& grids) {
     const NoiseSplit split = noise_split(grids);
     const Count count = count_of(grids, measures[0]);
     const report::Text told = split.decides()
-                                  ? words.say("answer.split", "halved"_a = readable(split.smallest_halved, 2), "count"_a = halved(grids),
-                                              "cases"_a = count.cases())
+                                  ? split_told(grids, split)
                                   : words.say("answer.mixed", "works"_a = count.works, "helps"_a = count.helps, "cases"_a = count.cases());
     return paragraph_of({told, least_gain(grids), shrunk(grids), rounded(grids)});
 }
@@ -122,7 +141,7 @@ report::Text summary_of(const Grids& grids) {
         go_on(counted, words.say("summary.volume", "fails"_a = surface.fails));
     if (surface.cases() > 0 && normals.cases() > 0)
         go_on(counted, words.say("summary.others", "places"_a = places.fails, "normals"_a = normals.fails));
-    return paragraph_of({counted, untested(grids), other_samples(grids), at_the_end_of_the_grid(grids)});
+    return paragraph_of({counted, other_samples(grids), at_the_end_of_the_grid(grids)});
 }
 
 }   // namespace meshfolio::q7_denoising

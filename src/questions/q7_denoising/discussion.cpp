@@ -210,24 +210,30 @@ report::Text thin(const Grids& grids) {
     return paragraph_of({words.say("thin", facts), others ? words.say("thin.elsewhere", facts) : report::Text()});
 }
 
-/// For whoever has no clean mesh: what the rule that needs none reaches of the best gain.
+/// For whoever has no clean mesh: what the rule that needs none reaches of the best gain, and where it does harm.
 report::Text without_clean(const Grids& grids) {
-    double sum = 0, worst = infinity;
-    int cases = 0;
-    report::Facts facts;
-    for (const Case& c : cases_of(grids)) {
-        const double share = c.part.stopped.share();
-        if (std::isnan(share)) continue;
-        sum += share, ++cases;
-        if (share >= worst) continue;
-        worst = share;
-        facts = facts_of(c.whole, c.part);
+    const std::vector<Case> cases = cases_of(grids);
+    double sum = 0;
+    int all = 0;
+    Names harmed;
+    const Case *least = nullptr, *worst = nullptr;   // by share of the best gain, by gain
+    for (const Case& c : cases) {
+        const Stopped& stopped = c.part.stopped;
+        if (std::isnan(stopped.share())) continue;
+        sum += stopped.share(), ++all;
+        if (!least || stopped.share() < least->part.stopped.share()) least = &c;
+        if (!worst || stopped.gain < worst->part.stopped.gain) worst = &c;
+        if (stopped.gain < 1) harmed.push_back(words.line("samples.case", facts_of(c.whole, c.part)));
     }
-    if (cases == 0) return {};
-    facts.push_back("mean"_a = readable_percent(sum / cases, 2));
-    facts.push_back("worst"_a = readable_percent(worst, 2));
-    facts.push_back("middle"_a = readable(grids.front().middle_lambda(), 2));
-    return words.say("stopped", facts);
+    if (all == 0) return {};
+    report::Facts facts = facts_of((harmed.empty() ? least : worst)->whole, (harmed.empty() ? least : worst)->part);
+    facts.insert(facts.end(), {"mean"_a = readable_percent(sum / all, 2), "worst"_a = readable_percent(least->part.stopped.share(), 2),
+                               "middle"_a = readable(grids.front().middle_lambda(), 2), "harmed"_a = harmed.size(), "all"_a = all,
+                               "cases"_a = listed(harmed), "times"_a = readable(1 / worst->part.stopped.gain, 2),
+                               "false"_a = readable(worst->whole.fitted_to_clean, 2)});
+    const bool by_shape = !harmed.empty() && worst->whole.fitted_to_clean * worst->whole.mean_edge > worst->part.sigma;
+    return paragraph_of({words.say("stopped", facts), words.say(harmed.empty() ? "stopped.least" : "stopped.harms", facts),
+                         by_shape ? words.say("stopped.shape", facts) : report::Text()});
 }
 
 /// Noise along the normals alone, and on few vertices.

@@ -211,6 +211,7 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     const DenoisingTries tries = tries_of(settings, grid.mean_edge);
     grid.lambdas = tries.lambdas;
     grid.iterations = tries.iterations;
+    grid.fitted_to_clean = noise_level(clean, topology).sigma / grid.mean_edge;
     grid.on_feature = feature_vertices(clean, topology);
     grid.curved = most_curved(clean, topology);
     grid.feature_vertices = static_cast<int>(std::ranges::count(grid.on_feature, 1));

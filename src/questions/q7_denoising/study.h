@@ -76,6 +76,8 @@ struct DenoisingGrid {
     std::vector<NoisyTrial> trials;      // ascending σ
     std::vector<double> without_noise;   // distance to the surface after t = 0, 1, … iterations of middle_lambda() from the clean mesh
 
+    double fitted_to_clean = NAN;   // the σ that is fitted to the clean mesh: its shape, taken for noise [mean edges]
+
     double noisy_area = 1;   // of pictured(), over the area of the clean mesh
     std::vector<double>
         other_gains;   // by surface, of pictured()'s λ and t on noise as strong along the normals, and on a tenth of the vertices

@@ -90,7 +90,8 @@ report::Table result_table(const Grids& grids) {
         .column("places", gain, gain_by(1))
         .column("normals", gain, gain_by(2))
         .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.remains.volume); })
-        .column("verdict", [](auto& c) { return verdict_on(c.part); });
+        .column("verdict", [](auto& c) { return verdict_on(c.part); })
+        .column("alone", {.unit = "×", .rounding = report::Column::Rounding::down}, [](auto& c) { return cell_of(c.part.stopped.gain); });
 }
 
 report::Table count_table(const Grids& grids) {

@@ -94,7 +94,8 @@ TEST(DenoisingDiscussion, EdgesAreRoundedWhereSmoothingAloneMovesThem) {
         for (NoisyTrial& trial : grid.trials) trial.found.by_shape.step = 1, trial.taken.features = {times, 1};
         return report::plain(answer_of({grid}));
     };
-    EXPECT_TRUE(has(with(3), "Sharp edges are rounded: on cube_told smoothing alone takes them 3.0 times as far off as the rest."));
+    EXPECT_TRUE(
+        has(with(3), "Sharp edges are rounded: on the clean cube_told the same smoothing moves them 3.0 times as far off the surface"));
     EXPECT_FALSE(has(with(1.1), "Sharp edges"));
 }
 
@@ -132,9 +133,16 @@ TEST(DenoisingDiscussion, WithoutTheCleanMeshTheRuleReachesAShareOfTheBestGain) 
         trial.stopped = {.step = 1, .gain = 2, .best = 2};
     }
     grid.trials[1].stopped.gain = 1;
-    EXPECT_TRUE(
-        has(told(grid), "reaches 75\u202f% of the best gain of the same run in the mean, 50\u202f% in the worst case (ball_told, σ = 1.0"))
-        << told(grid);
+    EXPECT_TRUE(has(told(grid), "reaches 75\u202f% of the best gain of the same run in the mean")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "The least is 50\u202f%, on ball_told at σ = 1.0")) << told(grid);
+    EXPECT_FALSE(has(told(grid), "It fails in")) << "no worse than the noisy mesh: " << told(grid);
+    grid.trials[1].stopped.gain = 0.25;
+    grid.fitted_to_clean = 0.5 * grid.trials[1].sigma / grid.mean_edge;
+    EXPECT_TRUE(has(told(grid), "It fails in 1 of 2 cases: ball_told at 1.0")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "ends 4.0 times as far off as it was")) << told(grid);
+    EXPECT_FALSE(has(told(grid), "shape is taken for noise")) << "the noise is larger than that: " << told(grid);
+    grid.fitted_to_clean *= 4;
+    EXPECT_TRUE(has(told(grid), "There shape is taken for noise")) << told(grid);
     for (NoisyTrial& trial : grid.trials) trial.stopped.gain = NAN;
     EXPECT_FALSE(has(told(grid), "Without the clean mesh")) << told(grid);
 }
@@ -214,7 +222,8 @@ TEST(DenoisingDiscussion, TheAnswerNamesTheNoiseWhereItBeginsToHelp) {
         last.found.by_shape.shape = last.found.noisy.shape / high;
         return report::plain(answer_of({grid}));
     };
-    EXPECT_TRUE(has(gains(1.5, 3), "of noise on smoothing halves the surface distance, in 1 of 2 cases")) << gains(1.5, 3);
+    EXPECT_TRUE(has(gains(1.5, 3), "of noise on smoothing at least halves the surface distance (1 of 2 cases)")) << gains(1.5, 3);
+    EXPECT_TRUE(has(gains(1.55, 3), "or less it gains at most 1.5; no noise between was tried")) << "rounded down: " << gains(1.55, 3);
     EXPECT_TRUE(has(gains(1.5, 3), "The least gain is")) << gains(1.5, 3);
     EXPECT_TRUE(has(gains(1.05, 3), "It fails when the noise is much smaller than an edge")) << gains(1.05, 3);
     EXPECT_TRUE(has(gains(3, 4), "halves the surface distance in 2 of 2 cases and helps in 0")) << gains(3, 4);
@@ -287,20 +296,24 @@ TEST(DenoisingDiscussion, OtherSamplesAreToldWhereTheyWereTaken) {
     EXPECT_TRUE(has(told(grid), "Over 3 samples of the noise")) << told(grid);
     EXPECT_TRUE(has(told(grid), "at most 10\u202f%. None crosses")) << told(grid);
     grid.trials[1].further_gains = {3, 1.9};
-    EXPECT_TRUE(has(told(grid), "So near 1.1 or 2 that samples fall on both sides lies 1 case: ball_told at 1.0")) << told(grid);
+    EXPECT_TRUE(has(told(grid), "In 1 case the verdict depends on the sample: ball_told at 1.0")) << told(grid);
 }
 
 TEST(DenoisingDiscussion, OptimaAtTheEndOfTheGridAreCounted) {
     DenoisingGrid grid = denoising_grid(ball, quick_settings());
-    const auto with = [&](int step) {
+    const auto with = [&](int step, double lambda = 0.1) {
         for (NoisyTrial& trial : grid.trials)
             for (const Measure& measure : measures)
-                trial.found.*measure.best = {.value = 0.1, .step = step, .shape = 1, .rms = 1, .angle = 1};
+                trial.found.*measure.best = {.value = lambda, .step = step, .shape = 1, .rms = 1, .angle = 1};
         return told(grid);
     };
     EXPECT_FALSE(has(with(grid.iterations - 2), "the end of the grid"));
-    EXPECT_TRUE(has(with(grid.iterations - 1), "At the end of the grid lie 0 of 6 optima, one iteration before it 6"));
-    EXPECT_TRUE(has(with(grid.iterations), "At the end of the grid lie 6 of 6 optima, one iteration before it 0"));
+    EXPECT_TRUE(
+        has(with(grid.iterations - 1), "Of 6 optima (cases × measures) 0 lie at the end of the grid and 6 one iteration before it"));
+    EXPECT_TRUE(has(with(grid.iterations), "Of 6 optima (cases × measures) 6 lie at the end of the grid and 0 one iteration before it"));
+    EXPECT_TRUE(has(with(2, grid.lambdas.front()), "6 lie at the smallest λ with iterations to spare"));
+    EXPECT_FALSE(has(with(2, grid.lambdas.front()), "the end of the grid"));
+    EXPECT_FALSE(has(with(2), "the smallest λ with"));
 }
 
 TEST(DenoisingDiscussion, TheLargerAreaIsTheReasonOnlyWhereItExplainsTheVolume) {

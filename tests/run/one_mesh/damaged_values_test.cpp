@@ -5,9 +5,9 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "run/one_mesh/fields.h"
 #include "damaged_bytes.h"
 #include "mesh/small_meshes.h"
+#include "run/one_mesh/fields.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;
