@@ -299,7 +299,7 @@ class Mark(unittest.TestCase):
         whole = self.zipped(folder / "whole.zip", self.right).read_bytes()
         (folder / "cut.zip").write_bytes(whole[: len(whole) // 2])
         return [(one("up.zip", "../../up.csv"), "leads outside"), (one("root.zip", "/tmp/root.csv"), "absolute"),
-                (one("back.zip", "a\\..\\b.csv"), "backslashes"), (one("bomb.zip", "bomb.csv", bytes(60 << 20)), "zip bomb"),
+                (one("back.zip", "..\\..\\b.csv"), ""), (one("bomb.zip", "bomb.csv", bytes(60 << 20)), "zip bomb"),
                 (one("large.zip", "large.csv", bytes(65 << 20)), ""), (one("link.zip", link, "/etc/passwd"), "is a link"),
                 ("linked", "is a link"), ("many.zip", "5000 entries"), ("text.zip", "zip"), ("cut.zip", "")]
 
