@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -25,7 +26,7 @@ std::string refusal_of(const std::filesystem::path& path, const HandInLimits& li
     return "";
 }
 
-void append_number(std::string& bytes, std::uint32_t number, int length) {
+void append_number(std::string& bytes, std::uint64_t number, int length) {
     for (int i = 0; i < length; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
 }
 
