@@ -2,6 +2,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <locale.h>
 
 #include <algorithm>
 #include <array>
@@ -119,6 +120,21 @@ std::string reason_of(archive* reader) {
     return reason != nullptr ? reason : "libarchive failed";
 }
 
+/// While one lives, characters of this thread are UTF-8: libarchive drops names that the locale has not.
+class Utf8Names {
+public:
+    Utf8Names() : names_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(::uselocale(names_)) {}   // null changes nothing
+    ~Utf8Names() {
+        ::uselocale(before_);
+        if (names_ != nullptr) ::freelocale(names_);
+    }
+    Utf8Names(const Utf8Names&) = delete;
+    Utf8Names& operator=(const Utf8Names&) = delete;
+
+private:
+    locale_t names_, before_;
+};
+
 std::string entry_bytes(archive* reader, const std::string& path, std::uintmax_t packed, Collector& collector) {
     std::string bytes;
     std::vector<char> piece(std::size_t{1} << 16);
@@ -135,6 +151,7 @@ std::string entry_bytes(archive* reader, const std::string& path, std::uintmax_t
 }   // namespace
 
 HandedIn unpacked(std::string_view zip, const std::string& file, const HandInLimits& limits) {
+    const Utf8Names utf8;
     Collector collector(file, limits);
     const Reader owner(archive_read_new(), &archive_read_free);
     archive* const reader = owner.get();
@@ -143,7 +160,7 @@ HandedIn unpacked(std::string_view zip, const std::string& file, const HandInLim
     archive_entry* entry = nullptr;
     for (int code = ARCHIVE_OK; (code = archive_read_next_header(reader, &entry)) != ARCHIVE_EOF;) {
         if (code != ARCHIVE_OK && code != ARCHIVE_WARN) collector.refuse("is no readable zip (" + reason_of(reader) + ")");
-        const char* name = archive_entry_pathname(entry);   // of any encoding: bytes are kept where it is none
+        const char* name = archive_entry_pathname(entry);   // of any encoding; libarchive has turned backslashes of Windows into slashes
         const std::string path = name != nullptr ? name : "";
         const auto type = archive_entry_filetype(entry);
         const bool wanted = collector.announce(path, type == AE_IFDIR);

@@ -24,7 +24,7 @@ struct HandInLimits {
 /// their names. Where all lies in one folder, paths begin in it.
 using HandedIn = std::map<std::string, std::string>;
 
-/// @throws InputError naming what is wrong: a path that leads outside or is written with backslashes, a link, a device, an entry that
+/// @throws InputError naming what is wrong: a path that leads outside or, in a folder, has backslashes, a link, a device, an entry that
 /// stands twice or is encrypted, and what is beyond the limits
 HandedIn read_handed_in(const std::filesystem::path& path, const HandInLimits& limits = {});
 

@@ -251,7 +251,7 @@ class Mark(unittest.TestCase):
             page = (out / name / "index.html").read_text()
             self.assertIn("right but for a convention" if mistake else "70 of 70", page)
             pictured = mistake and mistake[0] not in ("eigenvalues", "kappa") and mistake[1] != ["reversed_faces"]
-            self.assertEqual([p.stem for p in (out / name).glob("*.jpg")], [mistake[0]] if pictured else [], name)
+            self.assertEqual(page.count("src=\"data:image/jpeg;base64,/9j/"), 1 if pictured else 0, name)
         rows = list(csv.DictReader((out / "class.csv").open()))
         self.assertEqual([row["student"] for row in rows], [name for name, _, _ in plan])
         self.assertEqual({row["score"] for row, (_, _, mistake) in zip(rows, plan) if mistake is None}, {"70"})
@@ -299,7 +299,7 @@ class Mark(unittest.TestCase):
         whole = self.zipped(folder / "whole.zip", self.right).read_bytes()
         (folder / "cut.zip").write_bytes(whole[: len(whole) // 2])
         return [(one("up.zip", "../../up.csv"), "leads outside"), (one("root.zip", "/tmp/root.csv"), "absolute"),
-                (one("back.zip", "a\\..\\b.csv"), "backslashes"), (one("bomb.zip", "bomb.csv", bytes(60 << 20)), "zip bomb"),
+                (one("back.zip", "..\\..\\b.csv"), ""), (one("bomb.zip", "bomb.csv", bytes(60 << 20)), "zip bomb"),
                 (one("large.zip", "large.csv", bytes(65 << 20)), ""), (one("link.zip", link, "/etc/passwd"), "is a link"),
                 ("linked", "is a link"), ("many.zip", "5000 entries"), ("text.zip", "zip"), ("cut.zip", "")]
 

@@ -56,9 +56,6 @@ StudentMarks marks_of_submission(const std::string& path, const Rubric& rubric, 
 
 void write_student(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates, const fs::path& folder) {
     output::make_folder(folder);
-    for (const ItemMark& mark : marks.items) {
-        if (const std::string picture = picture_of(mark); !picture.empty()) write_file(folder / picture_file(mark), picture);
-    }
     write_file(folder / "index.html", student_page(marks, rubric, templates));
     write_file(folder / "results.json", student_json(marks, rubric));
 }

@@ -89,9 +89,28 @@ bool keeps_all(const ItemMark& mark) { return mark.verdict == Verdict::right || 
 
 std::string points_text(double points) { return plain_text(points, 6); }
 
-bool has_picture(const ItemMark& mark) { return mark.difference.size() > 0 && mark.difference.array().isFinite().any(); }
+/// The difference on the mesh, from six sides, as JPEG; empty where there is none to be drawn.
+std::string picture_of(const ItemMark& mark) {
+    if (mark.difference.size() == 0 || !mark.difference.array().isFinite().any()) return "";
+    const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
+    const bool is_distance = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
+    const output::ColorRange range =
+        output::robust_range({{"", "", mesh, mark.difference}}, is_distance ? "viridis" : "diverging",
+                             words.line(is_distance ? "picture.distance" : "picture.difference"), "", mark.reference->right.scale * 1e-12);
+    render::DrawOptions draw;
+    draw.width = draw.height = view_side;
+    draw.range = output::value_range(range);
+    render::ContactSheet sheet;
+    sheet.title = mark.item->title;
+    for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
+    sheet.pictures = render::draw_views(output::surface_of(*mesh, &mark.difference), render::six_views, draw);
+    sheet.color_bar = output::color_bar_of(range, !mark.difference.array().isFinite().all(), draw.undefined_color);
+    constexpr int quality = 85;
+    return render::encode_jpeg(render::compose(sheet), quality);
+}
 
 json item_view(const ItemMark& mark) {
+    const std::string picture = picture_of(mark);
     return {{"id", mark.item->id},
             {"title", report::safe_text(mark.item->title)},
             {"score", points_text(mark.score)},
@@ -104,8 +123,8 @@ json item_view(const ItemMark& mark) {
             {"has_file", !mark.file.empty()},
             {"settings", described(*mark.item, mark.settings)},
             {"said", report::safe_text(said_of(mark))},
-            {"has_picture", has_picture(mark)},
-            {"picture", report::url_path(picture_file(mark))}};
+            {"has_picture", !picture.empty()},
+            {"picture", report::base64(picture)}};
 }
 
 /// What a spreadsheet would take for a formula is a text.
@@ -143,27 +162,6 @@ std::string said_of(const ItemMark& mark) {
     }
     if (mark.reference->not_unique && mark.verdict != Verdict::right) said += " " + words.line("said.not_unique");
     return said;
-}
-
-std::string picture_file(const ItemMark& mark) { return mark.item->id + ".jpg"; }
-
-std::string picture_of(const ItemMark& mark) {
-    if (!has_picture(mark)) return "";
-    const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
-    const bool is_distance = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
-    const output::ColorRange range =
-        output::robust_range({{"", "", mesh, mark.difference}}, is_distance ? "viridis" : "diverging",
-                             words.line(is_distance ? "picture.distance" : "picture.difference"), "", mark.reference->right.scale * 1e-12);
-    render::DrawOptions draw;
-    draw.width = draw.height = view_side;
-    draw.range = output::value_range(range);
-    render::ContactSheet sheet;
-    sheet.title = mark.item->title;
-    for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
-    sheet.pictures = render::draw_views(output::surface_of(*mesh, &mark.difference), render::six_views, draw);
-    sheet.color_bar = output::color_bar_of(range, !mark.difference.array().isFinite().all(), draw.undefined_color);
-    constexpr int quality = 85;
-    return render::encode_jpeg(render::compose(sheet), quality);
 }
 
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates) {

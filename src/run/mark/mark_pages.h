@@ -13,11 +13,7 @@ namespace meshfolio::run {
 /// What is said of one answer, plain, from templates/words/mark.md.
 std::string said_of(const ItemMark& mark);
 
-/// The difference on the mesh, from six sides, as JPEG; empty where there is none to be drawn.
-std::string picture_of(const ItemMark& mark);
-/// The file of that picture, beside the page.
-std::string picture_file(const ItemMark& mark);
-
+/// With the differences on the mesh, drawn from six sides: one file.
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates);
 /// As Gradescope's autograder reads it: score, tests with score, max_score, status and output.
 std::string student_json(const StudentMarks& marks, const Rubric& rubric);

@@ -31,7 +31,7 @@ struct AnswerSettings {
 };
 
 struct RubricItem {
-    std::string id;      // [a-z0-9_-], also a file name
+    std::string id;      // a safe name; that of the section of the page
     std::string title;   // for people
     MarkedThing what = MarkedThing::H;
     std::string mesh;                   // beside the rubric or bundled

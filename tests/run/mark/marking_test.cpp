@@ -80,8 +80,7 @@ TEST(Marking, EveryConventionIsNamed) {
         const std::vector<Variant>& variants = references.variants_of(item, item.settings);
         EXPECT_FALSE(variants.empty()) << thing;
         for (const Variant& variant : variants)
-            if (variant.values.allFinite() || item.what == MarkedThing::H || item.what == MarkedThing::K)
-                expect_named(variant.values, {variant.key});
+            if (variant.values.allFinite() || item.what != MarkedThing::smoothed) expect_named(variant.values, {variant.key});
     }
 }
 
@@ -148,6 +147,27 @@ TEST(Marking, EveryConventionHasItsSentence) {
         mark.conventions = {{key}};
         EXPECT_NO_THROW(EXPECT_GT(said_of(mark).size(), 60u)) << key;
     }
+}
+
+TEST(Marking, PagesAndTablesSayIt) {
+    const Rubric rubric = rubric_of("what = \"K\"");
+    References references(rubric);
+    const RubricItem& item = rubric.items.front();
+    const Reference& reference = references.of(item, item.settings);
+    StudentMarks wrong = marks_of(files_with(3 * reference.right.values, reference, item.what), rubric, references);
+    StudentMarks right = marks_of(files_with(reference.right.values, reference, item.what), rubric, references);
+    StudentMarks refused;
+    wrong.id = "eve", right.id = "ada", refused.id = "bob";
+    right.source = "=ada<b>", refused.refused = "is a link";
+    const report::Templates templates;
+    const std::string page = student_page(wrong, rubric, templates);
+    EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos);
+    EXPECT_EQ(student_page(right, rubric, templates).find("<b>"), std::string::npos);
+    EXPECT_NE(student_page(refused, rubric, templates).find("is a link"), std::string::npos);
+    EXPECT_NE(student_json(right, rubric).find("\"status\": \"passed\""), std::string::npos);
+    EXPECT_EQ(class_csv({wrong, right, refused}, rubric),
+              "student,submission,score,max_score,a,a_verdict,remarks\n"
+              "eve,,0,8,0,wrong,\nada,'=ada<b>,8,8,8,right,\nbob,,0,8,0,refused,is a link\n");
 }
 
 TEST(Rubrics, TheBundledOneIsGoodAndItsMeshesAreThere) {
