@@ -58,9 +58,12 @@ report::Text about_mistakes(const Tip& tip) {
 
 report::Text about_meshes(const DiscreteTips& tips) {
     const DiscreteTip &grid = tips.grid.back(), &icosphere = tips.icosphere.back();
-    return words.say("on_meshes", "grid_vertices"_a = grid.vertices, "H_error"_a = readable_percent(grid.H_error, 2),
-                     "K_error"_a = readable_percent(grid.K_error, 2), "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
-                     "icosphere_K_error"_a = readable_percent(icosphere.K_error, 2));
+    report::Text t = words.say("on_meshes", "grid_vertices"_a = grid.vertices, "H_error"_a = readable_percent(grid.H_error, 2),
+                               "K_error"_a = readable_percent(grid.K_error, 2), "icosphere_vertices"_a = icosphere.vertices,
+                               "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
+                               "icosphere_K_error"_a = readable_percent(icosphere.K_error, 2));
+    if (icosphere.K_error >= tips.icosphere.front().K_error) go_on(t, words.say("on_meshes.stall"));
+    return t;
 }
 
 }   // namespace

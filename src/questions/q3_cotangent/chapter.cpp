@@ -91,7 +91,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const BenchRuns panel = panel_runs(settings.seed, settings.quick, progress);
 
     section.answer = answer_of(runs);
-    add_paragraph(section, lead_of(runs, plane));
+    add_paragraph(section, lead_of(runs, plane, panel));
     add_words(section, words, "method");
     add(section, weight_diagram());
     add_words(section, words, "results");

@@ -69,7 +69,8 @@ report::Text curved_picture(const CotangentComparison& c) {
     report::Text t = words.say(beyond > 0.2 ? "curved.beyond"
                                : beyond > 0 ? "curved.within"
                                             : "curved.all_within",
-                               "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2));
+                               "mesh"_a = mesh, "beyond"_a = readable_percent(beyond, 2),
+                               "own"_a = readable_percent(share_beyond(c.subject.mean_edge * c.cotangent, range), 2));
     const SignsByDistance seen = signs_by_distance(c.subject, c.cotangent, 0.05 * range / c.subject.mean_edge);
     if (seen.caps_outside())
         go_on(t, words.say("curved.where", "outer"_a = readable_percent(seen.outer_positive, 2),
@@ -78,7 +79,7 @@ report::Text curved_picture(const CotangentComparison& c) {
     if (uniform > 0 && cotangent > 0) {
         const double ratio = uniform / cotangent;
         const char* key = ratio > 1.2 ? "curved.smoother" : ratio < 1 / 1.2 ? "curved.rougher" : "curved.as_smooth";
-        go_on(t, words.say(key, "times"_a = readable(ratio >= 1 ? ratio : 1 / ratio, 2)));
+        go_on(t, words.say(key, "cotangent"_a = readable_percent(cotangent, 2), "uniform"_a = readable_percent(uniform, 2)));
     }
     if (c.sign_change > 0.005) go_on(t, words.say("curved.sign", "sign"_a = readable_percent(c.sign_change, 2)));
     go_on_about_outlier(t, c);
@@ -103,6 +104,13 @@ report::Text smallest_gain(const BenchRuns& runs, MeshKind kind, const char* key
                      "uniform"_a = readable_percent(uniform_error(*least), 2), "times"_a = times_smaller(gain(*least)));
 }
 
+/// The largest difference of the errors.
+double gain_of_mixed_areas(const BenchRuns& runs) {
+    double most = 0;
+    for (const BenchRun& run : runs) most = std::max(most, cotangent_error(run) - cotangent_error(run, AreaForm::mixed));
+    return most;
+}
+
 report::Text about_errors(const BenchRuns& runs) {
     const Tally jittered = tally(runs, MeshKind::jittered);
     report::Text t = smallest_gain(runs, MeshKind::regular, "errors.regular");
@@ -110,6 +118,7 @@ report::Text about_errors(const BenchRuns& runs) {
     const auto mixed =
         std::ranges::count_if(runs, [](const BenchRun& run) { return cotangent_error(run, AreaForm::mixed) < cotangent_error(run); });
     go_on(t, words.say(mixed == std::ssize(runs) ? "errors.mixed.all" : "errors.mixed", "mixed"_a = mixed, "runs"_a = runs.size()));
+    if (2 * mixed > std::ssize(runs)) go_on(t, words.say("errors.mixed.kept", "gain"_a = readable(100 * gain_of_mixed_areas(runs), 2)));
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
     if (const double special = cotangent_error(sphere, AreaForm::voronoi); special < 0.1 * cotangent_error(sphere))
         go_on(t, words.say("errors.sphere", "error"_a = readable_percent(special, 2)));
@@ -142,8 +151,20 @@ report::Text about_clamping(const PlaneTest& plane, const BenchRuns& runs) {
         most = std::max(most, run.finest().error("H.clamped").l2);
     }
     const bool costs = plane.clamped > 1e3 * plane.cotangent;
-    return words.say(costs ? "square.clamping_costs" : "square.clamping_free", "clamped"_a = readable(plane.clamped, 2),
-                     "least"_a = readable_percent(least, 2), "most"_a = readable_percent(most, 2));
+    report::Text t = words.say(costs ? "square.clamping_costs" : "square.clamping_free", "clamped"_a = readable(plane.clamped, 2),
+                               "least"_a = readable_percent(least, 2), "most"_a = readable_percent(most, 2));
+    for (const BenchRun& run : of_kind(runs, MeshKind::regular)) {
+        const BenchLevel& finest = run.finest();
+        if (const double error = finest.error("H.clamped").l2; error > 10 * cotangent_error(run))
+            go_on(t, words.say("square.clamping_regular", "surface"_a = run.surface,
+                               "negative"_a = readable_percent(finest.negative_weights, 2), "error"_a = readable_percent(error, 2)));
+    }
+    return t;
+}
+
+/// On the irregular triangles of the ellipsoid that no regular mesh underlies.
+double on_random_points(const BenchRuns& panel, const std::string& estimator) {
+    return run_on(panel, "ellipsoid", MeshKind::random).finest().error(estimator).l2;
 }
 
 /// Cotangent against uniform over every sequence of meshes of the ground-truth panel, and who does better still.
@@ -157,9 +178,7 @@ report::Text about_panel(const BenchRuns& panel) {
     }
     std::vector<std::string> kinds;
     for (const MeshKind kind : lost) kinds.emplace_back(name_of(kind));
-    const auto error = [&](const std::string& key) {
-        return readable_percent(run_on(panel, "ellipsoid", MeshKind::random).finest().error(key).l2, 2);
-    };
+    const auto error = [&](const std::string& key) { return readable_percent(on_random_points(panel, key), 2); };
     const auto better = std::ranges::count_if(panel, wins);
     return paragraph_of({words.say("panel", "runs"_a = panel.size(), "better_than_uniform"_a = better),
                          kinds.empty()                       ? report::Text()
@@ -197,10 +216,13 @@ report::Text answer_of(const BenchRuns& runs) {
                                                 : words.line("answer.some", "wins"_a = nearer, "runs"_a = all));
 }
 
-report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane) {
+report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchRuns& panel) {
     const Tally regular = tally(runs, MeshKind::regular), jittered = tally(runs, MeshKind::jittered);
-    return words.say("lead", "regular"_a = readable_percent(regular.worst, 2), "jittered"_a = readable_percent(jittered.worst, 2),
-                     "cotangent"_a = readable(plane.cotangent, 2), "uniform"_a = readable(plane.uniform, 2));
+    report::Text t = words.say("lead", "regular"_a = readable_percent(regular.worst, 2), "jittered"_a = readable_percent(jittered.worst, 2),
+                               "cotangent"_a = readable(plane.cotangent, 2), "uniform"_a = readable(plane.uniform, 2));
+    const double random = on_random_points(panel, H_with(areas_used));
+    if (random > 2 * jittered.worst) go_on(t, words.say("lead.random", "random"_a = readable_percent(random, 2)));
+    return t;
 }
 
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
@@ -208,11 +230,11 @@ void add_discussion(report::Section& section, const Comparisons& meshes, const B
     for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? flat_picture(c) : curved_picture(c));
     add_paragraph(section, about_square(plane));
     add_paragraph(section, about_errors(runs));
+    add_paragraph(section, about_panel(panel));
     report::Text clamping = about_clamping(plane, runs);
     for (const CotangentComparison& c : meshes)
         if (!c.subject.plane_normal && summary_of(c.difference).count > 0) go_on(clamping, about_negative_weights(c));
     add_paragraph(section, clamping);
-    add_paragraph(section, about_panel(panel));
 }
 
 void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs) {

@@ -43,7 +43,7 @@ report::Diagram weight_diagram();
 void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchRuns& runs, const QuestionSettings& settings);
 // What the numbers and pictures say, in words that follow them.
 report::Text answer_of(const BenchRuns& runs);
-report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane);
+report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchRuns& panel);
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel);
 /// What is said in the appendix: boundaries, the twelve pentagons of the icosphere, Voronoi areas on spheres.

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 
 #include "geometry/linear/special_values.h"
 #include "questions/bench/sentences.h"
@@ -32,6 +32,15 @@ report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
     if (volume < 0.01) return words.say("picture.nothing", facts);
     if (volume < 0.3) return words.say("picture.collapsed", facts);
     return words.say(!closed ? "picture.open" : volume < 0.9 ? "picture.rounded" : "picture.whole", facts);
+}
+
+/// The parts of the body, on the one mesh that these words were written before: the assignment's.
+report::Text shape_of(const SpectralStudy& study, int k) {
+    if (study.name() != "armadillo" || study.vertices() != 361) return {};
+    return k == 5     ? words.say("shape.armadillo.5")
+           : k == 15  ? words.say("shape.armadillo.15")
+           : k == 150 ? words.say("shape.armadillo.150")
+                      : report::Text();
 }
 
 /// What is still seen of the error: how much less it is than at the first k, and where.
@@ -70,7 +79,9 @@ report::Text rate(const SpectralStudy& study) {
     // Twice as far on, the error would be 2^−power of that at the end of the law.
     const int beyond = std::min(study.modes(), 2 * law->last);
     const bool knee = beyond > law->last && study.rms[beyond] < 0.5 * law->at(beyond);
-    return paragraph_of({told, knee ? words.say("rate.knee", "modes"_a = study.modes()) : report::Text()});
+    return paragraph_of({told, knee
+                                   ? words.say(study.modes() == study.vertices() ? "rate.knee.all" : "rate.knee", "modes"_a = study.modes())
+                                   : report::Text()});
 }
 
 /// That single vertices may lose where the whole gains.
@@ -82,8 +93,11 @@ report::Text single_vertices(const SpectralStudy& study) {
     for (std::size_t i = 1; i < all.size(); ++i)
         if (const double share = share_made_worse(study, all[i - 1], all[i]); share > most) most = share, at = i;
     if (at == 0) return whole;
-    return paragraph_of({whole, words.say("vertices_worse", "share"_a = readable_percent(most, 2), "from"_a = all[at - 1].k,
-                                          "to"_a = all[at].k, "mesh"_a = study.name())});
+    const bool nearer = std::ranges::is_sorted(all, std::ranges::greater(), [](const Reconstruction& r) { return r.difference.hausdorff; });
+    return paragraph_of({whole,
+                         words.say("vertices_worse", "share"_a = readable_percent(most, 2), "from"_a = all[at - 1].k, "to"_a = all[at].k,
+                                   "mesh"_a = study.name()),
+                         nearer ? words.say("hausdorff") : report::Text()});
 }
 
 /// The k for the errors that are told, and the first that no k computed reaches.
@@ -115,51 +129,22 @@ report::Text wavelengths(const SpectralStudy& study) {
                      "shorter"_a = percent_of_box(study, shortest), "edges"_a = readable(shortest / edge, 2));
 }
 
-// ---- what a large k costs
-
-/// "320 flop", "3.2 Mflop", "1.5 Gflop".
-std::string work(double operations) {
-    constexpr std::array units{"flop", "kflop", "Mflop", "Gflop"};
-    std::size_t unit = 0;
-    for (; unit + 1 < units.size() && operations >= 1000; ++unit) operations /= 1000;
-    return readable(operations, 2) + "\u202f" + units[unit];
-}
-
-report::Text price_of_large_k(const Subject& subject) {
-    const SpectralStudy& study = subject.study;
-    const ModeCost cost = mode_cost(study.reconstructions.back().k, study.vertices(), subject.factor_entries);
-    const report::Facts facts{"k"_a = cost.k,
-                              "mesh"_a = study.name(),
-                              "memory"_a = readable(cost.megabytes, 2),
-                              "rebuilding"_a = work(cost.rebuild_operations),
-                              "dense"_a = work(9 * std::pow(study.vertices(), 3)),
-                              "orthogonalisation"_a = work(cost.orthogonalise_operations),
-                              "crossing"_a = static_cast<int>(std::ceil(2 * subject.factor_entries / study.vertices()))};
-    return words.say(study.spectrum.dense ? "price.dense" : "price.lanczos", facts);
-}
-
-report::Text why_this_large_k(const Subject& subject) {
-    if (!subject.chosen_k) return {};
-    const SpectralStudy& study = subject.study;
-    const Reconstruction& last = study.reconstructions.back();
-    const auto erring = std::find_if(study.reconstructions.rbegin(), study.reconstructions.rend(),
-                                     [&](const Reconstruction& r) { return !is_exact(study, r.k); });
-    const bool all = last.k == study.vertices() && erring != study.reconstructions.rend();
-    const Reconstruction& large = all ? *erring : last;
-    return words.say(all ? "large.all" : "large.some", "k"_a = large.k, "mesh"_a = study.name(), "all"_a = last.k,
-                     "share"_a = readable_percent(static_cast<double>(large.k) / study.vertices(), 2),
-                     "error"_a = percent_of_box(study, large.difference.area_weighted_rms));
-}
-
 }   // namespace
 
 report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     if (!limbs.measured()) return {};
     const LimbErrors& row = limbs.errors[limbs.errors.size() > 1 ? 1 : 0];
     const LimbErrors& last = limbs.errors.back();
-    const double ratio = row.thin / row.thick, later = last.thin / last.thick, lengths = wavelength(study, row.k) / limbs.thin_diameter;
-    const report::Facts facts{"k"_a = row.k,     "ratio"_a = readable(ratio, 2), "mesh"_a = study.name(), "times"_a = readable(lengths, 2),
-                              "last"_a = last.k, "later"_a = readable(later, 2)};
+    const double ratio = row.thin / row.thick, later = last.thin / last.thick, lengths = wavelength(study, row.k) / limbs.thin_diameter,
+                 last_lengths = wavelength(study, last.k) / limbs.thin_diameter;
+    const report::Facts facts{"k"_a = row.k,
+                              "ratio"_a = readable(ratio, 2),
+                              "mesh"_a = study.name(),
+                              "times"_a = readable(lengths, 2),
+                              "last"_a = last.k,
+                              "later"_a = readable(later, 2),
+                              "thick_times"_a = readable(wavelength(study, row.k) / limbs.thick_diameter, 2),
+                              "last_times"_a = readable(last_lengths, 2)};
     if (ratio < clear_ratio) return words.say("thin.alike", facts);
     report::Text t = words.say("thin", facts);
     if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
@@ -167,7 +152,10 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     if (first.k < row.k && first.thin < first.thick)
         go_on(t, words.say("thin.not_at_first", "k"_a = first.k, "ratio"_a = readable(first.thin / first.thick, 2)));
     if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
-    if (lengths > pi) go_on(t, words.say("thin.wavelength", facts));   // not once round
+    if (lengths > pi) {   // not once round
+        go_on(t, words.say("thin.wavelength", facts));
+        if (last.k > row.k && later >= clear_ratio && last_lengths > 1) go_on(t, words.say("thin.wavelength.still", facts));
+    }
     return t;
 }
 
@@ -187,17 +175,21 @@ report::Text what_modes_look_like(const SpectralStudy& study) {
 
 report::Text answer_in_short(const std::vector<Subject>& subjects) {
     const SpectralStudy& study = subjects.front().study;
-    const int enough = smallest_k_below(study, 0.01);
-    const Reconstruction& last = study.reconstructions.back();
-    return words.say(enough > 0 ? "answer.reached" : "answer.not_reached", "k"_a = enough > 0 ? enough : last.k,
-                     "vertices"_a = study.vertices(), "mesh"_a = study.name(),
-                     "error"_a = percent_of_box(study, last.difference.area_weighted_rms));
+    std::vector<std::string> errors;
+    for (const Reconstruction* r : told_reconstructions(study))
+        if (!is_exact(study, r->k))
+            errors.push_back(words.line(errors.empty() ? "answer.first" : "answer.next", "k"_a = r->k,
+                                        "error"_a = percent_of_box(study, r->difference.area_weighted_rms)));
+    if (errors.empty()) return words.say("answer.exact", "k"_a = study.reconstructions.back().k, "mesh"_a = study.name());
+    report::Text t = words.say("answer", "mesh"_a = study.name(), "errors"_a = listed(errors));
+    if (const int k = smallest_k_below(study, 0.01); k > 0)
+        go_on(t, words.say("answer.enough", "k"_a = k, "vertices"_a = study.vertices()));
+    return t;
 }
 
 report::Text lead(const std::vector<Subject>& subjects) {
     const Subject& subject = subjects.front();
     const SpectralStudy& study = subject.study;
-    const Reconstruction &first = study.reconstructions.front(), &last = study.reconstructions.back();
     report::Text thin;
     if (subject.limbs.errors.size() > 1) {
         const LimbErrors& row = subject.limbs.errors[1];
@@ -206,13 +198,7 @@ report::Text lead(const std::vector<Subject>& subjects) {
     }
     const auto law = fall_of_the_error(study);
     return paragraph_of(
-        {study.reconstructions.size() > 1
-             ? words.say("lead.errors", "first"_a = first.k, "first_error"_a = percent_of_box(study, first.difference.area_weighted_rms),
-                         "last"_a = last.k,
-                         "last_error"_a = is_exact(study, last.k) ? words.line("lead.rounding")
-                                                                  : percent_of_box(study, last.difference.area_weighted_rms))
-             : report::Text(),
-         std::move(thin),
+        {std::move(thin),
          law ? words.say("lead.price", "first"_a = law->first, "last"_a = law->last, "times"_a = times_to_halve(*law)) : report::Text()});
 }
 
@@ -228,9 +214,11 @@ report::Text solvers(const std::vector<Subject>& subjects) {
 
 report::Text what_is_seen(const Subject& subject) {
     const SpectralStudy& study = subject.study;
-    const std::vector<const Reconstruction*> told = told_reconstructions(study);
-    report::Text t = words.say(told.size() < study.reconstructions.size() ? "pictures.further" : "pictures", "mesh"_a = study.name());
-    for (const Reconstruction* r : told) go_on(t, picture_of(study, *r));
+    report::Text t = words.say("pictures", "mesh"_a = study.name());
+    for (const Reconstruction* r : told_reconstructions(study)) {
+        go_on(t, picture_of(study, *r));
+        if (const report::Text shape = shape_of(study, r->k); !shape.empty()) go_on(t, shape);
+    }
     return paragraph_of({t, where_the_error_sits(subject)});
 }
 
@@ -238,6 +226,17 @@ report::Text better_or_not(const SpectralStudy& study) { return paragraph_of({si
 
 report::Text how_fast(const SpectralStudy& study) { return paragraph_of({rate(study), wavelengths(study)}); }
 
-report::Text the_large_k(const Subject& subject) { return paragraph_of({why_this_large_k(subject), price_of_large_k(subject)}); }
+report::Text the_large_k(const Subject& subject) {
+    if (!subject.chosen_k) return {};
+    const SpectralStudy& study = subject.study;
+    const Reconstruction& last = study.reconstructions.back();
+    const auto erring = std::find_if(study.reconstructions.rbegin(), study.reconstructions.rend(),
+                                     [&](const Reconstruction& r) { return !is_exact(study, r.k); });
+    const bool all = last.k == study.vertices() && erring != study.reconstructions.rend();
+    const Reconstruction& large = all ? *erring : last;
+    return words.say(all ? "large.all" : "large.some", "k"_a = large.k, "mesh"_a = study.name(), "all"_a = last.k,
+                     "share"_a = readable_percent(static_cast<double>(large.k) / study.vertices(), 2),
+                     "error"_a = percent_of_box(study, large.difference.area_weighted_rms));
+}
 
 }   // namespace meshfolio::q4_spectral

@@ -34,7 +34,7 @@ report::Table error_table(const SpectralStudy& study) {
     if (is_exact(study, study.modes())) caption += " " + words.line("errors.exact");
     return table(id_of(study, "errors"), std::move(caption), study.reconstructions)
         .column("k", {.digits = count_digits}, &Reconstruction::k)
-        .column("rms", share, of_box(study, [](auto& r) { return r.difference.area_weighted_rms; }))
+        .column("rms", {.unit = share.unit, .digits = 2}, of_box(study, [](auto& r) { return r.difference.area_weighted_rms; }))
         .column("off", {.unit = "% of area", .digits = 2}, [&](auto& r) { return 100 * share_seen(study, r); })
         .column("farther off", {.unit = "% of vertices", .digits = 2},
                 [&](auto& r) { return cell_of(&r == &study.reconstructions.front() ? NAN : 100 * share_made_worse(study, *(&r - 1), r)); })

@@ -93,6 +93,17 @@ TEST(DrawFigures, WhatThePictureWouldCutOffIsScaledAboutItsMiddleUntilItFits) {
     EXPECT_NEAR((fitted.X.row(5) - fitted.X.row(9)).norm(), fitted.scale * (spiked.row(5) - spiked.row(9)).norm(), 1e-12);
 }
 
+// In percent of a range of its own, values of one mesh are not those of another.
+TEST(DrawFigures, RelativeValuesHaveNoHistogram) {
+    const TemporaryFolder folder;
+    std::vector<FigureRequest> figures = requests();
+    figures[1].range->relative = true;
+    const auto drawn = draw_figures(figures, folder.path(), small_pictures());
+    EXPECT_FALSE(drawn.at("q1_ball_h").legend->histogram.empty());
+    EXPECT_TRUE(drawn.at("q5_cube").legend->histogram.empty());
+    EXPECT_FALSE(drawn.at("q5_cube").legend->colours.empty());
+}
+
 TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
     const TemporaryFolder folder;
     const auto drawn = draw_figures(requests(), folder.path(), small_pictures());

@@ -56,6 +56,25 @@ TEST(Q1, BundledMeshesPassTheirOwnChecks) {
     }
 }
 
+// The caption speaks of rings only where there are some, and names the meshes that have them where others have none.
+TEST(Q1, RingsAreToldOfTheMeshesThatHaveThem) {
+    const auto caption_of = [](const Answer& answer) {
+        for (const report::Block& block : answer.section.blocks)
+            if (const auto* figure = std::get_if<report::Figure>(&block); figure && figure->id == "q1_k") return figure->caption;
+        throw std::logic_error("no figure q1_k");
+    };
+    const Answer bundled = chapter_of_id("q1").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    std::size_t ringed = 0;
+    for (const output::Panel& panel : bundled.figures[1].panels) {
+        ringed += panel.marked_vertices.empty() ? 0 : 1;
+        EXPECT_LE(20 * panel.marked_vertices.size(), static_cast<std::size_t>(panel.mesh->vertex_count())) << panel.name;
+    }
+    ASSERT_EQ(ringed, 1u);
+    EXPECT_NE(caption_of(bundled).find("Rings, on sphere only, mark"), std::string::npos) << caption_of(bundled);
+    EXPECT_NE(caption_of(answer_for(icosphere(3), "rings1")).find("Rings mark vertices"), std::string::npos);
+    EXPECT_EQ(caption_of(answer_for(grid_mesh(8, 8, 1, 1), "no_rings1")).find("Rings"), std::string::npos);
+}
+
 // Meshes of all sizes and curvatures are to be seen in one figure: each fills its frame, and each has colours or is zero.
 TEST(Q1, EachMeshHasARangeOfItsOwn) {
     const Answer answer = chapter_of_id("q1").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
@@ -63,6 +82,7 @@ TEST(Q1, EachMeshHasARangeOfItsOwn) {
         if (figure.id == "q1_tangential") continue;
         EXPECT_EQ(figure.range->low, -100);
         EXPECT_EQ(figure.range->high, 100);
+        EXPECT_TRUE(figure.range->relative);
         for (const output::Panel& panel : figure.panels) {
             EXPECT_NEAR(panel.mesh->X.rowwise().norm().maxCoeff(), 1, 1e-12) << panel.name;
             EXPECT_EQ(figure.layout, output::Layout::six_views) << figure.id;

@@ -43,7 +43,9 @@ TEST(Q3, EachMeshIsShownByBothOperatorsInTheRangeOfTheCotangentOne) {
     EXPECT_GT(beyond(0), 0.2);    // lily, uniform
     EXPECT_LT(beyond(1), 0.05);   // lily, cotangent
     EXPECT_EQ(beyond(2), 0);      // plane
-    EXPECT_TRUE(says(answer, "it leaves the range of cotangent H"));
+    EXPECT_TRUE(says(answer, "Uniform H lies beyond the colours at"));
+    EXPECT_TRUE(figure.range->relative);   // a histogram of all meshes would mean nothing
+    EXPECT_FALSE(answer.figures[1].range->relative);
     EXPECT_EQ(figure.range->clipped_above, 0);   // each label tells its own share
     EXPECT_NE(figure.panels[0].label.find("beyond"), std::string::npos) << figure.panels[0].label;
 }
