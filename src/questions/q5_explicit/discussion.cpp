@@ -173,7 +173,8 @@ report::Text effect_of(const ExplicitStudy& study) {
                               "faces"_a = study.subject.mesh().face_count()};
     const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
     const bool unfolded = 2 * best.folded_before > run.moved.inverted_faces && 10 * best.folded_after < best.folded_before;
-    return paragraph_of({if_so(best.all_kept, "stop.kept"), if_so(best.on_features > 1.5, "stop.features"),
+    const bool clean = !best.all_kept && best.roughness_before < 1;
+    return paragraph_of({if_so(clean, "stop.clean"), if_so(best.all_kept, "stop.kept"), if_so(best.on_features > 1.5, "stop.features"),
                          if_so(best.on_boundary > 1.5, "stop.boundary"), if_so(run.moved.inverted_faces > 0, "stop.turned"),
                          if_so(unfolded, "stop.turned.unfolded"), if_so(!unfolded && best.folded_after > 0, "stop.turned.folded"),
                          if_so(!unfolded && best.folded_before > 0 && best.folded_after == 0, "stop.turned.flat")});
@@ -274,15 +275,17 @@ report::Text where_it_breaks(const StudyPointers& beyond) {
 
 /// Where the pictures show the growth: all over the surface, or at one place.
 report::Text where_it_shows(const StudyPointers& beyond) {
-    Names whole, spot;
+    Names whole;
+    report::Text spots;
     for (const ExplicitStudy* study : beyond) {
         if (!study->runs.back().result.blew_up) continue;
-        const Extent extent = extent_of_top_mode(*study);
-        if (extent == Extent::whole) whole.push_back(study->name());
-        if (extent == Extent::whole) continue;
-        spot.push_back(study->name());
+        if (extent_of_top_mode(*study) == Extent::whole)
+            whole.push_back(study->name());
+        else
+            spots = paragraph_of(
+                {spots, words.say("beyond.one_place", "mesh"_a = study->name(), "figure"_a = id_of("q5", study->name(), "frames"))});
     }
-    return paragraph_of({said_of(whole, words, "beyond.everywhere"), said_of(spot, words, "beyond.one_place")});
+    return paragraph_of({said_of(whole, words, "beyond.everywhere"), spots});
 }
 
 /// Just beyond the limit the energy may still fall, although the top mode grows.

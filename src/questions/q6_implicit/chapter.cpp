@@ -40,13 +40,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const output::ColorRange colours = colours_of(studies);
     const auto pictured = studies.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(3, studies.size()));
     add_paragraphs(section, {rule_of(studies)});
+    if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
     for (auto study = studies.begin(); study != studies.end(); ++study) {
         if (study < pictured) add_matrix(answer, *study, colours, !has_views);
         add_paragraphs(section, {reading_of(*study)});
     }
     add_views(answer, studies, colours);
     add_paragraphs(section, {comparison_of(studies), larger_steps_of(studies)});
-    if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
     if (report::Table prices = price_table(studies); !prices.rows.empty()) add(section, std::move(prices));
     add_paragraphs(section, {price_of(studies), quality_of(studies), verdict_of(studies)});
 

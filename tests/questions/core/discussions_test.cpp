@@ -122,11 +122,13 @@ TEST(ExplicitDiscussion, TheLargestStepIsFurtherAlongOnlyWhereItIs) {
 TEST(ExplicitDiscussion, SaysOfTheResultOnlyWhatItsFigureShows) {
     ExplicitStudy study = explicit_study(cube, quick_settings());
     EXPECT_TRUE(has(told(study), "sharp edges and corners of cube_told round off first")) << told(study);
+    EXPECT_TRUE(has(told(study), "cube_told has no noise to lose, only shape")) << told(study);
     study.recommended->on_features = 1;
     study.recommended->on_boundary = 2;
     EXPECT_FALSE(has(told(study), "round off first")) << told(study);
     EXPECT_TRUE(has(told(study), "it moved 2.0 times as far as the inside")) << told(study);
     study.recommended->roughness_before = 30;
+    EXPECT_FALSE(has(told(study), "no noise to lose")) << told(study);
     study.recommended->roughness_after = 16;
     EXPECT_FALSE(has(told(study), "median face angle")) << told(study);
     study.recommended->roughness_after = 14;
