@@ -82,8 +82,9 @@ std::string called(const CLI::App& command) {
     return command.get_parent() == nullptr ? command.get_name() : called(*command.get_parent()) + " " + command.get_name();
 }
 
+/// App::help() would give that of the command that was parsed, `help` itself.
 std::string help_text(const CLI::App& command) {
-    return command.help(command.get_parent() == nullptr ? "" : called(*command.get_parent()));
+    return command.get_formatter()->make_help(&command, called(command), CLI::AppFormatMode::Normal);
 }
 
 const CLI::App& command_called(const CLI::App& program, const std::string& name) {
