@@ -216,7 +216,7 @@ class Mark(unittest.TestCase):
         self.assertEqual(process.returncode, code, process.stderr)
         return out, process
 
-    def tests_of(self, out, student):
+    def results_of(self, out, student):
         return {test["number"]: test for test in json.loads((out / student / "results.json").read_text())["tests"]}
 
     # ---- what is right and what is known
@@ -240,7 +240,7 @@ class Mark(unittest.TestCase):
         self.assertLess(seconds, 120, "a class of a hundred")
         self.assertEqual(process.stdout.strip(), str(out / "class.csv"))
         for name, _, mistake in plan:
-            tests = self.tests_of(out, name)
+            tests = self.results_of(out, name)
             self.assertEqual(len(tests), ITEMS)
             for item, test in tests.items():
                 if mistake is None or item != mistake[0]:
@@ -252,7 +252,7 @@ class Mark(unittest.TestCase):
             self.assertIn("right but for a convention" if mistake else "70 of 70", page)
             pictured = mistake and mistake[0] not in ("eigenvalues", "kappa") and mistake[1] != ["reversed_faces"]
             self.assertEqual(page.count("src=\"data:image/jpeg;base64,/9j/"), 1 if pictured else 0, name)
-        rows = list(csv.DictReader((out / "class.csv").open()))
+        rows = list(csv.DictReader((out / "class.csv").read_text().splitlines()))
         self.assertEqual([row["student"] for row in rows], [name for name, _, _ in plan])
         self.assertEqual({row["score"] for row, (_, _, mistake) in zip(rows, plan) if mistake is None}, {"70"})
 
@@ -260,7 +260,7 @@ class Mark(unittest.TestCase):
         noisy = column_times(self.right["q3_lily.csv"], "h_cotan", lambda i, x: x * (1 + 0.1 * (i % 7)))
         path = self.zipped(temporary_folder(self) / "noisy.zip", {**self.right, "q3_lily.csv": noisy})
         out, _ = self.marked(0, [path])
-        test = self.tests_of(out, "noisy")["cotan"]
+        test = self.results_of(out, "noisy")["cotan"]
         self.assertEqual((test["score"], test["extra_data"]["verdict"]), (0, "wrong"))
 
     def test_settings_that_the_student_names(self):
@@ -268,14 +268,14 @@ class Mark(unittest.TestCase):
         files = {**self.right, "answers.toml": named, "q1_lily.csv": self.curvature("--area", "mixed"),
                  "q3_lily.csv": self.curvature("--area", "voronoi"), "q5_lily.ply": self.smoothed(step=0.25, iterations=7)}
         out, _ = self.marked(0, [self.zipped(temporary_folder(self) / "own.zip", files)])
-        for item, test in self.tests_of(out, "own").items():
+        for item, test in self.results_of(out, "own").items():
             self.assertEqual(test["score"], 10, (item, test["output"]))
 
     def test_what_is_missing_or_damaged_costs_its_item_alone(self):
         files = {**self.right, "q1_lily.csv": None, "q3_lily.csv": "H\nabc\n", "q5_lily.ply": b"ply\nformat ascii 1.0\nelement vertex 900000000\n",
                  "answers.toml": "kappa = \n"}
         out, _ = self.marked(0, [self.zipped(temporary_folder(self) / "holes.zip", files)])
-        verdicts = {item: test["extra_data"]["verdict"] for item, test in self.tests_of(out, "holes").items()}
+        verdicts = {item: test["extra_data"]["verdict"] for item, test in self.results_of(out, "holes").items()}
         self.assertEqual(verdicts, {"uniform": "missing", "gauss": "missing", "cotan": "unusable", "eigenvalues": "right", "k15": "right",
                                     "smoothed": "unusable", "kappa": "missing"})
 
@@ -313,7 +313,7 @@ class Mark(unittest.TestCase):
             told = [line for line in lines if str(folder / name) in line]
             self.assertEqual(len(told), 1, (name, process.stderr))
             self.assertIn(words, told[0])
-        rows = {row["submission"]: row for row in csv.DictReader((out / "class.csv").open())}
+        rows = {row["submission"]: row for row in csv.DictReader((out / "class.csv").read_text().splitlines())}
         self.assertEqual(rows["good.zip"]["score"], "70")
         self.assertEqual({rows[name]["score"] for name, _ in cases}, {"0"})
         self.assertTrue((out / "bomb" / "results.json").is_file())
@@ -326,7 +326,7 @@ class Mark(unittest.TestCase):
             (folder / name).parent.mkdir()
             paths.append(self.zipped(folder / name, self.right))
         out, _ = self.marked(0, paths)
-        rows = list(csv.DictReader((out / "class.csv").open()))
+        rows = list(csv.DictReader((out / "class.csv").read_text().splitlines()))
         self.assertEqual(len({row["student"] for row in rows}), 5)
         self.assertTrue(all((out / row["student"] / "index.html").is_file() for row in rows))
         self.assertFalse([value for row in rows for value in row.values() if value.startswith("=")])
