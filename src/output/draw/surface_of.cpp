@@ -57,7 +57,7 @@ render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, rende
     bar.clipped_above = range.clipped_above;
     bar.has_undefined = has_undefined;
     bar.undefined_color = undefined_color;
-    bar.histogram = histogram_of(range.sample, bar.range);
+    if (!range.relative) bar.histogram = histogram_of(range.sample, bar.range);
     return bar;
 }
 

@@ -206,12 +206,12 @@ TEST(ExplicitDiscussion, FacesTurnedOverAreThoseOfTheLastFrameUpToFive) {
 TEST(ImplicitDiscussion, CallsTooMuchOnlyWhatLosesItsSize) {
     ImplicitStudy study = implicit_study(cube, quick_settings());
     for (SmoothingCell& cell : study.grid) cell.kept = 0.99;
-    EXPECT_FALSE(has(told(study), "shows too much")) << told(study);
+    EXPECT_FALSE(has(told(study), "goes too far")) << told(study);
     study.grid[2].kept = 0.6;
     study.grid[3].kept = 0.7;
-    EXPECT_TRUE(has(told(study), "only 60\u202f% of the size is left")) << told(study);
+    EXPECT_TRUE(has(told(study), ": 60\u202f% of the size is left")) << told(study);
     study.grid[2].kept = 1e-5;   // nothing to look at
-    EXPECT_TRUE(has(told(study), "only 70\u202f% of the size is left")) << told(study);
+    EXPECT_TRUE(has(told(study), ": 70\u202f% of the size is left")) << told(study);
 }
 
 TEST(ImplicitDiscussion, TheGapIsTheLargestOfAllCellsWithinTheLimit) {

@@ -167,7 +167,7 @@ TEST(Q6, WhatIsRecommendedIsSeenFromAllSides) {
     const Vector curvature = curvature_colours(study.subject, study.good()->implicit_X);
     ASSERT_EQ(views.panels[0].values.size(), curvature.size());
     EXPECT_EQ(views.panels[0].values, curvature) << "coloured by what is smoothed";
-    EXPECT_NE(prose_of(answer.section).find("Recommended: " + title_of(study, *study.good())), std::string::npos);
+    EXPECT_NE(prose_of(answer.section).find("Recommended, implicit: " + title_of(study, *study.good())), std::string::npos);
 }
 
 TEST(Q6, LongTablesAreInTheAppendix) {

@@ -186,8 +186,8 @@ TEST(ReadJson, PassesOverWhatALaterVersionMayAdd) {
     json["provenance"]["surplus"] = {{"a", 1}};
     json["questions"][0]["tables"][0]["columns"][0]["surplus"] = "x";
     json["questions"][0]["blocks"][0]["surplus"] = nullptr;
-    EXPECT_EQ(read_json(json.dump(), "results.json").document,
-              read_json(write_json(sample_document(), sample_figures()), "results.json").document);
+    const ReadReport read = read_json(json.dump(), "results.json");
+    EXPECT_EQ(write_json(read.document, read.figures), write_json(sample_document(), sample_figures()));
 }
 
 TEST(ReadJson, ReadsFilesWhoseColumnsHaveNoIds) {
