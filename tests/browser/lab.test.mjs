@@ -167,14 +167,15 @@ describe("the panel", options, () => {
         await page.context().close();
     });
 
-    test("the preset nearest to the surface is the least of its curve", async () => {
-        const page = await opened("q7");
+    test("the preset nearest to the surface is the least of its curve, as far as the quick report went", async () => {
+        const page = await opened("q7"), iterations = 16;
         await page.locator(".lab-presets a", { hasText: "nearest to the surface" }).click();
         await settled(page);
         const { change: state } = states.readLink(await fragment(page)), experiment = new Experiment(dataOf(reportPage, "q7"));
         experiment.set({ ...states.startOf(experiment.data, "q7"), ...state });
-        assert.equal(state.t, experiment.extendCurve(Infinity));
-        assert.match(await page.locator(".lab-told").textContent(), new RegExp(`Nearest to the clean surface at t = ${state.t}\\.`));
+        const best = experiment.extendCurve(Infinity);
+        assert.equal(state.t, Math.min(best, iterations));
+        assert.match(await page.locator(".lab-told").textContent(), new RegExp(`Nearest to the clean surface at t = ${best}\\.`));
         await page.context().close();
     });
 
