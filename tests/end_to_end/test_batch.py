@@ -114,7 +114,7 @@ class Batches(unittest.TestCase):
             self.assertTrue(picture.get("src").startswith("data:image/jpeg;base64,"))
             self.assertTrue(picture.get("alt"))
         self.assertGreater(len(list(root.iterfind(".//h:img", space))), 0)
-        self.assertIn("default-src 'none'", page)
+        self.assertIn("default-src &#39;none&#39;", page)
 
     def test_the_same_bytes_whatever_the_number_of_jobs(self):
         out = temporary_folder(self) / "two"

@@ -90,18 +90,23 @@ const Case* most_below(const std::vector<Case>& cases, const Measure& measure) {
     return most;
 }
 
-/// From which noise on smoothing halves the distance, what it gains below, and what normals gain there already.
+/// From which noise on smoothing halves the distance, and what it gains below.
 report::Text split_told(const Grids& grids, const NoiseSplit& split) {
+    const Case* most = most_below(cases_of(grids), measures[0]);
+    const double gain = most ? most->part.gain(measures[0]) : 1;
+    return words.say("answer.split", "halved"_a = readable(split.smallest_halved, 2), "count"_a = halved(grids),
+                     "cases"_a = count_of(grids, measures[0]).cases(), "other"_a = readable(split.largest_other, 2),
+                     "most"_a = readable(rounded_down(gain, 2), 2));
+}
+
+/// What normals gain, where that is far more, of the cases in which the distance is not halved.
+report::Text normals_gain(const Grids& grids) {
     const std::vector<Case> cases = cases_of(grids);
     const Case *surface = most_below(cases, measures[0]), *normals = most_below(cases, measures[2]);
-    const double most = surface ? surface->part.gain(measures[0]) : 1;
-    report::Text told = words.say("answer.split", "halved"_a = readable(split.smallest_halved, 2), "count"_a = halved(grids),
-                                  "cases"_a = count_of(grids, measures[0]).cases(), "other"_a = readable(split.largest_other, 2),
-                                  "most"_a = readable(rounded_down(most, 2), 2));
-    if (normals && normals->part.gain(measures[2]) >= works && normals->part.gain(measures[2]) > 1.2 * most)
-        go_on(told, words.say("answer.normals", "gain"_a = readable(normals->part.gain(measures[2]), 2), "mesh"_a = normals->whole.name(),
-                              "edges"_a = readable(normals->part.sigma / normals->whole.mean_edge, 2)));
-    return told;
+    if (normals == nullptr || !(normals->part.gain(measures[2]) >= works)) return {};
+    if (surface && normals->part.gain(measures[2]) <= 1.2 * rounded_down(surface->part.gain(measures[0]), 2)) return {};
+    return words.say("summary.normals", "gain"_a = readable(normals->part.gain(measures[2]), 2), "mesh"_a = normals->whole.name(),
+                     "edges"_a = readable(normals->part.sigma / normals->whole.mean_edge, 2));
 }
 
 }   // namespace
@@ -129,7 +134,7 @@ report::Text answer_of(const Grids& grids) {
     const report::Text told = split.decides()
                                   ? split_told(grids, split)
                                   : words.say("answer.mixed", "works"_a = count.works, "helps"_a = count.helps, "cases"_a = count.cases());
-    return paragraph_of({told, least_gain(grids), shrunk(grids), rounded(grids)});
+    return paragraph_of({told, shrunk(grids), rounded(grids)});
 }
 
 report::Text summary_of(const Grids& grids) {
@@ -141,7 +146,7 @@ report::Text summary_of(const Grids& grids) {
         go_on(counted, words.say("summary.volume", "fails"_a = surface.fails));
     if (surface.cases() > 0 && normals.cases() > 0)
         go_on(counted, words.say("summary.others", "places"_a = places.fails, "normals"_a = normals.fails));
-    return paragraph_of({counted, other_samples(grids), at_the_end_of_the_grid(grids)});
+    return paragraph_of({counted, least_gain(grids), normals_gain(grids), other_samples(grids), at_the_end_of_the_grid(grids)});
 }
 
 }   // namespace meshfolio::q7_denoising

@@ -61,7 +61,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     begin_appendix(section);
     if (report::Table counts = count_table(grids); !counts.rows.empty()) add(section, std::move(counts));
     for (const DenoisingGrid& grid : grids) {
-        add_levels(answer, grid);
         if (&grid != &leading(grids)) add(section, gain_map(grid));
         add(section, error_plot(grid));
         add_checks(section, grid);

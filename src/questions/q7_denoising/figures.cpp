@@ -148,22 +148,6 @@ void add_views(Answer& answer, const Grids& grids, const output::ColorRange& col
     add_figure(answer, std::move(figure));
 }
 
-void add_levels(Answer& answer, const DenoisingGrid& grid) {
-    const std::string id = id_of("q7", grid.name(), "levels");
-    output::FigureRequest request;
-    request.id = id;
-    request.subtitle = words.line("trial.subtitle");
-    request.layout = output::Layout::one_frame;
-    request.coarse_edges = true;
-    request.columns = {words.line("states.noisy"), words.line("states.best"), words.line("states.over")};
-    for (const NoisyTrial& trial : grid.trials) {
-        request.rows.push_back(words.line("levels.row", facts_of(grid, trial)));
-        add_states_of(request, grid, trial, id + "_" + sigma_name(trial.relative));
-    }
-    request.range = range_in_sigma(request.panels, "colours.surface");
-    add_pictures(answer, std::move(request), "levels", {"mesh"_a = grid.name()});
-}
-
 const DenoisingGrid* most_drifting(const Grids& grids) {
     return most_of(grids, 0, [](const DenoisingGrid&, const NoisyTrial& trial) {
         return trial.removed_along() < trial.removed_across() ? NoisyTrial::drift(trial.found.by_shape) / trial.sigma : 0;

@@ -37,8 +37,6 @@ std::vector<Case> pictured_cases(const Grids& grids);
 output::ColorRange add_states(Answer& answer, const Grids& grids);
 /// The nearest of these from the six directions, in the same colours.
 void add_views(Answer& answer, const Grids& grids, const output::ColorRange& colours);
-/// All levels of noise: noisy, nearest, smoothed on.
-void add_levels(Answer& answer, const DenoisingGrid& grid);
 /// What smoothing cannot do: drift, rounded edges, lost volume, each where it shows most.
 void add_limits(Answer& answer, const Grids& grids);
 /// Whose noise to look at shows most of it; null where none does. Drift: where smoothing removes less along the surface than across it.

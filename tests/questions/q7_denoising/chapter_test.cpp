@@ -91,9 +91,8 @@ TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedOn) {
     const Answer answer = chapter_of_id("q7").answer(library_of(icosphere(3), "ball_panels"), quick_settings(), no_progress);
     const Grids grids{denoising_grid(library_mesh(icosphere(3), "ball_panels"), quick_settings())};
     const DenoisingGrid& grid = grids[0];
-    ASSERT_EQ(answer.figures.size(), 4u);
+    ASSERT_EQ(answer.figures.size(), 3u);
     const output::FigureRequest &states = answer.figures[0], &views = answer.figures[1], &limits = answer.figures[2];
-    const output::FigureRequest& levels = answer.figures[3];
     const NoisyTrial& seen = grid.pictured();
     const std::vector<Case> pictured = pictured_cases(grids);
     ASSERT_EQ(states.panels.size(), 4 * pictured.size());
@@ -110,13 +109,6 @@ TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedOn) {
         EXPECT_EQ(views.panels[0].values == row[2].values, &trial == &seen);
     }
     ASSERT_EQ(views.panels.size(), 1u);
-
-    ASSERT_EQ(levels.panels.size(), 3 * grid.trials.size());
-    for (std::size_t i = 0; i < grid.trials.size(); ++i) {
-        EXPECT_EQ(levels.panels[3 * i].mesh->X, grid.trials[i].noisy.X);
-        EXPECT_EQ(levels.panels[3 * i + 1].mesh->X, grid.trials[i].best.X);
-        EXPECT_EQ(levels.panels[3 * i + 2].mesh->X, grid.trials[i].over.X);
-    }
 
     ASSERT_EQ(limits.panels.size(), 2u) << "a ball has no edges";
     EXPECT_EQ(limits.panels[0].mesh->X, seen.best.X);
