@@ -77,6 +77,9 @@ report::Text least_gain(const Grids& grids) {
                          harms ? words.say("least.weak.harm", "middle"_a = readable(grid.middle_lambda(), 2)) : report::Text()});
 }
 
+/// Then it is part of the verdict.
+bool least_fails(const Grids& grids) { return hardest_in(hardest(grids)).gain(measures[0]) < helps; }
+
 /// The cases in which the distance to the surface is halved, whatever becomes of the volume.
 std::ptrdiff_t halved(const Grids& grids) {
     return std::ranges::count_if(cases_of(grids), [](const Case& c) { return c.part.gain(measures[0]) >= works; });
@@ -92,7 +95,8 @@ const Case* most_below(const std::vector<Case>& cases, const Measure& measure) {
 
 /// From which noise on smoothing halves the distance, and what it gains below.
 report::Text split_told(const Grids& grids, const NoiseSplit& split) {
-    const Case* most = most_below(cases_of(grids), measures[0]);
+    const std::vector<Case> cases = cases_of(grids);
+    const Case* most = most_below(cases, measures[0]);
     const double gain = most ? most->part.gain(measures[0]) : 1;
     return words.say("answer.split", "halved"_a = readable(split.smallest_halved, 2), "count"_a = halved(grids),
                      "cases"_a = count_of(grids, measures[0]).cases(), "other"_a = readable(split.largest_other, 2),
@@ -134,7 +138,7 @@ report::Text answer_of(const Grids& grids) {
     const report::Text told = split.decides()
                                   ? split_told(grids, split)
                                   : words.say("answer.mixed", "works"_a = count.works, "helps"_a = count.helps, "cases"_a = count.cases());
-    return paragraph_of({told, shrunk(grids), rounded(grids)});
+    return paragraph_of({told, least_fails(grids) ? least_gain(grids) : report::Text(), shrunk(grids), rounded(grids)});
 }
 
 report::Text summary_of(const Grids& grids) {
@@ -146,7 +150,8 @@ report::Text summary_of(const Grids& grids) {
         go_on(counted, words.say("summary.volume", "fails"_a = surface.fails));
     if (surface.cases() > 0 && normals.cases() > 0)
         go_on(counted, words.say("summary.others", "places"_a = places.fails, "normals"_a = normals.fails));
-    return paragraph_of({counted, least_gain(grids), normals_gain(grids), other_samples(grids), at_the_end_of_the_grid(grids)});
+    return paragraph_of({counted, least_fails(grids) ? report::Text() : least_gain(grids), normals_gain(grids), other_samples(grids),
+                         at_the_end_of_the_grid(grids)});
 }
 
 }   // namespace meshfolio::q7_denoising

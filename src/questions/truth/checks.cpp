@@ -1,4 +1,5 @@
 // What the ground-truth panel must show, as named checks.
+#include "questions/core/section_tools.h"
 #include "questions/truth/parts.h"
 
 namespace meshfolio::truth {
