@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """data/workflow by Debian's Snakemake gives the bytes of `batch`: on this machine, and through a Slurm of one node that this test starts and
 ends, with jobs killed midway and the node lost.   MESHFOLIO=build/release/meshfolio tests/workflow/slow_workflow.py
 
