@@ -38,6 +38,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PR
         DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/meshfolio)
 install(FILES ${PROJECT_SOURCE_DIR}/data/report.toml ${PROJECT_SOURCE_DIR}/.github/workflows/report.yml
         DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/meshfolio/examples)
+install(FILES ${PROJECT_SOURCE_DIR}/data/workflow/Snakefile DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/meshfolio/workflow)
+install(FILES ${PROJECT_SOURCE_DIR}/data/workflow/slurm/config.yaml DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/meshfolio/workflow/slurm)
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/data/workflow/slurm/status DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/meshfolio/workflow/slurm)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "${MESHFOLIO_CONTACT}")
@@ -51,7 +54,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Any BLAS will do, src/geometry/linear/blas_turn.h says how: the serial OpenBLAS is the fastest, for threads are meshfolio's own.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-serial")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium-headless-shell | chromium | weasyprint, fonts-dejavu-extra")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium-headless-shell | chromium | weasyprint, fonts-dejavu-extra, snakemake")
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package_epoch.cmake CONTENT "set(ENV{SOURCE_DATE_EPOCH} @MESHFOLIO_EPOCH@)\n" @ONLY)
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/package_epoch.cmake)
 include(CPack)

@@ -88,6 +88,12 @@ class Install(unittest.TestCase):
         for name in ('README.md', 'NOTICES.md', 'copyright', 'changelog.gz', 'examples/report.toml'):
             self.assertGreater((about / name).stat().st_size, 100, name)
 
+    def test_the_workflow_is_whole(self):
+        for file in (SOURCE / 'data' / 'workflow').rglob('*'):
+            installed = self.share / 'meshfolio' / 'workflow' / file.relative_to(SOURCE / 'data' / 'workflow')
+            self.assertTrue(installed.exists(), file)
+            self.assertEqual(os.access(installed, os.X_OK), os.access(file, os.X_OK), file)
+
 
 if __name__ == '__main__':
     unittest.main()

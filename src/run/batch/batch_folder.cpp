@@ -4,6 +4,7 @@
 #include "base/file_bytes.h"
 #include "build_info.h"
 #include "output/publish/file_group.h"
+#include "output/publish/publish.h"
 
 namespace meshfolio::run {
 
@@ -11,14 +12,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// @throws OutputError for a folder that was somebody else's before
+/// Reports of ours may be there before: parts that were merged. @throws OutputError for a folder that was somebody else's
 void require_batch(const fs::path& folder) {
     if (!may_be_there(folder) || may_be_there(folder / batch_marker)) return;
     std::error_code error;
     if (!fs::is_directory(folder, error)) throw OutputError(folder.string(), "is not a folder", "choose another with --out");
     fs::directory_iterator it(folder, error);
     for (; !error && it != fs::directory_iterator(); it.increment(error)) {
-        if (it->path().filename() != ".gitignore")
+        if (it->path().filename() != ".gitignore" && !may_be_there(it->path() / output::marker_file))
             throw OutputError(folder.string(), "holds files that no batch of ours put there", "choose a new or empty folder with --out");
     }
     if (error) throw OutputError(folder.string(), "cannot be listed (" + error.message() + ")");

@@ -19,7 +19,7 @@ inline constexpr const char* batch_marker = ".meshfolio-batch";
 class BatchFolder {
 public:
     /// Creates the folder where there is none, and keeps other runs out of it as long as this lives.
-    /// @throws OutputError if it holds what no batch put there, another run is writing there, or it cannot be written
+    /// @throws OutputError if it holds what is neither of a batch nor a report, another run is writing there, or it cannot be written
     explicit BatchFolder(std::filesystem::path path);
     const std::filesystem::path& path() const { return path_; }
 

@@ -244,9 +244,12 @@ std::string json_of(const Plan& plan) {
         for (const PlannedMesh& mesh : section.meshes)
             meshes.push_back(
                 {{"file", mesh.file}, {"vertices", mesh.vertices}, {"worked_on", at_most(mesh.vertices, effort.most_vertices)}});
+        Plan part = plan;
+        part.sections = {section};
         sections.push_back({{"id", section.model->id},
                             {"cpu_seconds", rounded(effort.cpu_seconds, 3)},
                             {"memory_bytes", rounded(section.memory(), 3)},
+                            {"alone", {{"cpu_seconds", rounded(part.cpu_seconds(), 3)}, {"memory_bytes", rounded(part.memory(), 3)}}},
                             {"settings", effort.left_out ? "left out"
                                          : effort.small  ? "small"
                                                          : "full"},

@@ -56,6 +56,7 @@ Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& me
 
 /// For people: a line for each section, then the total.
 std::string text_of(const Plan& plan);
+/// For programs; "alone" is what a report of that section only takes.
 std::string json_of(const Plan& plan);
 
 /// @throws InputError if the report needs more memory than is available, saying what would fit

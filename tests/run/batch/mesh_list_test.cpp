@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "output/publish/folder_system.h"
+#include "output/publish/publish.h"
 #include "run/batch/batch_folder.h"
 #include "temporary_folder.h"
 
@@ -99,6 +100,16 @@ TEST(BatchFolders, AreOursOrNew) {
     { const BatchFolder first(place.path() / "new" / "folder"); }
     const BatchFolder again(place.path() / "new" / "folder");
     EXPECT_THROW(BatchFolder(place.path() / "new" / "folder"), OutputError);   // another run is there
+}
+
+TEST(BatchFolders, MayHoldReportsBefore) {
+    const testing_tools::TemporaryFolder place;
+    const std::filesystem::path report = place.path() / "reports" / "merged";
+    output::make_folder(report);
+    EXPECT_THROW(BatchFolder(report.parent_path()), OutputError);
+    place.write(std::string("reports/merged/") + output::marker_file, "");
+    const BatchFolder folder(report.parent_path());
+    EXPECT_TRUE(std::filesystem::exists(report.parent_path() / batch_marker));
 }
 
 }   // namespace

@@ -117,6 +117,16 @@ TEST(Plan, APartIsDoneAsInTheWhole) {
     EXPECT_EQ(part.sections.front().rung, section(whole, "q6").rung);
 }
 
+TEST(Plan, ASectionAloneTakesWhatAPartOfItTakes) {
+    ReportSettings settings = settings_with(100);
+    const std::vector<PlannedMesh> meshes{{"a.obj", 2e5}};
+    for (const auto& section : nlohmann::json::parse(json_of(plan_for(settings, meshes)))["sections"]) {
+        settings.only.assign(1, section["id"].get<std::string>());
+        const auto part = nlohmann::json::parse(json_of(plan_for(settings, meshes)));
+        for (const char* cost : {"cpu_seconds", "memory_bytes"}) EXPECT_EQ(section["alone"][cost], part[cost]) << settings.only.front();
+    }
+}
+
 TEST(Plan, AnAskedQuestionAndItsSettingsCount) {
     ReportSettings settings = settings_with(unlimited);
     settings.only = {"q4"};
