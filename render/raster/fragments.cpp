@@ -20,6 +20,18 @@ struct Neighbours {
     int count;
 };
 
+/// Row m: the numbers of the bits that are set in m, in their order, then the others.
+inline constexpr auto kept_first = [] {
+    std::array<std::array<std::uint8_t, 8>, 256> rows{};
+    for (unsigned m = 0; m < 256; ++m) {
+        std::size_t next = 0;
+        for (const unsigned bit : {1U, 0U})
+            for (unsigned i = 0; i < 8; ++i)
+                if ((m >> i & 1U) == bit) rows[m][next++] = static_cast<std::uint8_t>(i);
+    }
+    return rows;
+}();
+
 }   // namespace render
 #endif
 
@@ -42,6 +54,35 @@ struct Group {
     }
 };
 
+/// Moves the lanes of a mask to the front. Highway's Compress does so where the processor has an instruction for it; its table for the
+/// others is copied onto the stack at every call by GCC 12, a quarter of all drawing.
+class Front {
+public:
+#if HWY_TARGET <= HWY_AVX3
+    HWY_INLINE explicit Front(hn::Mask<Ints> kept) : kept_(kept) {}
+    HWY_INLINE IntVector of(IntVector v) const { return hn::Compress(v, kept_); }
+    HWY_INLINE FloatVector of(FloatVector v) const { return hn::Compress(v, hn::RebindMask(Floats(), kept_)); }
+
+private:
+    hn::Mask<Ints> kept_;
+#else
+    static_assert(hn::MaxLanes(Ints()) <= 8);
+    HWY_INLINE explicit Front(hn::Mask<Ints> kept) : lanes_(hn::IndicesFromVec(Ints(), row_of(kept))) {}
+    HWY_INLINE IntVector of(IntVector v) const { return hn::TableLookupLanes(v, lanes_); }
+    HWY_INLINE FloatVector of(FloatVector v) const { return hn::BitCast(Floats(), of(hn::BitCast(Ints(), v))); }
+
+private:
+    static HWY_INLINE IntVector row_of(hn::Mask<Ints> kept) {
+        const hn::Rebind<std::uint8_t, Ints> bytes;
+        alignas(16) std::array<std::uint8_t, 16> bits{};
+        hn::StoreMaskBits(Ints(), kept, bits.data());
+        return hn::PromoteTo(Ints(), hn::LoadU(bytes, kept_first[bits[0]].data()));
+    }
+
+    decltype(hn::IndicesFromVec(Ints(), IntVector())) lanes_;
+#endif
+};
+
 /// The fragments among the samples of a block from s on.
 HWY_INLINE void collect(const Neighbours& n, const std::int32_t* triangles, std::size_t s, int first_pixel, float left, float top,
                         Fragments& fragments) {
@@ -58,14 +99,13 @@ HWY_INLINE void collect(const Neighbours& n, const std::int32_t* triangles, std:
     }
     const auto is_first = hn::Eq(hn::And(group.bits, hn::Sub(own_bit, hn::Set(d, 1))), hn::Zero(d));
     const auto kept = hn::And(is_seen, is_first);
-    const auto kept_float = hn::RebindMask(f, kept);
+    const Front front(kept);
     const FloatVector one_over_count = hn::Div(hn::Set(f, 1), group.count);
     const std::size_t i = fragments.count;
     const IntVector pixel = hn::Add(hn::LoadU(d, n.pixel.data() + s), hn::Set(d, first_pixel));
-    hn::StoreU(hn::Compress(seen, kept), d, fragments.triangle.data() + i);
-    hn::StoreU(hn::Compress(pixel, kept), d, fragments.pixel.data() + i);
-    const auto keep = [&](FloatVector v, Fragments::Column<float>& column)
-                          HWY_ATTR { hn::StoreU(hn::Compress(v, kept_float), f, column.data() + i); };
+    hn::StoreU(front.of(seen), d, fragments.triangle.data() + i);
+    hn::StoreU(front.of(pixel), d, fragments.pixel.data() + i);
+    const auto keep = [&](FloatVector v, Fragments::Column<float>& column) HWY_ATTR { hn::StoreU(front.of(v), f, column.data() + i); };
     keep(hn::Add(hn::Set(f, left), hn::Mul(group.x, one_over_count)), fragments.x);
     keep(hn::Sub(hn::Set(f, top), hn::Mul(group.y, one_over_count)), fragments.y);
     keep(hn::Mul(group.count, hn::Set(f, 1.0F / static_cast<float>(n.count))), fragments.weight);
