@@ -12,31 +12,31 @@ namespace meshfolio {
 namespace {
 
 /// Position of corner k of triangle t; k counts on from 2 to 0.
-Vector3 corner(const TriangleMesh& mesh, int t, int k) { return mesh.X.row(mesh.F(t, k % 3)); }
+inline Vector3 corner(const TriangleMesh& mesh, int t, int k) { return mesh.X.row(mesh.F(t, k % 3)); }
 
 /// |v| without squaring it: the components of a cross product are squares already, and would leave the range of a double.
-double length(const Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
+inline double length(const Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
-Vector3 unit_or_zero(const Vector3& v) {
+inline Vector3 unit_or_zero(const Vector3& v) {
     const double norm = length(v);
     return norm > 0 ? Vector3(v / norm) : Vector3::Zero();
 }
 
 /// (x₁ − x₀) × (x₂ − x₀): normal direction, twice the area long.
-Vector3 area_vector(const TriangleMesh& mesh, int t) {
+inline Vector3 area_vector(const TriangleMesh& mesh, int t) {
     const Vector3 x0 = corner(mesh, t, 0);
     return (corner(mesh, t, 1) - x0).cross(corner(mesh, t, 2) - x0);
 }
 
 /// Angle at corner k between the edges to the two others.
-double angle_at(const TriangleMesh& mesh, int t, int k) {
+inline double angle_at(const TriangleMesh& mesh, int t, int k) {
     const Vector3 apex = corner(mesh, t, k);
     const Vector3 u = corner(mesh, t, k + 1) - apex;
     const Vector3 v = corner(mesh, t, k + 2) - apex;
     return std::atan2(length(u.cross(v)), u.dot(v));
 }
 
-void include(const Vector3& x, Box& box) {
+inline void include(const Vector3& x, Box& box) {
     box.low = box.low.cwiseMin(x);
     box.high = box.high.cwiseMax(x);
 }

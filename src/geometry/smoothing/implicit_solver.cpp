@@ -52,8 +52,10 @@ struct ImplicitSolver::State {
 
     /// What would fit is known only after the symbolic analysis; one that cannot even be made does not fit either.
     bool fits(double limit) const {
-        if (limit <= 0) limit = available_memory().bytes;
-        return analysis && (limit <= 0 || analysis->memory() <= limit);
+        constexpr double always_there = 16e6;   // asking the system takes as long as a small factor, and rebuilding asks at every step
+        if (!analysis) return false;
+        if (limit <= 0 && analysis->memory() > always_there) limit = available_memory().bytes;
+        return limit <= 0 || analysis->memory() <= limit;
     }
 
     void analyse(const SparseMatrix& system) {
