@@ -135,11 +135,14 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"up to writing", whole.seconds()});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
-        if (settings.page.design == "report" && !options.viewer.empty()) options.labs = report_labs(results, meshes, settings);
         paper.look_up(document, figures, store.get(), folder);
-        run_tasks([&] { write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder); },
-                  [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
-                  [&] { write_file(folder / "src.txt", own_source().text()); });
+        run_tasks(
+            [&] {
+                if (settings.page.design == "report" && !options.viewer.empty()) options.labs = report_labs(results, meshes, settings);
+                write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder);
+            },
+            [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
+            [&] { write_file(folder / "src.txt", own_source().text()); });
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
