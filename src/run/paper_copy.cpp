@@ -3,10 +3,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <future>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "base/parallel_tasks.h"
 #include "base/sha256.h"
 #include "output/publish/temporaries.h"
 #include "report/page/volumes.h"
@@ -119,7 +119,7 @@ std::string PaperCopy::write(const report::Document& document, const report::Dra
                              const fs::path& folder) const {
     if (!is_wanted()) return "";
     std::array<std::string, 2> warnings;
-    for_each_task(copies_.size(), [&](std::size_t i) {
+    const auto write_copy = [&](std::size_t i) {
         const std::string name = report::pdf_file(copies_[i].volume);
         std::string pdf;
         try {
@@ -131,7 +131,11 @@ std::string PaperCopy::write(const report::Document& document, const report::Dra
             return;
         }
         write_file(folder / name, pdf);
-    });
+    };
+    // A thread that waits for the browser is none of those that compute.
+    auto appendix = std::async(std::launch::async, write_copy, 1);
+    write_copy(0);
+    appendix.get();
     return warnings[0].empty() ? warnings[1] : warnings[0];
 }
 
