@@ -36,7 +36,7 @@ py::dict curvature(const Mesh& mesh, const std::string& area, const std::string&
     const OperatorKind kind = operator_named(laplacian);
     auto columns = interruptible([=, of = mesh.prepared](const Stop&) { return run::curvature_columns(*of, form, kind, jets); });
     py::dict arrays;
-    for (run::NamedColumn& column : columns) arrays[column.name.c_str()] = py::cast(std::move(column.values));
+    for (VertexColumn& column : columns) arrays[column.name.c_str()] = py::cast(std::move(column.values));
     return arrays;
 }
 
