@@ -26,7 +26,7 @@ struct LoadedMesh {
     std::string file;                    // as it was asked for; for messages
     std::vector<long> face_lines;        // line of each triangle in the file; empty for binary formats
     std::vector<MeshWarning> warnings;   // at most one a kind: later ones are counted into the first
-    Attributes attributes;               // where they were asked for
+    Attributes attributes = {};          // where they were asked for
 };
 
 enum class Keep { mesh, attributes };

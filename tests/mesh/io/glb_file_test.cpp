@@ -17,10 +17,6 @@ std::string glb(const std::string& node = "", const std::string& primitive = "",
 
 TriangleMesh mesh_in(const std::string& bytes) { return parse_mesh(bytes, "m.glb").mesh; }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-}
-
 /// The tetrahedron with something else in its text.
 std::string with(const std::string& from, const std::string& to) {
     return glb_of(replaced(glb_text(tetrahedron()), from, to), glb_data(tetrahedron()));

@@ -22,12 +22,6 @@ const std::string ascii_header =
     "element face 4\nproperty list uchar int vertex_indices\nend_header\n";   // 9 lines
 const std::string ascii_body = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::invalid_argument(from);
-    return text.replace(at, from.size(), to);
-}
-
 /// The bytes of values of any type, one after the other, in either order.
 class Bytes {
 public:
@@ -356,7 +350,7 @@ TEST(PlyColumns, WhatDoesNotFitItsTypeIsRefusedAtItsLine) {
         try {
             parse_ply(text, "m.ply", Keep::attributes);
         } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("m.ply:16: '"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("m.ply:17: '"), std::string::npos) << error.what();
         }
     }
 }
