@@ -208,7 +208,7 @@ private:
 
     void refuse_too_many(std::size_t count) const {
         if (count > most_)
-            fail("its instances make more than " + std::to_string(most_) + " vertices or triangles", "export one of each mesh");
+            fail("its instances make more than " + std::to_string(most_) + " vertices, values or triangles", "export one of each mesh");
     }
 
     void add_points(const Accessor& points, const Json& attributes, const Eigen::Matrix4d& matrix) {
@@ -227,6 +227,7 @@ private:
         for (const auto& [name, index] : attributes.items()) {
             if (name != "COLOR_0" && !name.starts_with('_')) continue;
             const Accessor values = accessor(index.get<std::size_t>());
+            refuse_too_many(column_values_ += values.count * at(values.components));
             if (values.count != points.count) fail(name + " has another count than the positions", "the file may be damaged");
             add_columns(name, values, before);
         }
@@ -289,6 +290,7 @@ private:
     std::vector<std::array<double, 3>> points_;
     std::vector<int> corners_;   // of triangles, as numbers of points
     std::vector<Column> columns_;
+    std::size_t column_values_ = 0;
 };
 
 }   // namespace

@@ -53,7 +53,7 @@ std::size_t base64_size(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
 void VtkFile::fail(const std::string& problem, const std::string& remedy) const { throw InputError({file_, 0}, problem, remedy); }
 
-VtkFile::VtkFile(std::string_view bytes, std::string file) : file_(std::move(file)), size_(bytes.size()) {
+VtkFile::VtkFile(std::string_view bytes, std::string file) : file_(std::move(file)), left_(300 * bytes.size() + (1 << 20)) {
     // What follows "_" may be binary, which no reader of XML takes.
     const std::size_t end = bytes.find("<AppendedData"), begin = end == bytes.npos ? end : bytes.find('_', bytes.find('>', end));
     std::string text(bytes.substr(0, end));
@@ -74,13 +74,14 @@ VtkFile::VtkFile(std::string_view bytes, std::string file) : file_(std::move(fil
     if (root_.attribute("header_type").value() == std::string_view("UInt64")) header_ = ScalarType::uint64;
 }
 
-VtkArray VtkFile::array(const pugi::xml_node& element) const {
+VtkArray VtkFile::array(const pugi::xml_node& element) {
     const std::string name = "array " + in_quotes(element.attribute("Name").value());
     const std::string_view format = element.attribute("format").value();
     const auto type = types.find(element.attribute("type").value());
     VtkArray array;
     array.components = element.attribute("NumberOfComponents").as_int(1);
-    if (type == types.end() || array.components < 1) fail(name + " is of an unknown type", "the file may be damaged");
+    if (type == types.end() || array.components < 1 || array.components > 1000)
+        fail(name + " is of an unknown type", "the file may be damaged");
     array.type = type->second;
     if (format == "ascii") {
         WordScanner words(element.child_value());
@@ -116,41 +117,47 @@ VtkArray VtkFile::array(const pugi::xml_node& element) const {
 
 /// Sizes, then data. Of what is packed: the number of blocks, their size, that of the last one (0: as the others), and the packed size of
 /// each.
-std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::string& name) const {
+std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::string& name) {
     const std::size_t word = size_of(header_);
     const auto bytes = [&](std::size_t count) {   // the first so many
         std::string found = is_text ? from_base64(encoded, count) : std::string(encoded.substr(0, count));
         if (found.size() < count) fail(name + " ends early", "the file may be cut off");
         return found;
     };
+    const auto require = [&](bool fits) {
+        if (!fits) fail(name + " claims more data than such a file can hold", "the file may be damaged");
+    };
     const auto number = [&](const std::string& from, std::size_t i) {
         const std::uint64_t value = header_ == ScalarType::uint64 ? value_at<std::uint64_t>(from.data() + i * word, swapped_)
                                                                   : value_at<std::uint32_t>(from.data() + i * word, swapped_);
-        // A file of this size can hold no more, packed or not.
-        if (value > 1100 * static_cast<std::uint64_t>(size_))
-            fail(name + " claims more data than the file can hold", "the file may be damaged");
+        require(value <= left_);
         return static_cast<std::size_t>(value);
     };
-    if (!is_packed_) return bytes(word + number(bytes(word), 0)).substr(word);
-    const std::size_t blocks = number(bytes(word), 0);
-    if (blocks > size_) fail(name + " claims more data than the file can hold", "the file may be damaged");
-    if (blocks == 0) return "";
-    const std::size_t header_size = (3 + blocks) * word;
+    const std::size_t count = number(bytes(word), 0);   // of bytes, or of blocks
+    if (count == 0) return "";
+    if (!is_packed_) {
+        left_ -= count;
+        return bytes(word + count).substr(word);
+    }
+    const std::size_t header_size = (3 + count) * word;
     const std::string header = bytes(header_size);
-    std::size_t packed_size = 0;
-    for (std::size_t b = 0; b < blocks; ++b) packed_size += number(header, 3 + b);
     const std::size_t block = number(header, 1), last = number(header, 2) == 0 ? block : number(header, 2);
-    const std::size_t total = (blocks - 1) * block + last;
-    if (packed_size > size_ || total > 300 * size_ + (1 << 20))
-        fail(name + " claims more data than the file can hold", "the file may be damaged");
+    require(block == 0 || (left_ - last) / block >= count - 1);
+    const std::size_t total = (count - 1) * block + last;
+    left_ -= total;
+    std::size_t packed_size = 0;
+    for (std::size_t b = 0; b < count; ++b) {
+        packed_size += number(header, 3 + b);
+        require(packed_size <= encoded.size());
+    }
     encoded.remove_prefix(std::min(encoded.size(), is_text ? base64_size(header_size) : header_size));
     const std::string packed = bytes(packed_size);
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> unpacker(libdeflate_alloc_decompressor(),
                                                                                                      &libdeflate_free_decompressor);
     std::string data(total, '\0');
-    for (std::size_t b = 0, at = 0; b < blocks; at += number(header, 3 + b), ++b) {
+    for (std::size_t b = 0, at = 0; b < count; at += number(header, 3 + b), ++b) {
         const libdeflate_result result = libdeflate_zlib_decompress(unpacker.get(), packed.data() + at, number(header, 3 + b),
-                                                                    data.data() + b * block, b + 1 < blocks ? block : last, nullptr);
+                                                                    data.data() + b * block, b + 1 < count ? block : last, nullptr);
         if (result != LIBDEFLATE_SUCCESS) fail(name + ": damaged zlib data", "the file may be damaged");
     }
     return data;

@@ -28,17 +28,17 @@ public:
 
     /// What a DataArray holds: text, or binary data within the element or behind the XML, packed by zlib or not.
     /// @throws InputError naming the array
-    VtkArray array(const pugi::xml_node& element) const;
+    VtkArray array(const pugi::xml_node& element);
 
 private:
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
-    std::string data_of(std::string_view encoded, bool is_text, const std::string& name) const;
+    std::string data_of(std::string_view encoded, bool is_text, const std::string& name);
 
     std::string file_;
     pugi::xml_document document_;
     pugi::xml_node root_;
     std::string_view appended_;
-    std::size_t size_;   // of the file
+    std::size_t left_;   // bytes that arrays may still have: few of a file could ask for any amount
     bool appended_is_text_ = false, swapped_ = false, is_packed_ = false;
     ScalarType header_ = ScalarType::uint32;   // of the sizes in front of data
 };
