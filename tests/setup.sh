@@ -1,8 +1,8 @@
 # Sourced by build-report and run-tests: the packages, and how to get them.
 
 build_packages="cmake g++ ninja-build pkg-config libeigen3-dev libspectra-dev libtinyobjloader-dev libstb-dev libglm-dev libcli11-dev
-    libsuitesparse-dev libopenblas-serial-dev libtbb-dev libdeflate-dev libhwy-dev nettle-dev nlohmann-json3-dev libkainjow-mustache-dev
-    libtomlplusplus-dev libqpdf-dev libarchive-dev fonts-dejavu-core fonts-dejavu-extra chromium-headless-shell"
+    libsuitesparse-dev libopenblas-serial-dev libtbb-dev libdeflate-dev libhwy-dev nettle-dev nlohmann-json3-dev libpugixml-dev
+    libkainjow-mustache-dev libtomlplusplus-dev libqpdf-dev libarchive-dev fonts-dejavu-core fonts-dejavu-extra chromium-headless-shell"
 test_packages="clang-format-14 libgtest-dev libgmp-dev libembree-dev python3 libvalijson-dev libxml2-utils pandoc poppler-utils qpdf
     strace faketime locales"
 command -v npm >/dev/null || test_packages="$test_packages nodejs npm"   # Debian's npm cannot stand beside a Node.js from elsewhere

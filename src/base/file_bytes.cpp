@@ -48,6 +48,19 @@ std::string room_for(std::uintmax_t size, const Location& where) try {
     throw InputError(where, "out of memory for the " + std::to_string(size) + " bytes of the file", "use a smaller one");
 }
 
+/// The next bytes, as many as there is room for; fewer only at the end. @return how many
+std::size_t read_from(int descriptor, std::span<char> room, const Location& where) {
+    std::size_t have = 0;
+    while (have < room.size()) {
+        const ssize_t got = ::read(descriptor, room.data() + have, room.size() - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw InputError(where, "cannot read the file (" + reason() + ")");
+        if (got == 0) break;
+        have += static_cast<std::size_t>(got);
+    }
+    return have;
+}
+
 /// Whatever is no regular file is refused. O_NONBLOCK: opening a FIFO that nobody writes to must not hang.
 class RegularFile {
 public:
@@ -66,18 +79,7 @@ public:
     }
     std::uintmax_t size() const { return size_; }
 
-    /// The next bytes, as many as there is room for; fewer only at the end. @return how many
-    std::size_t read(std::span<char> room) {
-        std::size_t have = 0;
-        while (have < room.size()) {
-            const ssize_t got = ::read(file_.get(), room.data() + have, room.size() - have);
-            if (got < 0 && errno == EINTR) continue;
-            if (got < 0) throw InputError(where_, "cannot read the file (" + reason() + ")");
-            if (got == 0) break;
-            have += static_cast<std::size_t>(got);
-        }
-        return have;
-    }
+    std::size_t read(std::span<char> room) { return read_from(file_.get(), room, where_); }
 
 private:
     Location where_;
@@ -117,6 +119,19 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     }
     std::string bytes = room_for(file.size(), where);
     bytes.resize(file.read(bytes));
+    return bytes;
+}
+
+std::string read_standard_input(const std::string& name) {
+    const Location where{name, 0};
+    std::string bytes;
+    std::size_t have = 0;
+    while (have == bytes.size()) {   // all room was filled
+        if (have > largest_file) throw InputError(where, "more than " + std::to_string(largest_file) + " bytes", "make it smaller");
+        bytes.resize(2 * have + 65536);
+        have += read_from(STDIN_FILENO, std::span(bytes).subspan(have), where);
+    }
+    bytes.resize(have);
     return bytes;
 }
 

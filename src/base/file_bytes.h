@@ -17,9 +17,14 @@ bool may_be_there(const std::filesystem::path& path);
 /// "did you mean 'bunny.obj' or 'bunny.off'?", of what its folder has, where there is nothing of that name; else empty.
 std::string near_names(const std::filesystem::path& missing);
 
+inline constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;   // bytes
+
 /// The bytes of a regular file.
 /// @throws InputError if it is missing, unreadable, not a regular file, or larger than `limit` bytes
-std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{4} << 30);
+std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = largest_file);
+
+/// All that standard input gives, whatever it is. @throws InputError if it is closed or gives more than largest_file
+std::string read_standard_input(const std::string& name);
 
 /// The same bytes piece by piece, for whom not all of them must be in memory at once. @throws InputError as above
 void read_in_pieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& take);

@@ -100,6 +100,7 @@ std::string type_of(const std::string& names) {
                                                           {"--pdf", "auto|require|off"},
                                                           {"--pdf-browser", "FILE"},
                                                           {"--range", "LOW,HIGH"},
+                                                          {"--ply", "FILE"},
                                                           {"--reconstruct", "NUMBERS"},
                                                           {"--rubric", "FILE"},
                                                           {"--size", "PIXELS"},

@@ -2,6 +2,7 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
+#include "mesh/io/mesh_files.h"
 #include "run/console.h"
 #include "run/one_mesh/curvature_columns.h"
 #include "run/one_mesh/fields.h"
@@ -10,15 +11,15 @@ namespace meshfolio::cli {
 
 namespace {
 
-std::string curvature_table(const PreparedMesh& prepared, const std::vector<NamedColumn>& columns) {
+std::string curvature_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns) {
     std::string csv = "vertex,x,y,z,boundary";
-    for (const NamedColumn& column : columns) csv += ',' + column.name;
+    for (const VertexColumn& column : columns) csv += ',' + column.name;
     csv += '\n';
     for (int v = 0; v < prepared.mesh.vertex_count(); ++v) {
         csv += std::to_string(v);
         for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(prepared.mesh.X(v, axis));
         csv += prepared.topology.on_boundary[static_cast<std::size_t>(v)] ? ",1" : ",0";
-        for (const NamedColumn& column : columns) csv += ',' + exact_text(column.values[v]);
+        for (const VertexColumn& column : columns) csv += ',' + exact_text(column.values[v]);
         csv += '\n';
     }
     return csv;
@@ -37,25 +38,30 @@ void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, 
 
 Command curvature_command(CLI::App& parent) {
     struct Options {
-        std::string mesh, area = "barycentric", laplacian = "cotan", csv = "-";
+        std::string mesh, area = "barycentric", laplacian = "cotan", csv, ply;
         bool jets = false;
     };
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "curvature", "Areas and curvatures of every vertex as CSV");
-    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("MESH", options->mesh, formats_read);
     app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "adds the mean curvature by another operator, as h_<its name>");
     app.flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
-    app.text("--csv", options->csv, "file, or - for standard output");
+    app.text("--csv", options->csv, "file, or - for standard output; default: - where there is no --ply");
+    app.text("--ply", options->ply, "the mesh with all of these as properties of its vertices: .ply, .vtp or .glb");
     app.footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);
                 const OperatorKind kind = operator_named(options->laplacian);
+                check_holds_columns("--ply", options->ply);
                 const PreparedMesh prepared = load_mesh(options->mesh);
                 warn_of_empty_areas(prepared, options->mesh, form);
                 output::FileGroup files;
                 files.keep(options->mesh);
-                print_to(files, options->csv, curvature_table(prepared, curvature_columns(prepared, form, kind, options->jets)));
+                const std::vector<VertexColumn> columns = curvature_columns(prepared, form, kind, options->jets);
+                if (!options->ply.empty()) files.add(options->ply, encode_mesh(prepared.mesh, options->ply, {.columns = columns}));
+                if (!options->csv.empty() || options->ply.empty())
+                    print_to(files, options->csv.empty() ? "-" : options->csv, curvature_table(prepared, columns));
                 files.publish();
                 return ExitCode::ok;
             }};

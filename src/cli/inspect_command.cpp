@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "geometry/operators/laplace_operator.h"
+#include "mesh/io/mesh_files.h"
 #include "questions/preflight/defects.h"
 #include "run/console.h"
 #include "run/one_mesh/fields.h"
@@ -103,7 +104,7 @@ Command inspect_command(CLI::App& parent) {
     };
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
-    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("MESH", options->mesh, formats_read);
     app.choice("--operator", options->laplacian, operator_choices(), "whose largest stable step");
     app.flag("--json", options->json, "for programs");
     app.footer("Example: meshfolio inspect bunny.off --json");

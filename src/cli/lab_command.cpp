@@ -1,7 +1,7 @@
-#include <filesystem>
 #include <memory>
 
 #include "cli/commands.h"
+#include "mesh/io/mesh_files.h"
 #include "output/publish/file_group.h"
 #include "report/writers.h"
 #include "run/console.h"
@@ -20,7 +20,7 @@ ExitCode run_lab(const LabFlags& options) {
         throw UsageError("this program was built without the viewer, and the laboratory needs it", "apt install npm, then build again");
     const report::Templates templates(options.templates);
     const PreparedMesh prepared = load_mesh(options.mesh);
-    const std::string name = std::filesystem::path(options.mesh).stem().string();
+    const std::string name = mesh_name(options.mesh);
     const LabMesh lab = about_mesh(options.mesh, [&] { return lab_mesh(prepared.mesh, name, {{"lab", {}}}, {.vertices = 0}); });
     if (!lab.has_all_modes())
         warn(options.mesh + ": the page has the lowest " + std::to_string(lab.eigenvalues.size()) + " modes of " +
@@ -37,7 +37,7 @@ ExitCode run_lab(const LabFlags& options) {
 Command lab_command(CLI::App& parent) {
     const auto options = std::make_shared<LabFlags>();
     CommandOptions app(parent, "lab", "A page that filters the modes of one mesh live, for a lecture");
-    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("MESH", options->mesh, formats_read);
     app.required("-o,--output", options->output, "the page, one HTML file that works offline");
     app.text("--templates", options->templates, "folder of templates that replace those of the same name");
     app.footer("Up to 2,000 vertices the page has all modes, above the lowest 300.\nExample: meshfolio lab cube.obj -o lab.html");

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -17,20 +18,21 @@ Command noise_command(CLI::App& parent) {
     };
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "noise", "Seeded Gaussian noise on every vertex");
-    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
-    app.required("-o,--output", options->output, "OBJ, OFF or PLY");
+    app.required("MESH", options->mesh, formats_read);
+    app.required("-o,--output", options->output, formats_written);
     app.required("--sigma", options->sigma, "standard deviation of each coordinate");
     app.choice("--unit", options->unit, {"raw", "bbox"}, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)");
     app.text("--seed", options->seed, "the same seed gives the same noise");
-    app.footer("Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
+    app.footer(std::string(attributes_are_kept) + "Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {
                 const double sigma = number_not_negative("--sigma", options->sigma);
                 if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100");
                 const auto seed =
                     static_cast<std::uint64_t>(integer_between("--seed", options->seed, 0, std::numeric_limits<std::int64_t>::max()));
-                const PreparedMesh prepared = load_mesh(options->mesh);
+                const PreparedMesh prepared = load_mesh(options->mesh, Checks::all, Keep::attributes);
                 const Vector3 scale = options->unit == "bbox" ? bounding_box(prepared.mesh).extent() : Vector3::Ones();
-                write_mesh_to(options->output, moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, sigma * scale, seed)));
+                write_mesh_to(options->output, moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, sigma * scale, seed)),
+                              prepared.attributes);
                 return ExitCode::ok;
             }};
 }

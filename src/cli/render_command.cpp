@@ -9,6 +9,7 @@
 #include "base/parallel_tasks.h"
 #include "cli/commands.h"
 #include "draw_mesh.h"
+#include "mesh/io/mesh_files.h"
 #include "output/draw/finished_picture.h"
 #include "output/draw/surface_of.h"
 #include "output/draw/write_glb.h"
@@ -118,14 +119,15 @@ ExitCode run_render(const RenderFlags& options) {
     std::optional<std::pair<double, double>> range;
     if (!options.range.empty()) range = value_limits_in(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
+    if (options.mesh == "-" && options.out.empty()) throw UsageError("render - needs --out DIR", "the mesh has no name for a folder");
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id")) {
         throw UsageError("--isolines needs values", "take --field or --values with it");
     }
-    const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_csv(prepared, options.values);
+    const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_file(prepared, options.values);
 
     PictureRequest request{.draw = given, .views = views, .colormap = options.colormap, .range = range};
-    request.title = std::filesystem::path(options.mesh).filename().string();
+    request.title = std::filesystem::path(prepared.file).filename().string();
     const MeshPictures drawn = draw_pictures(prepared, field, request);
     if (!show_something(drawn.sheet.pictures, given.background))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
@@ -135,8 +137,7 @@ ExitCode run_render(const RenderFlags& options) {
     files.keep(options.values.substr(0, options.values.rfind(':')));
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
-    const std::filesystem::path folder =
-        options.out.empty() ? std::filesystem::path(options.mesh).stem() : std::filesystem::path(options.out);
+    const std::filesystem::path folder = options.out.empty() ? mesh_name(options.mesh) : std::filesystem::path(options.out);
     std::vector<std::filesystem::path> paths;
     for (const render::View& view : views) paths.push_back(folder / file_name(std::string(view.name), options.names == "word"));
     paths.push_back(folder / "sheet.png");
@@ -152,14 +153,14 @@ ExitCode run_render(const RenderFlags& options) {
 Command render_command(CLI::App& parent) {
     const auto options = std::make_shared<RenderFlags>();
     CommandOptions app(parent, "render", "Pictures of a mesh from six directions, and a contact sheet");
-    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("MESH", options->mesh, formats_read);
     app.text("--out", options->out,
              "folder for +x.png … -z.png and sheet.png, whose paths are printed; default: a folder called as the mesh");
     app.choice("--names", options->names, {"sign", "word"}, "of the pictures: +x.png, or x-pos.png");
     app.text("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
     app.text("--size", options->size, "pixels of one view: N or WxH");
     app.choice("--field", options->field, field_names(), "what is drawn in colours; h-… is the mean curvature by that operator");
-    app.text("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
+    app.text("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex, or of a mesh, FILE.ply:PROPERTY");
     app.choice("--colormap", options->colormap, colormap_names(),
                "see meshfolio list; default: diverging for signed values, viridis otherwise");
     app.text("--range", options->range, "lo,hi of the colours; default: robust");

@@ -5,6 +5,7 @@
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
 #include "geometry/spectrum/stability.h"
+#include "mesh/io/mesh_files.h"
 #include "mesh/triangle_measures.h"
 #include "run/arguments.h"
 #include "run/console.h"
@@ -113,7 +114,7 @@ void warn_of_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
 
 ExitCode run_smooth(const SmoothFlags& options) {
     SmoothingOptions smoothing = smoothing_options(options);
-    const PreparedMesh prepared = load_mesh(options.mesh);
+    const PreparedMesh prepared = load_mesh(options.mesh, Checks::all, Keep::attributes);
     bool indefinite = false;
     const Smoothed result = about_mesh(options.mesh, [&] {
         smoothing.lambda = step_of(options, smoothing, prepared);
@@ -125,7 +126,7 @@ ExitCode run_smooth(const SmoothFlags& options) {
         warn("a factor would not fit into memory; " + std::to_string(result.solver_iterations) +
              " iterations of conjugate gradients made " + "the " + std::to_string(result.iterations) + " steps instead");
     }
-    write_mesh_to(options.output, moved_to(prepared.mesh, result.X));
+    write_mesh_to(options.output, moved_to(prepared.mesh, result.X), prepared.attributes);
     warn_of_limit(smoothing, result);
     if (result.collapse_iteration > 0) {
         complain(options.mesh + ": nothing was left of the surface before iteration " + std::to_string(result.collapse_iteration) + "; " +
@@ -146,8 +147,8 @@ ExitCode run_smooth(const SmoothFlags& options) {
 Command smooth_command(CLI::App& parent) {
     const auto options = std::make_shared<SmoothFlags>();
     CommandOptions app(parent, "smooth", "One Laplacian smoothing run");
-    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
-    app.required("-o,--output", options->output, "OBJ, OFF or PLY");
+    app.required("MESH", options->mesh, formats_read);
+    app.required("-o,--output", options->output, formats_written);
     app.choice("--scheme", options->scheme, {"explicit", "implicit", "taubin"}, "how a step is made");
     app.choice("--operator", options->laplacian, operator_choices(), "of the Laplacian");
     app.text("--lambda", options->lambda, "step; default: half the largest stable one");
@@ -157,7 +158,8 @@ Command smooth_command(CLI::App& parent) {
     app.text("--iterations", options->iterations, "how many");
     app.flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");
     app.flag("--adaptive", options->adaptive, "cut explicit steps below 2 over a proved bound of mu_max");
-    app.footer("Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
+    app.footer(std::string(attributes_are_kept) +
+               "Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
     return {app, [options] { return run_smooth(*options); }};
 }
 

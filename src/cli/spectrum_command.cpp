@@ -45,8 +45,15 @@ std::string eigenvalue_table(const Spectrum& spectrum) {
     return csv;
 }
 
+std::vector<VertexColumn> mode_columns(const Spectrum& spectrum) {
+    std::vector<VertexColumn> columns;
+    for (Eigen::Index i = 0; i < spectrum.eigenvectors.cols(); ++i)
+        columns.push_back({"mode_" + std::to_string(i + 1), spectrum.eigenvectors.col(i)});
+    return columns;
+}
+
 struct SpectrumFlags {
-    std::string mesh, area = "barycentric", laplacian = "cotan", k, csv, vectors, reconstruct, out;
+    std::string mesh, area = "barycentric", laplacian = "cotan", k, csv, vectors, ply, reconstruct, out;
 };
 
 constexpr int largest_k = 100000;
@@ -77,7 +84,7 @@ std::string in_words(const SpectrumCertificate& c) {
 
 void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,
                          const Spectrum& spectrum, const Vector& M) {
-    const std::string stem = std::filesystem::path(options.mesh).stem().string();
+    const std::string stem = mesh_name(options.mesh);
     output::make_folder(options.out);
     for (const int k : counts) {
         if (k > spectrum.eigenvalues.size()) continue;
@@ -94,6 +101,7 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
     if (!options.csv.empty() && options.csv == options.vectors)
         throw UsageError("--csv and --vectors are both " + in_quotes(options.csv), "give each output a name of its own");
+    check_holds_columns("--ply", options.ply);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
     const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k); });
@@ -107,7 +115,8 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     files.keep(options.mesh);
     if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
     if (!options.vectors.empty()) print_to(files, options.vectors, npy_of(spectrum.eigenvectors));
-    if (!options.csv.empty() || (options.vectors.empty() && options.out.empty())) {
+    if (!options.ply.empty()) files.add(options.ply, encode_mesh(prepared.mesh, options.ply, {.columns = mode_columns(spectrum)}));
+    if (!options.csv.empty() || (options.vectors.empty() && options.ply.empty() && options.out.empty())) {
         print_to(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     }
     files.publish();
@@ -119,12 +128,13 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
 Command spectrum_command(CLI::App& parent) {
     const auto options = std::make_shared<SpectrumFlags>();
     CommandOptions app(parent, "spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
-    app.required("MESH", options->mesh, "OBJ, OFF, PLY or STL");
+    app.required("MESH", options->mesh, formats_read);
     app.required("-k", options->k, "how many eigenpairs, 1 to 100000");
     app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "whose eigenpairs");
     app.text("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
     app.text("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
+    app.text("--ply", options->ply, "the mesh with its eigenvectors as properties mode_1, mode_2, …: .ply, .vtp or .glb");
     app.text("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
     app.text("--out", options->out, "folder for <mesh>_k<k>.ply");
     app.footer(

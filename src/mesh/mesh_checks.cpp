@@ -76,6 +76,7 @@ public:
         prepared_.mesh = std::move(loaded.mesh);
         prepared_.warnings = std::move(loaded.warnings);
         prepared_.file = std::move(loaded.file);
+        prepared_.attributes = std::move(loaded.attributes);
     }
 
     PreparedMesh run() {
@@ -119,6 +120,7 @@ private:
     }
 
     void drop_degenerate_and(const std::vector<char>& repeated) {
+        std::vector<long>& face_lines = prepared_.attributes.face_lines;
         long degenerate_line = 0;
         long repeated_line = 0;
         int kept = 0;
@@ -130,6 +132,7 @@ private:
             } else {
                 mesh().F.row(kept) = mesh().F.row(t).eval();
                 if (at(t) < lines_.size()) lines_[at(kept)] = lines_[at(t)];
+                if (at(t) < face_lines.size()) face_lines[at(kept)] = face_lines[at(t)];
                 ++kept;
             }
         }

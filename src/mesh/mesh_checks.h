@@ -47,6 +47,7 @@ struct PreparedMesh {
     Preflight preflight;
     std::vector<MeshWarning> warnings;   // the reader's, then one for each repair or defect above
     std::string file;
+    Attributes attributes = {};   // the file's, where they were asked for; `face_lines` are those of the triangles that were kept
 };
 
 /// How much is looked at. Repairs and warnings are the same in all cases.

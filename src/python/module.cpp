@@ -36,7 +36,7 @@ py::dict curvature(const Mesh& mesh, const std::string& area, const std::string&
     const OperatorKind kind = operator_named(laplacian);
     auto columns = interruptible([=, of = mesh.prepared](const Stop&) { return run::curvature_columns(*of, form, kind, jets); });
     py::dict arrays;
-    for (run::NamedColumn& column : columns) arrays[column.name.c_str()] = py::cast(std::move(column.values));
+    for (VertexColumn& column : columns) arrays[column.name.c_str()] = py::cast(std::move(column.values));
     return arrays;
 }
 
@@ -215,7 +215,7 @@ PYBIND11_MODULE(_core, m) {
     py::module_::import("atexit").attr("register")(py::cpp_function(wait_for_works));
     m.def(
         "load", [](const std::filesystem::path& path) { return interruptible([path](const Stop&) { return prepared(read_mesh(path)); }); },
-        "path"_a, "A mesh from an OBJ, OFF, PLY or STL file.");
+        "path"_a, "A mesh from an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip.");
     m.def(
         "sample",
         [](const std::string& name, int subdivide) {
@@ -227,7 +227,7 @@ PYBIND11_MODULE(_core, m) {
         [](const Mesh& mesh, const std::filesystem::path& path) {
             interruptible([of = mesh.prepared, path](const Stop&) { output::replace_file(path, encode_mesh(of->mesh, path.string())); });
         },
-        "mesh"_a, "path"_a, "Into an OBJ, OFF or PLY file, which is replaced as a whole.");
+        "mesh"_a, "path"_a, "Into an OBJ, OFF, PLY, STL, VTP or GLB file, which is replaced as a whole.");
     m.def("curvature", &curvature, "mesh"_a, py::kw_only(), "area"_a = "barycentric", "operator"_a = "cotan", "jets"_a = false,
           "A dict of n float64 each, NaN where undefined: area [length^2], h_uniform [length], k_gauss [1/length^2], h_cotan and\n"
           "h_uniform_scaled [1/length]; with jets also h_jet, k_jet; h_<operator> of another operator.");

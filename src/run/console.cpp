@@ -29,7 +29,15 @@ void print_to(output::FileGroup& files, const std::string& file, std::string_vie
     }
 }
 
-void write_mesh_to(const std::string& file, const TriangleMesh& mesh) { output::replace_file(file, encode_mesh(mesh, file)); }
+void write_mesh_to(const std::string& file, const TriangleMesh& mesh, const Attributes& attributes) {
+    const std::string bytes = encode_mesh(mesh, file, attributes);
+    if (file == "-") return print(bytes);
+    output::replace_file(file, bytes);
+}
+
+void check_holds_columns(const std::string& option, const std::string& file) {
+    if (!file.empty() && !holds_columns(file)) throw UsageError(option + " " + file + " holds no values", "name it .ply, .vtp or .glb");
+}
 
 void complain(const std::string& message) {
     make_room_on_terminal();
@@ -49,10 +57,11 @@ int close_standard_output(int exit_code) {
 
 void warn(const std::string& message) { complain("warning: " + message); }
 
-PreparedMesh load_mesh(const std::string& file, Checks checks) {
+PreparedMesh load_mesh(const std::string& file, Checks checks, Keep keep) {
     constexpr std::size_t most = 20;
     const Stage stage("reading " + file);
-    PreparedMesh prepared = prepare_mesh(read_mesh(file), checks);
+    LoadedMesh loaded = file == "-" ? parse_mesh(read_standard_input(standard_input), standard_input, keep) : read_mesh(file, keep);
+    PreparedMesh prepared = prepare_mesh(std::move(loaded), checks);
     for (std::size_t i = 0; i < std::min(most, prepared.warnings.size()); ++i) {
         const MeshWarning& warning = prepared.warnings[i];
         warn(file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);

@@ -1,6 +1,7 @@
 """The single commands, as scripts use them: exit codes, columns, round trips, errors."""
 
 import csv
+import gzip
 import io
 import json
 import math
@@ -8,6 +9,7 @@ import os
 import struct
 import subprocess
 import unittest
+from pathlib import Path
 
 from file_readers import obj, ply, png, read
 from in_folder import InFolder
@@ -368,6 +370,65 @@ class MeshesOut(InFolder):
         code, out, _ = self.run_here('compare', 'a.obj', 'mirrored.obj', '--json')
         self.assertEqual(code, 0)
         self.assertAlmostEqual(json.loads(out)['volume_ratio'], -1)
+
+
+class OtherFormats(InFolder):
+
+    def counts(self, mesh):
+        return self.succeed('inspect', mesh).splitlines()[0].rsplit(' ', 1)[0]   # without the area: floats of some formats round it
+
+    def test_every_format_goes_through_every_other(self):
+        self.sample('torus')
+        expected = self.counts('torus.obj')
+        for ending in ('off', 'ply', 'stl', 'vtp', 'glb'):
+            self.succeed('noise', 'torus.obj', '--sigma', 0, '-o', f'a.{ending}')
+            self.assertEqual(self.counts(f'a.{ending}'), expected)
+            packed = self.write(f'b.{ending}.gz', gzip.compress(Path(self.path(f'a.{ending}')).read_bytes()))
+            self.assertEqual(self.counts(packed), expected)
+        self.assertIn('cannot write a mesh as', self.refuse(2, 'sample', 'torus', '-o', 'torus.obj.gz'))
+
+    def test_pipes(self):
+        self.sample('torus')
+        text = self.succeed('sample', 'torus', '-o', '-')
+        self.assertEqual(text, Path(self.path('torus.obj')).read_text())
+        for command in (['smooth', '-', '-o', '-', '--scheme', 'implicit', '--lambda', 0.01], ['inspect', '-'], ['curvature', '-']):
+            piped = subprocess.run([PROGRAM, *map(str, command)], input=text, capture_output=True, text=True, cwd=self.folder, timeout=60)
+            self.assertEqual((piped.returncode, piped.stderr), (0, ''))
+            self.assertEqual(piped.stdout, self.succeed(*['torus.obj' if i == 1 else word for i, word in enumerate(command)]))
+        packed = subprocess.run([PROGRAM, 'inspect', '-'], input=gzip.compress(text.encode()), capture_output=True, timeout=60)
+        self.assertEqual(packed.returncode, 0)
+        bad = subprocess.run([PROGRAM, 'inspect', '-'], input='v 0 0 x\n', capture_output=True, text=True, timeout=60)
+        self.assertEqual(bad.returncode, 3)
+        self.assertIn('meshfolio: standard input:1: ', bad.stderr)
+        self.assertIn('needs --out', self.refuse(2, 'render', '-'))
+
+    def test_curvatures_and_modes_become_properties_that_can_be_drawn(self):
+        self.sample('torus')
+        table = self.succeed('curvature', 'torus.obj', '--csv', '-', '--ply', 'h.ply')
+        self.assertEqual(self.succeed('curvature', 'torus.obj', '--ply', 'h.vtp'), '')
+        self.succeed('curvature', 'torus.obj', '--ply', 'h.glb')
+        self.write('h.csv', table)
+        for values in ('h.csv:h_cotan', 'h.ply:h_cotan', 'h.vtp:h_cotan'):
+            self.succeed('render', 'torus.obj', '--values', values, '--size', 100, '--out', values[2:5])
+        for other in ('ply', 'vtp'):
+            self.assertEqual(Path(self.path('csv', '+x.png')).read_bytes(), Path(self.path(other, '+x.png')).read_bytes())
+        self.succeed('render', 'torus.obj', '--values', 'h.glb:k_gauss', '--size', 100, '--out', 'glb')
+        self.succeed('spectrum', 'torus.obj', '-k', 3, '--ply', 'modes.ply')
+        self.succeed('smooth', 'modes.ply', '-o', 'fair.ply', '--lambda', 0.001)
+        self.succeed('render', 'fair.ply', '--values', 'fair.ply:mode_3', '--size', 100, '--out', 'fair')
+        self.assertIn("no property 'mode_4' of vertices; it has mode_1, mode_2, mode_3",
+                      self.refuse(3, 'render', 'torus.obj', '--values', 'modes.ply:mode_4'))
+        self.assertIn('holds no values', self.refuse(2, 'curvature', 'torus.obj', '--ply', 'h.obj'))
+
+    def test_texture_groups_and_materials_stay(self):
+        kept = ['mtllib a.mtl', 'vt 0 0', 'vt 1 0', 'vt 0 1', 'g side', 'usemtl red', 'f 1/1 3/2 2/3', 'f 1/1 2/2 4/3', 'f 1/1 4/2 3/3', 'f 2/1 3/2 4/3']
+        self.write('a.obj', '\n'.join(['v 0 0 0', 'v 1 0 0', 'v 0 1 0', 'v 0 0 1', *kept, '']))
+        self.succeed('noise', 'a.obj', '--sigma', 0.01, '-o', 'b.obj')
+        self.succeed('smooth', 'b.obj', '--lambda', 0.01, '-o', 'c.obj')
+        for file in 'b.obj', 'c.obj':
+            lines = Path(self.path(file)).read_text().splitlines()
+            self.assertEqual([line for line in lines if not line.startswith('v ')], kept)
+            self.assertEqual(len(lines), 4 + len(kept))
 
 
 class Smooth(InFolder):

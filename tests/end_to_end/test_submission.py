@@ -173,7 +173,7 @@ class Archive(Reported):
         linked = subprocess.run(["objdump", "-p", PROGRAM], capture_output=True, text=True).stdout
         needed = re.findall(r"NEEDED\s+(lib[a-z_]+)", linked)
         self.assertGreater(len(needed), 8)
-        words = {"libdeflate": "libdeflate", "libnettle": "nettle", "libtinyobjloader_double": "tinyobjloader", "libtbb": "oneTBB",
+        words = {"libdeflate": "libdeflate", "libnettle": "nettle", "libtinyobjloader_double": "tinyobjloader", "libtbb": "oneTBB", "libpugixml": "pugixml",
                  "libhwy": "Highway", "libcholmod": "CHOLMOD", "libarchive": "libarchive", "libqpdf": "qpdf", "libstdc": "libstdc++",
                  "libm": "GNU C library", "libgcc_s": "libgcc", "libc": "GNU C library"}
         for library in needed:

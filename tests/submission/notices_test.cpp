@@ -47,6 +47,7 @@ TEST(Notices, NameEveryLibraryThatIsLookedFor) {
                                                       {"glm", "libglm-dev"},
                                                       {"CLI11", "libcli11-dev"},
                                                       {"nlohmann_json", "nlohmann-json3-dev"},
+                                                      {"pugixml", "libpugixml-dev"},
                                                       {"TBB", "libtbb-dev"},
                                                       {"HWY", "libhwy-dev"},
                                                       {"libdeflate", "libdeflate-dev"},

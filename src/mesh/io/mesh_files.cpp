@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/gunzipped.h"
 #include "mesh/io/text_scanner.h"
 
 namespace meshfolio {
@@ -14,14 +15,12 @@ namespace {
 struct Format {
     std::string_view ending;
     std::string_view name;
-    LoadedMesh (*parse)(std::string_view bytes, const std::string& file);
+    LoadedMesh (*parse)(std::string_view bytes, const std::string& file, Keep keep);
 };
 
 constexpr Format formats[] = {
-    {".obj", "OBJ", parse_obj},
-    {".off", "OFF", parse_off},
-    {".ply", "PLY", parse_ply},
-    {".stl", "STL", parse_stl},
+    {".obj", "OBJ", parse_obj}, {".off", "OFF", parse_off}, {".ply", "PLY", parse_ply},
+    {".stl", "STL", parse_stl}, {".vtp", "VTP", parse_vtp}, {".glb", "GLB", parse_glb},
 };
 
 /// First bytes of what is sometimes saved under a mesh's name.
@@ -33,9 +32,11 @@ struct Signature {
 
 using namespace std::string_view_literals;
 
+constexpr const char* other_remedy = "convert it to OBJ, OFF, PLY, STL, VTP or GLB";
+
 constexpr Signature signatures[] = {
     {"PK\x03\x04"sv, "ZIP archive, not a mesh"sv, "unpack it first"sv},
-    {"\x1f\x8b"sv, "gzip data, not a mesh"sv, "unpack it with gunzip first"sv},
+    {"\x1f\x8b"sv, "gzip data within gzip data"sv, "unpack it with gunzip first"sv},
     {"BZh"sv, "bzip2 data, not a mesh"sv, "unpack it first"sv},
     {"\xfd"
      "7zXZ"sv,
@@ -47,8 +48,7 @@ constexpr Signature signatures[] = {
     {"\xfe\xff"sv, "UTF-16 text"sv, "save it as UTF-8 or ASCII"sv},
     {"%PDF"sv, "PDF document, not a mesh"sv, "name the mesh file"sv},
     {"\x89PNG"sv, "PNG picture, not a mesh"sv, "name the mesh file"sv},
-    {"glTF"sv, "binary glTF, which is not supported"sv, "convert it to OBJ, OFF, PLY or STL"sv},
-    {"Kaydara FBX"sv, "FBX, which is not supported"sv, "convert it to OBJ, OFF, PLY or STL"sv},
+    {"Kaydara FBX"sv, "FBX, which is not supported"sv, other_remedy},
 };
 
 std::string lower_case(std::string_view text) {
@@ -57,24 +57,12 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-void refuse_other_content(std::string_view bytes, const std::string& file) {
-    for (const Signature& s : signatures) {
-        if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.what), std::string(s.remedy));
-    }
-    std::string_view start = without_bom(bytes).substr(0, 256);
-    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
-    const std::string text = lower_case(start.substr(0, 16));
-    for (const char* tag : {"<!doctype", "<html", "<head", "<body"}) {
-        if (text.starts_with(tag))
-            throw InputError({file, 0}, "HTML page, not a mesh", "the download may have failed; fetch the file itself");
-    }
-    if (text.starts_with("<")) throw InputError({file, 0}, "XML text, not a mesh", "convert it to OBJ, OFF, PLY or STL");
-}
-
-/// The format that the first word of a text belongs to, by its ending; empty where it could be anything.
+/// The format that the first word belongs to, by its ending; empty where it could be anything.
 std::string_view ending_of_content(std::string_view bytes) {
+    if (bytes.starts_with("glTF")) return ".glb";
     const std::string_view start = without_bom(bytes).substr(0, 4096);
     LineScanner lines(start);
+    if (start.substr(0, 1024).find("<VTKFile") != std::string_view::npos) return ".vtp";
     const bool binary = start.find('\0') != std::string_view::npos && !start.starts_with("ply");
     if (binary || !lines.next_with_words()) return {};
     std::string_view line = lines.line();
@@ -88,31 +76,57 @@ std::string_view ending_of_content(std::string_view bytes) {
     return word == "solid" ? ".stl" : "";
 }
 
+void refuse_other_content(std::string_view bytes, const std::string& file) {
+    for (const Signature& s : signatures) {
+        if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.what), std::string(s.remedy));
+    }
+    std::string_view start = without_bom(bytes).substr(0, 256);
+    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
+    const std::string text = lower_case(start.substr(0, 16));
+    for (const char* tag : {"<!doctype", "<html", "<head", "<body"}) {
+        if (text.starts_with(tag))
+            throw InputError({file, 0}, "HTML page, not a mesh", "the download may have failed; fetch the file itself");
+    }
+    if (text.starts_with("<") && ending_of_content(bytes) != ".vtp") throw InputError({file, 0}, "XML text, not a mesh", other_remedy);
+}
+
+std::filesystem::path without_gz(const std::filesystem::path& file) {
+    return lower_case_ending(file.string()) == ".gz" ? file.parent_path() / file.stem() : file;
+}
+
+/// A format that is read, by its ending; null: none.
+const Format* format_of(std::string_view ending) {
+    const auto format = std::ranges::find(formats, ending, &Format::ending);
+    return format == std::end(formats) ? nullptr : format;
+}
+
 }   // namespace
 
 std::string lower_case_ending(const std::string& file) { return lower_case(std::filesystem::path(file).extension().string()); }
 
-bool is_mesh_file(const std::string& file) {
-    return std::ranges::find(formats, std::string_view(lower_case_ending(file)), &Format::ending) != std::end(formats);
-}
+std::string mesh_name(const std::string& file) { return without_gz(file).stem().string(); }
 
-LoadedMesh parse_mesh(std::string_view bytes, const std::string& file) {
-    const std::string ending = lower_case_ending(file);
-    const auto format = std::find_if(std::begin(formats), std::end(formats), [&](const Format& f) { return f.ending == ending; });
-    if (format == std::end(formats)) {
-        throw InputError({file, 0}, "unknown mesh format '" + ending + "'", "meshes end in .obj, .off, .ply or .stl");
-    }
+bool is_mesh_file(const std::string& file) { return format_of(lower_case_ending(without_gz(file).string())) != nullptr; }
+
+LoadedMesh parse_mesh(std::string_view bytes, const std::string& file, Keep keep) {
     if (bytes.empty()) throw InputError({file, 0}, "file is empty", "export or download the mesh again");
-    refuse_other_content(bytes, file);
+    std::string unpacked;
+    if (is_gzip(bytes)) bytes = unpacked = gunzipped(bytes, file);
     const std::string_view content = ending_of_content(bytes);
-    const auto other = std::find_if(std::begin(formats), std::end(formats), [&](const Format& f) { return f.ending == content; });
-    if (other != std::end(formats) && other != format) {
+    std::string ending = lower_case_ending(without_gz(file).string());
+    if (file == standard_input) ending = !content.empty() ? content : bytes.find('\0') == std::string_view::npos ? ".obj" : ".stl";
+    const Format *const format = format_of(ending), *const other = format_of(content);
+    if (format == nullptr) {
+        throw InputError({file, 0}, "unknown mesh format '" + ending + "'", "meshes end in .obj, .off, .ply, .stl, .vtp or .glb");
+    }
+    refuse_other_content(bytes, file);
+    if (other != nullptr && other != format) {
         throw InputError({file, 0}, "looks like " + std::string(other->name) + ", but the name says " + ending,
                          "rename it to end in " + std::string(content));
     }
-    return format->parse(bytes, file);
+    return format->parse(bytes, file, keep);
 }
 
-LoadedMesh read_mesh(const std::filesystem::path& path) { return parse_mesh(read_file(path), path.string()); }
+LoadedMesh read_mesh(const std::filesystem::path& path, Keep keep) { return parse_mesh(read_file(path), path.string(), keep); }
 
 }   // namespace meshfolio

@@ -8,6 +8,7 @@
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/obj_gate.h"
 #include "mesh/io/polygon_list.h"
+#include "mesh/io/text_scanner.h"
 
 namespace meshfolio {
 
@@ -76,14 +77,19 @@ void check_content(const Found& found, const std::string& file) {
 
 }   // namespace
 
-LoadedMesh parse_obj(std::string_view text, const std::string& file) {
+LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep) {
     CheckedObj checked = check_obj(text, file);
     Found found{checked, checked.coordinates.size() / 3, {}};
     found.polygons.reserve(checked.face_lines.size());
     parse_checked(checked, found);
     check_content(found, file);
     Positions X = Eigen::Map<const Positions>(checked.coordinates.data(), static_cast<Eigen::Index>(found.vertices), 3);
-    return triangulated(found.polygons, std::move(X), file, std::move(checked.warnings));
+    LoadedMesh loaded = triangulated(found.polygons, std::move(X), file, std::move(checked.warnings));
+    if (keep == Keep::attributes) {
+        loaded.attributes.obj = without_bom(text);
+        loaded.attributes.face_lines = loaded.face_lines;
+    }
+    return loaded;
 }
 
 }   // namespace meshfolio

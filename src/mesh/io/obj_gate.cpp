@@ -8,6 +8,7 @@
 
 #include "base/in_quotes.h"
 #include "base/number_text.h"
+#include "mesh/io/obj_statements.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
 
@@ -76,11 +77,14 @@ struct UnusedAttribute {
 
 class ObjGate {
 public:
-    ObjGate(std::string_view text, const std::string& file) : lines_(text), file_(file) { checked_.text.reserve(text.size() / 2); }
+    ObjGate(std::string_view text, const std::string& file) : statements_(text), file_(file) { checked_.text.reserve(text.size() / 2); }
 
     CheckedObj run() {
-        while (next_statement()) {
-            std::string_view rest = statement_;
+        while (statements_.next()) {
+            line_ = statements_.line();
+            if (statements_.is_cut_off())
+                checked_.warnings.add(line_, "line continuation at the end of the file", "line continuations at the end of the file");
+            std::string_view rest = statements_.text();
             const std::string_view keyword = take_word(rest);
             if (keyword == "v") {
                 vertex(rest);
@@ -100,32 +104,6 @@ public:
     }
 
 private:
-    /// The next line with a word, continued lines joined, comments left out.
-    bool next_statement() {
-        if (!lines_.next_with_words()) return false;
-        line_ = lines_.number();
-        statement_ = lines_.line();
-        if (!ends_in_backslash(statement_)) return true;
-        joined_.clear();
-        std::string_view part = statement_;
-        while (ends_in_backslash(part)) {
-            joined_.append(part.substr(0, part.find_last_of('\\'))).push_back(' ');
-            if (!lines_.next()) {
-                checked_.warnings.add(line_, "line continuation at the end of the file", "line continuations at the end of the file");
-                part = {};
-                break;
-            }
-            part = without_comment(lines_.line());
-        }
-        statement_ = joined_.append(part);
-        return true;
-    }
-
-    static bool ends_in_backslash(std::string_view line) {
-        const std::size_t last = line.find_last_not_of(" \t");
-        return last != std::string_view::npos && line[last] == '\\';
-    }
-
     Location here() const { return {file_, line_}; }
 
     /// v x y z, and behind it a weight, a colour, or both.
@@ -239,11 +217,9 @@ private:
         }
     }
 
-    LineScanner lines_;
+    ObjStatements statements_;
     const std::string& file_;
     long line_ = 0;   // where the statement begins
-    std::string_view statement_;
-    std::string joined_;
     UnusedAttribute texture_{"texture coordinates", "texture index ignored", "texture indices ignored", 0, {}};
     UnusedAttribute normal_{"normals", "normal index ignored", "normal indices ignored", 0, {}};
     CheckedObj checked_;

@@ -174,7 +174,7 @@ private:
 
 }   // namespace
 
-LoadedMesh parse_off(std::string_view text, const std::string& file) {
+LoadedMesh parse_off(std::string_view text, const std::string& file, Keep) {
     // A binary OFF has NUL bytes behind a first line that says so, which is the better message.
     const std::string_view keyword_line = text.substr(0, text.find('\n'));
     if (keyword_line.find("BINARY") == std::string_view::npos) refuse_nul_bytes(text, file);

@@ -1,154 +1,20 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "base/at.h"
 #include "base/errors.h"
-#include "base/in_quotes.h"
-#include "base/number_text.h"
 #include "mesh/io/mesh_files.h"
-#include "mesh/io/ply_header.h"
+#include "mesh/io/ply_body.h"
 #include "mesh/io/polygon_list.h"
-#include "mesh/io/text_scanner.h"
 
 namespace meshfolio {
 
 namespace {
-
-/// Values one after the other. Both kinds of body look alike to the reader of elements: rows of values.
-class TextBody {
-public:
-    TextBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
-        : lines_(bytes.substr(header.size)), header_lines_(header.lines), file_(file) {}
-
-    long line() const { return header_lines_ + lines_.number(); }
-
-    /// A row is a line.
-    void begin_row(const PlyElement& element) {
-        while (lines_.next()) {
-            rest_ = lines_.line();
-            std::string_view look = rest_;
-            if (!take_word(look).empty()) return;
-        }
-        throw InputError({file_, 0}, "ends early within element " + in_quotes(element.name), "the file may be cut off");
-    }
-
-    void end_row(const PlyElement& element) {
-        if (take_word(rest_).empty()) return;
-        throw InputError(here(), "more values than element " + in_quotes(element.name) + " has", "each row must be one line of its own");
-    }
-
-    double number(PlyType) { return checked_coordinate(word(), file_, line()); }
-
-    long long integer(PlyType) {
-        const std::string_view value = word();
-        const std::optional<long long> i = parse_integer(value);
-        if (!i) throw InputError(here(), "bad number " + in_quotes(value), "a whole number belongs here");
-        return *i;
-    }
-
-    void skip(PlyType, long long times) {
-        for (long long i = 0; i < times; ++i) word();
-    }
-
-    void end(WarningTally& warnings) {
-        while (lines_.next()) {
-            std::string_view line = lines_.line();
-            if (take_word(line).empty()) continue;
-            return warnings.add(this->line(), "text after the last element ignored", "texts after the last element ignored");
-        }
-    }
-
-private:
-    std::string_view word() {
-        const std::string_view value = take_word(rest_);
-        if (value.empty()) throw InputError(here(), "too few values on the line", "the file may be cut off");
-        return value;
-    }
-
-    Location here() const { return {file_, line()}; }
-
-    LineScanner lines_;
-    std::string_view rest_;
-    long header_lines_;
-    const std::string& file_;
-};
-
-class BinaryBody {
-public:
-    BinaryBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
-        : bytes_(bytes),
-          at_(header.size),
-          swap_((header.format == PlyHeader::Format::big_endian) != (std::endian::native == std::endian::big)),
-          file_(file) {}
-
-    long line() const { return 0; }
-    void begin_row(const PlyElement&) {}
-    void end_row(const PlyElement&) {}
-
-    double number(PlyType type) {
-        if (type == PlyType::float32) return value<float>();
-        if (type == PlyType::float64) return value<double>();
-        return static_cast<double>(integer(type));
-    }
-
-    long long integer(PlyType type) {
-        switch (type) {
-            case PlyType::int8:
-                return value<std::int8_t>();
-            case PlyType::uint8:
-                return value<std::uint8_t>();
-            case PlyType::int16:
-                return value<std::int16_t>();
-            case PlyType::uint16:
-                return value<std::uint16_t>();
-            case PlyType::int32:
-                return value<std::int32_t>();
-            default:
-                return value<std::uint32_t>();
-        }
-    }
-
-    void skip(PlyType type, long long times) {
-        // `times` comes from a list length of at most 32 bits: the product cannot overflow.
-        const auto bytes = static_cast<std::size_t>(times) * size_of(type);
-        need(bytes);
-        at_ += bytes;
-    }
-
-    void end(WarningTally& warnings) const {
-        if (at_ == bytes_.size()) return;
-        const char* const message = "bytes after the last element ignored";
-        warnings.add(0, message, message, std::to_string(bytes_.size() - at_));
-    }
-
-private:
-    void need(std::size_t bytes) const {
-        if (bytes_.size() - at_ >= bytes) return;
-        throw InputError({file_, 0}, "ends early (byte " + std::to_string(bytes_.size()) + ")", "the file may be cut off");
-    }
-
-    template <class T>
-    T value() {
-        need(sizeof(T));
-        std::array<char, sizeof(T)> raw;
-        std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
-        if (swap_) std::reverse(raw.begin(), raw.end());
-        at_ += sizeof(T);
-        return std::bit_cast<T>(raw);
-    }
-
-    std::string_view bytes_;
-    std::size_t at_;
-    bool swap_;
-    const std::string& file_;
-};
 
 /// Reads the elements in the order of the header, whatever it is.
 template <class Body>
@@ -157,7 +23,8 @@ public:
     PlyReader(const PlyHeader& header, const PlyMeshParts& parts, Body body, const std::string& file)
         : header_(header), parts_(parts), body_(std::move(body)), file_(file), X_(parts.vertices->count, 3) {}
 
-    LoadedMesh run(WarningTally warnings) {
+    LoadedMesh run(WarningTally warnings, Keep keep) {
+        if (keep == Keep::attributes) make_columns();
         for (const PlyElement& element : header_.elements) {
             if (&element == parts_.vertices) {
                 read_vertices(element);
@@ -168,7 +35,9 @@ public:
             }
         }
         body_.end(warnings);
-        return triangulated(polygons_, std::move(X_), file_, std::move(warnings));
+        LoadedMesh loaded = triangulated(polygons_, std::move(X_), file_, std::move(warnings));
+        loaded.attributes.columns = std::move(columns_);
+        return loaded;
     }
 
 private:
@@ -176,22 +45,35 @@ private:
         throw InputError({file_, line}, problem, remedy);
     }
 
+    /// Of every property of a vertex that is one number and no coordinate.
+    void make_columns() {
+        const std::vector<PlyProperty>& properties = parts_.vertices->properties;
+        column_of_.assign(properties.size(), -1);
+        for (std::size_t p = 0; p < properties.size(); ++p) {
+            if (properties[p].is_list || std::ranges::find(parts_.axis, p) != parts_.axis.end()) continue;
+            column_of_[p] = static_cast<int>(columns_.size());
+            columns_.push_back({properties[p].name, Vector(parts_.vertices->count), properties[p].type});
+        }
+    }
+
     void read_vertices(const PlyElement& element) {
         for (long long i = 0; i < element.count; ++i) {
             body_.begin_row(element);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const auto axis = std::find(parts_.axis.begin(), parts_.axis.end(), p);
-                if (axis == parts_.axis.end()) {
+                if (axis != parts_.axis.end()) {
+                    read_coordinate(i, static_cast<int>(axis - parts_.axis.begin()), element.properties[p].type);
+                } else if (columns_.empty() || column_of_[p] < 0) {
                     skip_value(element.properties[p]);
                 } else {
-                    read_coordinate(i, static_cast<int>(axis - parts_.axis.begin()), element.properties[p].type);
+                    columns_[at(column_of_[p])].values[i] = body_.any_number(element.properties[p].type);
                 }
             }
             body_.end_row(element);
         }
     }
 
-    void read_coordinate(long long i, int axis, PlyType type) {
+    void read_coordinate(long long i, int axis, ScalarType type) {
         const double x = body_.number(type);
         if (!(std::abs(x) <= largest_coordinate)) {
             const std::string name = "vertex " + std::to_string(i) + ": " + "xyz"[axis];
@@ -301,11 +183,13 @@ private:
     const std::string& file_;
     Positions X_;
     PolygonList polygons_;
+    std::vector<VertexColumn> columns_;   // those that are kept
+    std::vector<int> column_of_;          // of each property of a vertex; −1: none
 };
 
 }   // namespace
 
-LoadedMesh parse_ply(std::string_view bytes, const std::string& file) {
+LoadedMesh parse_ply(std::string_view bytes, const std::string& file, Keep keep) {
     WarningTally warnings;
     if (without_bom(bytes).size() < bytes.size()) warnings.add(1, "byte order mark ignored", "byte order marks ignored");
     bytes = without_bom(bytes);
@@ -314,8 +198,8 @@ LoadedMesh parse_ply(std::string_view bytes, const std::string& file) {
     if (parts.ignored != nullptr) {
         warnings.add(parts.ignored->line, "tristrips beside faces ignored", "elements of tristrips beside faces ignored");
     }
-    if (header.format == PlyHeader::Format::ascii) return PlyReader(header, parts, TextBody(bytes, header, file), file).run(warnings);
-    return PlyReader(header, parts, BinaryBody(bytes, header, file), file).run(warnings);
+    if (header.format == PlyHeader::Format::ascii) return PlyReader(header, parts, TextBody(bytes, header, file), file).run(warnings, keep);
+    return PlyReader(header, parts, BinaryBody(bytes, header, file), file).run(warnings, keep);
 }
 
 }   // namespace meshfolio

@@ -15,11 +15,11 @@ namespace meshfolio {
 
 namespace {
 
-constexpr std::pair<std::string_view, PlyType> type_names[] = {
-    {"char", PlyType::int8},   {"uchar", PlyType::uint8},   {"short", PlyType::int16},     {"ushort", PlyType::uint16},
-    {"int", PlyType::int32},   {"uint", PlyType::uint32},   {"float", PlyType::float32},   {"double", PlyType::float64},
-    {"int8", PlyType::int8},   {"uint8", PlyType::uint8},   {"int16", PlyType::int16},     {"uint16", PlyType::uint16},
-    {"int32", PlyType::int32}, {"uint32", PlyType::uint32}, {"float32", PlyType::float32}, {"float64", PlyType::float64},
+constexpr std::pair<std::string_view, ScalarType> type_names[] = {
+    {"char", ScalarType::int8},   {"uchar", ScalarType::uint8},   {"short", ScalarType::int16},     {"ushort", ScalarType::uint16},
+    {"int", ScalarType::int32},   {"uint", ScalarType::uint32},   {"float", ScalarType::float32},   {"double", ScalarType::float64},
+    {"int8", ScalarType::int8},   {"uint8", ScalarType::uint8},   {"int16", ScalarType::int16},     {"uint16", ScalarType::uint16},
+    {"int32", ScalarType::int32}, {"uint32", ScalarType::uint32}, {"float32", ScalarType::float32}, {"float64", ScalarType::float64},
 };
 
 /// Fewest bytes of one row: in a binary file of its values and list lengths, in text a digit and a separator each.
@@ -124,7 +124,7 @@ private:
         element.properties.push_back(std::move(property));
     }
 
-    PlyType type_named(std::string_view word) const {
+    ScalarType type_named(std::string_view word) const {
         const auto type = std::find_if(std::begin(type_names), std::end(type_names), [&](auto& t) { return t.first == word; });
         if (type == std::end(type_names))
             fail(lines_.number(), "unknown type " + in_quotes(word), "types are char, uchar, … float, double");
@@ -177,25 +177,9 @@ std::optional<std::size_t> property_named(const PlyElement& element, std::string
 
 }   // namespace
 
-std::size_t size_of(PlyType type) {
-    switch (type) {
-        case PlyType::int8:
-        case PlyType::uint8:
-            return 1;
-        case PlyType::int16:
-        case PlyType::uint16:
-            return 2;
-        case PlyType::int32:
-        case PlyType::uint32:
-        case PlyType::float32:
-            return 4;
-        case PlyType::float64:
-            break;
-    }
-    return 8;
+std::string_view ply_name_of(ScalarType type) {
+    return std::find_if(std::begin(type_names), std::end(type_names), [&](auto& t) { return t.second == type; })->first;
 }
-
-bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& file) { return HeaderReader(bytes, file).run(); }
 

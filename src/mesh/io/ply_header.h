@@ -7,20 +7,19 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/io/scalar_type.h"
 #include "mesh/io/warning_tally.h"
 
 namespace meshfolio {
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-std::size_t size_of(PlyType type);   // bytes in a binary file
-bool is_integer(PlyType type);
+/// "uchar", "float" … @return the name that a header gives the type
+std::string_view ply_name_of(ScalarType type);
 
 struct PlyProperty {
     std::string name;
-    PlyType type;   // of the value, or of a list's items
+    ScalarType type;   // of the value, or of a list's items
     bool is_list = false;
-    PlyType count_type = PlyType::uint8;   // of a list's length
+    ScalarType count_type = ScalarType::uint8;   // of a list's length
     long line = 0;
 };
 

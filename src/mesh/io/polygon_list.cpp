@@ -4,10 +4,12 @@
 #include <limits>
 #include <utility>
 
+#include "base/at.h"
 #include "base/in_quotes.h"
 #include "base/number_text.h"
 #include "mesh/io/text_scanner.h"
 #include "mesh/io/triangulate_polygon.h"
+#include "mesh/point_table.h"
 
 namespace meshfolio {
 
@@ -105,6 +107,26 @@ LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::str
     triangulation.finish();
     loaded.warnings = warnings.warnings();
     return loaded;
+}
+
+WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<const int> corners, const std::vector<long>& lines,
+                  const std::string& file, WarningTally warnings) {
+    PointTable table(points.size());
+    std::vector<int> number(points.size()), first;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        number[i] = table.number_of(points[i]);
+        if (at(number[i]) == first.size()) first.push_back(static_cast<int>(i));
+    }
+    const std::size_t count = corners.empty() ? points.size() : corners.size();
+    PolygonList triangles;
+    triangles.reserve(count / 3);
+    for (std::size_t i = 0; i < count; ++i) {
+        triangles.add_corner(number[corners.empty() ? i : at(corners[i])]);
+        if (i % 3 == 2) triangles.end_polygon(lines.empty() ? 0 : lines[i / 3]);
+    }
+    Positions X(static_cast<Eigen::Index>(first.size()), 3);
+    for (Eigen::Index v = 0; v < X.rows(); ++v) X.row(v) = Eigen::Map<const Vector3>(table.points()[static_cast<std::size_t>(v)].data());
+    return {triangulated(triangles, std::move(X), file, std::move(warnings)), std::move(first)};
 }
 
 double checked_coordinate(std::string_view word, const std::string& file, long line) {

@@ -2,6 +2,7 @@
 /// What every reader ends with: positions and polygons of any size become a triangle mesh.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
@@ -40,6 +41,19 @@ private:
 /// Triangulates. Corners must be indices of rows of X. Polygons of fewer than three corners are left out with a warning.
 /// @throws InputError naming the polygon if one has more than max_polygon_corners, or if there is no triangle or too many
 LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::string& file, WarningTally warnings);
+
+/// A mesh whose file repeats a vertex for each of its faces or normals.
+struct WeldedMesh {
+    LoadedMesh loaded;
+    std::vector<int> first;   // of each vertex, the first of the points there
+};
+
+/// Points with equal coordinates become one vertex, in the order of the first of them.
+/// @param corners  of triangles, three each, as numbers of points; empty: the points one after the other
+/// @param lines  of the triangles; empty: binary file
+/// @throws InputError as `triangulated`
+WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<const int> corners, const std::vector<long>& lines,
+                  const std::string& file, WarningTally warnings);
 
 /// A coordinate read from a file.
 /// @throws InputError if `word` is not a finite decimal number or exceeds largest_coordinate

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -11,7 +10,6 @@
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
-#include "mesh/point_table.h"
 
 namespace meshfolio {
 
@@ -24,22 +22,6 @@ constexpr std::size_t triangle_bytes = 50;
 bool same_word(std::string_view word, std::string_view keyword) {
     const auto lower = [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); };
     return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [&](char a, char b) { return lower(a) == b; });
-}
-
-/// Corners of triangles, welded: STL repeats each position in every triangle around it.
-LoadedMesh welded(const std::vector<std::array<double, 3>>& corners, const std::vector<long>& lines, const std::string& file,
-                  WarningTally warnings) {
-    PointTable table(corners.size());
-    PolygonList triangles;
-    triangles.reserve(corners.size() / 3);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        triangles.add_corner(table.number_of(corners[i]));
-        if (i % 3 == 2) triangles.end_polygon(lines.empty() ? 0 : lines[i / 3]);
-    }
-    const auto vertices = static_cast<Eigen::Index>(table.points().size());
-    Positions X(vertices, 3);
-    for (Eigen::Index v = 0; v < vertices; ++v) X.row(v) = Eigen::Map<const Vector3>(table.points()[static_cast<std::size_t>(v)].data());
-    return triangulated(triangles, std::move(X), file, std::move(warnings));
 }
 
 /// "solid name  facet normal … outer loop  vertex … (3) endloop endfacet … endsolid name", any number of solids.
@@ -62,7 +44,7 @@ public:
             }
         }
         if (open_) warnings_.add(0, "no endsolid", "endsolids missing");
-        return welded(corners_, lines_, file_, std::move(warnings_));
+        return welded(corners_, {}, lines_, file_, std::move(warnings_)).loaded;
     }
 
 private:
@@ -106,17 +88,11 @@ private:
     bool open_ = false;
 };
 
-std::uint32_t little_endian(std::string_view four_bytes) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(static_cast<unsigned char>(four_bytes[i])) << (8 * i);
-    return value;
-}
-
 LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
     if (bytes.size() < header_bytes) {
         throw InputError({file, 0}, "too short for binary STL (" + std::to_string(bytes.size()) + " bytes)", "the file may be cut off");
     }
-    const std::size_t count = little_endian(bytes.substr(80));
+    const std::size_t count = little_endian<std::uint32_t>(bytes.data() + 80);
     const std::size_t room = (bytes.size() - header_bytes) / triangle_bytes;
     if (count > room) {
         throw InputError({file, 0}, std::to_string(count) + " triangles announced, room for " + std::to_string(room),
@@ -132,7 +108,7 @@ LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
         // Behind the normal (12 bytes, left out) come three corners of three floats, then two bytes of attributes.
         const std::size_t at = header_bytes + i / 3 * triangle_bytes + 12 + i % 3 * 12;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float x = std::bit_cast<float>(little_endian(bytes.substr(at + 4 * axis)));
+            const float x = little_endian<float>(bytes.data() + at + 4 * axis);
             if (!std::isfinite(x)) {
                 throw InputError({file, 0}, "triangle " + std::to_string(i / 3) + ": coordinate is " + (std::isnan(x) ? "nan" : "inf"),
                                  "every coordinate must be finite");
@@ -140,12 +116,13 @@ LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
             corners[i][axis] = x;
         }
     }
-    return welded(corners, {}, file, std::move(warnings));
+    return welded(corners, {}, {}, file, std::move(warnings)).loaded;
 }
 
 /// Some binary files begin with "solid" too, but their size fits their count, or they have bytes that no text has.
 bool is_text(std::string_view bytes) {
-    if (bytes.size() >= header_bytes && bytes.size() == header_bytes + triangle_bytes * little_endian(bytes.substr(80))) return false;
+    if (bytes.size() >= header_bytes && bytes.size() == header_bytes + triangle_bytes * little_endian<std::uint32_t>(bytes.data() + 80))
+        return false;
     std::string_view start = bytes.substr(0, 512);
     if (start.find('\0') != std::string_view::npos) return false;
     start = start.substr(0, start.find_first_of("\r\n", start.find_first_not_of(" \t\r\n") + 1));
@@ -155,7 +132,7 @@ bool is_text(std::string_view bytes) {
 
 }   // namespace
 
-LoadedMesh parse_stl(std::string_view bytes, const std::string& file) {
+LoadedMesh parse_stl(std::string_view bytes, const std::string& file, Keep) {
     if (!is_text(without_bom(bytes))) return parse_binary(bytes, file);
     refuse_nul_bytes(bytes, file);
     return TextStl(without_bom(bytes), file).run();

@@ -12,6 +12,7 @@
 #include "embedded_data.h"
 #include "geometry/measures/closest_point.h"
 #include "mesh/decimation.h"
+#include "mesh/io/mesh_files.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -106,7 +107,7 @@ std::span<const MeshRole> mesh_role_list() { return roles; }
 
 std::string short_name(const fs::path& path) {
     std::string name;
-    for (const char c : path.stem().string()) {
+    for (const char c : mesh_name(path.string())) {
         const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         const bool good = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
         if (good) name += lower;

@@ -106,7 +106,7 @@ void require_outside(const std::string& file, const fs::path& out) {
 
 std::string safe_stem(const std::string& file) {
     constexpr std::size_t longest = 60;
-    std::string name = fs::path(file).stem().string().substr(0, longest);
+    std::string name = mesh_name(file).substr(0, longest);
     for (char& c : name) {
         const bool is_safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-';
         if (!is_safe) c = '_';

@@ -12,7 +12,7 @@ namespace meshfolio::run {
 namespace {
 
 /// h_idt, h_cotan_no_half, …
-NamedColumn operator_column(const PreparedMesh& prepared, AreaForm form, OperatorKind kind) {
+VertexColumn operator_column(const PreparedMesh& prepared, AreaForm form, OperatorKind kind) {
     std::string name = "h_" + std::string(operator_entry(kind).name);
     std::replace(name.begin(), name.end(), '-', '_');
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
@@ -21,15 +21,15 @@ NamedColumn operator_column(const PreparedMesh& prepared, AreaForm form, Operato
 
 }   // namespace
 
-std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets) {
+std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets) {
     const auto& [mesh, topology] = std::tie(prepared.mesh, prepared.topology);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh, form);
     const Vector& areas = laplacian.M;
-    std::vector<NamedColumn> columns{{"area", (areas.array() > 0).select(areas, std::nan(""))},
-                                     {"h_uniform", uniform_mean_curvature(mesh, topology)},
-                                     {"k_gauss", gaussian_curvature(mesh, topology, areas)},
-                                     {"h_cotan", cotangent_mean_curvature(mesh, topology, laplacian)},
-                                     {"h_uniform_scaled", uniform_mean_curvature_scaled(mesh, topology)}};
+    std::vector<VertexColumn> columns{{"area", (areas.array() > 0).select(areas, std::nan(""))},
+                                      {"h_uniform", uniform_mean_curvature(mesh, topology)},
+                                      {"k_gauss", gaussian_curvature(mesh, topology, areas)},
+                                      {"h_cotan", cotangent_mean_curvature(mesh, topology, laplacian)},
+                                      {"h_uniform_scaled", uniform_mean_curvature_scaled(mesh, topology)}};
     if (with_jets) {
         JetCurvature jet = jet_curvature(mesh, topology);
         columns.push_back({"h_jet", std::move(jet.H)});

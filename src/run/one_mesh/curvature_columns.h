@@ -2,21 +2,16 @@
 /// What is known of every vertex: the columns of `curvature`.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/operators/laplace_operator.h"
+#include "mesh/io/scalar_type.h"
 #include "mesh/mesh_checks.h"
 
 namespace meshfolio::run {
 
-struct NamedColumn {
-    std::string name;
-    Vector values;   // n; NaN: not defined
-};
-
 /// area [length²], h_uniform [length], k_gauss [1/length²], h_cotan and h_uniform_scaled [1/length], then, when asked for, h_jet and k_jet,
 /// and h_<operator> of any other operator.
-std::vector<NamedColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
+std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
 
 }   // namespace meshfolio::run

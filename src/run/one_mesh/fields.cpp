@@ -10,6 +10,8 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/laplace_operator.h"
 #include "mesh/io/csv_column.h"
+#include "mesh/io/mesh_files.h"
+#include "mesh/io/polygon_list.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio::run {
@@ -54,12 +56,33 @@ Field field_of(const PreparedMesh& mesh, const std::string& name) {
     throw UsageError("unknown field " + in_quotes(name), "did you mean '" + nearest_word(name, field_names()) + "'?");
 }
 
-Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_column) {
+namespace {
+
+Vector mesh_column(const std::string& file, const std::string& name, int vertices) {
+    const LoadedMesh loaded = read_mesh(file, Keep::attributes);
+    if (loaded.mesh.vertex_count() != vertices) {
+        throw InputError({file, 0},
+                         "it has " + std::to_string(loaded.mesh.vertex_count()) + " vertices, the mesh " + std::to_string(vertices),
+                         "name values of the same mesh");
+    }
+    std::string names;
+    for (const VertexColumn& column : loaded.attributes.columns) {
+        if (column.name == name) return (column.values.array().abs() <= largest_coordinate).select(column.values, std::nan(""));
+        names += (names.empty() ? "it has " : ", ") + column.name;
+    }
+    throw InputError({file, 0}, "no property " + in_quotes(name) + " of vertices", names.empty() ? "it has none" : names);
+}
+
+}   // namespace
+
+Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_column) {
     const std::size_t colon = file_and_column.rfind(':');
-    if (colon == std::string::npos) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
+    if (colon == std::string::npos) throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
-    if (file.empty() || column.empty()) throw UsageError("--values needs FILE.csv:COLUMN, not " + in_quotes(file_and_column), "name both");
-    return field_of_values(csv_column(read_file(file, largest_csv), file, column, {.rows = mesh.mesh.vertex_count()}), column);
+    if (file.empty() || column.empty()) throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
+    return field_of_values(is_mesh_file(file) ? mesh_column(file, column, mesh.mesh.vertex_count())
+                                              : csv_column(read_file(file, largest_csv), file, column, {.rows = mesh.mesh.vertex_count()}),
+                           column);
 }
 
 Field field_of_values(Vector values, const std::string& quantity) {

@@ -24,9 +24,9 @@ Checks checks_for(const std::string& name);
 /// @throws UsageError for an unknown name
 Field field_of(const PreparedMesh& mesh, const std::string& name);
 
-/// A column of a CSV file with one row a vertex; empty cells are NaN.
+/// A column of a CSV file with one row a vertex, whose empty cells are NaN, or of a mesh's file.
 /// @throws InputError for a file that does not fit, UsageError for a missing ":COLUMN"
-Field field_from_csv(const PreparedMesh& mesh, const std::string& file_and_column);
+Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_column);
 
 /// Values of any origin, NaN where undefined: signed if they are on both sides of 0.
 Field field_of_values(Vector values, const std::string& quantity);

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "damaged_bytes.h"
 #include "mesh/io/append_bytes.h"
+#include "mesh/io/glb_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/mesh_checks.h"
 #include "mesh/small_meshes.h"
@@ -66,6 +67,7 @@ std::vector<std::pair<std::string, std::string>> good_files() {
         {"little.ply", ply_of(mesh, false, true)},
         {"big.ply", ply_of(mesh, true, false)},
         {"m.stl", binary_stl_of(mesh)},
+        {"m.glb", glb_of(glb_text(mesh, R"(,"translation":[1,2,3],"scale":[1,1,2])"), glb_data(mesh))},
         {"ascii.stl",
          "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nfacet normal 0 0 -1\n"
          "outer loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 1\nendloop\nendfacet\nendsolid s\n"},

@@ -57,7 +57,8 @@ TEST(MeshFiles, ThroughTheDisk) {
 }
 
 TEST(MeshFiles, WritesOnlyWhatItCanReadBack) {
-    EXPECT_THROW(encode_mesh(tetrahedron(), "a.stl"), UsageError);
+    EXPECT_THROW(encode_mesh(tetrahedron(), "a.fbx"), UsageError);
+    EXPECT_THROW(encode_mesh(tetrahedron(), "a.obj.gz"), UsageError);
     EXPECT_THROW(encode_mesh(tetrahedron(), "a"), UsageError);
     TriangleMesh mesh = tetrahedron();
     mesh.X(2, 1) = std::nan("");
@@ -65,14 +66,40 @@ TEST(MeshFiles, WritesOnlyWhatItCanReadBack) {
     mesh = tetrahedron();
     mesh.X(1, 2) = -1.01e100;
     EXPECT_THROW(encode_mesh(mesh, "a.obj"), MeshError) << "it could not be read again";
+    mesh.X(1, 2) = 1e39;
+    EXPECT_THROW(encode_mesh(mesh, "a.stl"), MeshError) << "no float is that large";
+}
+
+// Of floats STL keeps every bit; vertices come in the order of the triangles.
+TEST(MeshFiles, StlHoldsTheSameTriangles) {
+    TriangleMesh mesh = torus(9, 7);
+    mesh.X = mesh.X.cast<float>().cast<double>();
+    const LoadedMesh loaded = parse_mesh(encode_mesh(mesh, "a.stl"), "a.stl");
+    EXPECT_TRUE(loaded.warnings.empty());
+    ASSERT_EQ(loaded.mesh.vertex_count(), mesh.vertex_count());
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        for (int k = 0; k < 3; ++k) EXPECT_EQ(loaded.mesh.X.row(loaded.mesh.F(t, k)), mesh.X.row(mesh.F(t, k)));
+    }
+    EXPECT_EQ(encode_mesh(loaded.mesh, "a.stl"), encode_mesh(mesh, "a.stl"));
+    EXPECT_EQ(encode_mesh(mesh, "a.stl").size(), 84U + 50U * static_cast<unsigned>(mesh.face_count()));
+}
+
+TEST(MeshFiles, StandardInputIsToldByItsContent) {
+    for (const char* file : {"m.obj", "m.off", "m.ply", "m.stl"}) {
+        const std::string bytes = encode_mesh(tetrahedron(), file);
+        EXPECT_EQ(parse_mesh(bytes, standard_input).mesh.X.colwise().sum(), tetrahedron().X.colwise().sum()) << file;
+    }
+    EXPECT_EQ(encode_mesh(tetrahedron(), "-"), encode_mesh(tetrahedron(), "a.obj"));
+    EXPECT_TRUE(refused("", "standard input", "file is empty"));
+    EXPECT_TRUE(refused("v 0 0 0\nv 1 x 0\n", "standard input:2", "'x' is not a finite number"));
 }
 
 TEST(MeshFiles, RefusesOtherKindsOfFiles) {
     EXPECT_TRUE(refused("", "m.obj", "file is empty"));
-    EXPECT_TRUE(refused("v 0 0 0\n", "m.gz", "unknown mesh format '.gz'"));
+    EXPECT_TRUE(refused("v 0 0 0\n", "m.gz", "unknown mesh format ''"));
     EXPECT_TRUE(refused("v 0 0 0\n", "mesh", "unknown mesh format"));
     EXPECT_TRUE(refused("PK\x03\x04 data", "m.obj", "ZIP"));
-    EXPECT_TRUE(refused("\x1f\x8b data", "m.stl", "gzip"));
+    EXPECT_TRUE(refused("\x1f\x8b data", "m.stl", "damaged gzip"));
     EXPECT_TRUE(refused("version https://git-lfs.github.com/spec/v1\n", "m.ply", "LFS"));
     EXPECT_TRUE(refused("\xff\xfev\0", "m.obj", "UTF-16"));
     EXPECT_TRUE(refused("\n <!DOCTYPE html><html>", "m.off", "HTML"));

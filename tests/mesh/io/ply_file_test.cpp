@@ -10,6 +10,7 @@
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/rejections.h"
 #include "mesh/small_meshes.h"
+#include "mesh/triangle_measures.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;
@@ -20,12 +21,6 @@ const std::string ascii_header =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 4\nproperty list uchar int vertex_indices\nend_header\n";   // 9 lines
 const std::string ascii_body = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::invalid_argument(from);
-    return text.replace(at, from.size(), to);
-}
 
 /// The bytes of values of any type, one after the other, in either order.
 class Bytes {
@@ -283,4 +278,79 @@ TEST(PlyFile, RefusesBadValues) {
     index.replace(good.size() - 4, 4, Bytes(false).add<std::int32_t>(-1).text());
     EXPECT_TRUE(refused(index, "m.ply", "face 3: index -1"));
     EXPECT_TRUE(refused(replaced(good, "little", "big"), "m.ply", ""));
+}
+
+// ---- what else a vertex has ------------------------------------------------------------------------------------------------
+
+namespace {
+
+const std::string with_colors =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty uchar red\nproperty float x\nproperty float y\nproperty float z\n"
+    "property float quality\nproperty list uchar int ring\nproperty float ny\nproperty int id\nproperty double deep\n"
+    "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0 0 0.1 1 7 0 -1 1e-310\n255 1 0 0 nan 0 9 2147483647 0.1\n7 0 1 0 -inf 2 1 2 0 -2147483648 +3\n8 0 0 1 5 0 0 4 -0\n"
+    "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+/// Bits, so that NaN is NaN.
+void expect_same_columns(const std::vector<VertexColumn>& a, const std::vector<VertexColumn>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].name, b[i].name);
+        EXPECT_EQ(a[i].type, b[i].type);
+        EXPECT_EQ(std::memcmp(a[i].values.data(), b[i].values.data(), sizeof(double) * 4), 0) << a[i].name;
+    }
+}
+
+}   // namespace
+
+TEST(PlyColumns, AreReadWhereTheyAreAskedFor) {
+    const LoadedMesh read = parse_ply(with_colors, "m.ply", Keep::attributes);
+    expect_tetrahedron(read);
+    const std::vector<VertexColumn>& columns = read.attributes.columns;
+    ASSERT_EQ(columns.size(), 5U) << "of numbers, not of lists";
+    EXPECT_EQ(columns[0].values, (Vector(4) << 0, 255, 7, 8).finished());
+    EXPECT_EQ(columns[1].name, "quality");
+    EXPECT_TRUE(std::isnan(columns[1].values[1]));
+    EXPECT_EQ(columns[3].values, (Vector(4) << -1, 2147483647, -2147483648.0, 4).finished());
+    EXPECT_EQ(columns[4].values, (Vector(4) << 1e-310, 0.1, 3, 0).finished());
+    EXPECT_TRUE(parse_ply(with_colors, "m.ply").attributes.columns.empty());
+}
+
+TEST(PlyColumns, ComeBackBitForBit) {
+    const LoadedMesh read = parse_ply(with_colors, "m.ply", Keep::attributes);
+    std::vector<VertexColumn> columns = read.attributes.columns;
+    for (double& value : columns[1].values) value = static_cast<float>(value);           // 0.1 was no float
+    columns[2].values = vertex_normals(read.mesh).col(1).cast<float>().cast<double>();   // ny: that of the mesh
+    const std::string bytes = encode_mesh(read.mesh, "m.ply", read.attributes);
+    const LoadedMesh again = parse_ply(bytes, "m.ply", Keep::attributes);
+    expect_same_columns(again.attributes.columns, columns);
+    EXPECT_EQ(encode_mesh(again.mesh, "m.ply", again.attributes), bytes);
+    EXPECT_EQ(again.mesh.X, read.mesh.X);
+}
+
+TEST(PlyColumns, NamesAreSuchAsHeadersTake) {
+    const Vector values = Vector::LinSpaced(4, 0, 1);
+    const std::string bytes =
+        encode_mesh(tetrahedron(), "m.ply", {.columns = {{"x", values}, {"a b", values}, {"a_b", values}, {"", values}}});
+    std::string names;
+    for (const VertexColumn& column : parse_ply(bytes, "m.ply", Keep::attributes).attributes.columns) names += column.name + " ";
+    EXPECT_EQ(names, "x_ a_b a_b_ _ ");
+    expect_tetrahedron(parse_ply(bytes, "m.ply"));
+}
+
+TEST(PlyColumns, WhatDoesNotFitItsTypeIsRefusedAtItsLine) {
+    for (const auto& [from, to] : {std::pair{"255 1 0 0", "256 1 0 0"},
+                                   {"255 1 0 0", "-1 1 0 0"},
+                                   {"255 1 0 0", "1.5 1 0 0"},
+                                   {"nan", "five"},
+                                   {"nan", "1e400"},
+                                   {"2147483647", "2147483648"}}) {
+        const std::string text = replaced(with_colors, from, to);
+        EXPECT_THROW(parse_ply(text, "m.ply", Keep::attributes), InputError) << to;
+        try {
+            parse_ply(text, "m.ply", Keep::attributes);
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("m.ply:17: '"), std::string::npos) << error.what();
+        }
+    }
 }

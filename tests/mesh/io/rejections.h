@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
 #include "base/errors.h"
@@ -11,6 +12,13 @@
 #include "mesh/small_meshes.h"
 
 namespace meshfolio::testing {
+
+/// With the first `from` replaced, which must be there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::invalid_argument(from);
+    return text.replace(at, from.size(), to);
+}
 
 /// The message with which `bytes` are refused; "accepted" when they are not.
 inline std::string refusal(const std::string& bytes, const std::string& file) {

@@ -23,7 +23,7 @@ TEST(DamagedValues, AreReadOrRefusedWithTheirLine) {
     for_each_damage("vertex,h\n0,1\n1,-2.5e1\n2,\n3,4\n", [&](const std::string& damaged) {
         write_file(file, damaged);
         try {
-            const Field field = field_from_csv(mesh, file + ":h");
+            const Field field = field_from_file(mesh, file + ":h");
             EXPECT_EQ(field.values.size(), 4);
             EXPECT_FALSE(field.values.array().isInf().any());
             ++taken;
@@ -42,9 +42,9 @@ TEST(DamagedValues, ColumnsAreFoundByTheirWholeName) {
     const testing_tools::TemporaryFolder folder;
     const std::string file = (folder.path() / "v:1.csv").string();   // the last colon parts the column off
     write_file(file, "\xef\xbb\xbfh,hh,\r\n1,5,9\r\n2,6,9\r\n3,,9\r\n4,8,9\r\n");
-    EXPECT_EQ(field_from_csv(mesh, file + ":h").values, Vector((Vector(4) << 1, 2, 3, 4).finished()));
-    EXPECT_TRUE(std::isnan(field_from_csv(mesh, file + ":hh").values[2]));
-    EXPECT_THROW(field_from_csv(mesh, file + ":hhh"), InputError);
-    EXPECT_THROW(field_from_csv(mesh, file + ":"), UsageError);
-    EXPECT_THROW(field_from_csv(mesh, ":h"), UsageError);
+    EXPECT_EQ(field_from_file(mesh, file + ":h").values, Vector((Vector(4) << 1, 2, 3, 4).finished()));
+    EXPECT_TRUE(std::isnan(field_from_file(mesh, file + ":hh").values[2]));
+    EXPECT_THROW(field_from_file(mesh, file + ":hhh"), InputError);
+    EXPECT_THROW(field_from_file(mesh, file + ":"), UsageError);
+    EXPECT_THROW(field_from_file(mesh, ":h"), UsageError);
 }

@@ -36,7 +36,7 @@ TEST(OneMesh, HasAColumnForEachCurvatureAskedFor) {
     const PreparedMesh mesh = prepared_tetrahedron();
     const auto names = [&](OperatorKind kind, bool with_jets) {
         std::set<std::string> found;
-        for (const NamedColumn& column : curvature_columns(mesh, AreaForm::barycentric, kind, with_jets)) {
+        for (const VertexColumn& column : curvature_columns(mesh, AreaForm::barycentric, kind, with_jets)) {
             found.insert(column.name);
             EXPECT_EQ(column.values.size(), 4) << column.name;
         }

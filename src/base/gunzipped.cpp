@@ -1,0 +1,53 @@
+#include "base/gunzipped.h"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// A member's last four bytes are its size; of several members that of the last one, which is a guess for the others.
+std::size_t size_at_end(std::string_view bytes) {
+    std::size_t size = 0;
+    for (std::size_t i = 1; i <= 4 && i <= bytes.size(); ++i) size = size << 8 | static_cast<unsigned char>(bytes[bytes.size() - i]);
+    return size;
+}
+
+}   // namespace
+
+std::string gunzipped(std::string_view bytes, const std::string& file) {
+    const std::size_t most = std::min<std::size_t>(largest_file, 300 * bytes.size() + (1 << 20));
+    const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> unpacker(libdeflate_alloc_decompressor(),
+                                                                                                     &libdeflate_free_decompressor);
+    std::string text;
+    std::size_t have = 0, room = size_at_end(bytes) + 1;
+    while (!bytes.empty()) {
+        room = std::min(room, most - have);
+        text.resize(have + room);
+        std::size_t taken = 0, made = 0;
+        const libdeflate_result result =
+            libdeflate_gzip_decompress_ex(unpacker.get(), bytes.data(), bytes.size(), text.data() + have, room, &taken, &made);
+        if (result == LIBDEFLATE_SUCCESS) {
+            have += made;
+            bytes.remove_prefix(taken);
+        } else if (result != LIBDEFLATE_INSUFFICIENT_SPACE) {
+            throw InputError({file, 0}, "damaged gzip data", "the file may be cut off");
+        } else if (have + room == most) {
+            throw InputError({file, 0}, "gzip data that unpacks to more than " + std::to_string(most) + " bytes",
+                             "unpack it with gunzip first, if you trust it");
+        } else {
+            room = 2 * room + 64;
+        }
+    }
+    text.resize(have);
+    return text;
+}
+
+}   // namespace meshfolio

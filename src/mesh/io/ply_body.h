@@ -1,0 +1,151 @@
+/// @file
+/// What follows the header of a PLY file, as text or binary: values one after the other, which look alike to the reader of elements.
+#pragma once
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/errors.h"
+#include "base/in_quotes.h"
+#include "base/number_text.h"
+#include "mesh/io/ply_header.h"
+#include "mesh/io/polygon_list.h"
+#include "mesh/io/text_scanner.h"
+
+namespace meshfolio {
+
+class TextBody {
+public:
+    TextBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
+        : lines_(bytes.substr(header.size)), header_lines_(header.lines), file_(file) {}
+
+    long line() const { return header_lines_ + lines_.number(); }
+
+    /// A row is a line.
+    void begin_row(const PlyElement& element) {
+        while (lines_.next()) {
+            rest_ = lines_.line();
+            std::string_view look = rest_;
+            if (!take_word(look).empty()) return;
+        }
+        throw InputError({file_, 0}, "ends early within element " + in_quotes(element.name), "the file may be cut off");
+    }
+
+    void end_row(const PlyElement& element) {
+        if (take_word(rest_).empty()) return;
+        throw InputError(here(), "more values than element " + in_quotes(element.name) + " has", "each row must be one line of its own");
+    }
+
+    double number(ScalarType) { return checked_coordinate(word(), file_, line()); }
+
+    long long integer(ScalarType) {
+        const std::string_view value = word();
+        const std::optional<long long> i = parse_integer(value);
+        if (!i) throw InputError(here(), "bad number " + in_quotes(value), "a whole number belongs here");
+        return *i;
+    }
+
+    /// Of a column: NaN and infinities too, and what does not fit its type is refused.
+    double any_number(ScalarType type) {
+        std::string_view value = word();
+        value.remove_prefix(value.starts_with('+') ? 1 : 0);
+        double x = 0;
+        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), x);
+        const bool fits = with_zero_of(type, [&](auto zero) {
+            using Limits = std::numeric_limits<decltype(zero)>;
+            return !Limits::is_integer || (x >= Limits::lowest() && x <= Limits::max() && x == std::trunc(x));
+        });
+        if (error != std::errc() || end != value.data() + value.size() || !fits) {
+            throw InputError(here(), in_quotes(value) + " is no number of type " + std::string(ply_name_of(type)),
+                             "the header says what belongs here");
+        }
+        return x;
+    }
+
+    void skip(ScalarType, long long times) {
+        for (long long i = 0; i < times; ++i) word();
+    }
+
+    void end(WarningTally& warnings) {
+        while (lines_.next()) {
+            std::string_view line = lines_.line();
+            if (take_word(line).empty()) continue;
+            return warnings.add(this->line(), "text after the last element ignored", "texts after the last element ignored");
+        }
+    }
+
+private:
+    std::string_view word() {
+        const std::string_view value = take_word(rest_);
+        if (value.empty()) throw InputError(here(), "too few values on the line", "the file may be cut off");
+        return value;
+    }
+
+    Location here() const { return {file_, line()}; }
+
+    LineScanner lines_;
+    std::string_view rest_;
+    long header_lines_;
+    const std::string& file_;
+};
+
+class BinaryBody {
+public:
+    BinaryBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
+        : bytes_(bytes),
+          at_(header.size),
+          swap_((header.format == PlyHeader::Format::big_endian) != (std::endian::native == std::endian::big)),
+          file_(file) {}
+
+    long line() const { return 0; }
+    void begin_row(const PlyElement&) {}
+    void end_row(const PlyElement&) {}
+
+    double number(ScalarType type) {
+        return with_zero_of(type, [&](auto zero) { return static_cast<double>(value<decltype(zero)>()); });
+    }
+
+    long long integer(ScalarType type) {
+        return with_zero_of(type, [&](auto zero) { return static_cast<long long>(value<decltype(zero)>()); });
+    }
+
+    double any_number(ScalarType type) { return number(type); }
+
+    void skip(ScalarType type, long long times) {
+        // `times` comes from a list length of at most 32 bits: the product cannot overflow.
+        const auto bytes = static_cast<std::size_t>(times) * size_of(type);
+        need(bytes);
+        at_ += bytes;
+    }
+
+    void end(WarningTally& warnings) const {
+        if (at_ == bytes_.size()) return;
+        const char* const message = "bytes after the last element ignored";
+        warnings.add(0, message, message, std::to_string(bytes_.size() - at_));
+    }
+
+private:
+    void need(std::size_t bytes) const {
+        if (bytes_.size() - at_ >= bytes) return;
+        throw InputError({file_, 0}, "ends early (byte " + std::to_string(bytes_.size()) + ")", "the file may be cut off");
+    }
+
+    template <class T>
+    T value() {
+        need(sizeof(T));
+        at_ += sizeof(T);
+        return value_at<T>(bytes_.data() + at_ - sizeof(T), swap_);
+    }
+
+    std::string_view bytes_;
+    std::size_t at_;
+    bool swap_;
+    const std::string& file_;
+};
+
+}   // namespace meshfolio

@@ -1,0 +1,222 @@
+// VTK's PolyData in each of the ways that VTK and ParaView write it.
+#include <gtest/gtest.h>
+#include <libdeflate.h>
+
+#include <cstdint>
+
+#include "damaged_bytes.h"
+#include "mesh/io/append_bytes.h"
+#include "mesh/io/mesh_files.h"
+#include "mesh/io/rejections.h"
+#include "mesh/small_meshes.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing;
+
+namespace {
+
+std::string base64_of(const std::string& bytes) {
+    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t bits = 0;
+        for (std::size_t k = i; k < i + 3; ++k) bits = bits << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63];
+    }
+    return text;
+}
+
+std::string zlib_of(const std::string& bytes) {
+    libdeflate_compressor* const compressor = libdeflate_alloc_compressor(6);
+    std::string packed(libdeflate_zlib_compress_bound(compressor, bytes.size()), '\0');
+    packed.resize(libdeflate_zlib_compress(compressor, bytes.data(), bytes.size(), packed.data(), packed.size()));
+    libdeflate_free_compressor(compressor);
+    return packed;
+}
+
+/// How a file holds its arrays.
+struct Form {
+    bool appended, text, packed, long_header, big_endian;
+    std::size_t block = 40;   // bytes that are packed together
+};
+
+class Writer {
+public:
+    explicit Writer(const Form& form) : form_(form) {}
+
+    template <class T>
+    std::string array(const std::string& type, const std::string& name, int components, const std::vector<T>& values) {
+        std::string raw;
+        for (const T value : values) append(raw, value, form_.big_endian);
+        const std::string data = encoded(raw);
+        std::string element =
+            "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + std::to_string(components) + "\" ";
+        if (!form_.appended) return element + "format=\"binary\">\n" + data + "\n</DataArray>\n";
+        element += "format=\"appended\" offset=\"" + std::to_string(appended_.size()) + "\"/>\n";
+        appended_ += data;
+        return element;
+    }
+
+    std::string file(const std::string& pieces) const {
+        return std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"") +
+               (form_.big_endian ? "Big" : "Little") + "Endian\"" + (form_.long_header ? " header_type=\"UInt64\"" : "") +
+               (form_.packed ? " compressor=\"vtkZLibDataCompressor\"" : "") + "><PolyData>\n" + pieces + "</PolyData>\n" +
+               (form_.appended
+                    ? std::string("<AppendedData encoding=\"") + (form_.text ? "base64" : "raw") + "\">\n _" + appended_ + "</AppendedData>"
+                    : "") +
+               "</VTKFile>\n";
+    }
+
+private:
+    void put(std::string& bytes, std::size_t size) const {
+        if (form_.long_header) return append(bytes, std::uint64_t{size}, form_.big_endian);
+        append(bytes, static_cast<std::uint32_t>(size), form_.big_endian);
+    }
+
+    std::string encoded(const std::string& raw) const {
+        const auto written = [&](const std::string& bytes) { return form_.text ? base64_of(bytes) : bytes; };
+        std::string header, data;
+        if (!form_.packed) {
+            put(header, raw.size());
+            return written(header + raw);
+        }
+        const std::size_t blocks = (raw.size() + form_.block - 1) / form_.block;
+        for (const std::size_t number : {blocks, form_.block, raw.size() % form_.block}) put(header, number);
+        for (std::size_t b = 0; b < blocks; ++b) {
+            const std::string packed = zlib_of(raw.substr(b * form_.block, form_.block));
+            put(header, packed.size());
+            data += packed;
+        }
+        return written(header) + written(data);
+    }
+
+    Form form_;
+    std::string appended_;
+};
+
+/// The tetrahedron with a colour, a float and a normal at each vertex.
+std::string vtp(const Form& form) {
+    Writer writer(form);
+    std::string piece =
+        "<Piece NumberOfPoints=\"4\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"4\"><PointData>";
+    piece += writer.array<std::uint8_t>("UInt8", "Colours", 3, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 255});
+    piece += writer.array<float>("Float32", "quality", 1, {0.5F, -1, 2, 1e30F});
+    piece += writer.array<float>("Float32", "Normals", 3, std::vector<float>(12, 1));
+    piece += writer.array<std::int16_t>("Int16", "pair", 2, {0, 1, 2, 3, 4, 5, 6, -7});
+    const TriangleMesh mesh = tetrahedron();
+    piece +=
+        "</PointData><Points>" + writer.array<double>("Float64", "Points", 3, {mesh.X.data(), mesh.X.data() + 12}) + "</Points><Polys>";
+    piece += writer.array<std::int64_t>("Int64", "connectivity", 1, {mesh.F.data(), mesh.F.data() + 12});
+    piece += writer.array<std::int64_t>("Int64", "offsets", 1, {3, 6, 9, 12}) + "</Polys></Piece>\n";
+    return writer.file(piece);
+}
+
+std::vector<Form> all_forms() {
+    std::vector<Form> forms;
+    for (int bits = 0; bits < 32; ++bits) {
+        const Form form{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
+        if (form.appended || form.text) forms.push_back(form);   // raw bytes stand behind the XML only
+    }
+    return forms;
+}
+
+std::string names_of(const std::vector<VertexColumn>& columns) {
+    std::string names;
+    for (const VertexColumn& column : columns) names += column.name + " ";
+    return names;
+}
+
+const std::string ascii =
+    "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\">\n<PolyData><Piece NumberOfPoints=\"4\" NumberOfLines=\"1\">\n"
+    "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0\n 0 1 0 0 0 1</DataArray></Points>\n"
+    "<Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 2 1  0 1 3  0 3 2  1 2 3</DataArray>\n"
+    "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3 6 9 12</DataArray></Polys>\n</Piece></PolyData></VTKFile>\n";
+
+}   // namespace
+
+TEST(Vtp, EveryFormReadsAlike) {
+    for (const Form& form : all_forms()) {
+        const LoadedMesh read = parse_mesh(vtp(form), "m.vtp", Keep::attributes);
+        const std::string which = std::to_string(form.appended) + std::to_string(form.text) + std::to_string(form.packed) +
+                                  std::to_string(form.long_header) + std::to_string(form.big_endian);
+        expect_tetrahedron(read, "", which);
+        const std::vector<VertexColumn>& columns = read.attributes.columns;
+        ASSERT_EQ(names_of(columns), "red green blue quality nx ny nz pair_0 pair_1 ") << which;
+        EXPECT_EQ(columns[2].values, (Vector(4) << 3, 6, 9, 255).finished()) << which;
+        EXPECT_EQ(columns[3].values, (Vector(4) << 0.5, -1, 2, 1e30F).finished()) << which;
+        EXPECT_EQ(columns[8].values, (Vector(4) << 1, 3, 5, -7).finished()) << which;
+        EXPECT_EQ(columns[8].type, ScalarType::int16);
+    }
+    expect_tetrahedron(parse_mesh(ascii, "m.vtp"), "0: points or lines ignored\n");
+    expect_tetrahedron(parse_mesh(ascii, standard_input), "0: points or lines ignored\n");
+}
+
+TEST(Vtp, WhatIsWrittenReadsBackBitForBit) {
+    TriangleMesh mesh = torus(9, 7);
+    mesh.X.row(0) << 0.1, -0.0, 5e-324;
+    mesh.X.row(1) << 1e100, -1e100, 1. / 3;
+    const int n = mesh.vertex_count();
+    const auto bytes_up_to = [&](double most) { return Vector(Vector::LinSpaced(n, 0, most).array().floor()); };
+    std::vector<VertexColumn> columns{{"a & \"b\" <c>", Vector::Random(n)}};
+    for (const char* channel : {"red", "green", "blue", "alpha"}) columns.push_back({channel, bytes_up_to(255), ScalarType::uint8});
+    columns.push_back({"id", -bytes_up_to(2e9), ScalarType::int32});
+    columns.push_back({"hole", Vector::Constant(n, std::nan("")), ScalarType::float32});
+    const std::string bytes = encode_mesh(mesh, "m.vtp", {.columns = columns});
+    const LoadedMesh read = parse_mesh(bytes, "m.vtp", Keep::attributes);
+    EXPECT_EQ(std::memcmp(read.mesh.X.data(), mesh.X.data(), sizeof(double) * 3 * static_cast<std::size_t>(n)), 0);
+    EXPECT_EQ(read.mesh.F, mesh.F);
+    ASSERT_EQ(names_of(read.attributes.columns), names_of(columns));
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+        EXPECT_EQ(read.attributes.columns[i].values, columns[i].values);
+        EXPECT_EQ(read.attributes.columns[i].type, columns[i].type);
+    }
+    EXPECT_TRUE(read.attributes.columns.back().values.array().isNaN().all());
+    EXPECT_EQ(encode_mesh(read.mesh, "m.vtp", read.attributes), bytes);
+}
+
+TEST(Vtp, StripsAndPieces) {
+    const std::string strip = replaced(replaced(ascii, "0 2 1  0 1 3  0 3 2  1 2 3", "0 1 2 3"), "3 6 9 12", "4");
+    std::string strips = replaced(replaced(strip, "<Polys>", "<Strips>"), "</Polys>", "</Strips>");
+    EXPECT_EQ(parse_mesh(strips, "m.vtp").mesh.F, mesh_of({}, {{0, 1, 2}, {2, 1, 3}}).F);
+    EXPECT_EQ(parse_mesh(strip, "m.vtp").mesh.face_count(), 2) << "a polygon of four corners";
+    const std::size_t begin = ascii.find("<Piece"), end = ascii.find("</PolyData>");
+    const std::string twice = ascii.substr(0, end) + ascii.substr(begin, end - begin) + ascii.substr(end);
+    EXPECT_EQ(parse_mesh(twice, "m.vtp").mesh.F, joined(tetrahedron(), tetrahedron()).F);
+}
+
+TEST(Vtp, WhatIsRefusedIsNamed) {
+    EXPECT_TRUE(refused(replaced(ascii, "PolyData><Piece", "UnstructuredGrid><Piece"), "m.vtp", "no XML of VTK"));
+    std::string grid = ascii;
+    for (int i = 0; i < 3; ++i) grid = replaced(grid, "PolyData", "StructuredGrid");
+    EXPECT_TRUE(refused(grid, "m.vtp", "holds 'StructuredGrid', not PolyData"));
+    EXPECT_TRUE(refused(replaced(ascii, "byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order"), "m.vtp",
+                        "packed by 'vtkLZ4DataCompressor'"));
+    EXPECT_TRUE(refused(replaced(ascii, "1 2 3<", "1 2 4<"), "m.vtp", "index 4 out of range (4 points)"));
+    EXPECT_TRUE(refused(replaced(ascii, "1 2 3<", "1 2 -3<"), "m.vtp", "index -3 out of range"));
+    EXPECT_TRUE(refused(replaced(ascii, "1 2 3<", "1 2 1.5<"), "m.vtp", "index 1.5 out of range"));
+    EXPECT_TRUE(refused(replaced(ascii, "3 6 9 12", "3 6 9 13"), "m.vtp", "offsets of cells do not rise"));
+    EXPECT_TRUE(refused(replaced(ascii, "3 6 9 12", "3 6 5 12"), "m.vtp", "offsets of cells do not rise"));
+    EXPECT_TRUE(refused(replaced(ascii, "0 0 0 1", "0 0 1e101 1"), "m.vtp", "beyond 1e100"));
+    EXPECT_TRUE(refused(replaced(ascii, "0 0 0 1", "0 0 x 1"), "m.vtp", "'x' is no number"));
+    EXPECT_TRUE(refused(replaced(ascii, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""), "m.vtp", "4 points where NumberOfPoints is '5'"));
+    EXPECT_TRUE(refused(replaced(ascii, "Float32", "Float16"), "m.vtp", "unknown type"));
+    EXPECT_TRUE(refused(ascii, "m.obj", "looks like VTP, but the name says .obj"));
+    EXPECT_TRUE(refused("<?xml version=\"1.0\"?><svg/>", "m.vtp", "XML text, not a mesh"));
+}
+
+TEST(Vtp, DamageIsAMeshOrOneLine) {
+    for (const Form& form :
+         {Form{true, false, true, false, false}, Form{true, true, true, true, true}, Form{false, true, false, false, false}}) {
+        const std::string bytes = vtp(form);
+        int refusals = 0;
+        testing_tools::for_each_damage(bytes, [&](const std::string& damaged) {
+            try {
+                parse_mesh(damaged, "m.vtp", Keep::attributes);
+            } catch (const InputError& error) {
+                ++refusals;
+                EXPECT_TRUE(testing_tools::is_one_line_about("m.vtp", error.what()));
+            }
+        });
+        EXPECT_GT(refusals, static_cast<int>(bytes.size()));
+    }
+}
