@@ -1,4 +1,6 @@
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 
 #include "base/number_text.h"
@@ -13,7 +15,7 @@ namespace meshfolio::cli {
 namespace {
 
 struct CompareFlags {
-    std::string a, b, csv, html;
+    std::string a, b, csv, ply, html;
     bool json = false;
 };
 
@@ -48,6 +50,21 @@ std::string distance_table(const TriangleMesh& mesh, const Vector& distances) {
     return csv;
 }
 
+/// The PLY of encode_mesh(), whose vertices are three doubles, with a float "distance" more.
+std::string ply_with_distances(const TriangleMesh& mesh, const Vector& distances, const std::string& file) {
+    if (lower_case_ending(file) != ".ply") throw UsageError("--ply writes PLY", "name the file .ply", {file, 0});
+    constexpr std::size_t row = 24;
+    const std::string plain = encode_mesh(mesh, file);
+    const std::size_t faces = plain.find("element face"), body = plain.find("end_header\n") + 11;
+    std::string bytes = plain.substr(0, faces) + "property float distance\n" + plain.substr(faces, body - faces);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        bytes.append(plain, body + row * static_cast<std::size_t>(v), row);
+        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(distances[v]));
+        for (const int shift : {0, 8, 16, 24}) bytes += static_cast<char>(bits >> shift & 0xff);
+    }
+    return bytes + plain.substr(body + row * static_cast<std::size_t>(mesh.vertex_count()));
+}
+
 ExitCode run_compare(const CompareFlags& options) {
     if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
     const PreparedMesh a = load_mesh(options.a);
@@ -57,7 +74,9 @@ ExitCode run_compare(const CompareFlags& options) {
     output::FileGroup files;
     for (const std::string& file : {options.a, options.b}) files.keep(file);
     if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference));
-    if (!options.csv.empty()) print_to(files, options.csv, distance_table(a.mesh, difference.distances.value().a_to_b.of_vertices));
+    const Vector& distances = difference.distances.value().a_to_b.of_vertices;
+    if (!options.ply.empty()) files.add(options.ply, ply_with_distances(a.mesh, distances, options.ply));
+    if (!options.csv.empty()) print_to(files, options.csv, distance_table(a.mesh, distances));
     files.publish();
     if (options.json) {
         print(difference_json(difference));
@@ -76,6 +95,7 @@ Command compare_command(CLI::App& parent) {
     app.required("B", options->b, "the other, with the same triangles or any");
     app.flag("--json", options->json, "for programs");
     app.text("--csv", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
+    app.text("--ply", options->ply, "A, with this distance as a property of its vertices");
     app.text("--html", options->html, "a page of both: pictures by one camera, distances, numbers");
     app.footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] { return run_compare(*options); }};

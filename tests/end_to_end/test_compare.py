@@ -4,6 +4,7 @@ import json
 import os
 import re
 import shutil
+import struct
 import subprocess
 import unittest
 
@@ -60,6 +61,17 @@ class Compare(InFolder):
         self.assertIn('hausdorff', self.succeed('compare', 'tile.obj', 'ground.obj', '--csv', 'd.csv'))
         self.succeed('render', 'tile.obj', '--values', 'd.csv:distance', '--size', '32', '--views', '+z', '--out', 'views')
         self.refuse(2, 'compare', 'tile.obj', 'ground.obj', '--csv', '-', '--json')
+
+    def test_the_mesh_with_its_distances(self):
+        self.succeed('compare', 'tile.obj', 'ground.obj', '--ply', 'tile.ply')
+        with open(self.path('tile.ply'), 'rb') as file:
+            header, body = file.read().split(b'end_header\n', 1)
+        self.assertIn(b'property float distance\n', header)
+        rows = [struct.unpack_from('<dddf', body, 28 * v) for v in range(5)]
+        self.assertEqual([row[3] for row in rows], 5 * [2])
+        self.assertEqual(rows[2][:3], (1, 1, 2))
+        self.assertEqual(self.numbers('tile.obj', 'tile.ply')['max'], 0)   # and it is the same mesh
+        self.refuse(2, 'compare', 'tile.obj', 'ground.obj', '--ply', 'tile.off')
 
     def test_a_page_that_needs_nothing_else(self):
         os.rename(self.path('tile.obj'), self.path('<b>&.obj'))
