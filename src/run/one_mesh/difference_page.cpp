@@ -18,8 +18,6 @@ using namespace report::literals;
 
 namespace {
 
-using nlohmann::json;
-
 constexpr report::Words words("compare");
 constexpr int view_side = 280, jpeg_quality = 85;   // pixels of a view
 
@@ -56,7 +54,7 @@ report::Plot histogram(const SurfaceDistances& distances) {
     return plot;
 }
 
-json line_view(const DifferenceLine& line) {
+nlohmann::json line_view(const DifferenceLine& line) {
     const std::string value = line.is_count ? readable_count(static_cast<long long>(line.value)) : readable(line.value, 6);
     return {{"key", line.key}, {"value", value}, {"meaning", line.meaning}};
 }
@@ -65,15 +63,16 @@ json line_view(const DifferenceLine& line) {
 
 std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference) {
     const SurfaceDistances& distances = difference.distances.value();
-    json lines = json::array();
+    nlohmann::json lines = nlohmann::json::array();
     for (const DifferenceLine& line : difference.lines) lines.push_back(line_view(line));
-    json model{{"a", name_of(a)},
-               {"b", name_of(b)},
-               {"same_triangles", difference.same_triangles},
-               {"lines", lines},
-               {"picture", report::base64(pictures(a, b, distances))},
-               {"has_histogram", distances.hausdorff() > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
-               {"histogram", report::svg_of(histogram(distances))}};
+    nlohmann::json model{
+        {"a", name_of(a)},
+        {"b", name_of(b)},
+        {"same_triangles", difference.same_triangles},
+        {"lines", lines},
+        {"picture", report::base64(pictures(a, b, distances))},
+        {"has_histogram", distances.hausdorff() > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
+        {"histogram", report::svg_of(histogram(distances))}};
     const report::Templates templates;
     report::add_design(model, templates, "compare");
     return report::render(templates, "compare.html", model, report::xml_escape);
