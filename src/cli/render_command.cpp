@@ -122,6 +122,7 @@ ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
     const PreparedMesh a = load_mesh(options.mesh, checks), b = load_mesh(options.pair, checks);
     Field of_a, of_b;
     if (distance) {
+        if (request.colormap.empty()) request.colormap = "pale";   // from 0 on
         const SurfaceDistances distances = surface_distances(a.mesh, b.mesh);
         const double diagonal = bounding_box(a.mesh).diagonal();
         of_a = distance_field(distances.a_to_b, diagonal);
@@ -200,7 +201,7 @@ Command render_command(CLI::App& parent) {
     app.text("--pair", options->pair, "another mesh beside it on one sheet.png, by one camera, at one scale, in one range of colours");
     app.text("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex");
     app.choice("--colormap", options->colormap, colormap_names(),
-               "see meshfolio list; default: diverging for signed values, viridis otherwise");
+               "see meshfolio list; default: diverging for signed values, pale for distances, viridis otherwise");
     app.text("--range", options->range, "lo,hi of the colours; default: robust");
     app.text("--isolines", options->isolines, "lines where the value is a multiple of this");
     app.text("--glb", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");

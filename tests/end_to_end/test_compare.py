@@ -81,7 +81,7 @@ class Compare(InFolder):
                 page = file.read()
             self.assertIn('&lt;b&gt;&amp;.obj', page)
             self.assertNotIn('<b>&', page)
-            self.assertIn("default-src 'none'", page)
+            self.assertIn('content="default-src &#39;none&#39;;', page)
             self.assertEqual(re.findall(r'(?:src|href)="(?!data:|#)([^"]*)', page), [])
             self.assertIn('<code>max_a_to_b</code>', page)
             self.assertEqual('<figure class="plot">' in page, b == 'ground.obj')
@@ -135,7 +135,7 @@ class Action(InFolder):
         subprocess.run(['git', 'init', '--quiet', '--bare', self.path('origin')], check=True)
         self.git('init', '--quiet')
         self.git('remote', 'add', 'origin', self.path('origin'))
-        for name, text in (('changed.obj', TILE), (self.HOSTILE, GROUND), ('gone.obj', BOX), ('moved.obj', BOX), ('same.obj', GROUND)):
+        for name, text in (('changed.obj', TILE), (self.HOSTILE, GROUND), ('gone.obj', 'v 7 8 9\nv 9 8 7\nv 7 7 7\nf 1 2 3\n'), ('moved.obj', BOX), ('same.obj', GROUND)):
             self.write('tree/' + name, text)
         base = self.commit()
         os.remove(self.path('tree/gone.obj'))
@@ -159,7 +159,7 @@ class Action(InFolder):
     def test_every_mesh_that_changed_has_a_row(self):
         summary, outputs = self.compared()
         rows = dict(re.findall(r'^\| `(.*?)` \| (.*?) \|', summary, re.M))
-        self.assertEqual(rows.pop('broken.obj')[:10], 'meshfolio:')
+        self.assertTrue(rows.pop('broken.obj').startswith('`meshfolio: after.obj:1: '))
         self.assertEqual(rows, {'changed.obj': 'changed', 'gone.obj': 'removed', 'new.obj': 'new', 'place.obj': 'changed',
                                 self.HOSTILE.translate({ord(c): '?' for c in '`$()|<>'}): 'changed'})
         self.assertEqual(outputs['changed'], '6')
@@ -206,7 +206,8 @@ class Action(InFolder):
             calls = file.read().splitlines()
         self.assertEqual([call.split(' --field')[0] for call in calls], ['api --silent --method POST repos/o/r/issues/7/comments',
                                                                          'api --silent --method PATCH repos/o/r/issues/comments/12'])
-        self.assertIn('https://h/a', open(self.path('job.md'), encoding='utf-8').read())
+        with open(self.path('job.md'), encoding='utf-8') as file:
+            self.assertIn('https://h/a', file.read())
 
 
 if __name__ == '__main__':

@@ -15,7 +15,7 @@ for commit in "$BASE" "$HEAD"; do
 done
 before=$(git merge-base "$BASE" "$HEAD" 2>/dev/null || echo "$BASE")   # without the history, all that differs
 
-plain() { printf %s "$1" | LC_ALL=C tr -c 'A-Za-z0-9._/ -' '?'; }
+plain() { printf %s "$1" | LC_ALL=C tr -c 'A-Za-z0-9._:/ -' '?'; }
 
 rows=() sheets=() count=0
 # row NAME CELLS…
@@ -26,7 +26,11 @@ row() {
     rows+=("$line")
 }
 # failed NAME FOLDER: the last line that the program said
-failed() { row "$1" "$(plain "$(tail -n 1 "$2/log")")" – – – – –; }
+failed() {
+    local said
+    said=$(tail -n 1 "$2/log")
+    row "$1" "\`$(plain "${said//"$2/"/}")\`" – – – – –
+}
 
 # draw NAME FOLDER MESH…: one mesh, or two as a pair
 draw() {
