@@ -16,7 +16,7 @@ namespace {
 
 struct CompareFlags {
     std::string a, b, csv, ply, html;
-    bool json = false;
+    bool json = false, surfaces = false;
 };
 
 std::string in_words(const std::vector<DifferenceLine>& lines) {
@@ -65,18 +65,26 @@ std::string ply_with_distances(const TriangleMesh& mesh, const Vector& distances
     return bytes + plain.substr(body + row * static_cast<std::size_t>(mesh.vertex_count()));
 }
 
+/// What needs the distances of surfaces.
+void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
+               const Difference& difference) {
+    if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
+    const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh);
+    const Vector& of_vertices = distances.a_to_b.of_vertices;
+    if (!options.ply.empty()) files.add(options.ply, ply_with_distances(a.mesh, of_vertices, options.ply));
+    if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
+    if (!options.csv.empty()) print_to(files, options.csv, distance_table(a.mesh, of_vertices));
+}
+
 ExitCode run_compare(const CompareFlags& options) {
     if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
     const PreparedMesh a = load_mesh(options.a);
     PreparedMesh b = load_mesh(options.b);
     take_triangles_of_file(options, a, b);
-    const Difference difference = about_mesh(options.b, [&] { return difference_of(a.mesh, b.mesh); });
+    const Difference difference = about_mesh(options.b, [&] { return difference_of(a.mesh, b.mesh, options.surfaces); });
     output::FileGroup files;
     for (const std::string& file : {options.a, options.b}) files.keep(file);
-    if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference));
-    const Vector& distances = difference.distances.value().a_to_b.of_vertices;
-    if (!options.ply.empty()) files.add(options.ply, ply_with_distances(a.mesh, distances, options.ply));
-    if (!options.csv.empty()) print_to(files, options.csv, distance_table(a.mesh, distances));
+    add_files(files, options, a, b, difference);
     files.publish();
     if (options.json) {
         print(difference_json(difference));
@@ -93,6 +101,7 @@ Command compare_command(CLI::App& parent) {
     CommandOptions app(parent, "compare", "Distances, normals, areas and volumes of two meshes, in model units");
     app.required("A", options->a, "the reference");
     app.required("B", options->b, "the other, with the same triangles or any");
+    app.flag("--surfaces", options->surfaces, "from surface to surface also where the triangles are the same and vertices correspond");
     app.flag("--json", options->json, "for programs");
     app.text("--csv", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
     app.text("--ply", options->ply, "A, with this distance as a property of its vertices");

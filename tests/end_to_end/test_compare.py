@@ -27,18 +27,19 @@ class Compare(InFolder):
         self.write('ground.obj', GROUND)
         self.write('tile.obj', TILE)
 
-    def numbers(self, a, b):
-        return json.loads(self.succeed('compare', a, b, '--json'))
+    def numbers(self, a, b, *options):
+        return json.loads(self.succeed('compare', a, b, '--json', *options))
 
     def test_keys_of_both_kinds(self):
         self.succeed('noise', self.sample('cube8'), '-o', 'noisy.obj', '--sigma', '0.01')
         same, other = self.numbers('cube8.obj', 'noisy.obj'), self.numbers('tile.obj', 'ground.obj')
-        for facts in (same, other):
-            self.assertLessEqual({*SAME, *ONE_SIDED, 'box_diagonal', 'same_triangles', 'histogram'}, facts.keys())
-        self.assertEqual(list(same)[:6], SAME)
+        surfaces = self.numbers('cube8.obj', 'noisy.obj', '--surfaces')
+        for facts in (other, surfaces):
+            self.assertEqual(list(facts), [*SAME, 'box_diagonal', *ONE_SIDED, 'same_triangles', 'histogram'])
+        self.assertEqual(list(same), [*SAME, 'area_weighted_rms', 'mean_squared_normal_angle_deg2', 'box_diagonal', 'inverted_faces',
+                                      'same_triangles'])
         self.assertIsInstance(same['inverted_faces'], int)
-        self.assertEqual((same['same_triangles'], other['same_triangles']), (True, False))
-        self.assertNotIn('inverted_faces', other)
+        self.assertEqual([facts['same_triangles'] for facts in (same, other, surfaces)], [True, False, True])
 
     def test_a_tile_above_the_ground(self):
         facts = self.numbers('tile.obj', 'ground.obj')

@@ -38,7 +38,8 @@ double volume_of(const TriangleMesh& mesh) {
 }
 
 std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistances& d) {
-    const auto larger = [&](double DistancesTo::*value) { return std::fmax(d.a_to_b.*value, d.b_to_a.*value); };
+    const DistancesTo &to_b = d.a_to_b, &to_a = d.b_to_a;
+    const auto larger = [&](double DistancesTo::*value) { return std::fmax(to_b.*value, to_a.*value); };
     return {
         {"rms", larger(&DistancesTo::rms), "distance to the other surface, the larger of both ways"},
         {"max", d.hausdorff(), "the same"},
@@ -46,29 +47,24 @@ std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const Trian
         {"mean_normal_angle_deg", degrees * larger(&DistancesTo::mean_normal_angle), "to the nearest triangle, the larger of both ways"},
         {"volume_ratio", volume_of(b) / volume_of(a), "B over A, of closed ones"},
         {"area_ratio", surface_area(b) / surface_area(a), "B over A"},
-        {"box_diagonal", bounding_box(a).diagonal(), "of A"}};
-}
-
-void add_lines_each_way(std::vector<DifferenceLine>& lines, const SurfaceDistances& d) {
-    const DistancesTo &to_b = d.a_to_b, &to_a = d.b_to_a;
-    lines.insert(lines.end(), {{"rms_a_to_b", to_b.rms, "from the area of A to the surface of B"},
-                               {"rms_b_to_a", to_a.rms, "and back"},
-                               {"mean_a_to_b", to_b.mean, "over the area of A"},
-                               {"mean_b_to_a", to_a.mean, "over the area of B"},
-                               {"max_a_to_b", to_b.max, "of vertices and inner points"},
-                               {"max_b_to_a", to_a.max, "and back"},
-                               {"normal_angle_a_to_b_deg", degrees * to_b.mean_normal_angle, "to the nearest triangle, mean over the area"},
-                               {"normal_angle_b_to_a_deg", degrees * to_a.mean_normal_angle, "and back"}});
+        {"box_diagonal", bounding_box(a).diagonal(), "of A"},
+        {"rms_a_to_b", to_b.rms, "from the area of A to the surface of B"},
+        {"rms_b_to_a", to_a.rms, "and back"},
+        {"mean_a_to_b", to_b.mean, "over the area of A"},
+        {"mean_b_to_a", to_a.mean, "over the area of B"},
+        {"max_a_to_b", to_b.max, "of vertices and inner points"},
+        {"max_b_to_a", to_a.max, "and back"},
+        {"normal_angle_a_to_b_deg", degrees * to_b.mean_normal_angle, "to the nearest triangle, mean over the area"},
+        {"normal_angle_b_to_a_deg", degrees * to_a.mean_normal_angle, "and back"}};
 }
 
 }   // namespace
 
-Difference difference_of(const TriangleMesh& a, const TriangleMesh& b) {
+Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces) {
     Difference difference;
     difference.same_triangles = a.vertex_count() == b.vertex_count() && a.face_count() == b.face_count() && a.F == b.F;
-    if (!difference.same_triangles || a.face_count() > 0) difference.distances = surface_distances(a, b);
-    difference.lines = difference.same_triangles ? lines_of_same_triangles(a, b) : lines_of_surfaces(a, b, *difference.distances);
-    if (difference.distances) add_lines_each_way(difference.lines, *difference.distances);
+    if (!difference.same_triangles || as_surfaces) difference.distances = surface_distances(a, b);
+    difference.lines = difference.distances ? lines_of_surfaces(a, b, *difference.distances) : lines_of_same_triangles(a, b);
     return difference;
 }
 

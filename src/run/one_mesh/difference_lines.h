@@ -21,14 +21,15 @@ struct DifferenceLine {
 struct Difference {
     bool same_triangles = false;
     std::vector<DifferenceLine> lines;
-    std::optional<SurfaceDistances> distances;   // nothing where there is no triangle
+    std::optional<SurfaceDistances> distances;   // where they are compared as surfaces
 };
 
-/// b measured against a: vertex by vertex and face by face where they have the same triangles, and in any case as two surfaces.
-/// @throws MeshError if one of them alone has no triangle
-Difference difference_of(const TriangleMesh& a, const TriangleMesh& b);
+/// b measured against a: vertex by vertex and face by face where they have the same triangles, as two surfaces where not.
+/// @param as_surfaces  in any case
+/// @throws MeshError if a surface has no triangle
+Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces = false);
 
-/// The object that `compare --json` prints: the lines, and the shares of both areas at distances in equal bins.
+/// The object that `compare --json` prints: the lines, and of surfaces the shares of both areas at distances in equal bins.
 std::string difference_json(const Difference& difference);
 
 /// How far each vertex is from the other surface, to be drawn. @param diagonal  of the box of one of them

@@ -61,14 +61,13 @@ nlohmann::json line_view(const DifferenceLine& line) {
 
 }   // namespace
 
-std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference) {
-    const SurfaceDistances& distances = difference.distances.value();
+std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances) {
     nlohmann::json lines = nlohmann::json::array();
     for (const DifferenceLine& line : difference.lines) lines.push_back(line_view(line));
     nlohmann::json model{
         {"a", name_of(a)},
         {"b", name_of(b)},
-        {"same_triangles", difference.same_triangles},
+        {"by_vertices", !difference.distances.has_value()},
         {"lines", lines},
         {"picture", report::base64(pictures(a, b, distances))},
         {"has_histogram", distances.hausdorff() > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},

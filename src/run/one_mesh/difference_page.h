@@ -8,7 +8,6 @@
 
 namespace meshfolio::run {
 
-/// @param difference  of a and b, with distances
-std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference);
+std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances);
 
 }   // namespace meshfolio::run

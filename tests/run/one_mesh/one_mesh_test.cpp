@@ -43,7 +43,12 @@ TEST(OneMesh, DiffersFromAnotherAsItDidWhereTheirTrianglesAreTheSame) {
     EXPECT_EQ(json.at("hausdorff"), hausdorff_distance(a, b));
     EXPECT_EQ(json.at("volume_ratio"), by_vertices.volume_ratio);
     EXPECT_EQ(json.at("same_triangles"), true);
-    EXPECT_EQ(json.at("histogram").at("a_to_b").size(), distance_bins);
+    EXPECT_FALSE(json.contains("rms_a_to_b"));
+    const auto surfaces = nlohmann::json::parse(difference_json(difference_of(a, b, true)));
+    EXPECT_EQ(surfaces.at("same_triangles"), true);
+    EXPECT_EQ(surfaces.at("histogram").at("a_to_b").size(), distance_bins);
+    EXPECT_GE(surfaces.at("hausdorff").get<double>(), json.at("hausdorff").get<double>() * (1 - 1e-14));
+    EXPECT_LT(surfaces.at("rms").get<double>(), json.at("rms").get<double>());
 }
 
 TEST(OneMesh, DiffersFromASurfaceWithOtherTriangles) {
