@@ -29,7 +29,7 @@ struct Grid {
 
     explicit Grid(const ContactSheet& sheet) {
         const int count = static_cast<int>(sheet.pictures.size());
-        columns = count == 4 ? 2 : std::clamp(count, 1, 3);
+        columns = sheet.columns > 0 ? sheet.columns : count == 4 ? 2 : std::clamp(count, 1, 3);
         if (count > 0) {
             const double width = sheet.pictures[0].width, height = sheet.pictures[0].height;
             const double scale = sheet.cell > 0 ? std::min(1.0, sheet.cell / std::max(width, height)) : 1.0;
@@ -49,7 +49,7 @@ struct Grid {
 std::size_t place_of(const ContactSheet& sheet, std::size_t picture) {
     static constexpr std::array<std::string_view, 6> order{"+x", "+y", "+z", "-x", "-y", "-z"};
     const std::vector<std::string>& names = sheet.view_names;
-    if (sheet.pictures.size() != order.size() || names.size() != order.size() ||
+    if (sheet.columns > 0 || sheet.pictures.size() != order.size() || names.size() != order.size() ||
         !std::is_permutation(order.begin(), order.end(), names.begin()))
         return picture;
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), names[picture]) - order.begin());

@@ -32,7 +32,8 @@ struct ContactSheet {
     std::vector<std::string> view_names = {};
     std::vector<Image> pictures = {};   // one a view, all of one size
     std::optional<ColorBar> color_bar = {};
-    int cell = 0;   // pixels of one view in the sheet; 0: as the pictures are
+    int cell = 0;      // pixels of one view in the sheet; 0: as the pictures are
+    int columns = 0;   // views in a line, in their own order; 0: as above
     Rgba background{255, 255, 255, 255};
 };
 

@@ -1,24 +1,23 @@
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "mesh/io/mesh_files.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
+#include "run/one_mesh/difference_page.h"
 
 namespace meshfolio::cli {
 
 namespace {
 
-std::string as_json(const std::vector<DifferenceLine>& lines) {
-    nlohmann::ordered_json json;
-    for (const DifferenceLine& line : lines)
-        json[line.key] = std::isfinite(line.value) ? nlohmann::ordered_json(line.value) : nlohmann::ordered_json();
-    json["inverted_faces"] = static_cast<int>(lines.back().value);
-    return json.dump(2) + "\n";
-}
+struct CompareFlags {
+    std::string a, b, csv, ply, html;
+    bool json = false, surfaces = false;
+};
 
 std::string in_words(const std::vector<DifferenceLine>& lines) {
     std::string text;
@@ -33,34 +32,82 @@ std::string in_words(const std::vector<DifferenceLine>& lines) {
 
 /// Repairs may turn the triangles of one mesh and not of the other (a smoothed surface can end inside out): when the files agree on the
 /// triangles, those of A count for both.
-std::vector<DifferenceLine> difference_of(const std::string& a, const std::string& b) {
-    const TriangleMesh reference = load_mesh(a).mesh, other = load_mesh(b).mesh;
+void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, PreparedMesh& b) {
     const auto same_triangles = [](const TriangleMesh& p, const TriangleMesh& q) {
         return p.vertex_count() == q.vertex_count() && p.face_count() == q.face_count() && p.F == q.F;
     };
-    if (!same_triangles(reference, other) && same_triangles(read_mesh(a).mesh, read_mesh(b).mesh))
-        return difference_lines(reference, moved_to(reference, other.X));
-    return difference_lines(reference, other);
+    if (a.mesh.vertex_count() != b.mesh.vertex_count() || same_triangles(a.mesh, b.mesh)) return;
+    if (same_triangles(read_mesh(options.a).mesh, read_mesh(options.b).mesh)) b.mesh.F = a.mesh.F;
+}
+
+std::string distance_table(const TriangleMesh& mesh, const Vector& distances) {
+    std::string csv = "vertex,x,y,z,distance\n";
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        csv += std::to_string(v);
+        for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(mesh.X(v, axis));
+        csv += ',' + exact_text(distances[v]) + '\n';
+    }
+    return csv;
+}
+
+/// The PLY of encode_mesh(), whose vertices are three doubles, with a float "distance" more.
+std::string ply_with_distances(const TriangleMesh& mesh, const Vector& distances, const std::string& file) {
+    if (lower_case_ending(file) != ".ply") throw UsageError("--ply writes PLY", "name the file .ply", {file, 0});
+    constexpr std::size_t row = 24;
+    const std::string plain = encode_mesh(mesh, file);
+    const std::size_t faces = plain.find("element face"), body = plain.find("end_header\n") + 11;
+    std::string bytes = plain.substr(0, faces) + "property float distance\n" + plain.substr(faces, body - faces);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        bytes.append(plain, body + row * static_cast<std::size_t>(v), row);
+        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(distances[v]));
+        for (const int shift : {0, 8, 16, 24}) bytes += static_cast<char>(bits >> shift & 0xff);
+    }
+    return bytes + plain.substr(body + row * static_cast<std::size_t>(mesh.vertex_count()));
+}
+
+/// What needs the distances of surfaces.
+void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
+               const Difference& difference) {
+    if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
+    const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh);
+    const Vector& of_vertices = distances.a_to_b.of_vertices;
+    if (!options.ply.empty()) files.add(options.ply, ply_with_distances(a.mesh, of_vertices, options.ply));
+    if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
+    if (!options.csv.empty()) print_to(files, options.csv, distance_table(a.mesh, of_vertices));
+}
+
+ExitCode run_compare(const CompareFlags& options) {
+    if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
+    const PreparedMesh a = load_mesh(options.a);
+    PreparedMesh b = load_mesh(options.b);
+    take_triangles_of_file(options, a, b);
+    const Difference difference = about_mesh(options.b, [&] { return difference_of(a.mesh, b.mesh, options.surfaces); });
+    output::FileGroup files;
+    for (const std::string& file : {options.a, options.b}) files.keep(file);
+    add_files(files, options, a, b, difference);
+    files.publish();
+    if (options.json) {
+        print(difference_json(difference));
+    } else if (options.csv != "-") {
+        print(in_words(difference.lines));
+    }
+    return ExitCode::ok;
 }
 
 }   // namespace
 
 Command compare_command(CLI::App& parent) {
-    struct Options {
-        std::string a, b;
-        bool json = false;
-    };
-    const auto options = std::make_shared<Options>();
-    CommandOptions app(parent, "compare", "Errors between two meshes with the same triangles, in model units");
+    const auto options = std::make_shared<CompareFlags>();
+    CommandOptions app(parent, "compare", "Distances, normals, areas and volumes of two meshes, in model units");
     app.required("A", options->a, "the reference");
-    app.required("B", options->b, "the other");
+    app.required("B", options->b, "the other, with the same triangles or any");
+    app.flag("--surfaces", options->surfaces, "from surface to surface also where the triangles are the same and vertices correspond");
     app.flag("--json", options->json, "for programs");
+    app.text("--csv", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
+    app.text("--ply", options->ply, "A, with this distance as a property of its vertices");
+    app.text("--html", options->html, "a page of both: pictures by one camera, distances, numbers");
     app.footer("Example: meshfolio compare clean.ply denoised.ply --json");
-    return {app, [options] {
-                const std::vector<DifferenceLine> lines = about_mesh(options->b, [&] { return difference_of(options->a, options->b); });
-                print(options->json ? as_json(lines) : in_words(lines));
-                return ExitCode::ok;
-            }};
+    return {app, [options] { return run_compare(*options); }};
 }
 
 }   // namespace meshfolio::cli

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "draw_mesh.h"
 #include "mesh/io/mesh_files.h"
+#include "mesh/triangle_measures.h"
 #include "output/draw/finished_picture.h"
 #include "output/draw/surface_of.h"
 #include "output/draw/write_glb.h"
@@ -18,6 +19,7 @@
 #include "png/png.h"
 #include "run/arguments.h"
 #include "run/console.h"
+#include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/mesh_pictures.h"
 #include "run/settings/setting_list.h"
 
@@ -27,7 +29,7 @@ namespace {
 
 struct RenderFlags {
     std::string mesh, out, names = "sign", size = "1024", views, field = "none", values, colormap, range;
-    std::string isolines, glb;
+    std::string isolines, glb, pair;
     bool edges = false, plain = false, transparent = false;
 };
 
@@ -111,6 +113,38 @@ bool show_something(const std::vector<render::Image>& pictures, render::Rgba bac
     });
 }
 
+/// Two meshes on one sheet: the same field of both, or how far each is from the other.
+ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
+    if (options.plain || options.field == "id" || !options.values.empty() || !options.glb.empty())
+        throw UsageError("--pair goes with none of --plain, --field id, --values and --glb", "render each mesh by itself");
+    if (!options.isolines.empty() && options.field == "none") throw UsageError("--isolines needs values", "take --field with it");
+    const bool distance = options.field == "distance";
+    const Checks checks = distance ? Checks::for_pictures : checks_for(options.field);
+    const PreparedMesh a = load_mesh(options.mesh, checks), b = load_mesh(options.pair, checks);
+    Field of_a, of_b;
+    if (distance) {
+        if (request.colormap.empty()) request.colormap = "pale";   // from 0 on
+        const SurfaceDistances distances = surface_distances(a.mesh, b.mesh);
+        const double diagonal = bounding_box(a.mesh).diagonal();
+        of_a = distance_field(distances.a_to_b, diagonal);
+        of_b = distance_field(distances.b_to_a, diagonal);
+    } else {
+        of_a = field_of(a, options.field);
+        of_b = field_of(b, options.field);
+    }
+    const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+    request.title = name_of(options.mesh) + ", " + name_of(options.pair);
+    const std::filesystem::path folder =
+        options.out.empty() ? std::filesystem::path(options.mesh).stem() : std::filesystem::path(options.out);
+    output::FileGroup files;
+    for (const std::string& file : {options.mesh, options.pair}) files.keep(file);
+    output::make_folder(folder);
+    files.add(folder / "sheet.png", render::encode_png(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet)));
+    files.publish();
+    print_path(folder / "sheet.png");
+    return ExitCode::ok;
+}
+
 ExitCode run_render(const RenderFlags& options) {
     const render::DrawOptions given = draw_options(options);
     const std::vector<render::View> views = views_named(options.views);
@@ -120,6 +154,8 @@ ExitCode run_render(const RenderFlags& options) {
     if (!options.range.empty()) range = value_limits_in(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
     if (options.mesh == "-" && options.out.empty()) throw UsageError("render - needs --out DIR", "the mesh has no name for a folder");
+    if (!options.pair.empty()) return run_pair(options, {.draw = given, .views = views, .colormap = options.colormap, .range = range});
+    if (options.field == "distance") throw UsageError("--field distance needs another mesh", "name it with --pair");
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id")) {
         throw UsageError("--isolines needs values", "take --field or --values with it");
@@ -159,17 +195,23 @@ Command render_command(CLI::App& parent) {
     app.choice("--names", options->names, {"sign", "word"}, "of the pictures: +x.png, or x-pos.png");
     app.text("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
     app.text("--size", options->size, "pixels of one view: N or WxH");
-    app.choice("--field", options->field, field_names(), "what is drawn in colours; h-… is the mean curvature by that operator");
+    std::vector<std::string> fields = field_names();
+    fields.emplace_back("distance");
+    app.choice("--field", options->field, fields,
+               "what is drawn in colours; h-… is the mean curvature by that operator, distance that to the surface of --pair");
+    app.text("--pair", options->pair, "another mesh beside it on one sheet.png, by one camera, at one scale, in one range of colours");
     app.text("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex, or of a mesh, FILE.ply:PROPERTY");
     app.choice("--colormap", options->colormap, colormap_names(),
-               "see meshfolio list; default: diverging for signed values, viridis otherwise");
+               "see meshfolio list; default: diverging for signed values, pale for distances, viridis otherwise");
     app.text("--range", options->range, "lo,hi of the colours; default: robust");
     app.text("--isolines", options->isolines, "lines where the value is a multiple of this");
     app.text("--glb", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
     app.flag("--edges", options->edges, "draw triangle edges");
     app.flag("--transparent", options->transparent, "no ground behind the surface");
     app.flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");
-    app.footer("Example: meshfolio render bunny.off --field h-cotan --range -20,20 --views +z,-z --out views");
+    app.footer(
+        "Example: meshfolio render bunny.off --field h-cotan --range -20,20 --views +z,-z --out views\n"
+        "         meshfolio render before.ply --pair after.ply --field distance --out pair");
     return {app, [options] { return run_render(*options); }};
 }
 

@@ -115,13 +115,17 @@ Mesh noise(const Mesh& mesh, double sigma, std::uint64_t seed, const std::string
     return moved_to(*mesh.prepared, with_gaussian_noise(mesh.triangles().X, sigma * scale, seed));
 }
 
-py::dict compare(const Mesh& a, const Mesh& b) {
-    const auto lines =
-        interruptible([of = a.prepared, with = b.prepared](const Stop&) { return run::difference_lines(of->mesh, with->mesh); });
+py::dict compare(const Mesh& a, const Mesh& b, bool surfaces) {
+    const auto lines = interruptible(
+        [=, of = a.prepared, to = b.prepared](const Stop&) { return run::difference_of(of->mesh, to->mesh, surfaces).lines; });
     py::dict numbers;
-    for (const run::DifferenceLine& line : lines) numbers[line.key] = line.value;
-    numbers[lines.back().key] = static_cast<int>(lines.back().value);
+    for (const run::DifferenceLine& line : lines)
+        numbers[line.key] = line.is_count ? py::object(py::int_(static_cast<int>(line.value))) : py::object(py::float_(line.value));
     return numbers;
+}
+
+Vector distances(const Mesh& a, const Mesh& b) {
+    return interruptible([of = a.prepared, to = b.prepared](const Stop&) { return vertex_distances(of->mesh, to->mesh); });
 }
 
 py::object inspect(const Mesh& mesh, const std::string& laplacian) {
@@ -241,9 +245,12 @@ PYBIND11_MODULE(_core, m) {
           "step) or h2 (mean edge squared); default: half the largest stable one. SolverError when it blows up.");
     m.def("noise", &noise, "mesh"_a, "sigma"_a, py::kw_only(), "seed"_a = 1, "unit"_a = "raw",
           "Seeded Gaussian noise of standard deviation sigma per coordinate: raw [length], or bbox, a share of each extent.");
-    m.def("compare", &compare, "a"_a, "b"_a,
-          "A dict of errors of b against a, which has the same faces: rms, max, hausdorff [length], mean_normal_angle_deg, volume_ratio,\n"
-          "area_ratio and more.");
+    m.def("compare", &compare, "a"_a, "b"_a, py::kw_only(), "surfaces"_a = false,
+          "A dict of errors of b against a: rms, max, hausdorff [length], mean_normal_angle_deg, volume_ratio, area_ratio and more. Vertex "
+          "by\n"
+          "vertex where both have the same faces, else, or if surfaces is true, from surface to surface.");
+    m.def("distances", &distances, "a"_a, "b"_a,
+          "n float64: the distance of every vertex of a to the surface of b, NaN where no face uses the vertex [length].");
     m.def("inspect", &inspect, "mesh"_a, py::kw_only(), "operator"_a = "cotan",
           "A dict: counts, defects, Gauss-Bonnet, lambda_crit [length^2] and its proof, None where not defined; as `inspect --json`.");
     m.def("draw", &draw, "mesh"_a, "field"_a, "values"_a, "label"_a, "views"_a, "size"_a, "colormap"_a, "range"_a, "isolines"_a, "edges"_a,

@@ -105,7 +105,6 @@ class Errors(unittest.TestCase):
             (meshfolio.MeshError, ValueError, "vertex 0", lambda: meshfolio.Mesh(mesh.vertices * np.nan, mesh.faces)),
             (meshfolio.MeshError, ValueError, "integers", lambda: meshfolio.Mesh(mesh.vertices, mesh.faces * 1.0)),
             (meshfolio.MeshError, ValueError, "values", lambda: meshfolio.render(mesh, values=[1.0])),
-            (meshfolio.MeshError, ValueError, "", lambda: meshfolio.compare(mesh, meshfolio.sample("cube"))),
             (meshfolio.OutputError, OSError, "nowhere", lambda: meshfolio.save(mesh, "/nowhere/at/all.ply")),
             (meshfolio.UsageError, ValueError, "mesh.txt", lambda: meshfolio.save(mesh, "mesh.txt")),
         ):
@@ -197,6 +196,15 @@ class Numbers(unittest.TestCase):
         self.assertEqual(difference["max"], distances.max())
         self.assertLessEqual(difference["hausdorff"], difference["max"])
         self.assertIsInstance(difference["inverted_faces"], int)
+
+    def test_surfaces_with_other_faces_are_as_far_apart_as_their_planes(self):
+        ramp = meshfolio.Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        ground = meshfolio.Mesh([[-9, -9, -3], [9, -9, -3], [9, 9, -3], [-9, 9, -3], [0, 0, 7]], [[0, 1, 2], [0, 2, 3]])
+        np.testing.assert_allclose(meshfolio.distances(ramp, ground), [3, 3, 3], rtol=1e-14)
+        self.assertTrue(np.isnan(meshfolio.distances(ground, ramp)[4]))
+        difference = meshfolio.compare(ramp, ground)
+        self.assertAlmostEqual(difference["rms_a_to_b"], 3, delta=1e-12)
+        self.assertNotIn("inverted_faces", difference)
 
 
 class Pictures(unittest.TestCase):

@@ -108,8 +108,8 @@ ClosestPoint::ClosestPoint(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     }
 }
 
-double ClosestPoint::squared_distance(const Vector3& p, double known_bound, double enough) const {
-    double nearest = known_bound;
+ClosestPoint::Nearest ClosestPoint::nearest(const Vector3& p, double known_bound, double enough) const {
+    Nearest nearest{known_bound, -1};
     struct Visit {
         double distance;   // squared, to the box
         std::size_t level;
@@ -118,12 +118,15 @@ double ClosestPoint::squared_distance(const Vector3& p, double known_bound, doub
     std::array<Visit, 128> pending;   // seven remain of each level, and 2³¹ triangles make eleven
     std::size_t size = 0;
     pending[size++] = {levels_.back()[0].squared_distance(p), levels_.size() - 1, 0};
-    while (size > 0 && nearest > enough) {
+    while (size > 0 && nearest.squared_distance > enough) {
         const Visit visit = pending[--size];
-        if (visit.distance >= nearest) continue;
+        if (visit.distance >= nearest.squared_distance) continue;
         if (visit.level == 0) {
             const int first = visit.box * triangles_in_a_leaf, last = std::min(first + triangles_in_a_leaf, mesh_.face_count());
-            for (int t = first; t < last; ++t) nearest = std::min(nearest, to_triangle(p, t, nearest));
+            for (int t = first; t < last; ++t) {
+                const double distance = to_triangle(p, t, nearest.squared_distance);
+                if (distance < nearest.squared_distance) nearest = {distance, t};
+            }
             continue;
         }
         const std::vector<Box>& below = levels_[visit.level - 1];
@@ -131,7 +134,7 @@ double ClosestPoint::squared_distance(const Vector3& p, double known_bound, doub
         const std::size_t farthest = size;
         for (int i = first; i < last; ++i) {
             const Visit next{below[static_cast<std::size_t>(i)].squared_distance(p), visit.level - 1, i};
-            if (next.distance >= nearest) continue;
+            if (next.distance >= nearest.squared_distance) continue;
             std::size_t place = size++;
             for (; place > farthest && pending[place - 1].distance < next.distance; --place) pending[place] = pending[place - 1];
             pending[place] = next;

@@ -22,7 +22,18 @@ public:
 
     /// min(squared distance from p to the surface, `known_bound`). As soon as the result is sure to be `enough` or less,
     /// the search may stop with any value ≤ `enough` that is not below the true one. [length²]
-    double squared_distance(const Vector3& p, double known_bound = std::numeric_limits<double>::infinity(), double enough = 0) const;
+    double squared_distance(const Vector3& p, double known_bound = std::numeric_limits<double>::infinity(), double enough = 0) const {
+        return nearest(p, known_bound, enough).squared_distance;
+    }
+    /// The same, and where.
+    struct Nearest {
+        double squared_distance;   // [length²]
+        int triangle;              // of mesh(); −1: none is below `known_bound`
+    };
+    Nearest nearest(const Vector3& p, double known_bound = std::numeric_limits<double>::infinity(), double enough = 0) const;
+
+    /// The mesh, its triangles in an order of their own.
+    const TriangleMesh& mesh() const { return mesh_; }
 
 private:
     struct Box {

@@ -26,6 +26,7 @@ from ._core import (
     UsageError,
     compare,
     curvature,
+    distances,
     inspect,
     laplacian,
     load,
@@ -38,7 +39,7 @@ from ._core import (
 
 __all__ = [
     "Error", "InputError", "Mesh", "MeshError", "OutputError", "Picture", "SolverError", "Spectrum", "UsageError", "compare", "curvature",
-    "inspect", "laplacian", "load", "noise", "render", "sample", "save", "smooth", "spectrum",
+    "distances", "inspect", "laplacian", "load", "noise", "render", "sample", "save", "smooth", "spectrum",
 ]  # fmt: skip
 
 

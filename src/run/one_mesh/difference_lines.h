@@ -1,10 +1,13 @@
 /// @file
-/// The table of `compare`.
+/// What `compare` says of two meshes.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
+#include "geometry/measures/surface_distance.h"
+#include "run/one_mesh/fields.h"
 
 namespace meshfolio::run {
 
@@ -12,8 +15,26 @@ struct DifferenceLine {
     const char* key;   // "rms"; ends with its unit where that is an angle
     double value;      // NaN: not defined
     const char* meaning;
+    bool is_count = false;
 };
-/// b measured against a. The last line is a count, that of inverted faces. @throws MeshError if the triangles differ
-std::vector<DifferenceLine> difference_lines(const TriangleMesh& a, const TriangleMesh& b);
+
+struct Difference {
+    bool same_triangles = false;
+    std::vector<DifferenceLine> lines;
+    std::optional<SurfaceDistances> distances;   // where they are compared as surfaces
+};
+
+/// b measured against a: vertex by vertex and face by face where they have the same triangles, as two surfaces where not.
+/// @param as_surfaces  in any case
+/// @throws MeshError if a surface has no triangle
+Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces = false);
+
+/// The object that `compare --json` prints: the lines, and of surfaces the shares of both areas at distances in equal bins.
+std::string difference_json(const Difference& difference);
+
+/// How far each vertex is from the other surface, to be drawn. @param diagonal  of the box of one of them
+Field distance_field(const DistancesTo& distances, double diagonal);
+
+inline constexpr int distance_bins = 40;   // from 0 to the Hausdorff distance
 
 }   // namespace meshfolio::run

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 #include "base/errors.h"
 #include "mesh/io/polygon_list.h"
+#include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
 #include "run/arguments.h"
 
@@ -17,19 +19,65 @@ namespace {
 constexpr int largest_cell = 2048;                           // of a labelled sheet: to be looked at, not measured
 constexpr double narrowest_range = 1 / largest_coordinate;   // where numbers on a colour bar end
 
-output::ColorRange color_range(const PictureRequest& request, const PreparedMesh& prepared, const Field& field) {
-    const std::string colormap = !request.colormap.empty() ? request.colormap : field.is_signed ? "diverging" : "viridis";
-    const output::Panel panel{"", "", std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &prepared.mesh), field.values};
-    output::ColorRange range = output::robust_range({panel}, colormap, field.quantity, field.unit, field.floor);
+std::string colormap_for(const PictureRequest& request, bool is_signed) {
+    return !request.colormap.empty() ? request.colormap : is_signed ? "diverging" : "viridis";
+}
+
+output::Panel panel_of(const PreparedMesh& prepared, const Field& field) {
+    return {"", "", std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &prepared.mesh), field.values};
+}
+
+output::ColorRange color_range(const PictureRequest& request, const std::vector<output::Panel>& panels, const Field& field) {
+    output::ColorRange range =
+        output::robust_range(panels, colormap_for(request, field.is_signed), field.quantity, field.unit, field.floor);
     if (!request.range) return range;
     std::tie(range.low, range.high) = *request.range;
+    const std::vector<double> values = output::finite_values(panels);
     const auto share = [&](auto outside) {
-        const double finite = static_cast<double>(field.values.array().isFinite().count());
-        return finite > 0 ? static_cast<double>(std::count_if(field.values.begin(), field.values.end(), outside)) / finite : 0;
+        return values.empty() ? 0 : static_cast<double>(std::ranges::count_if(values, outside)) / static_cast<double>(values.size());
     };
     range.clipped_below = share([&](double v) { return v < range.low; });
     range.clipped_above = share([&](double v) { return v > range.high; });
     return range;
+}
+
+std::string counts_of(const PreparedMesh& prepared) {
+    return std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
+}
+
+/// What the sheets of one mesh and of two have in common.
+MeshPictures sheet_for(const PictureRequest& request, const std::vector<output::Panel>& panels, const Field& field) {
+    MeshPictures drawn;
+    render::ContactSheet& sheet = drawn.sheet;
+    sheet.background = request.draw.background;
+    sheet.title = request.title;
+    if (std::max(request.draw.width, request.draw.height) > largest_cell) sheet.cell = largest_cell;
+    if (field.values.size() == 0) return drawn;
+    drawn.range = color_range(request, panels, field);
+    const bool has_undefined = std::ranges::any_of(panels, [](const output::Panel& panel) { return panel.values.array().isNaN().any(); });
+    sheet.color_bar = output::color_bar_of(*drawn.range, has_undefined, request.draw.undefined_color);
+    return drawn;
+}
+
+/// Pictures of one mesh in the colours of the sheet.
+std::vector<render::Image> pictures_of(const PreparedMesh& prepared, const Field& field, const MeshPictures& sheet,
+                                       render::DrawOptions draw, std::span<const render::View> views) {
+    if (sheet.range) draw.range = output::value_range(*sheet.range);
+    return render::draw_views(output::surface_of(prepared.mesh, sheet.range ? &field.values : nullptr), views, draw);
+}
+
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+    TriangleMesh both{Positions(a.X.rows() + b.X.rows(), 3), Faces(a.F.rows() + b.F.rows(), 3)};
+    both.X << a.X, b.X;
+    both.F << a.F, b.F.array() + a.vertex_count();
+    return both;
+}
+
+/// Around the mesh, as one picture of it alone would have it.
+render::Frame frame_of(const TriangleMesh& mesh, const render::View& view, const render::DrawOptions& draw) {
+    if (view.is_along_axis()) return render::frame_of(output::bounds_of(mesh), draw.width, draw.height, draw.fill);
+    const render::Surface surface = output::surface_of(mesh);
+    return render::frame_of(surface.positions, surface.triangles, view, draw.width, draw.height, draw.fill);
 }
 
 /// Of a sheet without anything added: three pictures in a row.
@@ -72,21 +120,29 @@ std::pair<double, double> value_limits(double low, double high, const std::strin
 }
 
 MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, const PictureRequest& request) {
-    MeshPictures drawn;
-    render::DrawOptions draw = request.draw;
-    if (field.values.size() > 0) {
-        drawn.range = color_range(request, prepared, field);
-        draw.range = output::value_range(*drawn.range);
+    MeshPictures drawn = sheet_for(request, {panel_of(prepared, field)}, field);
+    drawn.sheet.pictures = pictures_of(prepared, field, drawn, request.draw, request.views);
+    drawn.sheet.subtitle = counts_of(prepared);
+    for (const render::View& view : request.views) drawn.sheet.view_names.emplace_back(view.name);
+    return drawn;
+}
+
+MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const PictureRequest& request) {
+    Field both{.values = left.field.values, .quantity = left.field.quantity, .unit = left.field.unit};
+    both.is_signed = left.field.is_signed || right.field.is_signed;
+    both.floor = std::max(left.field.floor, right.field.floor);
+    MeshPictures drawn = sheet_for(request, {panel_of(left.prepared, left.field), panel_of(right.prepared, right.field)}, both);
+    drawn.sheet.subtitle = "left: " + counts_of(left.prepared) + "; right: " + counts_of(right.prepared);
+    drawn.sheet.columns = request.views.size() > 1 ? 4 : 2;
+    const TriangleMesh whole = joined(left.prepared.mesh, right.prepared.mesh);
+    for (const render::View& view : request.views) {
+        render::DrawOptions draw = request.draw;
+        draw.frame = frame_of(whole, view, draw);
+        for (const PairedMesh* one : {&left, &right}) {
+            drawn.sheet.pictures.push_back(pictures_of(one->prepared, one->field, drawn, draw, std::span(&view, 1)).front());
+            drawn.sheet.view_names.emplace_back(view.name);
+        }
     }
-    render::ContactSheet& sheet = drawn.sheet;
-    sheet.pictures = render::draw_views(output::surface_of(prepared.mesh, drawn.range ? &field.values : nullptr), request.views, draw);
-    sheet.background = draw.background;
-    sheet.title = request.title;
-    sheet.subtitle =
-        std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
-    for (const render::View& view : request.views) sheet.view_names.emplace_back(view.name);
-    if (std::max(draw.width, draw.height) > largest_cell) sheet.cell = largest_cell;
-    if (drawn.range) sheet.color_bar = output::color_bar_of(*drawn.range, field.values.array().isNaN().any(), draw.undefined_color);
     return drawn;
 }
 

@@ -39,6 +39,15 @@ std::pair<double, double> value_limits(double low, double high, const std::strin
 /// @throws UsageError for an unknown colour map
 MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, const PictureRequest& request);
 
+/// One mesh of a pair, and what is drawn on it: values of both or of none.
+struct PairedMesh {
+    const PreparedMesh& prepared;
+    const Field& field;
+};
+/// Both from one camera, at one scale, in one range of colours: each view of the first beside that of the second.
+/// @throws UsageError for an unknown colour map
+MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const PictureRequest& request);
+
 /// @param bare  the pictures alone, three in a row, without words and colour bar
 render::Image composed(const render::ContactSheet& sheet, bool bare);
 std::int64_t bare_sheet_pixels(std::size_t views, const render::DrawOptions& draw);

@@ -55,6 +55,16 @@ TEST(ContactSheet, SixViewsStandTwoByThree) {
     }
 }
 
+TEST(ContactSheet, StandsInLinesOfAsManyAsAreAskedFor) {
+    ContactSheet sheet = sheet_of(60, 50);
+    sheet.columns = 4;
+    const Image image = render::compose(sheet);
+    for (std::size_t i = 0; i < 6; ++i) {   // in their own order, whatever their names
+        EXPECT_EQ(box_of(image, paints[i]).x0, box_of(image, paints[i % 4]).x0) << i;
+        EXPECT_EQ(box_of(image, paints[i]).y0 > box_of(image, paints[0]).y0, i >= 4) << i;
+    }
+}
+
 TEST(ContactSheet, SixViewsAreOrderedByTheirNames) {
     ContactSheet sheet = sheet_of(100, 100);
     sheet.view_names = {"-z", "+z", "-y", "+y", "-x", "+x"};

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "geometry/measures/mesh_error.h"
 #include "mesh/small_meshes.h"
 #include "run/one_mesh/curvature_columns.h"
 #include "run/one_mesh/difference_lines.h"
@@ -23,13 +24,66 @@ PreparedMesh prepared_tetrahedron() { return prepare_mesh({meshfolio::testing::t
 
 TEST(OneMesh, DiffersFromItselfInNothing) {
     const TriangleMesh mesh = meshfolio::testing::tetrahedron();
-    const auto lines = difference_lines(mesh, mesh);
-    for (const DifferenceLine& line : lines) {
+    const Difference difference = difference_of(mesh, mesh);
+    EXPECT_TRUE(difference.same_triangles);
+    for (const DifferenceLine& line : difference.lines) {
         const std::string key = line.key;
         if (key == "box_diagonal") continue;
         EXPECT_NEAR(line.value, key.ends_with("_ratio") ? 1 : 0, 1e-7) << key;
+        EXPECT_EQ(line.is_count, key == "inverted_faces");
     }
-    EXPECT_STREQ(lines.back().key, "inverted_faces");
+}
+
+TEST(OneMesh, DiffersFromAnotherAsItDidWhereTheirTrianglesAreTheSame) {
+    const TriangleMesh a = meshfolio::testing::tetrahedron(), b{a.X.array() * 1.25 + 0.5, a.F};
+    const MeshDifference by_vertices = compare_meshes(a, b);
+    const auto json = nlohmann::json::parse(difference_json(difference_of(a, b)));
+    EXPECT_EQ(json.at("rms"), by_vertices.rms);
+    EXPECT_EQ(json.at("max"), by_vertices.max);
+    EXPECT_EQ(json.at("hausdorff"), hausdorff_distance(a, b));
+    EXPECT_EQ(json.at("volume_ratio"), by_vertices.volume_ratio);
+    EXPECT_EQ(json.at("same_triangles"), true);
+    EXPECT_FALSE(json.contains("rms_a_to_b"));
+    const auto surfaces = nlohmann::json::parse(difference_json(difference_of(a, b, true)));
+    EXPECT_EQ(surfaces.at("same_triangles"), true);
+    EXPECT_EQ(surfaces.at("histogram").at("a_to_b").size(), distance_bins);
+    EXPECT_GE(surfaces.at("hausdorff").get<double>(), json.at("hausdorff").get<double>() * (1 - 1e-14));
+    EXPECT_LT(surfaces.at("rms").get<double>(), json.at("rms").get<double>());
+}
+
+TEST(OneMesh, DiffersFromASurfaceWithOtherTriangles) {
+    const TriangleMesh a = meshfolio::testing::tetrahedron();
+    TriangleMesh open = a;
+    open.F.conservativeResize(3, 3);
+    const auto json = nlohmann::json::parse(difference_json(difference_of(a, open)));
+    EXPECT_EQ(json.at("same_triangles"), false);
+    EXPECT_EQ(json.at("rms_b_to_a"), 0);
+    EXPECT_EQ(json.at("rms"), json.at("rms_a_to_b"));
+    EXPECT_GT(json.at("hausdorff"), 0);
+    EXPECT_TRUE(json.at("volume_ratio").is_null());   // one is open
+    EXPECT_FALSE(json.contains("inverted_faces"));
+    EXPECT_THROW(difference_of(a, {a.X, Faces(0, 3)}), MeshError);
+    EXPECT_FALSE(difference_of({a.X, Faces(0, 3)}, {a.X, Faces(0, 3)}).distances.has_value());
+}
+
+// The half-sized copy beside the mesh is as small as it is, and has the colours of the common range.
+TEST(OneMesh, OfAPairIsDrawnAtOneScaleInOneRange) {
+    const PreparedMesh whole = prepared_tetrahedron(), half = prepare_mesh({moved_to(whole.mesh, 0.5 * whole.mesh.X), "half.obj", {}, {}});
+    const Field of_whole = field_of(whole, "x"), of_half = field_of(half, "x");
+    PictureRequest request{.views = views_named("+z,hero")};
+    request.draw.width = request.draw.height = 60;
+    const MeshPictures pair = draw_pair({whole, of_whole}, {half, of_half}, request), alone = draw_pictures(whole, of_whole, request);
+    const auto covered = [&](const render::Image& picture) {
+        return std::ranges::count_if(picture.pixels, [&](render::Rgba pixel) { return pixel != request.draw.background; });
+    };
+    ASSERT_EQ(pair.sheet.pictures.size(), 4U);
+    EXPECT_EQ(pair.sheet.view_names, (std::vector<std::string>{"+z", "+z", "hero", "hero"}));
+    for (const std::size_t view : {0U, 1U}) {
+        EXPECT_EQ(covered(pair.sheet.pictures[2 * view]), covered(alone.sheet.pictures[view]));
+        EXPECT_NEAR(static_cast<double>(covered(pair.sheet.pictures[2 * view + 1])), covered(pair.sheet.pictures[2 * view]) / 4.0, 40);
+    }
+    EXPECT_EQ(pair.range->sample.size(), 8U);
+    EXPECT_GT(render::compose(pair.sheet).width, 4 * 60);
 }
 
 TEST(OneMesh, HasAColumnForEachCurvatureAskedFor) {

@@ -1,0 +1,80 @@
+#include "run/one_mesh/difference_page.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
+#include "mesh/triangle_measures.h"
+#include "png/png.h"
+#include "report/escape.h"
+#include "report/page/page_design.h"
+#include "report/page/template_render.h"
+#include "report/words.h"
+#include "run/one_mesh/mesh_pictures.h"
+
+namespace meshfolio::run {
+
+using namespace report::literals;
+
+namespace {
+
+constexpr report::Words words("compare");
+constexpr int view_side = 280, jpeg_quality = 85;   // pixels of a view
+
+std::string name_of(const PreparedMesh& prepared) { return report::safe_text(std::filesystem::path(prepared.file).filename().string()); }
+
+std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances) {
+    const double diagonal = bounding_box(a.mesh).diagonal();
+    const Field of_a = distance_field(distances.a_to_b, diagonal), of_b = distance_field(distances.b_to_a, diagonal);
+    PictureRequest request{.views = views_named(""), .colormap = "pale", .title = name_of(a) + ", " + name_of(b)};
+    request.draw.width = request.draw.height = view_side;
+    return render::encode_jpeg(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet), jpeg_quality);
+}
+
+/// Shares of the area in percent, as steps.
+report::Series steps(const std::string& name, const DistancesTo& distances, double high) {
+    report::Series series{.name = name};
+    const std::vector<double> shares = area_histogram(distances, high, distance_bins);
+    for (std::size_t bin = 0; bin < shares.size(); ++bin) {
+        for (const std::size_t end : {bin, bin + 1}) {
+            series.x.push_back(high * static_cast<double>(end) / distance_bins);
+            series.y.push_back(100 * shares[bin]);
+        }
+    }
+    return series;
+}
+
+report::Plot histogram(const SurfaceDistances& distances) {
+    const double high = distances.hausdorff();
+    report::Plot plot{.id = "distances", .alt = words.line("plot.alt", "largest"_a = readable(high))};
+    plot.x_label = words.line("plot.x");
+    plot.y_label = words.line("plot.y");
+    for (const auto& [key, one] : {std::pair{"series.a_to_b", &distances.a_to_b}, std::pair{"series.b_to_a", &distances.b_to_a}})
+        plot.series.push_back(steps(words.line(key), *one, high));
+    return plot;
+}
+
+nlohmann::json line_view(const DifferenceLine& line) {
+    const std::string value = line.is_count ? readable_count(static_cast<long long>(line.value)) : readable(line.value, 6);
+    return {{"key", line.key}, {"value", value}, {"meaning", line.meaning}};
+}
+
+}   // namespace
+
+std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances) {
+    nlohmann::json lines = nlohmann::json::array();
+    for (const DifferenceLine& line : difference.lines) lines.push_back(line_view(line));
+    nlohmann::json model{
+        {"a", name_of(a)},
+        {"b", name_of(b)},
+        {"by_vertices", !difference.distances.has_value()},
+        {"lines", lines},
+        {"picture", report::base64(pictures(a, b, distances))},
+        {"has_histogram", distances.hausdorff() > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
+        {"histogram", report::svg_of(histogram(distances))}};
+    const report::Templates templates;
+    report::add_design(model, templates, "compare");
+    return report::render(templates, "compare.html", model, report::xml_escape);
+}
+
+}   // namespace meshfolio::run
