@@ -101,7 +101,7 @@ ExitCode run_report(const ReportFlags& flags) {
     if (settings.page.file) templates.replace("report.html", *settings.page.file);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
     meshes.open_own_meshes();
-    const Plan plan = plan_of(settings, meshes, flags.alone);
+    const Plan plan = plan_of(settings, meshes, flags.alone ? Scope::alone : flags.part.empty() ? Scope::report : Scope::part);
     if (flags.plan) {
         print(flags.json ? json_of(plan) : text_of(plan));
         return ExitCode::ok;
