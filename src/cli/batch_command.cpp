@@ -10,6 +10,7 @@ Command batch_command(CLI::App& parent) {
     ReportFlags& report = flags->report;
     report.quick = true;
     report.pdf = "off";
+    report.sheets_only = true;
     CommandOptions app(parent, "batch", "Many meshes: a report each, and an index of them that can be sorted");
     app.texts("MESH", flags->meshes, "meshes, folders of them, patterns, or @FILE as --list");
     app.texts("--list", flags->lists, "file with one of these a line, relative to its own folder (repeatable)");
@@ -22,7 +23,7 @@ Command batch_command(CLI::App& parent) {
     app.text("--author", report.author, "whose work it is");
     app.text("--size", report.size, "pixels of one view");
     app.text("--threads", report.threads, "at most so many threads, of all reports together; default: all");
-    app.flag("--views-files", report.view_files, "every view of every figure as a PNG");
+    app.flag("--views-files", report.view_files, "every view of every figure as a PNG; otherwise its sheet alone");
     app.text("--pdf", report.pdf, "report.pdf of each: off, auto or require");
     app.text("--pdf-browser", report.pdf_browser, "the browser that prints, by name or path");
     app.text("--templates", report.templates, "folder of templates; reports that are finished keep theirs");

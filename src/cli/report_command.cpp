@@ -73,6 +73,7 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
     draw.width = settings.size.width;
     draw.height = settings.size.height;
     draw.view_files = settings.view_files;
+    draw.sheets_only = settings.sheets_only;
     display.step("drawing");
     auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
     display.milestone(std::to_string(requests.size()) + " figures drawn");
@@ -101,7 +102,7 @@ ExitCode run_report(const ReportFlags& flags) {
     if (settings.page.file) templates.replace("report.html", *settings.page.file);
     const MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
     meshes.open_own_meshes();
-    const Plan plan = plan_of(settings, meshes, flags.alone);
+    const Plan plan = plan_of(settings, meshes, flags.alone ? Scope::alone : flags.part.empty() ? Scope::report : Scope::part);
     if (flags.plan) {
         print(flags.json ? json_of(plan) : text_of(plan));
         return ExitCode::ok;
@@ -166,6 +167,7 @@ Command report_command(CLI::App& parent) {
     app.text("--author", flags->author, "whose work it is; also with --from");
     app.text("--threads", flags->threads, "at most so many threads; default: all");
     app.text("--size", flags->size, "pixels of one view; default: 800, or 400 with --quick");
+    app.flag("--sheets-only", flags->sheets_only, "not even those: figures are sheets, as those of batch");
     app.flag("--views-files", flags->view_files, "every view of every figure as a PNG of that size, not only those asked to be handed in");
     app.text("--pdf", flags->pdf, "report.pdf and appendix.pdf: auto, where an engine is there (the default); require; or off");
     app.text("--pdf-browser", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");

@@ -1,7 +1,10 @@
 #include "report/document.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "base/number_text.h"
@@ -15,18 +18,36 @@ Check::Status status_of(bool within) { return within ? Check::Status::passed : C
 
 std::string number_or_dash(double x, int digits = 6) { return std::isnan(x) ? "–" : plain_text(x, digits); }
 
+/// Greek letters as words of their own.
+std::string spelled(const std::string& name) {
+    constexpr std::pair<std::string_view, std::string_view> letters[] = {
+        {"α", "alpha"}, {"β", "beta"}, {"γ", "gamma"}, {"δ", "delta"}, {"ε", "epsilon"}, {"θ", "theta"}, {"κ", "kappa"}, {"λ", "lambda"},
+        {"μ", "mu"},    {"π", "pi"},   {"ρ", "rho"},   {"σ", "sigma"}, {"τ", "tau"},     {"χ", "chi"},   {"Δ", "delta"}, {"Σ", "sum"}};
+    std::string words;
+    for (std::size_t i = 0; i < name.size();) {
+        const auto letter = std::ranges::find_if(letters, [&](auto& pair) { return name.compare(i, pair.first.size(), pair.first) == 0; });
+        if (letter == std::end(letters)) {
+            words += name[i++];
+        } else {
+            words += " " + std::string(letter->second) + " ";
+            i += letter->first.size();
+        }
+    }
+    return words;
+}
+
 /// "whole-name-of-the-part", from letters and digits of the names; "…-2" where two are named alike.
+/// @param name     of a part
 /// @param unnamed  for a name without any
-template <class Part>
-std::vector<std::string> ids_from(const std::string& whole, const std::vector<Part>& parts, std::string Part::*name,
-                                  const std::string& unnamed) {
+template <class Parts, class NameOf>
+std::vector<std::string> ids_from(const std::string& whole, const Parts& parts, NameOf name, const std::string& unnamed) {
     constexpr std::size_t longest = 100;
     std::vector<std::string> ids;
     std::set<std::string> taken;
-    for (const Part& part : parts) {
+    for (const auto& part : parts) {
         std::string stem = whole;
         bool in_word = false;
-        for (const char c : (part.*name).substr(0, longest)) {
+        for (const char c : spelled(std::invoke(name, part)).substr(0, longest)) {
             const bool is_upper = c >= 'A' && c <= 'Z', belongs = is_upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
             if (belongs) stem += std::string(in_word ? "" : "-") + static_cast<char>(is_upper ? c - 'A' + 'a' : c);
             in_word = belongs;
@@ -51,6 +72,12 @@ std::string words_of(const Check& check) {
     const std::string relation = check.kind == Check::Kind::at_most ? "at most " : check.kind == Check::Kind::at_least ? "at least " : "";
     return "measured " + number_or_dash(check.measured) + ", expected " + (std::isnan(check.expected) ? "" : relation) +
            number_or_dash(check.expected) + (check.tolerance > 0 ? ", tolerance " + plain_text(check.tolerance, 3) : "");
+}
+
+std::map<std::string, std::string> texts_of(const Parameters& parameters) {
+    std::map<std::string, std::string> texts;
+    for (const auto& [name, parameter] : parameters) texts[name] = parameter.text;
+    return texts;
 }
 
 Check check_near(std::string name, double expected, double measured, double tolerance, std::string note) {
@@ -103,5 +130,9 @@ std::string words_of(const Score& score) {
 std::vector<std::string> column_ids(const Table& table) { return ids_from(table.id, table.columns, &Column::name, "column"); }
 
 std::vector<std::string> check_ids(const Section& section) { return ids_from(section.id, section.checks, &Check::name, "check"); }
+
+std::vector<std::string> parameter_ids(const Section& section) {
+    return ids_from(section.id + "-parameter", section.parameters, &Parameters::value_type::first, "value");
+}
 
 }   // namespace meshfolio::report

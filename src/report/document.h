@@ -3,11 +3,13 @@
 /// compute nothing. Ids are unique in the document and made of [a-z0-9_]; by convention they begin with the question, "q1_…".
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -224,6 +226,25 @@ struct Timing {
     bool operator==(const Timing&) const = default;
 };
 
+/// A setting of a section: the words that are printed, and for programs a number or several in `unit`, or the words where it is none.
+struct Parameter {
+    std::string text;   // "2 %, 5 % and 10 % of the box diagonal"
+    std::variant<std::string, double, std::vector<double>> value;
+    std::string unit = {};   // "box diagonal"; empty: none
+    Parameter(std::string words = "") : text(words), value(std::move(words)) {}
+    Parameter(const char* words) : Parameter(std::string(words)) {}
+    Parameter(std::integral auto count) : text(std::to_string(count)), value(static_cast<double>(count)) {}
+    Parameter(std::string words, double number, std::string unit_of_it = {})
+        : text(std::move(words)), value(number), unit(std::move(unit_of_it)) {}
+    template <class Number>
+    Parameter(std::string words, const std::vector<Number>& numbers, std::string unit_of_them = {})
+        : text(std::move(words)), value(std::vector<double>(numbers.begin(), numbers.end())), unit(std::move(unit_of_them)) {}
+    bool operator==(const Parameter&) const = default;
+};
+using Parameters = std::map<std::string, Parameter>;
+/// What is printed of them.
+std::map<std::string, std::string> texts_of(const Parameters& parameters);
+
 enum class Status { ok, failed, skipped };
 
 struct Section {
@@ -234,7 +255,7 @@ struct Section {
     std::string failure;   // one line, when failed
     std::string extent;    // how far achieved, for the opening table: "H and K on 4 meshes, …"
     std::vector<Input> inputs;
-    std::map<std::string, std::string> parameters;
+    Parameters parameters;
     std::vector<CodeReference> code;
     Text answer;   // in one sentence, for the opening table and as the first line of the section
     std::vector<Block> blocks;
@@ -247,11 +268,14 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
-/// Ids of its columns, unique in the document: "q5_limits-our", from the table and the name.
+/// Ids of its columns, unique in the document: "q5_limits-lambda-crit", from the table and the name.
 std::vector<std::string> column_ids(const Table& table);
 
 /// Ids of its checks, unique in the document: "q5-energy-falls-on-cube", from the section and the name; "…-2" where two are named alike.
 std::vector<std::string> check_ids(const Section& section);
+
+/// Ids of its parameters, in their order: "q7-parameter-lambda".
+std::vector<std::string> parameter_ids(const Section& section);
 
 struct Provenance {
     std::string version, commit, compiler, build_type;

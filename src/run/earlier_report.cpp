@@ -64,6 +64,8 @@ bool EarlierReport::restore(report::DrawnFigure& figure) const {
     if (!bytes) return false;
     const auto sheet = render::decode_png(*bytes);
     if (!sheet) throw InputError({figure.sheet}, "is not a PNG that can be read", "make the report anew");
+    if (figure.panels.empty())
+        figure.panels = {{.pictures = {{.width = sheet->width, .height = sheet->height}}}};   // of an earlier version
     if (!output::cut_pictures(*sheet, figure))
         throw InputError({figure.sheet}, "is smaller than results.json says", "make the report anew");
     for (report::DrawnModel& model : figure.models) {

@@ -26,11 +26,17 @@ namespace {
 
 using Inputs = std::set<std::tuple<std::string, std::string, std::string, std::string>>;
 
+/// Without how much is done of what this run makes itself.
+report::Provenance of_others(report::Provenance provenance, const ReportSettings& settings) {
+    for (const std::string& id : settings.only) provenance.settings.erase(id + " effort");
+    return provenance;
+}
+
 /// What the earlier report was made of or with and this run is not; empty: nothing.
 std::string difference_to(const EarlierReport& earlier, const std::vector<const report::Section*>& kept, const ReportSettings& settings,
                           const MeshLibrary& meshes) {
-    const report::Provenance now = provenance_of(described(settings), settings.seed);
-    if (const std::string what = difference(earlier.document.provenance, now); !what.empty()) return what;
+    const report::Provenance now = of_others(provenance_of(described(settings), settings.seed), settings);
+    if (const std::string what = difference(of_others(earlier.document.provenance, settings), now); !what.empty()) return what;
     Inputs seen;
     for (const report::Section* section : kept) {
         for (const report::Input& input : section->inputs) {

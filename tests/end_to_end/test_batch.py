@@ -83,6 +83,7 @@ class Batches(unittest.TestCase):
             self.assertGreater(row["lambda_crit"], 0)
             self.assertEqual(row["manifold"], "yes")
             self.assertNotIn("seconds", row)
+            self.assertEqual([p.name for p in (self.out / name / "images").glob("q1_*_+x.png")], [])
         self.assertIn("3 meshes: about ", self.process.stderr)
         self.assertIn(" s left", self.process.stderr)
         self.assertEqual(self.process.stdout.strip(), str(self.out / "index.html"))

@@ -96,6 +96,28 @@ class Parts(unittest.TestCase):
         mesh.write_text(mesh.read_text() + "# changed\n")
         self.assertIn("another cube8.obj", self.ended(0, *small, "q2", "--size", 64, "--out", out, mesh).stderr)
 
+    def test_of_a_report_that_is_scaled_down(self):
+        """Renewed in part and made in parts it is the same; what it leaves out is there once it is named."""
+        folder = temporary_folder(self)
+        words = ["report", sample(folder, "creature"), "--quick", "--size", 64, "--time", 2]
+        whole, renewed = folder / "whole", folder / "renewed"
+        self.ended(0, *words, "--no-timings", "--only", "q2,q5,stability", "--out", whole)
+        settings = json.loads((whole / "results.json").read_text())["provenance"]["settings"]
+        self.assertIn("copies", settings["q5 effort"])
+        self.assertEqual(settings["maps effort"], "left out")
+        self.assertNotEqual(settings["stability effort"], "left out")
+        shutil.copytree(whole, renewed)
+        self.ended(0, *words, "--no-timings", "--only", "q5", "--out", renewed)
+        self.assertEqual(tree(renewed), tree(whole))
+        self.ended(0, *words, "--no-timings", "--only", "maps", "--out", renewed)
+        self.assertEqual({s for s, state in status(renewed).items() if state == "ok"}, {"q2", "q5", "stability", "maps"})
+        parts = [folder / name for name in ("q2", "q5", "stability")]
+        for part in parts:
+            self.ended(0, *words, "--part", part, "--only", part.name)
+        merged, _ = self.merge(0, *parts)
+        self.assertEqual({s for s, state in status(merged).items() if state == "ok"}, {"q2", "q5"})   # as the whole of it leaves out
+        self.assertEqual(sections(merged)[4], sections(whole)[4])
+
     def test_a_mesh_that_a_data_folder_now_has_counts(self):
         data, out = temporary_folder(self), temporary_folder(self) / "out"
         (data / "curvatures").mkdir()

@@ -3,6 +3,7 @@ The program's path comes from the environment variable MESHFOLIO; with FAULTS_WH
 
 import collections
 import hashlib
+import json
 import os
 import random
 import re
@@ -53,6 +54,11 @@ def tree(folder):
     """Relative path → SHA-256 of all files below; None where there is no folder."""
     folder = Path(folder)
     return {str(p.relative_to(folder)): digest(p) for p in folder.rglob("*") if p.is_file()} if folder.is_dir() else None
+
+
+def below(files, folder):
+    """Of a tree, what is in that folder."""
+    return {name.removeprefix(folder + "/"): value for name, value in files.items() if name.startswith(folder + "/")}
 
 
 def sums_hold(folder):
@@ -162,6 +168,32 @@ class Faults(unittest.TestCase):
             trees.append(tree(out))
         self.restore_old()
         return *trees, words
+
+    def with_batch(self):
+        """The trees of an old batch, which is put in place, and of one with pictures of another size; the words that make it, and their exit code."""
+        self.old_folder = self.folder / "made-batch" / "out"
+        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "q1", "--pdf", "off", "--no-timings", "--no-cache", "--jobs", 1, "--size"]
+        trees = []
+        for size, out in ((72, self.old_folder), (64, self.out)):
+            end = self.run_program(*words, size, "--out", out)
+            self.assertIn(end.code, (0, 1), end.err)
+            trees.append(tree(out))
+        self.restore_old()
+        return *trees, [*words, 64, "--out", self.out], end.code
+
+    def require_batch_of(self, old, new, when):
+        """Each report and each file of the index is the old one or the new one, whole; or, of what a kill left, has a name that is swept."""
+        now = tree(self.out)
+        index = {name: value for name, value in now.items() if "/" not in name and not name.startswith(".")}
+        for name, value in index.items():
+            self.assertTrue(".part-" in name or name in old, f"{when}: {name}")
+        rows = json.loads((self.out / "batch.json").read_text())["meshes"]
+        self.assertEqual([row["name"] for row in rows], ["torus", "cube8"], when)
+        for name in ("torus", "cube8"):
+            report = below(now, name)
+            self.assertIn(report, (below(old, name), below(new, name)), f"{when}: neither the old {name} nor the new one")
+            self.assertTrue(sums_hold(self.out / name), when)
+        return [name for name in ("torus", "cube8") if below(now, name) == below(new, name)]
 
     old_folder = None
 

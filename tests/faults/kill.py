@@ -149,10 +149,7 @@ class Kill(Faults):
             time.sleep(self.random.uniform(0, 1.2 * straight.seconds))
             process.kill()
             process.communicate()
-            limit = time.monotonic() + 20
-            while runs_into(self.out) and time.monotonic() < limit:
-                time.sleep(0.02)
-            self.assertEqual(runs_into(self.out), [])
+            self.require_all_ended()
             for results in self.out.glob("*/results.json"):
                 self.assertTrue(".tmp-" in results.parent.name or sums_hold(results.parent), results)
             for index in self.out.glob("batch.json"):
@@ -160,6 +157,29 @@ class Kill(Faults):
         self.assertEqual(self.run_program(*words, "--out", self.out).code, straight.code)
         self.assertEqual(tree(self.out), tree(self.folder / "straight"))
         self.assertEqual(self.beside(), [])
+
+    @needs_strace
+    def test_before_system_calls_of_a_batch(self):
+        """Of the batch or of one of its reports, which costs its row: what is finished is not made again by the next run."""
+        old, new, words, code = self.with_batch()
+        points = self.calls(CHANGES, *words, code=code)
+        of_index = [c for c in points if any(Path(path).parent == self.out for path in c.paths)]
+        for call in {*some(points, 4), *some(of_index, 2)}:
+            self.restore_old()
+            self.run_with(call, "signal=KILL", *words)
+            self.require_all_ended()
+            done = self.require_batch_of(old, new, call.line)
+            made = {name: (self.out / name / "results.json").stat().st_ino for name in done}
+            end = self.run_program(*words)
+            self.assertEqual((end.code, tree(self.out)), (code, new), call.line + end.err)
+            self.assertEqual({name: (self.out / name / "results.json").stat().st_ino for name in done}, made, call.line)
+            self.assertEqual(self.beside(), [], call.line)
+
+    def require_all_ended(self):
+        limit = time.monotonic() + 20
+        while runs_into(self.out) and time.monotonic() < limit:
+            time.sleep(0.02)
+        self.assertEqual(runs_into(self.out), [])
 
     def test_folders_of_a_dead_printer_are_swept(self):
         """A browser's folder, left by a run that was killed while printing; that of a living one stays."""

@@ -58,6 +58,26 @@ class Space(Faults):
                 self.assertEqual(self.beside(), [], call.line)
 
     @needs_strace
+    def test_each_failing_call_of_a_batch(self):
+        """Of the batch, which ends, or of its reports, each of which has a line; the next run makes what is missing."""
+        old, new, words, code = self.with_batch()
+        points = list(writing(self.calls(WRITES, *words, code=code)))
+        of_index = [c for c in points if any(path.rsplit("/", 1)[0] == str(self.out) for path in c.paths)]
+        for call in [*some(points, 3), *some(of_index, 2)]:
+            self.restore_old()
+            end, came = self.run_with(call, "error=ENOSPC", *words)
+            self.assertTrue(came, call.line)
+            self.assertEqual(end.code, 4, f"{call.line}: {end.err}")
+            errors = [line for line in end.err.splitlines() if "cannot" in line]
+            self.assertIn(len(errors), (1, 2), f"{call.line}: {end.err}")
+            for line in errors:
+                self.assertTrue(line.startswith("meshfolio: ") and REASONS["ENOSPC"] in line and str(self.place) in line, line)
+            self.require_batch_of(old, new, call.line)
+            self.assertEqual(self.beside(), [], call.line)
+        end = self.run_program(*words)
+        self.assertEqual((end.code, tree(self.out)), (code, new), end.err)
+
+    @needs_strace
     def test_each_failing_call_of_a_run_that_fails(self):
         good = self.report_tree(64)
         subprocess.run(["cp", "-r", self.folder / "made-64" / "out", self.out], check=True)
@@ -206,6 +226,21 @@ class Mounted(Faults):
             process = self.in_mount(f"size={size}k,mode=755", script)
             self.assertEqual(process.returncode, 4, process.stderr)
             self.assertIn("No space left on device", process.stderr)
+
+    def test_a_small_disk_under_a_batch(self):
+        """A mesh more than the disk holds: the report that is there stays, the other costs its row, until there is room."""
+        options = ["--only", "q1", "--pdf", "off", "--no-timings", "--no-cache", "--size", 64, "--out"]
+        torus, cube = self.mesh(), self.mesh("cube8")
+        self.assertIn(self.run_program("batch", torus, *options, self.out).code, (0, 1))
+        words = " ".join(["batch", str(torus), str(cube), *map(str, options), '"$M/out"'])
+        kilobytes = sum(path.stat().st_size for path in self.out.rglob("*")) // 1024
+        sums = self.SUMS.replace("out", "out/torus")
+        script = (f'cp -r "$W/place/out" "$M/out"; A=$( {sums} ); "$P" {words}; [ $? = 4 ] || exit 98; [ "$A" = "$( {sums} )" ] || exit 97; '
+                  f'[ ! -e "$M/out/cube8" ] || exit 96; mount -o remount,size=40m "$M"; "$P" {words}; [ $? -le 1 ] || exit 95; '
+                  f'[ "$A" = "$( {sums} )" ] && [ -e "$M/out/cube8/results.json" ]')
+        process = self.in_mount(f"size={kilobytes + 250}k,mode=755", script)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertIn("No space left on device", process.stderr)
 
     def test_a_mount_point_keeps_its_good_report(self):
         report = self.REPORT.replace("$M/out", "$M")

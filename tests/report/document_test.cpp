@@ -67,10 +67,10 @@ TEST(Check, ScoresCountTheThreeStatesApart) {
 TEST(Check, IdsAreUniqueAndMadeOfPlainWords) {
     Section section;
     section.id = "q5";
-    for (const char* name : {"Energy falls on Cube", "energy falls: on cube", "energy falls on cube 2", "λ ≤ 2", "2", "Σ"})
+    for (const char* name : {"Energy falls on Cube", "energy falls: on cube", "energy falls on cube 2", "2λ ≤ 2", "2", "∞"})
         section.checks.push_back(check_near(name, 1, 1, 0));
     EXPECT_EQ(check_ids(section), (std::vector<std::string>{"q5-energy-falls-on-cube", "q5-energy-falls-on-cube-2",
-                                                            "q5-energy-falls-on-cube-2-2", "q5-2", "q5-2-2", "q5-check"}));
+                                                            "q5-energy-falls-on-cube-2-2", "q5-2-lambda-2", "q5-2", "q5-check"}));
 }
 
 TEST(JUnit, HasACaseACheckAndOneForWhatIsMissing) {

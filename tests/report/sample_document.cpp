@@ -129,7 +129,7 @@ Section answered() {
     s.extent = "H and K on 4 meshes, errors on 3";
     s.inputs = {{"plane", "curvatures/plane.obj", "plane.obj", true, std::string(64, 'a'), 121, 200},
                 {"sphere", "", "sphere.ply", false, std::string(64, 'b'), 40962, 81920}};
-    s.parameters = {{"area form", "barycentric"}, {"clip", "2 %"}};
+    s.parameters = {{"area form", "barycentric"}, {"clip", {"2 %", 0.02, "share"}}};
     s.code = {{"uniform_laplacian", "src/geometry/operators/uniform_laplacian.cpp", "Δ with uniform weights", 420},
               {"angle_deficit", "src/geometry/curvature/curvature.cpp", "cited, but not found in src.txt"}};
     s.blocks = {Heading{"Method"},

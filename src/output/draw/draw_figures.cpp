@@ -117,6 +117,10 @@ std::vector<render::View> views_of(const FigureRequest& request) {
     return {render::three_quarter_view()};
 }
 
+bool has_view_files(const FigureRequest& request, const DrawSettings& settings) {
+    return settings.view_files || (request.view_files && !settings.sheets_only);
+}
+
 bool has_undefined(const FigureRequest& request) {
     return std::any_of(request.panels.begin(), request.panels.end(), [](const Panel& panel) { return panel.values.array().isNaN().any(); });
 }
@@ -165,7 +169,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
                 part_of(views[i], (views[i].width - size.width) / 2, (views[i].height - size.height) / 2, size.width, size.height));
         }
     }
-    if (request.view_files || settings.view_files) draw_view_files(job, index, folder, settings);
+    if (has_view_files(request, settings)) draw_view_files(job, index, folder, settings);
 }
 
 /// The bar of the sheet, and the legend of the page.
@@ -197,7 +201,7 @@ void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const rende
             picture.top = composed.top + placed.top;
             picture.width = placed.image.width;
             picture.height = placed.image.height;
-            const bool has_file = (request.view_files || settings.view_files) && (i > 0 || !has_six_views(request));
+            const bool has_file = has_view_files(request, settings) && (i > 0 || !has_six_views(request));
             if (has_file) picture.file = view_file(request.panels[p], i == 0 ? render::three_quarter_view() : directions[i - 1]);
         }
     }

@@ -53,7 +53,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_checks(section, meshes, trials);
     add_discussion(section, meshes, trials, specimen);
 
-    section.parameters["modes"] = std::to_string(meshes.front().modes);
+    section.parameters["modes"] = meshes.front().modes;
     section.extent = words.line("extent", "meshes"_a = listed(names_of(meshes)), "faults"_a = trials.size());
     const auto complete = std::ranges::count_if(meshes, [](const Certified& c) { return c.certificate.holds(); });
     const auto caught = std::ranges::count_if(trials, &FaultTrial::caught);

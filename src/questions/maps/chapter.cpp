@@ -78,11 +78,15 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const SmoothingMaps& first = studies.front();
     std::vector<std::string> counts;
     for (const int t : first.iterations) counts.push_back(std::to_string(t));
-    section.parameters = {{"iterations measured", listed(counts)}, {"operator", words.line("parameter.operator")}};
-    for (const SmoothingMaps& maps : studies)
-        section.parameters[words.line("parameter.steps", "mesh"_a = maps.name())] =
-            words.line("parameter.steps.value", "steps"_a = maps.lambdas.size(), "first"_a = readable(maps.relative(0)),
-                       "last"_a = readable(maps.relative(maps.lambdas.size() - 1)));
+    section.parameters = {{"iterations measured", {listed(counts), first.iterations}}, {"operator", words.line("parameter.operator")}};
+    for (const SmoothingMaps& maps : studies) {
+        std::vector<double> relative;
+        for (std::size_t step = 0; step < maps.lambdas.size(); ++step) relative.push_back(maps.relative(step));
+        section.parameters[words.line("parameter.steps", "mesh"_a = maps.name())] = {
+            words.line("parameter.steps.value", "steps"_a = relative.size(), "first"_a = readable(relative.front()),
+                       "last"_a = readable(relative.back())),
+            relative};
+    }
     section.extent =
         words.line("extent", "steps"_a = first.lambdas.size(), "counts"_a = counts.size(), "meshes"_a = listed(names_of(studies)));
     const BlowUps blow_ups = blow_ups_of(studies);

@@ -138,9 +138,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.answer = answer_of(laboratory);
 
     const int steps = laboratory.budget.total();
-    section.parameters = {{words.line("parameter.steps"), std::to_string(steps)},
-                          {"seed", std::to_string(settings.seed)},
-                          {"impulsive noise", words.line("parameter.impulsive", "share"_a = readable_percent(impulsive_share, 2))}};
+    const std::string impulsive = words.line("parameter.impulsive", "share"_a = readable_percent(impulsive_share, 2));
+    section.parameters = {
+        {words.line("parameter.steps"), steps}, {"seed", settings.seed}, {"impulsive noise", {impulsive, impulsive_share, "share"}}};
     section.extent = words.line("extent", "methods"_a = denoising_list().size(),
                                 "trials"_a = parts_within(laboratory.meshes, &DenoisingTrials::trials).size(),
                                 "meshes"_a = listed(names_of(laboratory.meshes)), "steps"_a = steps);

@@ -73,8 +73,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const ModeStudy& study : studies) add_checks(section, study);
 
     section.parameters = {{"operator", words.line("parameter.operator")},
-                          {words.line("parameter.step"), "0.95 λ_crit"},
-                          {words.line("parameter.lanczos"), std::to_string(lanczos_steps(settings))}};
+                          {words.line("parameter.step"), {"0.95 λ_crit", 0.95, "λ_crit"}},
+                          {words.line("parameter.lanczos"), lanczos_steps(settings)}};
     std::vector<std::string> damped;
     for (const ModeStudy& study : studies)
         damped.push_back(

@@ -100,7 +100,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_discussion(section, labs, known);
 
     const std::size_t operators = laboratory_operators().size();
-    section.parameters["operators"] = std::to_string(operators);
+    section.parameters["operators"] = operators;
     section.extent = words.line("extent", "operators"_a = operators, "meshes"_a = listed(names_of(labs)));
     return answer;
 }

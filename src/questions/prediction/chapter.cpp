@@ -74,12 +74,18 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     const PredictionStudy& first = studies.front();
     std::vector<std::string> levels;
-    for (const NoiseLevelStudy& level : first.levels) levels.push_back(readable_percent(level.sigma, 2));
-    section.parameters = {{"noise", words.line("parameter.noise", "levels"_a = listed(levels))},
-                          {"seeds", std::to_string(first.seeds)},
-                          {"seed", std::to_string(settings.seed)}};
-    for (const PredictionStudy& study : studies)
-        section.parameters["λ on " + study.name()] = plain_text(study.lambda * study.diagonal * study.diagonal, 6);
+    std::vector<double> noise;
+    for (const NoiseLevelStudy& level : first.levels) {
+        noise.push_back(level.sigma);
+        levels.push_back(readable_percent(level.sigma, 2));
+    }
+    section.parameters = {{"noise", {words.line("parameter.noise", "levels"_a = listed(levels)), noise, "box diagonal"}},
+                          {"seeds", first.seeds},
+                          {"seed", settings.seed}};
+    for (const PredictionStudy& study : studies) {
+        const double lambda = study.lambda * study.diagonal * study.diagonal;
+        section.parameters["λ on " + study.name()] = {plain_text(lambda, 6), lambda, "length²"};
+    }
     section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)), "seeds"_a = first.seeds);
     return answer;
 }

@@ -91,8 +91,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const std::size_t levels = runs.front().levels.size();
     section.parameters = {{"area form", "barycentric"},
                           {"colour range", words.line("parameter.colour_range")},
-                          {"levels of refinement", std::to_string(levels)},
-                          {"seed of the jitter", std::to_string(settings.seed)}};
+                          {"levels of refinement", levels},
+                          {"seed of the jitter", settings.seed}};
     section.extent = words.line("extent", "meshes"_a = listed(names), "levels"_a = levels, "sums"_a = sums.size());
     return answer;
 }

@@ -94,9 +94,12 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add(section, pole_table(flat_ellipsoid, pole));
     add(section, discrete_table(tip, discrete));
 
+    const int points = oracles.front().points;
+    const Ellipsoid &flat = flat_ellipsoid, &tall = tall_ellipsoid;
     section.parameters = {
-        {"ellipsoids", axes_text(flat_ellipsoid) + "; " + axes_text(tall_ellipsoid)},
-        {"random points", words.line("parameter.points", "points"_a = oracles.front().points, "seed"_a = std::to_string(settings.seed))}};
+        {"ellipsoids", {axes_text(flat) + "; " + axes_text(tall), std::vector{flat.a, flat.b, flat.c, tall.a, tall.b, tall.c}, "length"}},
+        {"random points",
+         {words.line("parameter.points", "points"_a = points, "seed"_a = std::to_string(settings.seed)), static_cast<double>(points)}}};
     section.extent = words.line("extent", "points"_a = total_points(oracles), "ellipsoids"_a = oracles.size());
     return answer;
 }

@@ -116,8 +116,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const BenchRun& run : runs) most_vertices = std::max(most_vertices, run.finest().vertices);
     section.parameters = {{"area form", words.line("parameter.areas")},
                           {"negative weights", words.line("parameter.negative_weights")},
-                          {"levels of refinement", std::to_string(levels)},
-                          {"seed of the jitter", std::to_string(settings.seed)}};
+                          {"levels of refinement", levels},
+                          {"seed of the jitter", settings.seed}};
     section.extent = words.line("extent", "meshes"_a = listed(names), "levels"_a = levels, "vertices"_a = most_vertices);
     return answer;
 }

@@ -23,15 +23,17 @@ void add_checks(report::Section& section, const SpectralStudy& study) {
 }
 
 /// The rebuilt meshes, written out. @return their k: "5, 15 and 60"
-std::string add_meshes(Answer& answer, const SpectralStudy& study) {
+report::Parameter add_meshes(Answer& answer, const SpectralStudy& study) {
     std::vector<std::string> counts;
+    std::vector<int> numbers;
     for (const Reconstruction& r : study.reconstructions) {
+        numbers.push_back(r.k);
         counts.push_back(std::to_string(r.k));
         const std::string file = id_of(study, "k" + counts.back()) + ".ply";
         answer.meshes.push_back({file, std::make_shared<const TriangleMesh>(r.mesh)});
         answer.section.output_meshes.push_back("meshes/" + file);
     }
-    return listed(counts);
+    return {listed(counts), numbers};
 }
 
 /// How far it was done, and with which settings.
@@ -40,8 +42,8 @@ void add_record(Answer& answer, const std::vector<Subject>& subjects) {
     std::vector<std::string> done;
     for (const Subject& subject : subjects) {
         const SpectralStudy& study = subject.study;
-        const std::string counts = add_meshes(answer, study);
-        done.push_back(words.line("extent.mesh", "mesh"_a = study.name(), "counts"_a = counts));
+        const report::Parameter counts = add_meshes(answer, study);
+        done.push_back(words.line("extent.mesh", "mesh"_a = study.name(), "counts"_a = counts.text));
         section.parameters["k on " + study.name()] = counts;
         section.parameters["solver on " + study.name()] = study.spectrum.dense ? "dense" : "shift-invert Lanczos";
         section.timings.push_back({"eigenpairs of " + study.name(), study.seconds});

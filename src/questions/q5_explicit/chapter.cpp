@@ -51,8 +51,9 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
 /// How far it was done, and with which settings.
 void add_record(report::Section& section, const Studies& studies) {
     for (const ExplicitStudy& study : studies)
-        section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = plain_text(study.subject.critical, 6);
-    section.parameters["iterations"] = std::to_string(studies.front().runs.front().iterations);
+        section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = {plain_text(study.subject.critical, 6),
+                                                                                         study.subject.critical, "length²"};
+    section.parameters["iterations"] = studies.front().runs.front().iterations;
     section.parameters["operator"] = smoothing_words.line("parameter.operator");
     section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)));
 }

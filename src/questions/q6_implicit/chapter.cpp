@@ -61,7 +61,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const ImplicitStudy& last = studies.back();
     std::vector<std::string> times;
     for (const int t : last.iterations) times.push_back(std::to_string(t));
-    section.parameters = {{"iterations", listed(times)}, {"operator", smoothing_words.line("parameter.operator")}};
+    section.parameters = {{"iterations", {listed(times), last.iterations}}, {"operator", smoothing_words.line("parameter.operator")}};
     section.extent =
         words.line("extent", "steps"_a = last.lambdas.size(), "counts"_a = listed(times), "meshes"_a = listed(names_of(studies)));
     return answer;

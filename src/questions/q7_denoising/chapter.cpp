@@ -67,14 +67,18 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
     add(section, measure_table(grids));
 
+    const DenoisingGrid& first = grids.front();
     std::vector<std::string> levels, steps;
-    for (const NoisyTrial& trial : grids.front().trials) levels.push_back(readable_percent(trial.relative, 2));
-    for (const double lambda : grids.front().lambdas) steps.push_back(readable(lambda, 3));
-    section.parameters["noise"] = words.line("parameter.noise", "levels"_a = listed(levels));
-    section.parameters["λ"] = words.line("parameter.lambda", "steps"_a = listed(steps));
-    section.parameters["iterations"] = words.line("parameter.iterations", "last"_a = grids.front().iterations);
-    section.parameters["seed"] = std::to_string(settings.seed);
-    section.extent = words.line("extent", "levels"_a = listed(levels), "steps"_a = steps.size(), "iterations"_a = grids.front().iterations,
+    std::vector<double> noise;
+    for (const NoisyTrial& trial : first.trials) noise.push_back(trial.relative);
+    for (const double relative : noise) levels.push_back(readable_percent(relative, 2));
+    for (const double lambda : first.lambdas) steps.push_back(readable(lambda, 3));
+    section.parameters = {
+        {"noise", {words.line("parameter.noise", "levels"_a = listed(levels)), noise, "box diagonal"}},
+        {"λ", {words.line("parameter.lambda", "steps"_a = listed(steps)), first.lambdas, "h̄²"}},
+        {"iterations", {words.line("parameter.iterations", "last"_a = first.iterations), static_cast<double>(first.iterations)}},
+        {"seed", settings.seed}};
+    section.extent = words.line("extent", "levels"_a = listed(levels), "steps"_a = steps.size(), "iterations"_a = first.iterations,
                                 "meshes"_a = listed(names_of(grids)));
     return answer;
 }

@@ -77,7 +77,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         rows.insert(r.experiment.rows.begin(), r.experiment.rows.end());
         reports.insert(r.experiment.from);
     }
-    section.parameters = {{"experiments", std::to_string(settings.experiments.size())},
+    section.parameters = {{"experiments", settings.experiments.size()},
                           {"taken from", words.line(settings.own_experiments ? "parameter.own" : "parameter.bundled")}};
     section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = settings.experiments.size(),
                                 "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows.size());

@@ -73,9 +73,11 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_discussion(section, studies, flow);
     add_checks(section, studies, flow);
 
-    for (const StabilityStudy& study : studies)
-        section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = plain_text(study.cotangent.critical(), 10);
-    section.parameters[words.line("parameter.steps")] = std::to_string(studies.front().cotangent.beyond.steps());
+    for (const StabilityStudy& study : studies) {
+        const double critical = study.cotangent.critical();
+        section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = {plain_text(critical, 10), critical, "length²"};
+    }
+    section.parameters[words.line("parameter.steps")] = studies.front().cotangent.beyond.steps();
     section.parameters["operator"] = words.line("parameter.operators");
     section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)));
     section.answer = answer_of(studies);

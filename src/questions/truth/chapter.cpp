@@ -34,7 +34,7 @@ report::Section ground_truth_section(const GroundTruth& truth) {
     report::Section section = section_of("truth");
     section.extent = words.line("extent", "of_H"_a = panel_estimators(Quantity::H).size(), "of_K"_a = panel_estimators(Quantity::K).size(),
                                 "surfaces"_a = truth.runs.size() / panel_kinds.size(), "kinds"_a = panel_kinds.size());
-    section.parameters = {{"seed", std::to_string(truth.seed)}, {"refinements", std::to_string(truth.runs.front().levels.size())}};
+    section.parameters = {{"seed", truth.seed}, {"refinements", truth.runs.front().levels.size()}};
     section.answer = answer_of(truth);
     add_method(section, truth);
     add_words(section, words, "results");

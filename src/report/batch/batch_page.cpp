@@ -49,7 +49,7 @@ json worst_view(const BatchRow& row) {
                     {"words", "its name and what was measured", safe_text(worst.words)},
                     {"failed", "it failed", worst.failed},
                     {"value", "share of what it allows, to sort by; beyond any limit 1e308", exact_text(has_share ? worst.used : 1e308)},
-                    {"share", "of what it allows", has_share ? readable_percent(worst.used, 2) : "∞"}});
+                    {"share", "of what it allows", has_share ? readable_percent(worst.used, 3) : "∞"}});
 }
 
 json defect_view(const std::pair<std::string, double>& defect) {

@@ -25,12 +25,18 @@ const Table* table_of(const Document& document, const std::string& id) {
     return nullptr;
 }
 
-/// The cell of the first row below this head; empty where there is none.
-Cell cell_below(const Table* table, const std::string& head) {
-    if (table == nullptr || table->rows.empty()) return {};
-    const auto column = std::ranges::find(table->columns, head, &Column::name);
-    const auto place = static_cast<std::size_t>(column - table->columns.begin());
-    return column != table->columns.end() && place < table->rows.front().size() ? table->rows.front()[place] : Cell();
+/// The cell of the first row in the column with this id; empty where there is none.
+Cell first_cell(const Document& document, const std::string& column) {
+    for (const Section& section : document.sections) {
+        for (const Block& block : section.blocks) {
+            const auto* table = std::get_if<Table>(&block);
+            if (table == nullptr || table->rows.empty() || !column.starts_with(table->id)) continue;
+            const std::vector<std::string> ids = column_ids(*table);
+            const auto id = std::ranges::find(ids, column);
+            if (id != ids.end()) return table->rows.front().at(static_cast<std::size_t>(id - ids.begin()));
+        }
+    }
+    return {};
 }
 
 const Section* answered(const Document& document, const std::string& id) {
@@ -59,15 +65,15 @@ void take_counts(BatchRow& row, const Document& document) {
         row.triangles = double(input.triangles);
         break;
     }
-    const Table* connectivity = table_of(document, "preflight_connectivity");
-    row.edges = cell_below(connectivity, "edges");
-    row.components = cell_below(connectivity, "components");
-    row.boundary_loops = cell_below(connectivity, "boundary loops");
-    row.euler_characteristic = cell_below(connectivity, "χ");
-    row.genus = cell_below(connectivity, "genus");
-    row.manifold = cell_below(connectivity, "manifold");
-    row.orientation = cell_below(connectivity, "orientation");
-    row.lambda_critical = cell_below(table_of(document, "q5_limits"), "λ_crit");
+    for (const auto& [cell, column] : {std::pair{&BatchRow::edges, "preflight_connectivity-edges"},
+                                       {&BatchRow::components, "preflight_connectivity-components"},
+                                       {&BatchRow::boundary_loops, "preflight_connectivity-boundary-loops"},
+                                       {&BatchRow::euler_characteristic, "preflight_connectivity-chi"},
+                                       {&BatchRow::genus, "preflight_connectivity-genus"},
+                                       {&BatchRow::manifold, "preflight_connectivity-manifold"},
+                                       {&BatchRow::orientation, "preflight_connectivity-orientation"},
+                                       {&BatchRow::lambda_critical, "q5_limits-lambda-crit"}})
+        row.*cell = first_cell(document, column);
     if (answered(document, "preflight") == nullptr) return;
     const Table* defects = table_of(document, "preflight_defects");   // there is none where nothing was found
     row.defects = defects != nullptr ? defects_in(*defects) : std::vector<std::pair<std::string, double>>();

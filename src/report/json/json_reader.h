@@ -134,6 +134,7 @@ private:
 
     static void read(const Json& json, double& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, Cell& value, const JsonPlace& place, Odd& odd);
+    static void read(const Json& json, decltype(Parameter::value)& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, bool& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, int& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, std::uint64_t& value, const JsonPlace& place, Odd& odd);

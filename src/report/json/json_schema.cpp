@@ -111,8 +111,9 @@ private:
     static inline const Json inner_file = {
         {"description", "relative to the folder of results.json"}, {"type", "string"}, {"pattern", "^[^/]"}};
     template <class Value>
-    static constexpr bool holds_numbers = std::is_same_v<Value, double> || std::is_same_v<Value, std::vector<double>> ||
-                                          std::is_same_v<Value, std::vector<std::vector<Cell>>>;
+    static constexpr bool holds_numbers =
+        std::is_same_v<Value, double> || std::is_same_v<Value, std::vector<double>> || std::is_same_v<Value, decltype(Parameter::value)> ||
+        std::is_same_v<Value, std::vector<std::vector<Cell>>>;
     Json& schema_;
     std::string pointer_;
     KnownTypes& known_;
@@ -134,6 +135,9 @@ private:
     static Json schema_of(const std::string&, const std::string&) { return {{"type", "string"}}; }
     static Json schema_of(const std::optional<bool>&, const std::string&) { return {{"type", {"boolean", "null"}}}; }
     static Json schema_of(const Cell&, const std::string&) { return {{"type", {"number", "string", "null"}}}; }
+    static Json schema_of(const decltype(Parameter::value)&, const std::string&) {
+        return {{"type", {"number", "null", "string", "array"}}, {"items", {{"type", {"number", "null"}}}}};
+    }
     static Json schema_of(const std::map<std::string, std::string>&, const std::string&) {
         return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}};
     }

@@ -125,6 +125,9 @@ private:
         if (const auto* words = std::get_if<std::string>(&cell)) return *words;
         return {};
     }
+    static Json json_of(const decltype(Parameter::value)& value, Odd& odd) {
+        return std::visit([&](const auto& one) { return json_of(one, odd); }, value);
+    }
     static Json json_of(bool value, Odd&) { return value; }
     static Json json_of(int value, Odd&) { return value; }
     static Json json_of(std::uint64_t value, Odd&) { return value; }

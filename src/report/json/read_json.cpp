@@ -7,6 +7,7 @@
 #include "report/json/json_fields.h"
 #include "report/json/json_line.h"
 #include "report/json/json_reader.h"
+#include "report/json/upgrade_json.h"
 #include "report/numbering.h"
 
 namespace meshfolio::report {
@@ -45,18 +46,6 @@ private:
         for (std::size_t i = 0; i < items.size(); ++i) add(id_of(items[i]), {&place, {}, i});
     }
 };
-
-/// An older reader must not take a newer file for its own.
-void require_version(const Json& json) {
-    const JsonPlace root;
-    const auto version = json.is_object() ? json.find("schema_version") : json.end();
-    if (!json.is_object() || version == json.end()) throw JsonProblem(root, "is no results.json", "name the results.json of a report");
-    if (*version == schema_version) return;
-    throw JsonProblem(
-        {&root, "schema_version"},
-        "is " + in_quotes(version->dump(-1, ' ', true, Json::error_handler_t::replace)) + ", not " + std::to_string(schema_version),
-        "make the report anew, or take the meshfolio that made it");
-}
 
 /// Puts the blocks of a section in their order; each list is used up from its beginning.
 class Joiner {
@@ -140,10 +129,27 @@ private:
     }
 };
 
+/// Those of earlier files, which have no values, are words.
+Parameters parameters_of(const SectionEntry& entry, const JsonPlace& place) {
+    Parameters parameters;
+    for (const auto& [name, words] : entry.parameters) parameters[name] = words;
+    const JsonPlace list{&place, "parameter_values"};
+    for (std::size_t i = 0; i < entry.parameter_values.size(); ++i) {
+        const ParameterEntry& one = entry.parameter_values[i];
+        const auto parameter = parameters.find(one.name);
+        if (parameter == parameters.end())
+            throw JsonProblem({&list, {}, i}, "names " + in_quotes(one.name) + ", which is no parameter", "take a whole results.json");
+        parameter->second.value = one.value;
+        parameter->second.unit = one.unit;
+    }
+    return parameters;
+}
+
 /// What is known of the pictures goes into `drawn`.
 /// @throws JsonProblem where the order names a block that is not there, or leaves one out
 Section section_of(SectionEntry entry, DrawnFigures& drawn, const JsonPlace& place) {
     Section section = std::move(entry.section);
+    section.parameters = parameters_of(entry, place);
     section.blocks = Joiner(entry, drawn, place).blocks();
     for (CheckEntry& check : entry.checks) section.checks.push_back(std::move(check.check));
     return section;
@@ -193,8 +199,8 @@ ReadReport read_json(std::string_view text, const std::string& file) {
                          "take a results.json as meshfolio writes it");
     }
     try {
-        const Json json = Json::parse(text);
-        require_version(json);
+        Json json = Json::parse(text);
+        upgrade_json(json);
         return report_of(read_value<ReportEntry>(json, {}));
     } catch (const JsonProblem& problem) {
         const std::string where = problem.path.empty() ? "" : problem.path + " ";

@@ -80,6 +80,11 @@ SectionEntry entry_of(const Section& section, const DrawnFigures& drawn, bool wi
     entry.section = section;
     entry.section.blocks.clear();
     entry.section.checks.clear();
+    entry.section.parameters.clear();
+    entry.parameters = texts_of(section.parameters);
+    std::vector<std::string> parameters = parameter_ids(section);
+    for (const auto& [name, parameter] : section.parameters)
+        entry.parameter_values.push_back({parameters[entry.parameter_values.size()], name, parameter.unit, parameter.value});
     const std::vector<std::string> ids = check_ids(section);
     for (std::size_t i = 0; i < ids.size(); ++i) entry.checks.push_back({ids[i], section.checks[i]});
     entry.with_timings = with_timings;

@@ -149,7 +149,7 @@ json section_view(const Section& section, const std::string& number, const ViewC
                  {"has_lab", "the page has a mesh of the laboratory for it",
                   context.options.lab_questions.find(section.id + " ") != std::string::npos}});
     enter_list(view, "inputs", "meshes it read", list_of(section.inputs, input_view));
-    enter_list(view, "parameters", "its settings", names_and_values(section.parameters, "of the setting", "what it is"));
+    enter_list(view, "parameters", "its settings", names_and_values(texts_of(section.parameters), "of the setting", "what it is"));
     enter_list(view, "warnings", "what was unusual", list_of(section.warnings, warning));
     enter_list(view, "outputs", "meshes it wrote", list_of(section.output_meshes, output));
     enter_list(view, "headings", "numbered headings within the section", headings_view(blocks));

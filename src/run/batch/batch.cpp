@@ -14,6 +14,7 @@
 #include "base/parallel_tasks.h"
 #include "base/sha256.h"
 #include "output/publish/publish.h"
+#include "output/publish/temporaries.h"
 #include "run/arguments.h"
 #include "run/batch/batch_folder.h"
 #include "run/batch/finished_report.h"
@@ -190,6 +191,8 @@ ExitCode run_batch(const BatchFlags& flags) {
     const report::Templates templates(settings.templates);
     static_cast<void>(PaperCopy(settings, templates));   // an engine that is required is there
     const BatchFolder folder(settings.out);
+    for (const BatchMesh& mesh : meshes)
+        output::sweep_leftovers(folder.path() / mesh.name);   // what is finished is not made again, and sweeps nothing
     BatchIndex index(folder.path(), {rows_found(meshes, settings), settings.timings}, templates);
     index.write();
     Batch batch(flags, settings, std::move(meshes), index);

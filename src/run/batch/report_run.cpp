@@ -25,6 +25,7 @@ std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& 
     }
     for (const auto& [name, is_given] : {std::pair{"--quick", report.quick},
                                          {"--views-files", report.view_files},
+                                         {"--sheets-only", report.sheets_only},
                                          {"--no-timings", report.no_timings},
                                          {"--no-cache", report.no_cache}}) {
         if (is_given) words.emplace_back(name);

@@ -31,7 +31,9 @@ std::string sentence_of(const std::string& key) {
     const auto after = [&](std::string_view start) { return key.substr(start.size()); };
     if (key.starts_with("operator_")) {
         const OperatorEntry& entry = operator_entry(operator_named(after("operator_")));
-        return words.line("convention.operator", "operator"_a = entry.title, "description"_a = entry.description);
+        std::string description(entry.description);   // a sentence, which goes on here
+        description.erase(description.find_last_not_of('.') + 1);
+        return words.line("convention.operator", "operator"_a = entry.title, "description"_a = description);
     }
     if (key.starts_with("area_")) {
         const operators::LaboratoryOperator with_area{OperatorKind::cotan, area_form_named(after("area_"))};
@@ -136,18 +138,18 @@ std::string harmless_cell(const std::string& text) {
 }   // namespace
 
 std::string said_of(const ItemMark& mark) {
-    const std::string worst = readable(mark.agreement.worst), tolerance = readable(mark.item->tolerance);
+    const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
     std::string said;
     switch (mark.verdict) {
         case Verdict::right:
-            said = words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance);
+            said = mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance) : words.line("said.exact");
             break;
         case Verdict::accepted:
             said = words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
             break;
         case Verdict::recognised:
             said = words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
-                              "share"_a = readable_percent(mark.item->recognised));
+                              "share"_a = readable_percent(mark.item->recognised, 2));
             break;
         case Verdict::wrong:
             said = words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,

@@ -114,7 +114,7 @@ Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_
     return plan;
 }
 
-Plan scaled(Plan plan, const ReportSettings& settings) {
+Plan scaled(Plan plan, const ReportSettings& settings, Scope scope) {
     double vertices = 0;
     for (const PlannedMesh& mesh : plan.meshes) vertices += mesh.vertices;
     plan.time = settings.time.value_or(promised_seconds(2 * vertices, settings.quick));
@@ -122,6 +122,15 @@ Plan scaled(Plan plan, const ReportSettings& settings) {
         const auto dearest = std::ranges::max_element(plan.sections, {}, saved_by);
         if (saved_by(*dearest) <= 0) break;
         *dearest = next_rung(*dearest);
+    }
+    for (PlannedSection& section : plan.sections) {
+        const std::string id(section.model->id);
+        if (!is_asked_for(settings, id)) {
+            plan.others[id] = section.effort();
+            plan.others[id].cpu_seconds = 0;
+        } else if (!settings.only.empty() && scope != Scope::part && section.effort().left_out) {
+            --section.rung;
+        }
     }
     std::erase_if(plan.sections, [&](const PlannedSection& section) { return !is_asked_for(settings, section.model->id); });
     return plan;
@@ -197,7 +206,7 @@ double Plan::memory(int at_a_time) const {
 }
 
 std::map<std::string, Effort> Plan::efforts() const {
-    std::map<std::string, Effort> efforts;
+    std::map<std::string, Effort> efforts = others;
     for (const PlannedSection& section : sections) efforts[std::string(section.model->id)] = section.effort();
     return efforts;
 }
@@ -208,17 +217,17 @@ double promised_seconds(double triangles, bool quick) {
     return millions <= 1 ? std::max(20.0, 20 + 40 * (millions - 0.1) / 0.9) : 60 + 120 * (millions - 1) / 4.5;
 }
 
-Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, bool alone) {
+Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, Scope scope) {
     return scaled(
-        started(settings, alone,
+        started(settings, scope == Scope::alone,
                 [&](const SectionModel& model) { return meshes_of(model, question_settings(settings, std::string(model.id)), meshes); }),
-        settings);
+        settings, scope);
 }
 
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes) {
     return scaled(
         started(settings, false, [&](const SectionModel& model) { return model.roles.empty() ? std::vector<PlannedMesh>() : meshes; }),
-        settings);
+        settings, Scope::report);
 }
 
 std::string text_of(const Plan& plan) {

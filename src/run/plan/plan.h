@@ -33,24 +33,28 @@ struct PlannedSection {
 
 struct Plan {
     std::vector<PlannedSection> sections;   // those asked for
+    std::map<std::string, Effort> others;   // of the whole report, of which these are a part; without their costs
     std::vector<PlannedMesh> meshes;        // each once
     bool printed = false;                   // a PDF may be made
     double time = 0;                        // asked for or promised [s]
 
-    double rest_cpu() const;                      // beside the sections [s]
-    double cpu_seconds() const;                   // of everything
-    double seconds() const;                       // on two cores
-    double memory(int at_a_time = cores) const;   // at the peak, so many sections being worked on [bytes]
-    std::map<std::string, Effort> efforts() const;
+    double rest_cpu() const;                         // beside the sections [s]
+    double cpu_seconds() const;                      // of everything
+    double seconds() const;                          // on two cores
+    double memory(int at_a_time = cores) const;      // at the peak, so many sections being worked on [bytes]
+    std::map<std::string, Effort> efforts() const;   // of the others as well: parts of a report say the same
 };
+
+/// What is asked for has the time for itself (alone); or is done as in the whole report, to which it may be added. What the whole one
+/// leaves out is done nevertheless, where `only` names it; not in a part, which is joined to the bytes of the whole one.
+enum class Scope { alone, report, part };
 
 /// Seconds on two cores that a report of so many triangles is promised in.
 double promised_seconds(double triangles, bool quick);
 
 /// From the most that a section may do, one step at a time: the one that saves most, half as gladly where a question is answered, until
 /// the time is kept. The steps do not depend on the time, so that more of it never gives less. Questions are always answered.
-/// @param alone  what is asked for has the time for itself; otherwise it is done as in the whole report, to which it may be added
-Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, bool alone);
+Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, Scope scope);
 /// The same of meshes of these sizes, each given to every section. For tests, and to say what would fit.
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes);
 

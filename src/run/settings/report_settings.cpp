@@ -122,6 +122,7 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
     if (!flags.data.empty()) settings.data.assign(flags.data.begin(), flags.data.end());
     settings.quick = flags.quick;
     settings.view_files = settings.view_files || flags.view_files;
+    settings.sheets_only = flags.sheets_only;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;
     if (flags.alone && flags.only.empty()) problems.add(0, "--alone is about --only", "name the sections with --only q1,q4");

@@ -37,8 +37,8 @@ struct ReportFlags {
     std::vector<std::string> meshes, data;
     std::string only, out, config, threads, size, templates, pdf, pdf_browser, author, from, part, junit, time;
     std::vector<std::string> parts;   // of `merge`
-    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, alone = false, plan = false,
-         json = false;
+    bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, sheets_only = false, alone = false,
+         plan = false, json = false;
 };
 
 struct ViewSize {
@@ -78,7 +78,8 @@ struct ReportSettings {
     ViewSize size;
     int threads = 0;   // 0: all
     std::uint64_t seed = 0;
-    bool view_files = false;   // every view of every figure is a file of its own as well
+    bool view_files = false;    // every view of every figure is a file of its own as well
+    bool sheets_only = false;   // unless so, not even those that the assignment asks for
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
     std::optional<double> time;                       // seconds on two cores that the report is to fit into; none: as promised
     std::map<std::string, Effort> efforts;            // by id; none: everything as `quick` says

@@ -44,8 +44,9 @@ inline std::vector<std::string> colormap_names() {
 template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
-    auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, threads, seed, view_files, quick,
-           laboratory, fail_fast, timings, time, efforts, only, questions, experiments, experiments_digest, base] = settings;
+    auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, threads, seed, view_files,
+           sheets_only, quick, laboratory, fail_fast, timings, time, efforts, only, questions, experiments, experiments_digest, base] =
+        settings;
     visit(Setting{.table = "[render]",
                   .key = "size",
                   .flag = "--size",
@@ -57,6 +58,7 @@ void for_each_setting(Settings& settings, Visit visit) {
           size);
     visit(Setting{.table = "[render]", .key = "view_files", .flag = "--views-files", .name = "view files", .shapes_answers = true},
           view_files);
+    visit(Setting{.flag = "--sheets-only", .name = "sheets only", .shapes_answers = true}, sheets_only);
     visit(Setting{.key = "threads", .flag = "--threads", .variable = "MESHFOLIO_THREADS", .most = limits::largest_threads}, threads);
     visit(Setting{.flag = "--pdf", .variable = "MESHFOLIO_PDF", .choices = pdf_choices}, pdf);
     visit(Setting{.flag = "--pdf-browser"}, pdf_browser);

@@ -137,6 +137,10 @@ TEST(DrawFigures, SingleViewsAreFilesWhereTheyAreAskedForAlone) {
         EXPECT_EQ(big_endian(png, 20), 120) << picture.file;
     }
     for (const report::DrawnPicture& picture : pictures_of(drawn.at("q5_cube"))) EXPECT_TRUE(picture.file.empty());
+    const TemporaryFolder other;
+    settings.sheets_only = true;
+    draw_figures(asked, other.path(), settings);
+    EXPECT_EQ(bytes_below(other.path()).size(), 2u);
 }
 
 // The page shows nothing that is not in the sheet: a report rendered from its files is the same.

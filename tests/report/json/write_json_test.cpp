@@ -7,6 +7,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "report/json/read_json.h"
 #include "report/sample_document.h"
 #include "report/writers.h"
 
@@ -77,10 +78,31 @@ TEST(WriteJson, ColumnsHaveIdsOfTheirOwnAndTheSchemaIsNamedByItsVersion) {
                 }
     EXPECT_FALSE(ids.empty());
     Table table{.id = "q5_limits", .columns = {{"mesh"}, {"λ_crit/h̄²"}, {"after"}, {"λ"}, {"After"}}};
-    EXPECT_EQ(column_ids(table),
-              (std::vector<std::string>{"q5_limits-mesh", "q5_limits-crit-h", "q5_limits-after", "q5_limits-column", "q5_limits-after-2"}));
+    EXPECT_EQ(column_ids(table), (std::vector<std::string>{"q5_limits-mesh", "q5_limits-lambda-crit-h", "q5_limits-after",
+                                                           "q5_limits-lambda", "q5_limits-after-2"}));
     const json schema = json::parse(results_schema());
     EXPECT_EQ(schema["$id"], "urn:meshfolio:results:" + schema["properties"]["schema_version"]["minimum"].dump());
+}
+
+TEST(WriteJson, ParametersAreNumbersWithUnitsBesideTheirText) {
+    Document document = sample_document();
+    document.sections[0].parameters = {{"area form", "barycentric"},
+                                       {"iterations", 20},
+                                       {"λ", {"0.1 and 0.25 h̄²", std::vector{0.1, 0.25}, "h̄²"}},
+                                       {"λ_crit of cube", {"0.00123", 0.00123456789, "length²"}}};
+    const json whole = written(document, {}), question = whole["questions"][0];
+    EXPECT_TRUE(is_valid(whole));
+    EXPECT_EQ(question["parameters"],
+              json::parse(R"({"area form": "barycentric", "iterations": "20", "λ": "0.1 and 0.25 h̄²", "λ_crit of cube": "0.00123"})"));
+    EXPECT_EQ(question["parameter_values"], json::parse(R"([
+        {"id": "q1-parameter-area-form", "name": "area form", "value": "barycentric", "unit": ""},
+        {"id": "q1-parameter-iterations", "name": "iterations", "value": 20.0, "unit": ""},
+        {"id": "q1-parameter-lambda", "name": "λ", "value": [0.1, 0.25], "unit": "h̄²"},
+        {"id": "q1-parameter-lambda-crit-of-cube", "name": "λ_crit of cube", "value": 0.00123456789, "unit": "length²"}])"));
+    EXPECT_EQ(write_json(read_json(whole.dump(), "results.json").document, {}), write_json(document, {}));
+    json broken = whole;
+    broken["questions"][0]["parameter_values"][1]["value"] = true;
+    EXPECT_FALSE(is_valid(broken));
 }
 
 TEST(WriteJson, QuestionsKeepTheirOrderAndStatus) {

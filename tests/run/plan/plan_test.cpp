@@ -117,6 +117,25 @@ TEST(Plan, APartIsDoneAsInTheWhole) {
     EXPECT_EQ(part.sections.front().rung, section(whole, "q6").rung);
 }
 
+TEST(Plan, WhatIsNamedIsNotLeftOutAndTheOthersAreTold) {
+    ReportSettings settings = settings_with(5, true);
+    const std::vector<PlannedMesh> meshes{{"a.obj", 2e5}};
+    const Plan whole = plan_for(settings, meshes);
+    ASSERT_TRUE(section(whole, "maps").effort().left_out);
+    settings.only = {"q1", "maps"};
+    const Plan part = plan_for(settings, meshes);
+    EXPECT_FALSE(section(part, "maps").effort().left_out);
+    EXPECT_GT(section(part, "maps").effort().cpu_seconds, 0);
+    double sum = part.rest_cpu();
+    for (const auto& [id, effort] : part.efforts()) {
+        const Effort in_whole = whole.efforts().at(id);
+        sum += effort.cpu_seconds;
+        if (id != "maps")
+            EXPECT_EQ(std::pair(effort.left_out, effort.most_vertices), std::pair(in_whole.left_out, in_whole.most_vertices)) << id;
+    }
+    EXPECT_NEAR(part.cpu_seconds(), sum, 1e-9) << "the others cost nothing";
+}
+
 TEST(Plan, ASectionAloneTakesWhatAPartOfItTakes) {
     ReportSettings settings = settings_with(100);
     const std::vector<PlannedMesh> meshes{{"a.obj", 2e5}};
