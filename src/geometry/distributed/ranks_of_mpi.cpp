@@ -214,7 +214,6 @@ private:
         }
         check(MatSetOption(A, definite ? MAT_SPD : MAT_SYMMETRIC, PETSC_TRUE));
         check(MatGetFactor(A, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor_.fresh()));
-        check(MatMumpsSetIcntl(factor_, 7, 5));   // METIS's nested dissection
         if (!definite) {
             check(MatMumpsSetIcntl(factor_, 13, 1));    // or the pivots of the last front are not counted
             check(MatMumpsSetIcntl(factor_, 14, 60));   // per cent of room for pivots that wait
