@@ -16,6 +16,7 @@
 #include "cli/commands.h"
 #include "cli/help_formats.h"
 #include "cli/signals.h"
+#include "geometry/distributed/ranks.h"
 #include "run/console.h"
 #include "run/progress.h"
 #include "run/settings/report_settings.h"
@@ -206,6 +207,19 @@ void CommandOptions::required_texts(const std::string& names, std::vector<std::s
 void CommandOptions::flag(const std::string& names, bool& value, const std::string& help) { app_->add_flag(names, value, help); }
 
 void CommandOptions::footer(const std::string& text) { app_->footer(text); }
+
+const std::vector<std::string>& backend_choices() {
+    static const std::vector<std::string> choices{"builtin", "slepc"};
+    return choices;
+}
+
+ExitCode with_backend(const std::string& backend, const std::function<ExitCode(Ranks*)>& work) {
+    if (backend != "slepc") return work(nullptr);
+    const std::unique_ptr<Ranks> ranks = ranks_of_mpi();
+    if (ranks->is_first()) return work(ranks.get());
+    ranks->serve();
+    return ExitCode::ok;
+}
 
 int run(int argc, const char* const* argv) {
     try {

@@ -13,7 +13,10 @@ namespace CLI {
 class App;
 }
 
-namespace meshfolio::run {}
+namespace meshfolio {
+class Ranks;
+namespace run {}
+}   // namespace meshfolio
 
 namespace meshfolio::cli {
 
@@ -46,6 +49,11 @@ struct Command {
     CLI::App* app;                   // its options; parsed() if it was asked for
     std::function<ExitCode()> run;   // throws an Error, or returns ok or failed
 };
+
+/// Who factors: one of backend_choices(). With `slepc`, the first of the ranks of MPI does the work and the others help; else the work gets
+/// nullptr. @throws EngineError for what this program was built without
+ExitCode with_backend(const std::string& backend, const std::function<ExitCode(Ranks*)>& work);
+const std::vector<std::string>& backend_choices();
 
 Command report_command(CLI::App& parent);
 Command merge_command(CLI::App& parent);

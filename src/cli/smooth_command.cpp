@@ -17,7 +17,7 @@ namespace meshfolio::cli {
 namespace {
 
 struct SmoothFlags {
-    std::string mesh, output, scheme = "explicit", laplacian = "cotan", lambda, unit = "raw", mu, iterations = "1";
+    std::string mesh, output, scheme = "explicit", laplacian = "cotan", backend = "builtin", lambda, unit = "raw", mu, iterations = "1";
     bool rebuild = false, adaptive = false;
 };
 
@@ -31,6 +31,8 @@ SmoothingOptions smoothing_options(const SmoothFlags& options) {
     const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
     if (options.adaptive && !is_explicit)
         throw UsageError("--adaptive is for --scheme explicit", "leave it off: only explicit steps have a limit");
+    if (options.backend != "builtin" && smoothing.scheme != SmoothingScheme::implicit_euler)
+        throw UsageError("--backend " + options.backend + " is for --scheme implicit", "leave it off: only implicit steps have a factor");
     smoothing.adaptive = options.adaptive ? 0.95 : 0;
     smoothing.monitor = is_explicit && options.rebuild;
     if (!options.mu.empty()) smoothing.taubin_mu = finite_number("--mu", options.mu);
@@ -112,8 +114,9 @@ void warn_of_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
     }
 }
 
-ExitCode run_smooth(const SmoothFlags& options) {
+ExitCode run_smooth(const SmoothFlags& options, Ranks* ranks) {
     SmoothingOptions smoothing = smoothing_options(options);
+    smoothing.ranks = ranks;
     const PreparedMesh prepared = load_mesh(options.mesh, Checks::all, Keep::attributes);
     bool indefinite = false;
     const Smoothed result = about_mesh(options.mesh, [&] {
@@ -151,6 +154,7 @@ Command smooth_command(CLI::App& parent) {
     app.required("-o,--output", options->output, formats_written);
     app.choice("--scheme", options->scheme, {"explicit", "implicit", "taubin"}, "how a step is made");
     app.choice("--operator", options->laplacian, operator_choices(), "of the Laplacian");
+    app.choice("--backend", options->backend, backend_choices(), "who factors implicit steps; slepc: all ranks of mpirun together");
     app.text("--lambda", options->lambda, "step; default: half the largest stable one");
     app.choice("--unit", options->unit, {"raw", "tau", "h2"},
                "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)");
@@ -160,7 +164,7 @@ Command smooth_command(CLI::App& parent) {
     app.flag("--adaptive", options->adaptive, "cut explicit steps below 2 over a proved bound of mu_max");
     app.footer(std::string(attributes_are_kept) +
                "Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
-    return {app, [options] { return run_smooth(*options); }};
+    return {app, [options] { return with_backend(options->backend, [&](Ranks* ranks) { return run_smooth(*options, ranks); }); }};
 }
 
 }   // namespace meshfolio::cli

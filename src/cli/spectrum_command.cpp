@@ -53,7 +53,7 @@ std::vector<VertexColumn> mode_columns(const Spectrum& spectrum) {
 }
 
 struct SpectrumFlags {
-    std::string mesh, area = "barycentric", laplacian = "cotan", k, csv, vectors, ply, reconstruct, out;
+    std::string mesh, area = "barycentric", laplacian = "cotan", backend = "builtin", k, csv, vectors, ply, reconstruct, out;
 };
 
 constexpr int largest_k = 100000;
@@ -93,7 +93,7 @@ void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options,
     }
 }
 
-ExitCode run_spectrum(const SpectrumFlags& options) {
+ExitCode run_spectrum(const SpectrumFlags& options, Ranks* ranks) {
     const AreaForm form = area_form_named(options.area);
     const OperatorKind kind = operator_named(options.laplacian);
     const int k = static_cast<int>(integer_between("-k", options.k, 1, largest_k));
@@ -104,12 +104,12 @@ ExitCode run_spectrum(const SpectrumFlags& options) {
     check_holds_columns("--ply", options.ply);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
-    const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k); });
+    const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k, {.ranks = ranks}); });
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
     if (found < k) {
         warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) + " asked for");
     }
-    const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum);
+    const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum, ranks);
     complain(in_words(certificate));
     output::FileGroup files;
     files.keep(options.mesh);
@@ -132,6 +132,7 @@ Command spectrum_command(CLI::App& parent) {
     app.required("-k", options->k, "how many eigenpairs, 1 to 100000");
     app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "whose eigenpairs");
+    app.choice("--backend", options->backend, backend_choices(), "who factors; slepc: all ranks of mpirun together");
     app.text("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
     app.text("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
     app.text("--ply", options->ply, "the mesh with its eigenvectors as properties mode_1, mode_2, …: .ply, .vtp or .glb");
@@ -141,7 +142,7 @@ Command spectrum_command(CLI::App& parent) {
         "Prints a certificate of the eigenpairs on stderr: that none is missing is proved, refuted, or cannot be proved here because\n"
         "rounding of the count exceeds the gap. Exit code 1 when something is refuted or beyond its limit.\n"
         "Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
-    return {app, [options] { return run_spectrum(*options); }};
+    return {app, [options] { return with_backend(options->backend, [&](Ranks* ranks) { return run_spectrum(*options, ranks); }); }};
 }
 
 }   // namespace meshfolio::cli

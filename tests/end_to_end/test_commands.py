@@ -74,6 +74,7 @@ class Usage(InFolder):
         self.refuse(2, 'noise', mesh, '-o', 'x.ply', '--sigma', '1', '--seed', '-1')
         self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda', '1', '--iterations', '-1')
         self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda', '1', '--operator', 'uniform', '--unit', 'h2')
+        self.assertIn('builtin, slepc', self.refuse(2, 'spectrum', mesh, '-k', '2', '--backend', 'mpi'))
         self.assertEqual(os.listdir(self.folder), [mesh])
 
     def test_unknown_names(self):

@@ -8,6 +8,7 @@
 #include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/parallel.h"
+#include "geometry/distributed/ranks.h"
 #include "geometry/linear/cholesky_analysis.h"
 #include "geometry/linear/panel_kernels.h"
 #include "geometry/measures/spatial_order.h"
@@ -45,6 +46,7 @@ struct ImplicitSolver::State {
     LinearSolver ready = LinearSolver::none;
     LdltPanels factor;
     std::optional<ConjugateGradients> gradients;
+    Ranks* ranks = nullptr;
     std::vector<int> vertex;   // of each row of the steps
     Vector M;                  // in that order
     int analyses = 0, factorisations = 0;
@@ -80,10 +82,10 @@ ImplicitSolver::~ImplicitSolver() = default;
 ImplicitSolver::ImplicitSolver(ImplicitSolver&&) noexcept = default;
 ImplicitSolver& ImplicitSolver::operator=(ImplicitSolver&&) noexcept = default;
 
-void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit) {
+void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit, Ranks* ranks) {
     State& s = *state_;
     const bool known = s.analyses > 0 && whole.vertex == s.whole.vertex && same_pattern(whole.A, s.whole.A);
-    if (known && lambda == s.lambda && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
+    if (known && lambda == s.lambda && ranks == nullptr && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
         s.fits(memory_limit) == (s.ready == LinearSolver::direct)) {
         return;
     }
@@ -95,10 +97,14 @@ void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const
     s.lambda = lambda;
     const OperatorWithMass sorted = reordered(whole, s.curve);
     const SparseMatrix system = system_of(sorted, lambda);
-    if (!known) s.analyse(system);
-    const bool direct = s.fits(memory_limit);
+    if (!known && ranks == nullptr) s.analyse(system);
+    const bool direct = ranks == nullptr && s.fits(memory_limit);
     try {
-        if (direct) {
+        if (ranks != nullptr) {
+            ranks->factor(system, true);
+            s.vertex = sorted.vertex;
+            s.M = sorted.M;
+        } else if (direct) {
             s.factor = s.analysis->factor(system);
             s.take_rows(sorted, s.factor.order);
         } else {
@@ -110,7 +116,8 @@ void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const
                           "take a smaller lambda, or repair triangles of zero area");
     }
     ++s.factorisations;
-    s.ready = direct ? LinearSolver::direct : LinearSolver::conjugate_gradients;
+    s.ranks = ranks;
+    s.ready = ranks != nullptr ? LinearSolver::distributed : direct ? LinearSolver::direct : LinearSolver::conjugate_gradients;
 }
 
 const std::vector<int>& ImplicitSolver::vertex() const { return state_->vertex; }
@@ -122,6 +129,12 @@ void ImplicitSolver::step(FourColumns& X) {
         return;
     }
     for_each_index(static_cast<int>(X.rows()), [&](int i) { row_of(X, i) *= s.M[i]; });
+    if (s.ready == LinearSolver::distributed) {
+        auto columns =
+            Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, FourColumns::width, Eigen::RowMajor>>(X.data(), X.rows(), FourColumns::width);
+        columns.leftCols(3) = s.ranks->solve(columns.leftCols(3));
+        return;
+    }
     solve_in_place(s.factor, X);
 }
 
@@ -137,6 +150,7 @@ LinearSolver ImplicitSolver::solver() const { return state_->ready; }
 
 long long ImplicitSolver::factor_nonzeros() const {
     if (state_->ready == LinearSolver::conjugate_gradients) return state_->gradients->nonzeros();
+    if (state_->ready == LinearSolver::distributed) return state_->ranks->nonzeros();
     return state_->analysis ? state_->analysis->nonzeros() : 0;
 }
 

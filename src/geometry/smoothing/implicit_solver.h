@@ -10,8 +10,9 @@
 namespace meshfolio {
 
 struct OperatorWithMass;
+class Ranks;
 
-enum class LinearSolver { none, direct, conjugate_gradients };
+enum class LinearSolver { none, direct, conjugate_gradients, distributed };
 
 /// Keeps what it can from one system to the next: the vertices' order and the symbolic analysis as long as the operator's pattern is the
 /// same, the factor as long as operator, mass and λ are. To be handed from run to run by whoever makes several. Rows are kept in the
@@ -27,8 +28,10 @@ public:
     /// made by conjugate gradients instead.
     /// @param X             positions of the whole mesh: along them the vertices are sorted when the pattern is a new one
     /// @param memory_limit  [bytes]; 0: what the machine has left
+    /// @param ranks         of several processes, that factor together and whatever the limit; they outlive the steps. nullptr: this one
+    /// does
     /// @throws SolverError if M − λC cannot be factored
-    void prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit = 0);
+    void prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit = 0, Ranks* ranks = nullptr);
 
     const std::vector<int>& vertex() const;   // of each row
     /// X := X'. @throws SolverError if conjugate gradients do not end

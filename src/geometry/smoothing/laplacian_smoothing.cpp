@@ -100,7 +100,7 @@ public:
             taubin_mu_ = taubin_mu_of(laplacian, options_);
         }
         if (options_.scheme == SmoothingScheme::implicit_euler) {
-            implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit);
+            implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit, options_.ranks);
             return;
         }
         if (whole.vertex != with_mass_) order_ = product_order(whole, mesh.X);

@@ -8,6 +8,8 @@
 
 namespace meshfolio {
 
+class Ranks;
+
 /// Seconds of one thread spent on each part.
 struct SpectrumTimes {
     double factor = 0, solve = 0, orthogonalise = 0, rayleigh_ritz = 0;
@@ -21,8 +23,9 @@ struct SpectrumOptions {
     int dense_below = 700;      // vertices in use at or below which all pairs are found at once by a dense solver
     int one_slice_up_to = 60;   // pairs besides the zero modes; more are found slice by slice
     int pairs_per_slice = 80;
-    int threads = 0;                             // slices at a time at most; 0: one a processor. The result is the same
-    double memory_limit = 0;                     // bytes that may be taken; 0: as much as the machine has left
+    int threads = 0;           // slices at a time at most; 0: one a processor. The result is the same
+    double memory_limit = 0;   // bytes that may be taken; 0: as much as the machine has left
+    Ranks* ranks = nullptr;    // of several processes, that hold the factors; nullptr: this one does. Limits do not apply then
     std::function<void(double)> progress = {};   // fraction done, in [0, 1]; called from any thread, one at a time; may throw to stop
 };
 

@@ -54,6 +54,7 @@ struct UnitProblem {
     double unit = 0;    // of eigenvalues, a power of two [1/length²]
     double mu0 = 0;     // median A_ii / ΣM
     Vector row_mu0;     // of the component of each row
+    Ranks* ranks = nullptr;
 };
 
 double median(Vector values) {
@@ -88,7 +89,7 @@ Vector units_of_components(const SparseMatrix& A, const Vector& M) {
 UnitProblem unit_problem(const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
     OperatorWithMass whole = operator_with_mass(laplacian);
     const double total = power_of_four_near(whole.M.sum()), row = power_of_four_near(median(whole.A.diagonal()));
-    UnitProblem problem{whole.A / row, whole.M / total, spectrum.eigenvalues / (row / total), {}, {}, row / total, 0, {}};
+    UnitProblem problem{whole.A / row, whole.M / total, spectrum.eigenvalues / (row / total), {}, {}, row / total, 0, {}, nullptr};
     problem.Phi = std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all);
     problem.gram = problem.Phi.transpose() * (problem.M.asDiagonal() * problem.Phi);
     const double middle = median(problem.A.diagonal());
@@ -212,7 +213,7 @@ private:
 };
 
 std::optional<Inertia> inertia_beside(const UnitProblem& problem, double sigma, double gap) {
-    return inertia_between(problem.A, problem.M, sigma - gap, sigma + gap);
+    return inertia_between(problem.A, problem.M, sigma - gap, sigma + gap, problem.ranks);
 }
 
 /// Behind the last value: where the solver knows a gap, else ever nearer until no more than those found are counted.
@@ -234,7 +235,7 @@ std::optional<Inertia> counted_before_last(const UnitProblem& problem, const Fou
     const double first = found.theta()[f], size = found.size(first), u = found.upper_bound(f);
     const double width = std::min(std::clamp(100 * (delta + found.residual(f)), 2e-6 * size, 1e-3 * size), first - u);
     if (!(width > 0)) return {};
-    return inertia_between(problem.A, problem.M, first - width, first);
+    return inertia_between(problem.A, problem.M, first - width, first, problem.ranks);
 }
 
 void count_inertia(const UnitProblem& problem, const Residuals& residuals, double hint, SpectrumCertificate& certificate) {
@@ -268,9 +269,10 @@ double smallest_step_up(const Vector& mu) {
 
 }   // namespace
 
-SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
+SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum, Ranks* ranks) {
     check_sizes(mesh, laplacian, spectrum);
-    const UnitProblem problem = unit_problem(laplacian, spectrum);
+    UnitProblem problem = unit_problem(laplacian, spectrum);
+    problem.ranks = ranks;
     const Residuals residuals = residuals_of(problem);
     SpectrumCertificate certificate;
     measure_residuals(problem, residuals, certificate);

@@ -56,10 +56,12 @@ struct SpectrumCertificate {
     bool holds() const { return verdict() == Proof::proved; }
 };
 
-/// Costs one sparse factorisation, seldom more, and products with Φ; no eigenvalue is computed.
+/// Costs one sparse factorisation, seldom more, and products with Φ; no eigenvalue is computed. Where `ranks` factor, δ is measured and not
+/// proved (inertia.h).
 /// @param spectrum  any pairs, also wrong ones
 /// @throws MeshError if the sizes do not fit together, or nothing is in the spectrum
-SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum);
+SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum,
+                                     Ranks* ranks = nullptr);
 
 /// Eigenvalues of −Cφ = μMφ below σ, with the rounding of the count. [1/length²]
 /// @throws SolverError if σ is so near an eigenvalue of a leading part that a pivot is lost in rounding

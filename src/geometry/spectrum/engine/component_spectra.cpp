@@ -218,20 +218,22 @@ Merged solve_and_merge(std::vector<Part>& parts, int k, PartSolver& solver) {
 /// Eigenvalues of a part below a σ of the whole. They are counted at a place of the same gap of that part where rounding matters least: on
 /// a speck, σ itself may not be told from 0. Nothing found lies between, so that more counted would be more missed. Nothing where rounding
 /// may have changed the count.
-std::optional<int> inertia_of(const Part& part, double sigma) {
+std::optional<int> inertia_of(const Part& part, double sigma, Ranks* ranks) {
     const Vector& mu = part.modes.pairs.mu;
     const int below = part.found_below(sigma);
     const double low = std::max(sigma * part.area, below > 0 ? mu[below - 1] : 0.0);
     const double high = below < mu.size() ? mu[below] : gap_behind(mu, below).high;
     if (!(high > low)) return below == part.size() ? std::optional(below) : std::nullopt;   // above all there are
-    const auto inertia = trusted_between(part.A, part.M, {low, high});
+    const auto inertia = trusted_between(part.A, part.M, {low, high}, part.modes.dense ? nullptr : ranks);
     return inertia ? std::optional(inertia->below) : std::nullopt;
 }
 
-InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap) {
+InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap, Ranks* ranks) {
     const double sigma = gap.middle();
     std::vector<std::optional<int>> counts(parts.size());
-    for_each_task(parts.size(), [&](std::size_t p) { counts[p] = inertia_of(parts[p], sigma); });
+    const auto count = [&](std::size_t p) { counts[p] = inertia_of(parts[p], sigma, ranks); };
+    if (ranks == nullptr) for_each_task(parts.size(), count);
+    for (std::size_t p = 0; ranks != nullptr && p < parts.size(); ++p) count(p);   // they are called by one thread
     InertiaCount sum{sigma, 0, 0};
     for (std::size_t p = 0; p < parts.size(); ++p) {
         if (!counts[p]) return {};
@@ -263,7 +265,7 @@ Modes modes_of_components(const SparseMatrix& A, const Vector& M, const Componen
 
     Modes modes;
     modes.pairs = first_of(spectrum.entries, parts, A.rows(), k);
-    modes.inertia = count_inertia(parts, spectrum.gap);
+    modes.inertia = count_inertia(parts, spectrum.gap, options.ranks);
     modes.gap_middle = spectrum.gap.middle();
     modes.dense = A.rows() <= options.dense_below;
     for (const Part& part : parts) {

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "geometry/linear/sparse_factor.h"
+#include "geometry/spectrum/engine/distributed_modes.h"
 #include "geometry/spectrum/engine/zero_modes.h"
 #include "geometry/spectrum/spectrum_memory.h"
 
@@ -138,8 +139,8 @@ Gap gap_behind(const Vector& mu, int k) {
     return largest > 0 ? Gap{largest, 1.002 * largest} : Gap{0, 2};
 }
 
-std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap) {
-    const auto inertia = inertia_between(A, M, gap.low, gap.high);
+std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap, Ranks* ranks) {
+    const auto inertia = inertia_between(A, M, gap.low, gap.high, ranks);
     const bool trusted = inertia && inertia->delta < std::min(inertia->sigma - gap.low, gap.high - inertia->sigma);
     return trusted ? inertia : std::nullopt;
 }
@@ -164,7 +165,7 @@ SymmetricPairs dense_pairs(const SparseMatrix& A, const Vector& M) {
 Modes modes_of(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
     const Eigen::Index n = A.rows();
     if (n <= options.dense_below) return dense_modes(A, M, k);
-    return sliced_modes(A, M, k, options);
+    return options.ranks != nullptr ? distributed_modes(A, M, k, *options.ranks) : sliced_modes(A, M, k, options);
 }
 
 }   // namespace meshfolio

@@ -41,7 +41,7 @@ struct Gap {
 Gap gap_behind(const Vector& mu, int k);
 
 /// The inertia within a gap; nothing where its rounding is larger than the distance from either end.
-std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap);
+std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap, Ranks* ranks = nullptr);
 
 /// ‖By − μy‖ / μ for each pair, in the norm of the equations −Cφ = μMφ: ‖M^½(By − μy)‖ / (μ‖M^½y‖).
 Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const SymmetricPairs& pairs);
