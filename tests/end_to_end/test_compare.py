@@ -84,8 +84,9 @@ class Compare(InFolder):
             self.assertNotIn('<b>&', page)
             self.assertIn('content="default-src &#39;none&#39;;', page)
             self.assertEqual(re.findall(r'(?:src|href)="(?!data:|#)([^"]*)', page), [])
-            self.assertIn('<code>max_a_to_b</code>', page)
-            self.assertEqual('<figure class="plot">' in page, b == 'ground.obj')
+            self.assertIn('<code>hausdorff</code>', page)
+            for part in ('<figure class="plot">', '<code>max_a_to_b</code>'):
+                self.assertEqual(part in page, b == 'ground.obj', part)
 
     def test_what_cannot_be_compared_or_written(self):
         self.assertIn('none.obj', self.refuse(3, 'compare', 'tile.obj', 'none.obj'))
