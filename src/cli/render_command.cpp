@@ -173,7 +173,7 @@ ExitCode run_render(const RenderFlags& options) {
     files.keep(options.values.substr(0, options.values.rfind(':')));
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
-    const std::filesystem::path folder = options.out.empty() ? mesh_name(options.mesh) : std::filesystem::path(options.out);
+    const std::filesystem::path folder = options.out.empty() ? mesh_name(options.mesh) : options.out;
     std::vector<std::filesystem::path> paths;
     for (const render::View& view : views) paths.push_back(folder / file_name(std::string(view.name), options.names == "word"));
     paths.push_back(folder / "sheet.png");
