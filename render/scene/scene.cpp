@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <hwy/cache_control.h>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -57,8 +58,8 @@ void prefetch_corners(const Surface& surface, std::size_t id, const std::vector<
     if (id + ahead >= surface.triangles.size()) return;
     const glm::ivec3& t = surface.triangles[id + ahead];
     for (int k = 0; k < 3; ++k) {
-        __builtin_prefetch(surface.positions.data() + t[k]);
-        __builtin_prefetch(sums.data() + t[k], 1);
+        hwy::Prefetch(surface.positions.data() + t[k]);
+        hwy::Prefetch(sums.data() + t[k]);
     }
 }
 

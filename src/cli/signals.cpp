@@ -6,7 +6,6 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -21,6 +20,7 @@
 #include <thread>
 
 #include "base/errors.h"
+#include "base/linux_only.h"
 #include "output/publish/publish.h"
 #include "report/pdf/child_process.h"
 
@@ -92,7 +92,7 @@ void hand_on(int signal) { pthread_kill(ending_thread, signal); }
 void end_with_parent() {
     const char* parent = std::getenv("MESHFOLIO_PARENT");
     if (parent == nullptr) return;
-    static_cast<void>(::prctl(PR_SET_PDEATHSIG, SIGTERM));
+    ask_for_signal_of_parent(SIGTERM);
     if (std::to_string(::getppid()) != parent) ::_exit(128 + SIGTERM);   // it was gone before
 }
 
@@ -110,8 +110,7 @@ __attribute__((no_sanitize("address", "thread", "undefined"))) void require_room
     ::munmap(probe, room);
 }
 
-// The loader calls this before it initialises any library.
-[[gnu::section(".preinit_array"), gnu::used]] void (*const at_the_very_beginning)() = require_room_to_begin;
+MESHFOLIO_BEFORE_LIBRARIES void (*const at_the_very_beginning)() = require_room_to_begin;
 
 }   // namespace
 

@@ -8,11 +8,17 @@
 
 namespace meshfolio {
 
+inline void prefetch([[maybe_unused]] const void* memory) {
+#ifdef __GNUC__
+    __builtin_prefetch(memory);
+#endif
+}
+
 /// At triangle t, fetches the corners of the triangle 24 places ahead.
 inline void prefetch_corners(const TriangleMesh& mesh, int t) {
     constexpr int ahead = 24;
     const int later = std::min(t, mesh.face_count() - 1 - ahead) + ahead;
-    for (int k = 0; k < 3 && later >= 0; ++k) __builtin_prefetch(mesh.X.data() + 3 * static_cast<std::size_t>(mesh.F(later, k)));
+    for (int k = 0; k < 3 && later >= 0; ++k) prefetch(mesh.X.data() + 3 * static_cast<std::size_t>(mesh.F(later, k)));
 }
 
 }   // namespace meshfolio

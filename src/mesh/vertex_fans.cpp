@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/at.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 
@@ -32,7 +33,7 @@ bool is_umbrella(const TriangleMesh& mesh, const Incidence& vertex_faces, int v)
     const int* const last = vertex_faces.item.data() + vertex_faces.item.size() - 1;
     std::array<Sides, most> sides;
     for (int i = 0; i < triangles; ++i) {
-        __builtin_prefetch(corners_of(mesh, last - faces > ahead + i ? faces[i + ahead] : *last));   // triangles lie anywhere in memory
+        prefetch(corners_of(mesh, last - faces > ahead + i ? faces[i + ahead] : *last));   // triangles lie anywhere in memory
         sides[at(i)] = sides_at(corners_of(mesh, faces[i]), v);
     }
     int t = 0;

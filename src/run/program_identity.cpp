@@ -1,6 +1,5 @@
 #include "run/program_identity.h"
 
-#include <link.h>
 #include <sys/stat.h>
 
 #include <fstream>
@@ -9,6 +8,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/linux_only.h"
 #include "base/sha256.h"
 #include "output/cache/result_cache.h"
 #include "run/arguments.h"
@@ -17,14 +17,12 @@ namespace meshfolio::run {
 
 namespace {
 
-int add_library(dl_phdr_info* info, std::size_t, void* key) {
+void add_library(output::KeyMaker& key, const std::string& name) {
     struct stat status {};
-    if (info->dlpi_name == nullptr || ::stat(info->dlpi_name, &status) != 0) return 0;   // the program itself, the kernel's page
-    static_cast<output::KeyMaker*>(key)
-        ->add(info->dlpi_name)
+    if (::stat(name.c_str(), &status) != 0) return;   // the program itself, the kernel's page
+    key.add(name)
         .add(std::to_string(status.st_size))
         .add(std::to_string(status.st_mtim.tv_sec) + "." + std::to_string(status.st_mtim.tv_nsec));
-    return 0;
 }
 
 /// The first line of each kind that identifies the processor.
@@ -41,8 +39,8 @@ void add_processor(output::KeyMaker& key) {
 
 std::string made() try {
     output::KeyMaker key;
-    key.add(sha256_of_file("/proc/self/exe"));
-    ::dl_iterate_phdr(add_library, &key);
+    key.add(sha256_of_file(this_program()));
+    for (const std::string& name : loaded_libraries()) add_library(key, name);
     add_processor(key);
     for (const char* name : {"OPENBLAS_CORETYPE", "GLIBC_TUNABLES", "LD_PRELOAD"}) key.add(environment(name));
     return key.key();

@@ -13,6 +13,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/linux_only.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/temporaries.h"
@@ -99,7 +100,7 @@ void ResultCache::write_new(const fs::path& path, std::string_view bytes) {
     make_folder(path.parent_path());
     const Temporary part(folder_ / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
     write_part(part, bytes, false);
-    if (const int error = rename_with(part.path(), path, 0); error != 0)
+    if (const int error = rename_with(part.path(), path, Taken::replaced); error != 0)
         throw OutputError(path.string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/linux_only.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/temporaries.h"
 
@@ -53,17 +54,17 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
 /// What was there is kept under the temporary name, as long as the file system can exchange names.
 void FileGroup::place(Member& member) {
     const fs::path& part = member.part.path();
-    int error = rename_with(part, member.target, RENAME_NOREPLACE);
+    int error = rename_with(part, member.target, Taken::kept);
     member.state = Member::State::fresh;
     if (error == EEXIST) {
-        error = rename_with(part, member.target, RENAME_EXCHANGE);
+        error = rename_with(part, member.target, Taken::exchanged);
         member.state = Member::State::exchanged;
         std::error_code ignored;
         if (error == 0 && fs::is_directory(fs::symlink_status(part, ignored)))   // one that came meanwhile
             throw OutputError(member.asked.string(), "is a folder");
     }
     if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP || error == ENOENT) {   // or it was taken away meanwhile
-        error = rename_with(part, member.target, 0);
+        error = rename_with(part, member.target, Taken::replaced);
         member.state = Member::State::replaced;
     }
     if (error == 0) return;
@@ -79,8 +80,8 @@ void FileGroup::sync_folders() const {
 
 void FileGroup::take_back() noexcept {
     for (auto member = members_.rbegin(); member != members_.rend(); ++member) {   // Clang 14 knows no std::views::reverse
-        if (member->state == Member::State::exchanged) rename_with(member->part.path(), member->target, RENAME_EXCHANGE);
-        if (member->state == Member::State::fresh) rename_with(member->target, member->part.path(), RENAME_NOREPLACE);
+        if (member->state == Member::State::exchanged) rename_with(member->part.path(), member->target, Taken::exchanged);
+        if (member->state == Member::State::fresh) rename_with(member->target, member->part.path(), Taken::kept);
     }
 }
 

@@ -1,9 +1,7 @@
 #include "output/publish/folder_system.h"
 
 #include <fcntl.h>
-#include <linux/stat.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
 
@@ -17,10 +15,6 @@
 namespace meshfolio::output {
 
 namespace fs = std::filesystem;
-
-int rename_with(const fs::path& from, const fs::path& to, unsigned flags) {
-    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0 ? 0 : errno;
-}
 
 OpenFolder::OpenFolder(const fs::path& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0) throw OutputError(path.string(), std::string("cannot open the folder (") + std::strerror(errno) + ")");
@@ -38,16 +32,6 @@ void OpenFolder::sync() const {
 void OpenFolder::lock() const {
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         throw OutputError(path_.string(), "is busy: another run is writing there", "wait for its end");
-}
-
-bool is_mount_point(const fs::path& folder) {
-    struct statx status {};
-    if (::statx(AT_FDCWD, folder.c_str(), AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &status) != 0) return false;
-    if (status.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) return (status.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
-    struct stat inside {};
-    struct stat outside {};
-    if (::stat(folder.c_str(), &inside) != 0 || ::stat((folder / "..").c_str(), &outside) != 0) return false;
-    return inside.st_dev != outside.st_dev;
 }
 
 fs::path resolved(const fs::path& path, std::error_code& error) {

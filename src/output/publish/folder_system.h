@@ -1,14 +1,11 @@
 /// @file
-/// The system calls on folders that the standard library does not offer, each checked.
+/// The system calls on folders that the standard library does not offer, each checked. Renaming: base/linux_only.h.
 #pragma once
 
 #include <filesystem>
 #include <string_view>
 
 namespace meshfolio::output {
-
-/// renameat2 with `flags` (RENAME_NOREPLACE, RENAME_EXCHANGE). @return 0 or errno
-int rename_with(const std::filesystem::path& from, const std::filesystem::path& to, unsigned flags);
 
 /// An open folder, to be synced after names in it have changed.
 class OpenFolder {
@@ -27,9 +24,6 @@ private:
     std::filesystem::path path_;
     int descriptor_;
 };
-
-/// True where another file system (or a bind mount) begins: such a folder cannot be renamed.
-bool is_mount_point(const std::filesystem::path& folder);
 
 /// Absolute, links followed as far as the path exists: what a rename will name. @param error  why there is no such path
 std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& error);

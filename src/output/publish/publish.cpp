@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/linux_only.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/temporaries.h"
@@ -98,10 +99,10 @@ void sync_folders(const fs::path& folder) {
 /// Two renames where the file system cannot exchange names. The next run can restore the old folder from its name.
 void replace_in_two_steps(const fs::path& folder, const fs::path& target) {
     const fs::path aside = target.string() + ".old-" + process_number();
-    const int moved = rename_with(target, aside, 0);
+    const int moved = rename_with(target, aside, Taken::replaced);
     if (moved != 0 && moved != ENOENT) fail(target, "cannot be moved aside", moved);
-    if (const int error = rename_with(folder, target, 0); error != 0) {
-        if (moved == 0) rename_with(aside, target, 0);
+    if (const int error = rename_with(folder, target, Taken::replaced); error != 0) {
+        if (moved == 0) rename_with(aside, target, Taken::replaced);
         fail(target, "cannot be put in place", error);
     }
     const Temporary replaced(aside);   // removed here
@@ -113,11 +114,11 @@ enum class Placed { fresh, exchanged, unsupported };
 Placed place(const fs::path& folder, const fs::path& target) {
     int error = 0;
     for (int attempt = 0; attempt < 10; ++attempt) {
-        error = rename_with(folder, target, RENAME_NOREPLACE);
+        error = rename_with(folder, target, Taken::kept);
         if (error == 0) return Placed::fresh;
         if (error == EEXIST || error == ENOTEMPTY) {
             require_ours(target);
-            error = rename_with(folder, target, RENAME_EXCHANGE);
+            error = rename_with(folder, target, Taken::exchanged);
             if (error == 0) return Placed::exchanged;
         }
         if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP) return Placed::unsupported;
@@ -137,8 +138,8 @@ void place_by_one_rename(const fs::path& folder, const fs::path& target, std::st
     try {
         parent.sync();
     } catch (const OutputError&) {   // not known to last: better the old one
-        if (placed == Placed::exchanged) rename_with(folder, target, RENAME_EXCHANGE);
-        if (placed == Placed::fresh) rename_with(target, folder, 0);
+        if (placed == Placed::exchanged) rename_with(folder, target, Taken::exchanged);
+        if (placed == Placed::fresh) rename_with(target, folder, Taken::replaced);
         throw;
     }
     remember_publication();
@@ -152,7 +153,7 @@ void place_file_by_file(const fs::path& folder, const fs::path& target) {
     std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return file != sums_file; });
     for (const std::string& file : files) {
         make_folder((target / file).parent_path());
-        if (const int error = rename_with(folder / file, target / file, 0); error != 0)
+        if (const int error = rename_with(folder / file, target / file, Taken::replaced); error != 0)
             fail(target / file, "cannot be put in place", error);
     }
     std::sort(files.begin(), files.end());
@@ -240,7 +241,7 @@ void Publication::remove_failed() const {
     std::error_code error;
     if (!fs::is_regular_file(failed / marker_file, error)) return;
     const auto permission = permission_to_create();
-    if (!in_place_ && rename_with(failed, folder(), RENAME_NOREPLACE) == 0)   // a name that is swept if we end here
+    if (!in_place_ && rename_with(failed, folder(), Taken::kept) == 0)   // a name that is swept if we end here
         folder_->remove();
     else
         fs::remove_all(failed, error);

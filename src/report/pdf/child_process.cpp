@@ -9,15 +9,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <mutex>
 #include <thread>
 
 #include "base/errors.h"
-
-extern "C" {
-#include <sys/pidfd.h>   // glibc 2.36 forgets to say that it is C
-}
+#include "base/linux_only.h"
 
 extern char** environ;
 
@@ -129,23 +128,25 @@ bool drain(int descriptor, std::string& output) {
     }
 }
 
-/// Reads along until the process itself has ended. @return false when the limit came first
-bool wait_until(Clock::time_point limit, int process, int output, std::string& text) {
-    bool open = true;
-    for (;;) {
-        pollfd watched[2] = {{process, POLLIN, 0}, {open ? output : -1, POLLIN, 0}};
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(limit - Clock::now()).count();
-        if (left <= 0) return false;
-        if (::poll(watched, 2, static_cast<int>(left)) < 0 && errno != EINTR) return false;
-        if (watched[1].revents != 0) open = drain(output, text);
-        if (watched[0].revents != 0) return true;
-    }
-}
-
 /// It is not collected.
 bool has_ended(pid_t process) {
     siginfo_t info{};
     return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
+}
+
+/// Reads along until the process itself has ended. @return false when the limit came first
+bool wait_until(Clock::time_point limit, pid_t process, int output, std::string& text) {
+    const Descriptor end(descriptor_of(process));
+    const int most = end.number() >= 0 ? std::numeric_limits<int>::max() : 20;   // [ms], to ask again
+    bool open = true;
+    for (;;) {
+        pollfd watched[2] = {{end.number(), POLLIN, 0}, {open ? output : -1, POLLIN, 0}};
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(limit - Clock::now()).count();
+        if (left <= 0) return false;
+        if (::poll(watched, 2, static_cast<int>(std::min<std::int64_t>(left, most))) < 0 && errno != EINTR) return false;
+        if (watched[1].revents != 0) open = drain(output, text);
+        if (watched[0].revents != 0 || (end.number() < 0 && has_ended(process))) return true;
+    }
 }
 
 }   // namespace
@@ -166,8 +167,7 @@ ChildEnd run_child(const ChildTask& task) {
     if (end.code != 0) return end;
     writing.close();
 
-    const Descriptor watched(::pidfd_open(process, 0));
-    const bool ended = watched.number() >= 0 && wait_until(Clock::now() + task.limit, watched.number(), reading.number(), end.output);
+    const bool ended = wait_until(Clock::now() + task.limit, process, reading.number(), end.output);
     siginfo_t info{};
     if (!ended) ::kill(-process, SIGKILL);
     while (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/linux_only.h"
+
 namespace meshfolio::run {
 
 std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& mesh, const std::vector<std::string>& more) {
@@ -36,7 +38,7 @@ std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& 
 
 report::ChildEnd run_this_program(const std::vector<std::string>& words) {
     report::ChildTask task;
-    task.program = "/proc/self/exe";   // this very one, also where another has taken its name
+    task.program = this_program();
     task.arguments = words;
     task.environment["MESHFOLIO_PARENT"] = std::to_string(::getpid());
     task.folder = std::filesystem::current_path();

@@ -1,0 +1,13 @@
+# Toolchain of slow_arm64.sh: Debian's cross compiler, arm64 packages unpacked in MESHFOLIO_ARM64_ROOT, what is built run by qemu-user.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++-12)
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES MESHFOLIO_ARM64_ROOT)
+set(CMAKE_SYSROOT ${MESHFOLIO_ARM64_ROOT})
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L ${MESHFOLIO_ARM64_ROOT})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+foreach(kind LIBRARY INCLUDE PACKAGE)
+  set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
+endforeach()
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${MESHFOLIO_ARM64_ROOT})
+set(ENV{PKG_CONFIG_LIBDIR} ${MESHFOLIO_ARM64_ROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${MESHFOLIO_ARM64_ROOT}/usr/share/pkgconfig)
