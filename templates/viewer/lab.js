@@ -167,7 +167,7 @@ class Lab {
     keepPace(now) {
         const took = now - this.shownAt;
         this.shownAt = now;
-        this.slowFrames = took > slowFrame && took < 10 * slowFrame ? (this.slowFrames ?? 0) + 1 : 0;
+        this.slowFrames = took > slowFrame && (this.isPlaying || took < 10 * slowFrame) ? (this.slowFrames ?? 0) + 1 : 0;
         this.isSlow ||= this.slowFrames > 2;
         if (this.isDrawn && this.isSlow) this.view.resolve(0.5);
     }
@@ -236,7 +236,7 @@ class Lab {
         if (this.asked) cancelAnimationFrame(this.asked);   // a tab in the background gets no frames
         this.asked = null;
         this.compute(performance.now(), Infinity);
-        if (this.isDrawn) this.view.resolve(1);
+        if (this.isDrawn && this.clamped === 0) this.view.resolve(1);   // what has blown up covers itself many times over: it stays coarse
         this.root.removeAttribute("aria-busy");   // before: what is busy is not read out
         this.panel.told.textContent = told(this) + this.why;
         this.link = linkOf(this.question, this.state);

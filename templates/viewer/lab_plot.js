@@ -15,7 +15,7 @@ const beyond = 1e9;   // the curve goes on so many times as far, unseen
 const samples = 400;   // of the filter's curve
 const size = (c, j) => Math.hypot(c[3 * j], c[3 * j + 1], c[3 * j + 2]);
 
-const frame = { width: 440, height: 230, left: 44, right: 8, top: 22, bottom: 28 };
+const frame = { width: 440, height: 230, left: 50, right: 8, top: 22, bottom: 28 };
 const across = (share) => frame.left + share * (frame.width - frame.left - frame.right);
 const upward = (share) => frame.top + (1 - share) * (frame.height - frame.top - frame.bottom);
 
