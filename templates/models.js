@@ -73,7 +73,7 @@
             },
         });
         const openFromLink = () => {
-            if (!button.hidden && new RegExp(`^#lab=${question}(,|$)`).test(location.hash)) {
+            if (!button.hidden && new RegExp(`^#lab(=|%3D)${question}(,|%2C|$)`, "i").test(location.hash)) {
                 button.click();
                 block.scrollIntoView();
             }

@@ -3,15 +3,15 @@ import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from
 
 import { Experiment } from "./lab_experiment.js";
 import * as lab from "./lab_math.js";
-import { digits, Panel } from "./lab_panel.js";
+import { Panel } from "./lab_panel.js";
 import { ErrorPlot, SpectrumPlot } from "./lab_plot.js";
-import { held, linkOf, readLink, schemeNames, shownSteps, startOf } from "./lab_state.js";
+import { held, linkOf, readLink, shownSteps, startOf } from "./lab_state.js";
+import { aboutMesh, longer, told } from "./lab_words.js";
 import { Model } from "./model.js";
 import { button, element, View } from "./view.js";
 
 const room = 1.25;            // what is seen around the mesh, in its radii: what flies farther is drawn at the rim
-const longer = 10;            // lines of the drift are that many times too long,
-const above = 0.015;          // and lie that far above the surface, in its radii
+const above = 0.015;          // lines of the drift lie that far above the surface, in its radii
 const stepsPerSecond = 15;
 const slowFrame = 40, seldom = 250, forCurve = 15;   // milliseconds
 const grey = "#9aa3b0";
@@ -25,8 +25,6 @@ function edgesOf(corners) {
     }
     return Uint32Array.from([...edges].flatMap((edge) => [Math.floor(edge / 2 ** 26), edge % 2 ** 26]));
 }
-
-const capital = (words) => words[0].toUpperCase() + words.slice(1);
 
 class Lab {
     constructor(block, data, question, onStop) {
@@ -81,19 +79,9 @@ class Lab {
         settings.append(panel.controls, panel.table);
         plots.append(this.spectrum.picture, this.errors.picture);
         columns.append(settings, plots);
-        this.root.append(panel.presets, this.view.stage, this.frame, bar, columns, element("p", "lab-mesh", this.aboutMesh()));
+        this.root.append(panel.presets, this.view.stage, this.frame, bar, columns, element("p", "lab-mesh", aboutMesh(data, this.question)));
         this.block = block;
         block.append(this.root);
-    }
-
-    aboutMesh() {
-        const { name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError, critical, meanEdge } = this.data;
-        const hasNoise = hasAllModes && ["q7", "lab"].includes(this.question);
-        const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
-        const all = hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
-        const filters = `λ_crit = 2/μ_max = ${digits(Number(critical.toPrecision(4)))} length², h̄ = ${digits(Number(meanEdge.toPrecision(4)))} length, the mean edge. Filters use the cotangent operator of the mesh${hasNoise ? " before the noise, but for “noisy mesh's operator”, with which question 7 denoises; the spectrum shows its result in the modes of the clean mesh" : ""}.${hasNoise ? " Gain: what the noisy mesh has of the distance to the clean surface, of rms to the vertices' own places, and of the angle to the clean normals, over what is left." : ""}`;
-        return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: that moves no vertex by more than ${quantisationShift.toExponential(1).replace("-", "−")} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${orthonormalityError.toExponential(1).replace("-", "−")}. ` +
-            `${filters} In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. “The program”: what meshfolio itself computes on this mesh, stored for the settings of the report and those to try; – elsewhere.`;
     }
 
     openView() {
@@ -104,12 +92,12 @@ class Lab {
             this.loseView();
         }
     }
-    /// A link to the question's last figure of this mesh stands in its place.
+    /// A link to the question's first pictures of this mesh stands in its place.
     loseView() {
         this.isDrawn = false;
         const note = element("p", "model-note lab-no-view", "This browser cannot show it in three dimensions; the numbers and curves below still follow.");
         const figures = [...this.block.closest("section")?.querySelectorAll("figure[id]") ?? []];
-        const figure = figures.filter((one) => [...one.querySelectorAll("img")].some(({ alt }) => alt.includes(this.data.name))).at(-1);
+        const figure = figures.find((one) => [...one.querySelectorAll("img")].some(({ alt }) => alt.includes(this.data.name)));
         if (figure) note.append(" The report shows such results in ", Object.assign(element("a", "", figure.querySelector("b").textContent), { href: `#${figure.id}` }));
         this.view.stage.replaceWith(note);
         this.reset.remove();
@@ -126,7 +114,7 @@ class Lab {
 
     set(state) {
         const { data, experiment } = this;
-        this.state = held(state, data.modes);
+        this.state = held(state, data.modes, this.state);
         if (!data.hasAllModes) Object.assign(this.state, { sigma: 0, scheme: this.state.scheme === "denoising" ? "implicit" : this.state.scheme });   // noise lies in the modes that are cut off
         if (experiment.set(this.state)) this.models[0].moveTo(this.drawable(experiment.start).places);
         this.update();
@@ -170,7 +158,7 @@ class Lab {
         const says = this.isPlaying && !(now - this.saidAt < seldom);
         if (says || !this.isSlow || now - this.toldAt > seldom) this.showCurve(now, milliseconds);
         if (says) this.saidAt = now;
-        if (says && !this.isGone()) this.panel.told.textContent = this.words();
+        if (says && !this.isGone()) this.panel.told.textContent = told(this);
         if (this.isPlaying && this.isGone()) this.pause(` Blown up: no vertex is left in the view, and the play has stopped at t = ${this.state.t}.`);
     }
 
@@ -179,7 +167,7 @@ class Lab {
     keepPace(now) {
         const took = now - this.shownAt;
         this.shownAt = now;
-        this.slowFrames = took > slowFrame && took < 10 * slowFrame ? (this.slowFrames ?? 0) + 1 : 0;
+        this.slowFrames = took > slowFrame && (this.isPlaying || took < 10 * slowFrame) ? (this.slowFrames ?? 0) + 1 : 0;
         this.isSlow ||= this.slowFrames > 2;
         if (this.isDrawn && this.isSlow) this.view.resolve(0.5);
     }
@@ -227,11 +215,11 @@ class Lab {
     showNumbers() {
         const { data, state, experiment: { first } } = this, here = this.numbers = this.experiment.numbers();
         const none = { energy: NaN, volume: NaN, rms: NaN, factor: NaN, gains: [NaN, NaN, NaN] }, program = lab.readingAt(data, state) ?? none;
-        const percent = 100 / data.diagonal, rounding = 1e-12;   // of the input: what is smaller is not measured
+        const percent = 100 / data.diagonal, { rounding } = data;
         const numbers = [["Dirichlet energy", "length²", here.energy, program.energy, rounding * first.energy]];
         if (data.isClosed) numbers.push(["volume", "length³", here.volume, program.volume, rounding * Math.abs(first.volume)], ["volume kept", "%", 100 * here.volume / first.volume, 100 * program.volume / first.volume, 100 * rounding]);
         const byArea = state.scheme === "projection" ? ", by area" : "";
-        numbers.push([`rms to the ${state.sigma > 0 ? "clean mesh" : "original"}${byArea}`, "% of the box", percent * here.rms, percent * program.rms, 100 * data.quantisationShift]);
+        numbers.push([`rms to the ${state.sigma > 0 ? "clean mesh" : "original"}${byArea}`, "% of the box", percent * here.rms, percent * program.rms, 100 * rounding]);
         if (state.sigma > 0) {
             ["surface", "places", "normals"].forEach((measure, i) => numbers.push([`gain: ${measure}`, "×", here.gains[i], program.gains[i] ?? NaN]));
             numbers.push(["along the surface", "% of rms²", 100 * here.along, NaN]);
@@ -248,36 +236,11 @@ class Lab {
         if (this.asked) cancelAnimationFrame(this.asked);   // a tab in the background gets no frames
         this.asked = null;
         this.compute(performance.now(), Infinity);
-        if (this.isDrawn) this.view.resolve(1);
+        if (this.isDrawn && this.clamped === 0) this.view.resolve(1);   // what has blown up covers itself many times over: it stays coarse
         this.root.removeAttribute("aria-busy");   // before: what is busy is not read out
-        this.panel.told.textContent = this.words() + this.why;
+        this.panel.told.textContent = told(this) + this.why;
         this.link = linkOf(this.question, this.state);
         history.replaceState(null, "", this.link);
-    }
-
-    words() {
-        const { state, data, experiment, numbers } = this;
-        if (experiment.hasNoStep) return "Taubin's second step does not exist for so large a λ: nothing is filtered.";
-        const step = state.scheme === "denoising" ? `${digits(state.edges)} h̄²` : `${digits(state.lambda)} λ_crit`;
-        const set = state.scheme === "projection" ? `The ${state.k} smoothest of ${data.modes} modes` : `${capital(schemeNames[state.scheme])}, λ = ${step}, t = ${state.t}`;
-        const constant = data.mu.filter(data.isConstant).length;   // modes, one a part of the mesh
-        const parts = state.scheme === "projection" && state.k <= constant ? ` The first ${constant} modes are constant on each part of the mesh: of so few, nothing is left but a point a part.` : "";
-        const size = 100 * numbers.rms / data.diagonal;
-        const rms = Number.isNaN(size) ? "rms beyond all measure" : `rms ${digits(Number(size.toPrecision(3)), 100 * data.quantisationShift)} % of the box`;
-        const finest = ["projection", "denoising"].includes(state.scheme) ? 1 : Math.abs(lab.factorOfStep(data, state.scheme, state.lambda * data.critical)(data.largestEigenvalue));
-        const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(Number(finest.toPrecision(3)))}.` : "";
-        const rim = this.clamped > 0 ? ` Flown out of the view, and drawn at its rim: ${this.clamped} of ${data.vertices} vertices.` : "";
-        const best = this.best === null ? "" : this.best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean surface.` : ` Nearest to the clean surface at t = ${this.best}.`;
-        const lines = state.lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long${state.sigma > 0 ? this.driftWords() : ""}.` : "";
-        return `${set}: ${rms}.${parts}${growth}${rim}${best}${lines}`;
-    }
-
-    /// How much of the noise's squared error there smoothing has taken, beside that across the surface.
-    driftWords() {
-        const { noisy, x } = this.experiment, now = this.experiment.errors(x);
-        const along = ({ surface, places }) => places ** 2 - surface ** 2, across = ({ surface }) => surface ** 2;
-        const change = (part) => { const share = part(now) / part(noisy); return share <= 1 ? `${digits(Number((100 * (1 - share)).toPrecision(3)))} % less` : `${digits(Number((100 * (share - 1)).toPrecision(3)))} % more`; };
-        return `; of squared error there is ${change(along)} along the surface than in the noisy mesh, and ${change(across)} across it`;
     }
 
     // ---- play ---------------------------------------------------------------------------------------------------------

@@ -91,7 +91,7 @@ export class ImplicitSteps {
     }
 }
 
-/// A run from noisy positions, each step made once; a few are kept, so that going back and forth costs nothing.
+/// A run from noisy positions, each step made once and kept, so that going back and forth costs nothing.
 export class DenoisingRun {
     constructor(data) {
         this.steps = new ImplicitSteps(data);

@@ -38,7 +38,7 @@ export class Experiment {
         const { data, state, run } = this;
         if (state.scheme !== "denoising") {
             const f = lab.filter(data, { ...state, t });
-            lab.sumOfModes(data, f, this.coefficients, x, this.start);
+            lab.applied(data, f, this.coefficients, this.start, x);
             return f;
         }
         run.from(this.start, state.edges);

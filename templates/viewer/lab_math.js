@@ -19,6 +19,7 @@ export function decoded(buffer) {
     data.isConstant = (mu) => mu <= 1e-9 * data.largestEigenvalue;   // 0 but for rounding: one mode a component
     data.hasAllModes = count >= data.area.filter((a) => a > 0).length;
     data.totalArea = data.area.reduce((sum, a) => sum + a, 0);
+    data.rounding = data.hasAllModes ? 1e-12 : data.quantisationShift;   // box diagonals: what is smaller may be that alone
     return data;
 }
 
@@ -82,9 +83,9 @@ export function withShift(data, shift) {
 
 export const filtered = (f, c) => c.map((number, i) => f[Math.floor(i / 3)] * number);
 
-/// Σ fⱼ cⱼ φⱼ into `x`, 3 numbers a vertex. Vertices without area are in no mode and stay where they start.
-export function sumOfModes(data, f, c, x, start = data.positions) {
-    const { vertices: n, modes: count, area, numbers, scale } = data;
+/// Σ fⱼ cⱼ φⱼ into `x`, 3 numbers a vertex.
+export function sumOfModes(data, f, c, x) {
+    const { vertices: n, modes: count, numbers, scale } = data;
     x.fill(0);
     for (let j = 0; j < count; ++j) {
         if (Math.abs(f[j]) < nothing) continue;
@@ -95,11 +96,24 @@ export function sumOfModes(data, f, c, x, start = data.positions) {
             x[i] += number * a, x[i + 1] += number * b, x[i + 2] += number * d;
         }
     }
-    for (let v = 0; v < n; ++v) if (!(area[v] > 0)) for (let k = 3 * v; k < 3 * v + 3; ++k) x[k] = start[k];
     return x;
 }
 
 const squared = (c, j) => c[3 * j] ** 2 + c[3 * j + 1] ** 2 + c[3 * j + 2] ** 2;
+/// Of what a filter leaves, the constant modes aside [length⁴].
+const sizeOf = (data, f, c) => f.reduce((sum, factor, j) => (data.isConstant(data.mu[j]) ? sum : sum + factor ** 2 * squared(c, j)), 0);
+
+/// What a filter makes of `start`, whose coefficients are c, into `x`: Σ fⱼ cⱼ φⱼ, or, where that is less, start − Σ (1 − fⱼ) cⱼ φⱼ: a small
+/// change then has a small part of the modes' rounding. Vertices without area are in no mode and stay.
+export function applied(data, f, c, start, x) {
+    const rest = f.map((factor) => 1 - factor), isLess = data.hasAllModes && sizeOf(data, rest, c) < sizeOf(data, f, c);
+    sumOfModes(data, isLess ? rest : f, c, x);
+    for (let i = 0; i < x.length; ++i) {
+        if (isLess) x[i] = start[i] - x[i];
+        else if (!(data.area[Math.floor(i / 3)] > 0)) x[i] = start[i];
+    }
+    return x;
+}
 
 /// ½ Σ μ |c|², the Dirichlet energy; constant modes have none [length²].
 export function energy(data, c) {

@@ -2,6 +2,7 @@
 import { indexOfLeast } from "./lab_math.js";
 import { amountsOf, edgesAt, lambdaAt, largestEdges, largestLambda, largestNoise, linkOf, mostSteps, placeOf, placeOfEdges, presetsOf, sameState, schemeNames, shownSteps,
     stopsOf } from "./lab_state.js";
+import { digits } from "./lab_words.js";
 import { button, element } from "./view.js";
 
 let count = 0;   // of labels
@@ -41,7 +42,7 @@ class Row {
     }
     show(exact) {
         const value = Number(exact.toPrecision(10));
-        if (document.activeElement !== this.number || Number(this.number.value) !== value) this.number.value = String(value);
+        if (document.activeElement !== this.number || this.number.value === "" || Number(this.number.value) !== value) this.number.value = String(value);
         if (!this.slider) return;
         if (this.to(value) !== Number(this.slider.value)) this.slider.value = String(this.to(value));
         this.slider.setAttribute("aria-valuetext", this.words.replace("%", value));
@@ -54,7 +55,7 @@ export class Panel {
         this.controls = element("div", "lab-controls");
         const label = Object.assign(element("label", "", "filter"), { htmlFor: `lab-scheme-${++count}` });
         this.scheme = Object.assign(element("select", ""), { id: label.htmlFor, name: "scheme" });
-        for (const [value, words] of Object.entries(schemeNames)) this.scheme.append(Object.assign(element("option", "", words), { value }));
+        for (const [value, words] of Object.entries(schemeNames).filter(([value]) => data.hasAllModes || value !== "denoising")) this.scheme.append(Object.assign(element("option", "", words), { value }));
         this.scheme.addEventListener("change", () => act.changed({ scheme: this.scheme.value }));
         const first = element("div", "lab-row");
         first.append(label, this.scheme);
@@ -129,13 +130,4 @@ export class Panel {
         });
         this.table.replaceChildren(head, ...body);
     }
-}
-
-/// Six digits, so that an agreement can be seen. @param rounding  what is smaller may be that alone
-export function digits(x, rounding = 0) {
-    if (typeof x === "string") return x;
-    if (!Number.isFinite(x)) return "–";
-    if (Math.abs(x) < rounding) return `< ${digits(Number(rounding.toPrecision(1)))}`;
-    if (x !== 0 && (Math.abs(x) >= 1e6 || Math.abs(x) < 1e-4)) return x.toExponential(4).replace(/\.?0+e/, "e").replaceAll("-", "−").replace("e+", "e");
-    return x.toPrecision(6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "").replaceAll("-", "−");
 }

@@ -10,13 +10,20 @@ const text = (x, y, words, anchor = "start") => svg("text", { x, y, "text-anchor
 const line = (x1, y1, x2, y2, name) => svg("line", { x1, y1, x2, y2, class: name });
 const path = (points) => points.map(([x, y], i) => `${i > 0 ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
 const dots = (points) => points.map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join("");
-const lowest = 1e-6, highest = 250;   // of what is drawn
+const lowest = 1e-6, highest = 250;   // of what is seen
+const beyond = 1e9;   // the curve goes on so many times as far, unseen
 const samples = 400;   // of the filter's curve
 const size = (c, j) => Math.hypot(c[3 * j], c[3 * j + 1], c[3 * j + 2]);
 
-const frame = { width: 440, height: 230, left: 44, right: 8, top: 22, bottom: 28 };
+const frame = { width: 440, height: 230, left: 50, right: 8, top: 22, bottom: 28 };
 const across = (share) => frame.left + share * (frame.width - frame.left - frame.right);
 const upward = (share) => frame.top + (1 - share) * (frame.height - frame.top - frame.bottom);
+
+/// What of these lies inside the frame.
+function inside(...children) {
+    const [x, y, width, height] = [across(0), upward(1), across(1) - across(0), upward(0) - upward(1)];
+    return svg("svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}` }, ...children);
+}
 
 /// Words below the frame: at its ends, and what lies between.
 const axis = (low, words, high) => [text(across(0), frame.height - 8, low), text(across(0.5), frame.height - 8, words, "middle"), text(across(1), frame.height - 8, high, "end")];
@@ -39,18 +46,18 @@ export class SpectrumPlot {
         const mark = (name, sign) => svg("tspan", { class: `lab-${name}-word` }, sign);
         const legend = svg("text", { x: frame.left, y: 14 }, mark("before", "● "), "|cᵢ| before   ", mark("after", "● "), "after   ", mark("filter", "— "), "filter |f(μ)|");
         this.picture = empty("Spectrum: size of the coefficient of each mode over its eigenvalue, before and after the filter, and the filter's curve",
-            ...grid, before, after, curve, legend,
+            ...grid, before, after, inside(curve), legend,
             ...axis("0", "μ on a √ scale: coarse to fine", data.hasAllModes ? "μ_max" : "last mode"));
     }
     /// As √μ, the frequency: by Weyl's law the modes then lie less crowded where they are coarse.
     x(mu) { return across(this.last > 0 ? Math.sqrt(Math.max(0, mu) / this.last) : 0); }
-    y(value) { return upward(Math.log10(Math.max(lowest, Math.min(highest, value)) / lowest) / Math.log10(highest / lowest)); }
+    y(value) { return upward(Math.log10(Math.max(lowest / beyond, Math.min(highest * beyond, value)) / lowest) / Math.log10(highest / lowest)); }
 
     /// @param before, after  coefficients; curve: |f| of μ; null: there are none
     show(before, after, curve) {
         const { mu } = this.data, modes = Array.from(mu.keys()).filter((j) => !this.data.isConstant(mu[j]));
         const unit = Math.max(...modes.map((j) => size(before, j))) || 1;
-        const seen = (c) => dots(modes.map((j) => [j, size(c, j) / unit]).filter(([, value]) => value >= lowest).map(([j, value]) => [this.x(mu[j]), this.y(value)]));
+        const seen = (c) => dots(modes.map((j) => [j, size(c, j) / unit]).filter(([, value]) => value >= lowest).map(([j, value]) => [this.x(mu[j]), this.y(Math.min(highest, value))]));
         this.before.setAttribute("d", seen(before));
         this.after.setAttribute("d", after ? seen(after) : "");
         const places = Array.from({ length: samples + 1 }, (_, i) => this.last * (i / samples) ** 2);
@@ -65,13 +72,10 @@ export class ErrorPlot {
         this.least = svg("circle", { r: 5, class: "lab-least" });
         this.now = line(0, upward(0), 0, upward(1), "lab-now");
         this.high = text(frame.left - 5, upward(1) + 4, "", "end");
-        this.word = text(frame.left, 14, "");
-        const ends = axis("0", "steps t", "");
-        this.last = ends[2];
-        const [x, y, width, height] = [across(0), upward(1), across(1) - across(0), upward(0) - upward(1)];
-        const inside = svg("svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}` }, this.curve);   // cuts off what is beyond
+        const ends = axis("0", "", "");
+        [, this.steps, this.last] = ends;
         this.picture = empty("Distance to the clean surface over the steps t, with its least value", line(across(0), upward(0), across(1), upward(0), "lab-grid"),
-            text(frame.left - 5, upward(0) + 4, "0", "end"), ...ends, inside, this.now, this.least, this.high, this.word);
+            text(frame.left - 5, upward(0) + 4, "0", "end"), ...ends, inside(this.curve), this.now, this.least, this.high, text(frame.left, 14, "distance to the clean surface [% of box]"));
     }
     /// @param curve  of t = 0, 1, … [% of the box]; best: the t of its least; null: not known yet
     show(curve, best, t) {
@@ -83,6 +87,6 @@ export class ErrorPlot {
         for (const end of ["x1", "x2"]) this.now.setAttribute(end, across(Math.min(1, t / most)));
         this.high.textContent = top.toPrecision(2);
         this.last.textContent = most;
-        this.word.textContent = `distance to the clean surface [% of the box]${best === null ? "" : `, least at t = ${best}`}${largest > cut ? "; goes on above" : ""}`;
+        this.steps.textContent = `steps t${best === null ? "" : `, least at ${best}`}${largest > cut ? "; cut off above" : ""}`;
     }
 }

@@ -15,18 +15,18 @@ export const presetsOf = (data, question) => data.presets.filter((preset) => que
 
 const within = (value, low, high) => Math.min(high, Math.max(low, value));
 
-/// A state that holds, whatever was asked for.
-export function held(state, modes) {
-    const whole = (value, low, high, other) => within(Number.isFinite(value) ? Math.round(value) : other, low, high);
-    const number = (value, low, high, other) => within(Number.isFinite(value) ? value : other, low, high);
+/// A state that holds, whatever was asked for. @param other  what is taken for what cannot be read
+export function held(state, modes, other = plain) {
+    const number = (name, low, high) => within(Number.isFinite(state[name]) ? state[name] : other[name], low, high);
+    const whole = (name, low, high) => Math.round(number(name, low, high));
     return {
-        scheme: Object.hasOwn(schemeNames, state.scheme) ? state.scheme : plain.scheme,
-        k: whole(state.k, 1, modes, plain.k),
-        lambda: number(state.lambda, 0, largestLambda, plain.lambda),
-        edges: number(state.edges, 0, largestEdges, plain.edges),
-        t: whole(state.t, 0, state.scheme === "denoising" ? mostSolved : mostSteps, plain.t),
-        sigma: number(state.sigma, 0, largestNoise, 0),
-        seed: whole(state.seed, 0, 1e9, 1),
+        scheme: Object.hasOwn(schemeNames, state.scheme) ? state.scheme : other.scheme,
+        k: whole("k", 1, modes),
+        lambda: number("lambda", 0, largestLambda),
+        edges: number("edges", 0, largestEdges),
+        t: whole("t", 0, state.scheme === "denoising" ? mostSolved : mostSteps),
+        sigma: number("sigma", 0, largestNoise),
+        seed: whole("seed", 0, 1e9),
         lines: Boolean(state.lines),
     };
 }
@@ -39,10 +39,12 @@ export function linkOf(question, state) {
 
 /// @return {question, change: what of a state it sets}; null for another fragment
 export function readLink(fragment) {
-    const parts = new Map(fragment.replace(/^#/, "").split(",").map((part) => part.split("=", 2)));   // what we write needs no decoding
+    const text = fragment.replace(/^#/, "").replace(/%2c/gi, ",").replace(/%3d/gi, "=");   // as mail and chat write it
+    const parts = new Map(text.split(",").map((part) => part.split("=", 2)));
     const question = parts.get("lab");
     if (!/^\w+$/.test(question ?? "")) return null;
-    const names = Object.keys(plain).filter((name) => parts.has(name));
+    const isRead = (name) => (name === "scheme" ? Object.hasOwn(schemeNames, parts.get(name)) : parts.get(name) && Number.isFinite(Number(parts.get(name))));
+    const names = Object.keys(plain).filter((name) => parts.has(name) && isRead(name));
     return { question, change: Object.fromEntries(names.map((name) => [name, name === "scheme" ? parts.get(name) : Number(parts.get(name))])) };
 }
 

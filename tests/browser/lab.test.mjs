@@ -130,7 +130,7 @@ describe("the panel", options, () => {
 
     test("just beyond the limit a mode grows, far beyond vertices leave the view, and it is said", async () => {
         const told = (page) => page.locator(".lab-told").textContent();
-        const page = await opened("q5", { link: "#lab=q5,lambda=0.99,t=40" });
+        const page = await opened("q5", { link: "#lab%3Dq5%2Clambda%3D0.99%2Ct%3D40" });   // as mail writes it
         assert.doesNotMatch(await told(page), /Beyond the limit|Flown/);
         await page.evaluate(() => { location.hash = "#lab=q5,lambda=1.01,t=40"; });
         await settled(page);
@@ -274,9 +274,13 @@ describe("the panel", options, () => {
         const figure = page.locator(await page.locator(".lab-no-view a").getAttribute("href"));
         assert.ok((await figure.locator("img").evaluateAll((pictures) => pictures.map(({ alt }) => alt).join())).includes("cube"));
         assert.ok(await page.locator('.lab-panel select[name="scheme"]').isVisible());
+        await set(page, "t", "");
+        assert.equal(await page.locator('.lab-panel input[name="t"]').inputValue(), "25", "an empty field changes nothing");
         const data = dataOf(reportPage, "q5"), state = { ...states.startOf(data, "q5"), t: 25 };
         const energy = lab.energy(data, lab.filtered(lab.filter(data, state), data.coefficients));
         assert.ok(Math.abs(numberIn((await table(page))["Dirichlet energy length²"][0]) / energy - 1) < 1e-5);
+        await block(page, "q4").getByRole("button", { name: "Open the live laboratory" }).click();
+        assert.match(await block(page, "q4").locator(".lab-no-view a").getAttribute("href"), /_reconstructions$/);
         await page.context().close();
     });
 
@@ -309,6 +313,8 @@ describe("the panel", options, () => {
             assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
             const [view, controls] = [await page.locator(".lab-panel .model-stage").boundingBox(), await page.locator(".lab-controls").boundingBox()];
             assert.ok(controls.y >= view.y + view.height);
+            const cut = await page.$$eval(".lab-plot text", (all) => all.filter((one) => { const { x, width } = one.getBBox(); return x < 0 || x + width > 440; }).map((one) => one.textContent));
+            assert.deepEqual(cut, [], "the plots' words are whole");
             await page.context().close();
         });
     }

@@ -3,11 +3,17 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { before, describe, test } from "node:test";
-import { dataOf, Experiment, folder, lab, normalNumbers, options, run, states, written } from "./lab_tools.mjs";
+import { dataOf, Experiment, folder, lab, normalNumbers, options, reportPage, run, states, words, written } from "./lab_tools.mjs";
 
 const positionsOf = (file) => Float64Array.from(written(file).match(/^v .*$/gm).flatMap((row) => row.split(/\s+/).slice(1, 4).map(Number)));
 const start = (change) => ({ scheme: "projection", k: 15, lambda: 0.5, t: 10, sigma: 0, seed: 1, lines: false, ...change });
-const result = (data, state, c = data.coefficients) => lab.sumOfModes(data, lab.filter(data, state), c, new Float64Array(3 * data.vertices));
+const result = (data, state) => lab.applied(data, lab.filter(data, state), data.coefficients, data.positions, new Float64Array(3 * data.vertices));
+function measured(data, state) {
+    const experiment = new Experiment(data);
+    experiment.set({ ...states.startOf({ starts: {} }, ""), ...state });
+    experiment.compute();
+    return experiment.numbers();
+}
 
 describe("sums over modes in 16 bits are what the program computes", options, () => {
     let data, first;
@@ -114,6 +120,53 @@ test("a vertex without area has no mode, and the others are all there", options,
     const data = dataOf(written("line.html"), "lab");
     assert.deepEqual([data.vertices, data.modes, data.hasAllModes], [7, 4, true]);
     assert.ok(data.presets.some(({ state }) => state.scheme === "explicit"));
+    const heat = data.readings.find(({ state }) => state.scheme === "heat");
+    assert.ok(Math.abs(measured(data, heat.state).rms / heat.rms - 1) < 1e-4, "what has no mode stays where it is");
+});
+
+test("every number that the report has is the page's to 1e-4", options, () => {
+    let compared = 0;
+    for (const question of ["q4", "q5", "q6", "q7"]) {
+        const data = dataOf(reportPage, question);
+        for (const { state, energy, volume, rms, factor, gains } of data.readings) {
+            const here = measured(data, state), pairs = { energy: [here.energy, energy], rms: [here.rms, rms] };
+            if (data.isClosed && Math.abs(volume) > data.rounding * Math.abs(lab.volume(data, data.positions))) pairs.volume = [here.volume, volume];
+            if (state.scheme !== "projection" && factor !== null) pairs.factor = [here.factor, factor];
+            gains?.forEach((gain, i) => { pairs[`gain ${i}`] = [here.gains[i], gain]; });
+            for (const [name, [x, y]] of Object.entries(pairs)) {
+                assert.ok(Math.abs(x - y) <= 1e-4 * Math.abs(y) + (name === "rms" ? data.rounding * data.diagonal : 0), `${question} ${JSON.stringify(state)}: ${name} ${x} ${y}`);
+                ++compared;
+            }
+        }
+    }
+    assert.ok(compared > 150, `${compared}`);
+});
+
+test("what changes little is as exact as what changes much, and what changes nothing exact", options, () => {
+    const data = dataOf(reportPage, "q6");
+    for (const lambda of [1e-4, 1e-3, 1e-2]) {
+        const step = result(data, start({ scheme: "explicit", lambda, t: 1 })), half = result(data, start({ scheme: "explicit", lambda: lambda / 2, t: 1 }));
+        const moved = (x) => x.map((value, i) => value - data.positions[i]), [one, two] = [moved(step), moved(half)];   // of one step: as λ
+        const size = Math.max(...one.map(Math.abs));
+        assert.ok(size > 0 && one.every((value, i) => Math.abs(value - 2 * two[i]) < 1e-8 * size));
+    }
+    assert.equal(measured(data, { scheme: "implicit", lambda: 0, t: 5 }).rms, 0);
+    assert.equal(measured(data, { scheme: "projection", k: data.modes }).rms, 0);
+});
+
+test("it says what is seen: one mode, nothing moved, and whose operator it is", options, () => {
+    const data = dataOf(reportPage, "q7"), said = (change) => {
+        const experiment = new Experiment(data), state = start({ edges: 0.1, ...change });
+        experiment.set(state);
+        experiment.compute();
+        return words.told({ state, data, experiment, numbers: experiment.numbers(), clamped: 0, best: null });
+    };
+    assert.match(said({ k: 1 }), /^The smoothest of \d+ modes: rms .* It is constant: nothing is left but a point\.$/);
+    assert.match(said({ scheme: "implicit", lambda: 0 }), /: nothing has moved\.$/);
+    assert.match(said({ scheme: "implicit", sigma: 1 }), /know the clean mesh's operator/);
+    assert.doesNotMatch(said({ scheme: "implicit", sigma: 0 }), /operator/);
+    assert.match(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 1 }), /Of rms², \d+ % lies along the surface/);
+    assert.match(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 1, lines: true }), /along the surface is [\d.]+ times that of the noisy mesh, across it 0\.\d+ times\.$/);
 });
 
 test("a slider stops at every small number, at both ends, and nowhere far beyond 2 %", () => {
@@ -135,6 +188,9 @@ test("a link restores the state, whatever it holds", () => {
     }
     assert.deepEqual(states.readLink("#lab=q5,lambda=1.01,t=40"), { question: "q5", change: { lambda: 1.01, t: 40 } });
     assert.equal(states.readLink("#q5"), null);
+    assert.deepEqual(states.readLink("#lab%3Dq5%2Clambda%3D1.01%2ct%3D40"), states.readLink("#lab=q5,lambda=1.01,t=40"));
+    assert.deepEqual(states.readLink("#lab=q5,scheme=magic,lambda=,t=%E0,k").change, {}, "what cannot be read changes nothing");
+    assert.equal(states.held({ ...start, lambda: NaN }, 602, { ...start, lambda: 0.25 }).lambda, 0.25);
     const odd = states.held(states.readLink("#lab=q5,scheme=toString,lambda=-1e999,t=NaN,k=1e9,sigma=<b>,seed=").change, 602);
     assert.deepEqual([odd.scheme, odd.lambda, odd.t, odd.k, odd.sigma], ["projection", 0.5, 10, 602, 0]);
     for (const lambda of [0, 0.3, 1, 3, 10, 999]) assert.ok(Math.abs(states.lambdaAt(states.placeOf(lambda)) - lambda) < 1e-9 * (1 + lambda));

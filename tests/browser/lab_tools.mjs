@@ -13,7 +13,7 @@ export const reportPage = readFileSync(path.join(reports.quick, "index.html"), "
 export const options = { skip: reportPage.includes("viewer-program") ? false : "meshfolio was built without the viewer" };
 
 const viewer = (name) => import(pathToFileURL(path.join(process.env.SOURCE, "templates/viewer", name)).href);
-export const lab = await viewer("lab_math.js"), states = await viewer("lab_state.js"), { Experiment } = await viewer("lab_experiment.js"), { normalNumbers } = await viewer("lab_noise.js");
+export const lab = await viewer("lab_math.js"), states = await viewer("lab_state.js"), { Experiment } = await viewer("lab_experiment.js"), { normalNumbers } = await viewer("lab_noise.js"), words = await viewer("lab_words.js");
 
 /// Where the program works.
 export const folder = mkdtempSync(path.join(os.tmpdir(), "meshfolio-lab-"));

@@ -48,7 +48,8 @@ Positions filtered(const LabMesh& lab, const Spectrum& spectrum, const LabSettin
     if (setting.scheme == "projection") return reconstruct(spectrum, lab.laplacian.M, X, setting.count);
     if (setting.scheme == "heat") {
         const Vector decay = factors(lab, setting, spectrum.eigenvalues).array().pow(setting.count);
-        return spectrum.eigenvectors * (decay.asDiagonal() * spectral_coefficients(spectrum, lab.laplacian.M, X));
+        const Positions flowed = spectrum.eigenvectors * (decay.asDiagonal() * spectral_coefficients(spectrum, lab.laplacian.M, X));
+        return (lab.laplacian.M.array() > 0).replicate(1, 3).select(flowed, X);   // a vertex without area is in no mode and stays
     }
     for (int t = 0; t < setting.count; ++t) X = step(lab, setting, X);
     return X;
