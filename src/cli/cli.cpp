@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <map>
 #include <new>
 #include <string>
 #include <string_view>
@@ -84,36 +83,15 @@ UsageError usage_error(const CLI::App& command, const CLI::ParseError& error) {
     return UsageError(error.what(), help);
 }
 
-/// What stands for a value in the help, by the name of its option; NUMBER for the others.
-std::string type_of(const std::string& names) {
-    static const std::map<std::string, std::string> types{{"-o,--output", "FILE"},
-                                                          {"--author", "NAME"},
-                                                          {"--config", "FILE"},
-                                                          {"--csv", "FILE"},
-                                                          {"--data", "DIR"},
-                                                          {"--from", "FILE"},
-                                                          {"--glb", "FILE"},
-                                                          {"--junit", "FILE"},
-                                                          {"--list", "FILE"},
-                                                          {"--only", "QUESTIONS"},
-                                                          {"--out", "DIR"},
-                                                          {"--part", "DIR"},
-                                                          {"--pdf", "auto|require|off"},
-                                                          {"--pdf-browser", "FILE"},
-                                                          {"--range", "LOW,HIGH"},
-                                                          {"--ply", "FILE"},
-                                                          {"--reconstruct", "NUMBERS"},
-                                                          {"--rubric", "FILE"},
-                                                          {"--size", "PIXELS"},
-                                                          {"--templates", "DIR"},
-                                                          {"--time", "SECONDS"},
-                                                          {"--values", "FILE:COLUMN"},
-                                                          {"--vectors", "FILE"},
-                                                          {"--views", "VIEWS"}};
-    if (!names.starts_with('-')) return "";   // a place is called what it is
-    const auto known = types.find(names);
-    return known != types.end() ? known->second : "NUMBER";
-}
+/// "--out DIR": the names of an option, and what stands for its value in the help, NUMBER if nothing does. A place is called what it is.
+struct Named {
+    explicit Named(const std::string& text)
+        : names(text.substr(0, text.find(' '))),
+          type(names.size() < text.size() ? text.substr(names.size() + 1)
+               : names.starts_with('-')   ? "NUMBER"
+                                          : "") {}
+    std::string names, type;
+};
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
     CLI::App app("Answers the questions of the curvature-and-smoothing coursework on real meshes and writes the report.", "meshfolio");
@@ -177,12 +155,14 @@ CommandOptions::CommandOptions(CLI::App& parent, const std::string& command, con
     : app_(parent.add_subcommand(command, purpose)) {}
 
 void CommandOptions::text(const std::string& names, std::string& value, const std::string& help) {
-    CLI::Option* option = app_->add_option(names, value, help)->type_name(type_of(names));
+    const Named named(names);
+    CLI::Option* option = app_->add_option(named.names, value, help)->type_name(named.type);
     if (!value.empty()) option->capture_default_str();
 }
 
 void CommandOptions::required(const std::string& names, std::string& value, const std::string& help) {
-    app_->add_option(names, value, help)->type_name(type_of(names))->required();
+    const Named named(names);
+    app_->add_option(named.names, value, help)->type_name(named.type)->required();
 }
 
 void CommandOptions::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices,
@@ -197,11 +177,13 @@ void CommandOptions::choice(const std::string& names, std::string& value, const 
 }
 
 void CommandOptions::texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-    app_->add_option(names, values, help)->type_name(type_of(names))->allow_extra_args(!names.starts_with('-'));
+    const Named named(names);
+    app_->add_option(named.names, values, help)->type_name(named.type)->allow_extra_args(!names.starts_with('-'));
 }
 
 void CommandOptions::required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-    app_->add_option(names, values, help)->type_name(type_of(names))->required();
+    const Named named(names);
+    app_->add_option(named.names, values, help)->type_name(named.type)->required();
 }
 
 void CommandOptions::flag(const std::string& names, bool& value, const std::string& help) { app_->add_flag(names, value, help); }

@@ -28,6 +28,7 @@ class CommandOptions {
 public:
     CommandOptions(CLI::App& parent, const std::string& command, const std::string& purpose);
 
+    /// @param names  "-o,--output FILE": of an option with what its value is, NUMBER where it is left out; "MESH": of a place
     void text(const std::string& names, std::string& value, const std::string& help);
     void required(const std::string& names, std::string& value, const std::string& help);
     /// One of the words; another is refused with the nearest of them.

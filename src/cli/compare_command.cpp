@@ -1,6 +1,4 @@
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 
 #include "base/number_text.h"
@@ -50,34 +48,21 @@ std::string distance_table(const TriangleMesh& mesh, const Vector& distances) {
     return csv;
 }
 
-/// The PLY of encode_mesh(), whose vertices are three doubles, with a float "distance" more.
-std::string ply_with_distances(const TriangleMesh& mesh, const Vector& distances, const std::string& file) {
-    if (lower_case_ending(file) != ".ply") throw UsageError("--ply writes PLY", "name the file .ply", {file, 0});
-    constexpr std::size_t row = 24;
-    const std::string plain = encode_mesh(mesh, file);
-    const std::size_t faces = plain.find("element face"), body = plain.find("end_header\n") + 11;
-    std::string bytes = plain.substr(0, faces) + "property float distance\n" + plain.substr(faces, body - faces);
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        bytes.append(plain, body + row * static_cast<std::size_t>(v), row);
-        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(distances[v]));
-        for (const int shift : {0, 8, 16, 24}) bytes += static_cast<char>(bits >> shift & 0xff);
-    }
-    return bytes + plain.substr(body + row * static_cast<std::size_t>(mesh.vertex_count()));
-}
-
 /// What needs the distances of surfaces.
 void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
                const Difference& difference) {
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
     const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh);
     const Vector& of_vertices = distances.a_to_b.of_vertices;
-    if (!options.ply.empty()) files.add(options.ply, ply_with_distances(a.mesh, of_vertices, options.ply));
+    if (!options.ply.empty())
+        files.add(options.ply, encode_mesh(a.mesh, options.ply, {.columns = {{"distance", of_vertices, ScalarType::float32}}}));
     if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
     if (!options.csv.empty()) print_to(files, options.csv, distance_table(a.mesh, of_vertices));
 }
 
 ExitCode run_compare(const CompareFlags& options) {
     if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
+    check_holds_columns("--ply", options.ply);
     const PreparedMesh a = load_mesh(options.a);
     PreparedMesh b = load_mesh(options.b);
     take_triangles_of_file(options, a, b);
@@ -103,9 +88,9 @@ Command compare_command(CLI::App& parent) {
     app.required("B", options->b, "the other, with the same triangles or any");
     app.flag("--surfaces", options->surfaces, "from surface to surface also where the triangles are the same and vertices correspond");
     app.flag("--json", options->json, "for programs");
-    app.text("--csv", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
-    app.text("--ply", options->ply, "A, with this distance as a property of its vertices");
-    app.text("--html", options->html, "a page of both: pictures by one camera, distances, numbers");
+    app.text("--csv FILE", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
+    app.text("--ply FILE", options->ply, "A, with this distance as a property of its vertices");
+    app.text("--html FILE", options->html, "a page of both: pictures by one camera, distances, numbers");
     app.footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] { return run_compare(*options); }};
 }

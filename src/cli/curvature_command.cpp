@@ -47,8 +47,8 @@ Command curvature_command(CLI::App& parent) {
     app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "adds the mean curvature by another operator, as h_<its name>");
     app.flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
-    app.text("--csv", options->csv, "file, or - for standard output; default: - where there is no --ply");
-    app.text("--ply", options->ply, "the mesh with all of these as properties of its vertices: .ply, .vtp or .glb");
+    app.text("--csv FILE", options->csv, "file, or - for standard output; default: - where there is no --ply");
+    app.text("--ply FILE", options->ply, "the mesh with all of these as properties of its vertices: .ply, .vtp or .glb");
     app.footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);

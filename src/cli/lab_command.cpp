@@ -38,8 +38,8 @@ Command lab_command(CLI::App& parent) {
     const auto options = std::make_shared<LabFlags>();
     CommandOptions app(parent, "lab", "A page that filters the modes of one mesh live, for a lecture");
     app.required("MESH", options->mesh, formats_read);
-    app.required("-o,--output", options->output, "the page, one HTML file that works offline");
-    app.text("--templates", options->templates, "folder of templates that replace those of the same name");
+    app.required("-o,--output FILE", options->output, "the page, one HTML file that works offline");
+    app.text("--templates DIR", options->templates, "folder of templates that replace those of the same name");
     app.footer("Up to 2,000 vertices the page has all modes, above the lowest 300.\nExample: meshfolio lab cube.obj -o lab.html");
     return {app, [options] { return run_lab(*options); }};
 }

@@ -10,9 +10,9 @@ Command mark_command(CLI::App& parent) {
     flags->out = "marks";
     CommandOptions app(parent, "mark", "Students' meshes and numbers held against the right answers");
     app.required_texts("SUBMISSION", flags->submissions, "a student's folder or zip; several for a class");
-    app.text("--rubric", flags->rubric, "what is marked (TOML); default: the bundled data/rubric.toml, which documents every key");
-    app.text("--out", flags->out, "folder of the marks, replaced as a whole");
-    app.text("--templates", flags->templates, "folder of templates that replace those of the same name");
+    app.text("--rubric FILE", flags->rubric, "what is marked (TOML); default: the bundled data/rubric.toml, which documents every key");
+    app.text("--out DIR", flags->out, "folder of the marks, replaced as a whole");
+    app.text("--templates DIR", flags->templates, "folder of templates that replace those of the same name");
     app.footer(
         "Writes class.csv, and for each student a page that shows the differences on the mesh, and results.json as Gradescope reads it.\n"
         "Nothing of a submission is executed. One that cannot be read (a zip bomb, a path that leads outside, a link) is refused by name,\n"

@@ -19,7 +19,7 @@ Command noise_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "noise", "Seeded Gaussian noise on every vertex");
     app.required("MESH", options->mesh, formats_read);
-    app.required("-o,--output", options->output, formats_written);
+    app.required("-o,--output FILE", options->output, formats_written);
     app.required("--sigma", options->sigma, "standard deviation of each coordinate");
     app.choice("--unit", options->unit, {"raw", "bbox"}, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)");
     app.text("--seed", options->seed, "the same seed gives the same noise");

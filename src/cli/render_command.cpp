@@ -190,22 +190,22 @@ Command render_command(CLI::App& parent) {
     const auto options = std::make_shared<RenderFlags>();
     CommandOptions app(parent, "render", "Pictures of a mesh from six directions, and a contact sheet");
     app.required("MESH", options->mesh, formats_read);
-    app.text("--out", options->out,
+    app.text("--out DIR", options->out,
              "folder for +x.png … -z.png and sheet.png, whose paths are printed; default: a folder called as the mesh");
     app.choice("--names", options->names, {"sign", "word"}, "of the pictures: +x.png, or x-pos.png");
-    app.text("--views", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
-    app.text("--size", options->size, "pixels of one view: N or WxH");
+    app.text("--views VIEWS", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
+    app.text("--size PIXELS", options->size, "pixels of one view: N or WxH");
     std::vector<std::string> fields = field_names();
     fields.emplace_back("distance");
     app.choice("--field", options->field, fields,
                "what is drawn in colours; h-… is the mean curvature by that operator, distance that to the surface of --pair");
-    app.text("--pair", options->pair, "another mesh beside it on one sheet.png, by one camera, at one scale, in one range of colours");
-    app.text("--values", options->values, "values from FILE.csv:COLUMN, one row a vertex, or of a mesh, FILE.ply:PROPERTY");
+    app.text("--pair FILE", options->pair, "another mesh beside it on one sheet.png, by one camera, at one scale, in one range of colours");
+    app.text("--values FILE:COLUMN", options->values, "values from FILE.csv:COLUMN, one row a vertex, or of a mesh, FILE.ply:PROPERTY");
     app.choice("--colormap", options->colormap, colormap_names(),
                "see meshfolio list; default: diverging for signed values, pale for distances, viridis otherwise");
-    app.text("--range", options->range, "lo,hi of the colours; default: robust");
+    app.text("--range LOW,HIGH", options->range, "lo,hi of the colours; default: robust");
     app.text("--isolines", options->isolines, "lines where the value is a multiple of this");
-    app.text("--glb", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
+    app.text("--glb FILE", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
     app.flag("--edges", options->edges, "draw triangle edges");
     app.flag("--transparent", options->transparent, "no ground behind the surface");
     app.flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");

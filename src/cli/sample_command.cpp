@@ -17,7 +17,7 @@ Command sample_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "sample", "A bundled procedural mesh");
     app.text("NAME", options->name, "see --list");
-    app.text("-o,--output", options->output, formats_written);
+    app.text("-o,--output FILE", options->output, formats_written);
     app.text("--subdivide", options->subdivide, "extra 1-to-4 subdivisions, 0 to " + std::to_string(most_subdivisions));
     app.flag("--list", options->list, "names and what they are");
     app.footer("Example: meshfolio sample creature -o creature.ply --subdivide 1");

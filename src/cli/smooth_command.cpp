@@ -151,7 +151,7 @@ Command smooth_command(CLI::App& parent) {
     const auto options = std::make_shared<SmoothFlags>();
     CommandOptions app(parent, "smooth", "One Laplacian smoothing run");
     app.required("MESH", options->mesh, formats_read);
-    app.required("-o,--output", options->output, formats_written);
+    app.required("-o,--output FILE", options->output, formats_written);
     app.choice("--scheme", options->scheme, {"explicit", "implicit", "taubin"}, "how a step is made");
     app.choice("--operator", options->laplacian, operator_choices(), "of the Laplacian");
     app.choice("--backend", options->backend, backend_choices(), "who factors implicit steps; slepc: all ranks of mpirun together");

@@ -133,11 +133,11 @@ Command spectrum_command(CLI::App& parent) {
     app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "whose eigenpairs");
     app.choice("--backend", options->backend, backend_choices(), "who factors; slepc: all ranks of mpirun together");
-    app.text("--csv", options->csv, "index, eigenvalue, residual; - for standard output");
-    app.text("--vectors", options->vectors, "eigenvectors as .npy, n x K float64");
-    app.text("--ply", options->ply, "the mesh with its eigenvectors as properties mode_1, mode_2, …: .ply, .vtp or .glb");
-    app.text("--reconstruct", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
-    app.text("--out", options->out, "folder for <mesh>_k<k>.ply");
+    app.text("--csv FILE", options->csv, "index, eigenvalue, residual; - for standard output");
+    app.text("--vectors FILE", options->vectors, "eigenvectors as .npy, n x K float64");
+    app.text("--ply FILE", options->ply, "the mesh with its eigenvectors as properties mode_1, mode_2, …: .ply, .vtp or .glb");
+    app.text("--reconstruct NUMBERS", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
+    app.text("--out DIR", options->out, "folder for <mesh>_k<k>.ply");
     app.footer(
         "Prints a certificate of the eigenpairs on stderr: that none is missing is proved, refuted, or cannot be proved here because\n"
         "rounding of the count exceeds the gap. Exit code 1 when something is refuted or beyond its limit.\n"

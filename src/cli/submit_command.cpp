@@ -41,8 +41,8 @@ ExitCode run_submit(SubmitFlags options) {
 Command submit_command(CLI::App& parent) {
     const auto options = std::make_shared<SubmitFlags>();
     CommandOptions app(parent, "submit", "submission.zip from a built report, checked");
-    app.text("--out", options->out, "folder of the report; the archive is put into it");
-    app.text("--author", options->submission.author, "whose work it is; default: the author the report names");
+    app.text("--out DIR", options->out, "folder of the report; the archive is put into it");
+    app.text("--author NAME", options->submission.author, "whose work it is; default: the author the report names");
     app.flag("--without-pdf", options->without_pdf, "hand in without report.pdf and appendix.pdf");
     app.flag("--with-images", options->with_images, "pack images/ and the Markdown too: the pages are whole without them");
     app.footer(

@@ -81,7 +81,7 @@ ExitCode run_verify(const VerifyFlags& options) {
 Command verify_command(CLI::App& parent) {
     const auto options = std::make_shared<VerifyFlags>();
     CommandOptions app(parent, "verify", "Curvature against closed forms, certificates of bundled meshes, planted faults: named checks");
-    app.text("--out", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");
+    app.text("--out DIR", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");
     app.text("--seed", options->seed, "of the random meshes");
     app.flag("--quick", options->quick, "three refinements in place of four");
     app.footer("Example: meshfolio verify --out truth");

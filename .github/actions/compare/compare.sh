@@ -52,6 +52,7 @@ compared() {   # STATUS OLD NEW
     if [ "$count" -gt "$most" ]; then return; fi
     folder=$OUT/meshes/$count ending=${new##*.}
     ending=${ending,,}
+    if [ "$ending" = gz ]; then ending=${new%.*} ending=${ending##*.}.gz; fi
     mkdir -p "$folder"
     case $status in
         D) row "$new" removed – – – – –; return ;;
@@ -77,7 +78,8 @@ while IFS= read -r -d '' status && IFS= read -r -d '' old; do
     if [[ $status == R* ]]; then IFS= read -r -d '' new; fi
     if [ "${old##*.}" != "${new##*.}" ]; then status=A; fi   # another format: only what is there now
     compared "${status:0:1}" "$old" "$new"
-done < <(git diff -z --name-status --find-renames --diff-filter=AMDR "$before" "$HEAD" -- ':(icase)*.obj' ':(icase)*.off' ':(icase)*.ply' ':(icase)*.stl')
+done < <(git diff -z --name-status --find-renames --diff-filter=AMDR "$before" "$HEAD" -- ':(icase)*.obj' ':(icase)*.off' ':(icase)*.ply' ':(icase)*.stl' \
+    ':(icase)*.glb' ':(icase)*.vtp' ':(icase)*.obj.gz' ':(icase)*.off.gz' ':(icase)*.ply.gz' ':(icase)*.stl.gz')
 
 # Pushes the sheets, one commit a run, and prints where they are found.
 kept_sheets() {
