@@ -23,12 +23,12 @@ namespace meshfolio::cli {
 using namespace run;   // what the commands share with `report`
 
 /// Puts what follows a command into variables of its own, which must outlive the parsing. Names are CLI11's: "MESH" is a place,
-/// "-o,--output" an option. A variable that is not empty keeps its value as the default, which the help shows.
+/// "-o,--output FILE" an option and what it takes, a NUMBER where nothing is said. A variable that is not empty keeps its value as the
+/// default, which the help shows.
 class CommandOptions {
 public:
     CommandOptions(CLI::App& parent, const std::string& command, const std::string& purpose);
 
-    /// @param names  "-o,--output FILE": of an option with what its value is, NUMBER where it is left out; "MESH": of a place
     void text(const std::string& names, std::string& value, const std::string& help);
     void required(const std::string& names, std::string& value, const std::string& help);
     /// One of the words; another is refused with the nearest of them.

@@ -142,7 +142,8 @@ std::string said_of(const ItemMark& mark) {
     std::string said;
     switch (mark.verdict) {
         case Verdict::right:
-            said = mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance) : words.line("said.exact");
+            said = mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance)
+                                            : words.line("said.exact");
             break;
         case Verdict::accepted:
             said = words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
