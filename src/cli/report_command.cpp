@@ -127,6 +127,7 @@ ExitCode run_report(const ReportFlags& flags) {
         const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
         const std::optional<Cover> cover = chosen_cover(results, again);
         document = document_of(with_kept(settings, kept), results, cover);
+        kept.tell_efforts(document.provenance.settings);
         submission::cite(document, own_source());
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;

@@ -26,17 +26,17 @@ namespace {
 
 using Inputs = std::set<std::tuple<std::string, std::string, std::string, std::string>>;
 
-/// Without how much is done of what this run makes itself.
-report::Provenance of_others(report::Provenance provenance, const ReportSettings& settings) {
-    for (const std::string& id : settings.only) provenance.settings.erase(id + " effort");
+/// Without how much is done of each section: that follows from the rest, and from what is named.
+report::Provenance without_efforts(report::Provenance provenance) {
+    std::erase_if(provenance.settings, [](const auto& setting) { return setting.first.ends_with(effort_suffix); });
     return provenance;
 }
 
 /// What the earlier report was made of or with and this run is not; empty: nothing.
 std::string difference_to(const EarlierReport& earlier, const std::vector<const report::Section*>& kept, const ReportSettings& settings,
                           const MeshLibrary& meshes) {
-    const report::Provenance now = of_others(provenance_of(described(settings), settings.seed), settings);
-    if (const std::string what = difference(of_others(earlier.document.provenance, settings), now); !what.empty()) return what;
+    const report::Provenance now = without_efforts(provenance_of(described(settings), settings.seed));
+    if (const std::string what = difference(without_efforts(earlier.document.provenance), now); !what.empty()) return what;
     Inputs seen;
     for (const report::Section* section : kept) {
         for (const report::Input& input : section->inputs) {
@@ -95,6 +95,14 @@ std::shared_ptr<const EarlierReport> earlier_at(const fs::path& out, std::string
 
 }   // namespace
 
+void KeptSections::tell_efforts(std::map<std::string, std::string>& described) const {
+    for (const auto& [id, answer] : answers) {
+        const std::string name = id + effort_suffix;
+        described.erase(name);
+        if (const auto effort = settings.find(name); effort != settings.end()) described.insert(*effort);
+    }
+}
+
 KeptSections kept_sections(const ReportSettings& settings, const MeshLibrary& meshes, const fs::path& folder) {
     KeptSections kept;
     const auto earlier = earlier_at(settings.out, kept.note);
@@ -112,6 +120,7 @@ KeptSections kept_sections(const ReportSettings& settings, const MeshLibrary& me
     for_each_task(sections.size(),
                   [&](std::size_t i) { answers[i] = placed(*earlier, *sections[i], figures_of(*earlier, sections[i]->id), folder); });
     for (StoredAnswer& answer : answers) kept.answers[answer.section.id] = std::move(answer);
+    kept.settings = earlier->document.provenance.settings;
     keep_cover(earlier, kept, folder);
     return kept;
 }

@@ -15,6 +15,10 @@ namespace meshfolio::run {
 struct KeptSections {
     std::map<std::string, StoredAnswer> answers;   // by section
     std::string note;                              // why there are none, where an earlier report has some; else empty
+    std::map<std::string, std::string> settings;   // of that report
+
+    /// In place of what is planned of these sections now, what was done of them.
+    void tell_efforts(std::map<std::string, std::string>& described) const;
 };
 
 /// The sections of the report at settings.out that are not asked for, if it was made of the same inputs, with the same settings and by the

@@ -130,9 +130,8 @@ class From(unittest.TestCase):
         results["schema_version"] = 2
         for section in results["questions"] + results["supporting"]:
             section["findings"] = [{"runs": section.pop("answer"), "text": "", "weight": 50}] if "answer" in section else []
-            for key in ("appendix_from", "parameter_values", "diagrams"):
+            for key in ("appendix_from", "parameter_values"):
                 section.pop(key, None)
-            section["blocks"] = [block for block in section["blocks"] if block["kind"] != "diagram"]
             for check in section["checks"]:
                 del check["id"], check["status"]
         for figure in [results["cover"], *(figure for section in results["questions"] for figure in section["figures"])]:

@@ -324,7 +324,7 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     for_each_setting(settings, enter_as(""));
     for (const auto& [id, table] : settings.questions) for_each_setting(table, enter_as(id + " "));
     for (const auto& [id, effort] : settings.efforts) {
-        if (words_of(effort) != words_of(Effort{.small = settings.quick})) values[id + " effort"] = words_of(effort).front();
+        if (words_of(effort) != words_of(Effort{.small = settings.quick})) values[id + effort_suffix] = words_of(effort).front();
     }
     if (!settings.experiments.empty()) values["experiments"] = settings.experiments_digest;
     return values;

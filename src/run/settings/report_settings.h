@@ -104,6 +104,9 @@ ReportSettings report_settings(const ReportFlags& flags);
 /// For as long as it lives, no more threads work than are asked for; null where all may.
 std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings);
 
+/// Behind the section's id: the name of what is planned for it, among what is described.
+inline constexpr const char* effort_suffix = " effort";
+
 /// What is planned for one section.
 Effort effort_of(const ReportSettings& settings, const std::string& id);
 
