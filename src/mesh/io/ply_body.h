@@ -56,11 +56,7 @@ public:
         value.remove_prefix(value.starts_with('+') ? 1 : 0);
         double x = 0;
         const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), x);
-        const bool fits = with_zero_of(type, [&](auto zero) {
-            using Limits = std::numeric_limits<decltype(zero)>;
-            return !Limits::is_integer || (x >= Limits::lowest() && x <= Limits::max() && x == std::trunc(x));
-        });
-        if (error != std::errc() || end != value.data() + value.size() || !fits) {
+        if (error != std::errc() || end != value.data() + value.size() || !fits_type(x, type)) {
             throw InputError(here(), in_quotes(value) + " is no number of type " + std::string(ply_name_of(type)),
                              "the header says what belongs here");
         }

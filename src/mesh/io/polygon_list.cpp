@@ -138,6 +138,14 @@ double checked_coordinate(std::string_view word, const std::string& file, long l
     return *x;
 }
 
+bool fits_type(double x, ScalarType type) {
+    return with_zero_of(type, [&](auto zero) {
+        using Limits = std::numeric_limits<decltype(zero)>;
+        return !Limits::is_integer ||
+               (x >= static_cast<double>(Limits::lowest()) && x <= static_cast<double>(Limits::max()) && x == std::trunc(x));
+    });
+}
+
 void check_range(double x, const std::string& file, long line) {
     if (std::abs(x) <= largest_coordinate) return;
     throw InputError({file, line}, "coordinate out of the supported range (1e100)", "scale the mesh down");

@@ -59,6 +59,9 @@ WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<co
 /// @throws InputError if `word` is not a finite decimal number or exceeds largest_coordinate
 double checked_coordinate(std::string_view word, const std::string& file, long line);
 
+/// Can a number of that type be x? Any can be one of floating point.
+bool fits_type(double x, ScalarType type);
+
 /// @throws InputError if x exceeds largest_coordinate
 void check_range(double x, const std::string& file, long line);
 

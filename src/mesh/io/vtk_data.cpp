@@ -15,6 +15,7 @@
 #include "base/errors.h"
 #include "base/in_quotes.h"
 #include "base/number_text.h"
+#include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
 
 namespace meshfolio {
@@ -87,8 +88,9 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
         WordScanner words(element.child_value());
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
             const std::optional<double> number = parse_number(word);
-            if (!number && word != "nan" && word != "-nan")
-                fail(name + ": " + in_quotes(word) + " is no number", "the file may be damaged");
+            const bool is_nan = (word == "nan" || word == "-nan") && !is_integer(array.type);
+            if (!is_nan && (!number || !fits_type(*number, array.type)))
+                fail(name + ": " + in_quotes(word) + " is no number of its type", "the file may be damaged");
             array.values.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
         }
         return array;

@@ -193,11 +193,13 @@ TEST(Vtp, WhatIsRefusedIsNamed) {
                         "packed by 'vtkLZ4DataCompressor'"));
     EXPECT_TRUE(refused(replaced(ascii, "1 2 3<", "1 2 4<"), "m.vtp", "index 4 out of range (4 points)"));
     EXPECT_TRUE(refused(replaced(ascii, "1 2 3<", "1 2 -3<"), "m.vtp", "index -3 out of range"));
-    EXPECT_TRUE(refused(replaced(ascii, "1 2 3<", "1 2 1.5<"), "m.vtp", "index 1.5 out of range"));
+    EXPECT_TRUE(refused(replaced(ascii, "1 2 3<", "1 2 1.5<"), "m.vtp", "'1.5' is no number of its type"));
     EXPECT_TRUE(refused(replaced(ascii, "3 6 9 12", "3 6 9 13"), "m.vtp", "offsets of cells do not rise"));
     EXPECT_TRUE(refused(replaced(ascii, "3 6 9 12", "3 6 5 12"), "m.vtp", "offsets of cells do not rise"));
     EXPECT_TRUE(refused(replaced(ascii, "0 0 0 1", "0 0 1e101 1"), "m.vtp", "beyond 1e100"));
-    EXPECT_TRUE(refused(replaced(ascii, "0 0 0 1", "0 0 x 1"), "m.vtp", "'x' is no number"));
+    EXPECT_TRUE(refused(replaced(ascii, "0 0 0 1", "0 0 x 1"), "m.vtp", "'x' is no number of its type"));
+    EXPECT_TRUE(refused(replaced(ascii, "3 6 9 12", "3 6 9 1e10"), "m.vtp", "'1e10' is no number of its type"));
+    EXPECT_TRUE(refused(replaced(ascii, "3 6 9 12", "3 6 9 nan"), "m.vtp", "'nan' is no number of its type"));
     EXPECT_TRUE(refused(replaced(ascii, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""), "m.vtp", "4 points where NumberOfPoints is '5'"));
     EXPECT_TRUE(refused(replaced(ascii, "Float32", "Float16"), "m.vtp", "unknown type"));
     EXPECT_TRUE(refused(ascii, "m.obj", "looks like VTP, but the name says .obj"));
