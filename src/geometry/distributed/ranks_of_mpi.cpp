@@ -179,7 +179,9 @@ private:
         MatFactorError error = MAT_FACTOR_NOERROR;
         check(MatFactorGetError(factor_, &error));
         if (error == MAT_FACTOR_OUTMEMORY) throw SolverError("the factor needs more memory than a rank has", "take more ranks");
-        if (error == MAT_FACTOR_NOERROR) return;
+        PetscInt negative = 0;
+        if (definite) check(MatMumpsGetInfog(factor_, 12, &negative));   // MUMPS goes on after a negative pivot
+        if (error == MAT_FACTOR_NOERROR && negative == 0) return;
         throw SolverError(definite ? "the matrix is not positive definite" : "a pivot was lost in rounding");
     }
 

@@ -11,12 +11,12 @@ namespace meshfolio {
 
 namespace {
 
-/// B + cI is definite, and so far from singular that a solve keeps its digits; the other eigenvalues of a compact surface are above 10.
-constexpr double c = 0.1;
+/// B + 0.1 I is definite, and so far from singular that a solve keeps its digits; the other eigenvalues of a compact surface are above 10.
+constexpr double least_shift = 0.1;
 
 SymmetricPairs merged(const SymmetricPairs& known, const InversePairs& found) {
     Vector mu(known.count() + found.theta.size());
-    mu << known.mu, found.theta.cwiseInverse().array() - c;
+    mu << known.mu, found.theta.cwiseInverse().array() - least_shift;
     std::vector<Eigen::Index> order(static_cast<std::size_t>(mu.size()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
     std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return mu[a] < mu[b]; });
@@ -34,7 +34,7 @@ Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ra
     constexpr int most_repairs = 6;
     SparseMatrix S(A.rows(), A.cols());
     S.setIdentity();
-    S = symmetric_form(A, M) + c * S;
+    S = symmetric_form(A, M) + least_shift * S;
     const ZeroModes zero_modes(A, M);
     const int zeros = zero_modes.count();
     Modes modes;
