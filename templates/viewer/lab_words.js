@@ -37,7 +37,7 @@ export function told({ state, data, experiment, numbers, clamped, best }) {
     const parts = scheme !== "projection" || k > constant ? "" : constant === 1 ? " It is constant: nothing is left but a point."
         : ` The first ${constant} modes are constant on each part of the mesh: of so few, nothing is left but a point a part.`;
     const finest = ["projection", "denoising"].includes(scheme) ? 1 : Math.abs(factorOfStep(data, scheme, state.lambda * data.critical)(data.largestEigenvalue));
-    const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${short(finest)}.` : "";
+    const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(finest)}.` : "";
     const rim = clamped > 0 ? ` Flown out of the view, and drawn at its rim: ${clamped} of ${data.vertices} vertices.` : "";
     const least = best === null ? "" : best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean surface.` : ` Nearest to the clean surface at t = ${best}.`;
     const drift = lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long${sigma > 0 ? driftWords(experiment) : ""}.` : "";
@@ -45,10 +45,10 @@ export function told({ state, data, experiment, numbers, clamped, best }) {
 }
 
 /// Why the noise goes, or stays, as no one sees it who has only the noisy mesh.
-function operatorWords({ scheme, t }, { along }) {
+function operatorWords({ scheme, t }, { along, gains: [gain] }) {
     if (scheme === "projection" || t === 0) return "";
     if (scheme !== "denoising") return " These steps know the clean mesh's operator, which nobody has who denoises.";
-    return along > 0.5 ? ` Of rms², ${short(100 * along, 2)} % lies along the surface, where the noisy mesh's operator moves little: coefficients stay above the filter's curve.` : "";
+    return gain > 1 && along > 0.5 ? ` Of rms², ${short(100 * along, 2)} % lies along the surface: there the noisy mesh's operator takes little away, and coefficients stay above the filter's curve.` : "";
 }
 
 /// How much of the noise's squared error is left along the surface, and across it.

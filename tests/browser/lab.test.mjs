@@ -313,8 +313,12 @@ describe("the panel", options, () => {
             assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
             const [view, controls] = [await page.locator(".lab-panel .model-stage").boundingBox(), await page.locator(".lab-controls").boundingBox()];
             assert.ok(controls.y >= view.y + view.height);
-            const cut = await page.$$eval(".lab-plot text", (all) => all.filter((one) => { const { x, width } = one.getBBox(); return x < 0 || x + width > 440; }).map((one) => one.textContent));
-            assert.deepEqual(cut, [], "the plots' words are whole");
+            const unclear = await page.$$eval(".lab-plot", (plots) => plots.flatMap((plot) => {
+                const words = [...plot.querySelectorAll("text")].filter((one) => one.textContent), boxes = words.map((one) => one.getBBox());
+                const meet = (a, b) => a !== b && a.x < b.x + b.width && b.x < a.x + a.width && a.y + 6 < b.y + b.height && b.y + 6 < a.y + a.height;
+                return words.filter((_, i) => boxes[i].x < 0 || boxes[i].x + boxes[i].width > plot.viewBox.baseVal.width || boxes.some((other) => meet(boxes[i], other))).map((one) => one.textContent);
+            }));
+            assert.deepEqual(unclear, [], "the plots' words are whole and apart");
             await page.context().close();
         });
     }

@@ -163,9 +163,11 @@ test("it says what is seen: one mode, nothing moved, and whose operator it is", 
     };
     assert.match(said({ k: 1 }), /^The smoothest of \d+ modes: rms .* It is constant: nothing is left but a point\.$/);
     assert.match(said({ scheme: "implicit", lambda: 0 }), /: nothing has moved\.$/);
+    assert.match(said({ scheme: "explicit", lambda: 1.001 }), /multiplies the finest mode by 1\.002\.$/);
     assert.match(said({ scheme: "implicit", sigma: 1 }), /know the clean mesh's operator/);
     assert.doesNotMatch(said({ scheme: "implicit", sigma: 0 }), /operator/);
     assert.match(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 1 }), /Of rms², \d+ % lies along the surface/);
+    assert.doesNotMatch(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 0.1 }), /Of rms²/, "where smoothing does harm, it is not the noise that is left");
     assert.match(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 1, lines: true }), /along the surface is [\d.]+ times that of the noisy mesh, across it 0\.\d+ times\.$/);
 });
 
