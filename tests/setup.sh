@@ -1,31 +1,49 @@
 # Sourced by build-report and run-tests: the packages, and how to get them.
 
+clang_format=clang-format-14   # the only version that agrees with the sources
 build_packages="cmake g++ ninja-build pkg-config libeigen3-dev libspectra-dev libtinyobjloader-dev libstb-dev libglm-dev libcli11-dev
     libsuitesparse-dev libopenblas-serial-dev libtbb-dev libdeflate-dev libhwy-dev nettle-dev nlohmann-json3-dev libpugixml-dev
     libkainjow-mustache-dev libtomlplusplus-dev libqpdf-dev libarchive-dev fonts-dejavu-core fonts-dejavu-extra chromium-headless-shell"
-test_packages="clang-format-14 libgtest-dev libgmp-dev libembree-dev python3 libvalijson-dev libxml2-utils pandoc poppler-utils qpdf
+test_packages="$clang_format libgtest-dev libgmp-dev libembree-dev python3 libvalijson-dev libxml2-utils pandoc poppler-utils qpdf
     strace faketime locales"
 command -v npm >/dev/null || test_packages="$test_packages nodejs npm"   # Debian's npm cannot stand beside a Node.js from elsewhere
+# Not every distribution has these, and what is built does without: Ubuntu's Chromium is no package of apt.
+optional_packages="libsuitesparse-dev libopenblas-serial-dev chromium-headless-shell $clang_format libembree-dev nodejs npm"
 
-# install_packages NAMES…: what is missing, through apt as root or sudo; otherwise says what to ask for.
-install_packages() {
-    missing=""
-    for package in "$@"; do
-        dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
-    done
-    [ -z "$missing" ] && return 0
+# apt_install NAMES…: as root, or by sudo. 1 where neither can be.
+apt_install() {
     if [ "$(id -u)" = 0 ]; then
         as_root=""
     elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
         as_root="sudo"   # at a terminal it may ask for the password
     else
-        echo "meshfolio needs these Debian packages, and this is neither root nor able to use sudo. Please have installed:" >&2
-        echo "   $missing" >&2
+        return 1
+    fi
+    echo "installing: $*" >&2
+    # shellcheck disable=SC2086  # sudo or nothing
+    { $as_root apt-get update -qq && DEBIAN_FRONTEND=noninteractive $as_root apt-get install -qq -y --no-install-recommends "$@"; } >&2
+}
+
+# install_packages NAMES…: what is missing, through apt; otherwise says what to ask for. Optional ones are tried one by one.
+install_packages() {
+    required="" optional="" without=""
+    for package in "$@"; do
+        dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed && continue
+        case " $(echo $optional_packages) " in
+            *" $package "*) optional="$optional $package" ;;
+            *) required="$required $package" ;;
+        esac
+    done
+    # shellcheck disable=SC2086  # a list of words
+    if [ -n "$required" ] && ! apt_install $required; then
+        echo "meshfolio needs these packages, which apt did not install, or nobody here may (neither root nor sudo):" >&2
+        echo "   $required" >&2
         exit 5
     fi
-    echo "installing:$missing" >&2
-    # shellcheck disable=SC2086  # both are lists of words
-    { $as_root apt-get update -qq && DEBIAN_FRONTEND=noninteractive $as_root apt-get install -qq -y --no-install-recommends $missing; } >&2
+    for package in $optional; do   # a name that apt does not know is worth no password
+        { apt-cache show "$package" >/dev/null 2>&1 && apt_install "$package"; } || without="$without $package"
+    done
+    [ -z "$without" ] || echo "these packages could not be had, and it goes on without them:$without" >&2
 }
 
 # build_release ROOT TESTS: the program at ROOT/build/release/meshfolio; TESTS is ON or OFF. Warnings are errors where the tests are built.
