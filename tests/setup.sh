@@ -24,7 +24,8 @@ apt_install() {
     { $as_root apt-get update -qq && DEBIAN_FRONTEND=noninteractive $as_root apt-get install -qq -y --no-install-recommends "$@"; } >&2
 }
 
-# install_packages NAMES…: what is missing, through apt; otherwise says what to ask for. Optional ones are tried one by one.
+# install_packages NAMES…: what is missing, through apt; otherwise says what to ask for. Where all together cannot be had, optional ones
+# are tried one by one.
 install_packages() {
     required="" optional="" without=""
     for package in "$@"; do
@@ -34,7 +35,9 @@ install_packages() {
             *) required="$required $package" ;;
         esac
     done
-    # shellcheck disable=SC2086  # a list of words
+    # shellcheck disable=SC2086  # lists of words
+    if [ -z "$required$optional" ] || apt_install $required $optional; then return 0; fi
+    # shellcheck disable=SC2086
     if [ -n "$required" ] && ! apt_install $required; then
         echo "meshfolio needs these packages, which apt did not install, or nobody here may (neither root nor sudo):" >&2
         echo "   $required" >&2

@@ -38,7 +38,7 @@ expect() {
 
 expect "0 [] " "$(asked "" here)"
 expect "0 [a b] " "$(asked "" a here b)"
-expect "0 [a b|c|d] " "$(asked "c d" c a d b)"
+expect "0 [a b c d] " "$(asked "c d" c a d b)"
 expect "0 [a|c] these packages could not be had, and it goes on without them: nowhere" "$(asked "nowhere c" a nowhere c)"
 expect "0 [] these packages could not be had, and it goes on without them: nowhere" "$(asked "nowhere" here nowhere)"
 expect "5 []     a nowhere" "$(asked "" a nowhere)"
