@@ -34,7 +34,8 @@ void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, 
     const auto same_triangles = [](const TriangleMesh& p, const TriangleMesh& q) {
         return p.vertex_count() == q.vertex_count() && p.face_count() == q.face_count() && p.F == q.F;
     };
-    if (a.mesh.vertex_count() != b.mesh.vertex_count() || same_triangles(a.mesh, b.mesh)) return;
+    const bool once = options.a == "-" || options.b == "-";   // standard input cannot be read again
+    if (once || a.mesh.vertex_count() != b.mesh.vertex_count() || same_triangles(a.mesh, b.mesh)) return;
     if (same_triangles(read_mesh(options.a).mesh, read_mesh(options.b).mesh)) b.mesh.F = a.mesh.F;
 }
 
