@@ -24,7 +24,9 @@ void expect_documented() {
         const std::string key = setting.key, flag = setting.flag, variable = setting.variable;
         EXPECT_TRUE(key.empty() || std::regex_search(toml, std::regex("(^|\n)(# )?" + key + " = "))) << key;
         EXPECT_NE(toml.find(variable), std::string::npos) << variable;
-        EXPECT_TRUE(flag.empty() || command.find("\"" + flag + "\"") != std::string::npos) << flag;
+        EXPECT_TRUE(flag.empty() || command.find("\"" + flag + "\"") != std::string::npos ||
+                    command.find("\"" + flag + " ") != std::string::npos)
+            << flag;
         EXPECT_FALSE(key.empty() && flag.empty());
     });
 }
