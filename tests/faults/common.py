@@ -172,7 +172,7 @@ class Faults(unittest.TestCase):
     def with_batch(self):
         """The trees of an old batch, which is put in place, and of one with pictures of another size; the words that make it, and their exit code."""
         self.old_folder = self.folder / "made-batch" / "out"
-        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "q1", "--pdf", "off", "--no-timings", "--no-cache", "--jobs", 1, "--size"]
+        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "preflight", "--pdf", "off", "--no-timings", "--no-cache", "--jobs", 1, "--size"]
         trees = []
         for size, out in ((72, self.old_folder), (64, self.out)):
             end = self.run_program(*words, size, "--out", out)

@@ -164,7 +164,7 @@ class Kill(Faults):
         old, new, words, code = self.with_batch()
         points = self.calls(CHANGES, *words, code=code)
         of_index = [c for c in points if any(Path(path).parent == self.out for path in c.paths)]
-        for call in {*some(points, 4), *some(of_index, 2)}:
+        for call in {*some(points, 10), *some(of_index, 6)}:
             self.restore_old()
             self.run_with(call, "signal=KILL", *words)
             self.require_all_ended()

@@ -1,6 +1,7 @@
 """Disks that are full, read-only or broken, files that may not grow: exit 4, one line that names the path and the system's reason, the old
 output as it was."""
 
+import json
 import os
 import resource
 import subprocess
@@ -61,17 +62,21 @@ class Space(Faults):
     def test_each_failing_call_of_a_batch(self):
         """Of the batch, which ends, or of its reports, each of which has a line; the next run makes what is missing."""
         old, new, words, code = self.with_batch()
-        points = list(writing(self.calls(WRITES, *words, code=code)))
+        # Each process has a call of that number: what is opened and closed as one begins is no output.
+        points = self.calls([name for name in WRITES if name not in ("openat", "close")], *words, code=code)
         of_index = [c for c in points if any(path.rsplit("/", 1)[0] == str(self.out) for path in c.paths)]
-        for call in [*some(points, 3), *some(of_index, 2)]:
+        for call in [*some(points, 8), *some(of_index, 6)]:
             self.restore_old()
             end, came = self.run_with(call, "error=ENOSPC", *words)
             self.assertTrue(came, call.line)
             self.assertEqual(end.code, 4, f"{call.line}: {end.err}")
             errors = [line for line in end.err.splitlines() if "cannot" in line]
-            self.assertIn(len(errors), (1, 2), f"{call.line}: {end.err}")
-            for line in errors:
-                self.assertTrue(line.startswith("meshfolio: ") and REASONS["ENOSPC"] in line and str(self.place) in line, line)
+            self.assertLessEqual(len(errors), 2, f"{call.line}: {end.err}")
+            # The call of that number may also be the one that tells of it: then the index does.
+            told = errors + [row["error"] for row in json.loads((self.out / "batch.json").read_text())["meshes"] if "error" in row]
+            self.assertTrue(told, f"{call.line}: {end.err}")
+            for line in told:
+                self.assertTrue(REASONS["ENOSPC"] in line and str(self.place) in line, line)
             self.require_batch_of(old, new, call.line)
             self.assertEqual(self.beside(), [], call.line)
         end = self.run_program(*words)
@@ -229,7 +234,7 @@ class Mounted(Faults):
 
     def test_a_small_disk_under_a_batch(self):
         """A mesh more than the disk holds: the report that is there stays, the other costs its row, until there is room."""
-        options = ["--only", "q1", "--pdf", "off", "--no-timings", "--no-cache", "--size", 64, "--out"]
+        options = ["--only", "preflight", "--pdf", "off", "--no-timings", "--no-cache", "--size", 64, "--out"]
         torus, cube = self.mesh(), self.mesh("cube8")
         self.assertIn(self.run_program("batch", torus, *options, self.out).code, (0, 1))
         words = " ".join(["batch", str(torus), str(cube), *map(str, options), '"$M/out"'])
@@ -238,7 +243,7 @@ class Mounted(Faults):
         script = (f'cp -r "$W/place/out" "$M/out"; A=$( {sums} ); "$P" {words}; [ $? = 4 ] || exit 98; [ "$A" = "$( {sums} )" ] || exit 97; '
                   f'[ ! -e "$M/out/cube8" ] || exit 96; mount -o remount,size=40m "$M"; "$P" {words}; [ $? -le 1 ] || exit 95; '
                   f'[ "$A" = "$( {sums} )" ] && [ -e "$M/out/cube8/results.json" ]')
-        process = self.in_mount(f"size={kilobytes + 250}k,mode=755", script)
+        process = self.in_mount(f"size={kilobytes + 100}k,mode=755", script)
         self.assertEqual(process.returncode, 0, process.stderr)
         self.assertIn("No space left on device", process.stderr)
 
