@@ -8,9 +8,9 @@
 
 namespace meshfolio {
 
-inline void prefetch([[maybe_unused]] const void* memory) {
+inline void prefetch([[maybe_unused]] const void* address) {
 #ifdef __GNUC__
-    __builtin_prefetch(memory);
+    __builtin_prefetch(address);
 #endif
 }
 

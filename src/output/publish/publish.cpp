@@ -97,7 +97,9 @@ void sync_folders(const fs::path& folder) {
 }
 
 /// Two renames where the file system cannot exchange names. The next run can restore the old folder from its name.
-void replace_in_two_steps(const fs::path& folder, const fs::path& target) {
+/// @return whether there was one
+bool replace_in_two_steps(const fs::path& folder, const fs::path& target) {
+    require_ours(target);
     const fs::path aside = target.string() + ".old-" + process_number();
     const int moved = rename_with(target, aside, Taken::replaced);
     if (moved != 0 && moved != ENOENT) fail(target, "cannot be moved aside", moved);
@@ -106,6 +108,7 @@ void replace_in_two_steps(const fs::path& folder, const fs::path& target) {
         fail(target, "cannot be put in place", error);
     }
     const Temporary replaced(aside);   // removed here
+    return moved == 0;
 }
 
 enum class Placed { fresh, exchanged, unsupported };
@@ -131,8 +134,7 @@ void place_by_one_rename(const fs::path& folder, const fs::path& target, std::st
     const OpenFolder parent(target.parent_path());
     const auto permission = permission_to_create();
     const Placed placed = place(folder, target);
-    if (placed == Placed::unsupported) {
-        replace_in_two_steps(folder, target);
+    if (placed == Placed::unsupported && replace_in_two_steps(folder, target)) {
         note = target.string() + ": this file system cannot exchange folders, so the report was replaced in two steps";
     }
     try {
