@@ -134,8 +134,7 @@ ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
     }
     const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
     request.title = name_of(options.mesh) + ", " + name_of(options.pair);
-    const std::filesystem::path folder =
-        options.out.empty() ? std::filesystem::path(options.mesh).stem() : std::filesystem::path(options.out);
+    const std::filesystem::path folder = options.out.empty() ? mesh_name(options.mesh) : options.out;
     output::FileGroup files;
     for (const std::string& file : {options.mesh, options.pair}) files.keep(file);
     output::make_folder(folder);

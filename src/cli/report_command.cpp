@@ -169,8 +169,8 @@ Command report_command(CLI::App& parent) {
     app.text("--author NAME", flags->author, "whose work it is; also with --from");
     app.text("--threads", flags->threads, "at most so many threads; default: all");
     app.text("--size PIXELS", flags->size, "pixels of one view; default: 800, or 400 with --quick");
-    app.flag("--sheets-only", flags->sheets_only, "not even those: figures are sheets, as those of batch");
     app.flag("--views-files", flags->view_files, "every view of every figure as a PNG of that size, not only those asked to be handed in");
+    app.flag("--sheets-only", flags->sheets_only, "not even those: figures are sheets, as those of batch");
     app.text("--pdf auto|require|off", flags->pdf,
              "report.pdf and appendix.pdf: auto, where an engine is there (the default); require; or off");
     app.text("--pdf-browser FILE", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");

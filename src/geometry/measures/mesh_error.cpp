@@ -11,7 +11,7 @@
 
 #include "base/errors.h"
 #include "geometry/measures/closest_point.h"
-#include "geometry/operators/triangle_shape.h"
+#include "geometry/measures/unit_pair.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
@@ -134,18 +134,15 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     return difference;
 }
 
-/// In coordinates centred and scaled by a power of two, so that no square overflows and far-away meshes lose nothing.
 double hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b) {
     require_same_triangles(a, b);
     if (a.face_count() == 0) return 0;
-    const double scale = std::min(unit_scale(a), unit_scale(b));
-    const Vector3 centre = bounding_box(a).centre();
-    const auto normalised = [&](const TriangleMesh& mesh) { return moved_to(mesh, scale * (mesh.X.rowwise() - centre.transpose())); };
-    const TriangleMesh unit_a = normalised(a), unit_b = normalised(b);
+    const UnitPair unit(a, b);
     Vector bounds = Vector::Zero(a.X.rows());   // no vertex is farther from the other surface than from its own place there
-    for (const int v : a.F.reshaped()) bounds[v] = (unit_a.X.row(v) - unit_b.X.row(v)).norm();
-    const ClosestPoint surface_a(unit_a), surface_b(unit_b);
-    return std::max(FarthestPoint(unit_a.X, bounds, surface_b).distance(), FarthestPoint(unit_b.X, bounds, surface_a).distance()) / scale;
+    for (const int v : a.F.reshaped()) bounds[v] = (unit.a.X.row(v) - unit.b.X.row(v)).norm();
+    const ClosestPoint surface_a(unit.a), surface_b(unit.b);
+    return std::max(FarthestPoint(unit.a.X, bounds, surface_b).distance(), FarthestPoint(unit.b.X, bounds, surface_a).distance()) /
+           unit.scale;
 }
 
 double vertex_rms(const Positions& a, const Positions& b) {

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/parallel_tasks.h"
 #include "geometry/measures/closest_point.h"
-#include "geometry/operators/triangle_shape.h"
+#include "geometry/measures/unit_pair.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -17,18 +17,6 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double pieces_wanted = 16384;
 constexpr int triangles_a_task = 64;
-
-/// Both in coordinates centred and scaled by a power of two, so that no square overflows and far-away meshes lose nothing.
-struct UnitPair {
-    double scale;
-    TriangleMesh a, b;
-
-    UnitPair(const TriangleMesh& p, const TriangleMesh& q) : scale(std::min(unit_scale(p), unit_scale(q))) {
-        const Eigen::RowVector3d centre = bounding_box(p).centre();
-        a = moved_to(p, scale * (p.X.rowwise() - centre));
-        b = moved_to(q, scale * (q.X.rowwise() - centre));
-    }
-};
 
 /// Into how many parts the sides of each triangle are divided, and where its pieces begin in the list of all.
 struct Pieces {

@@ -275,6 +275,7 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     problem.ranks = ranks;
     const Residuals residuals = residuals_of(problem);
     SpectrumCertificate certificate;
+    certificate.delta_is_measured = ranks != nullptr;
     measure_residuals(problem, residuals, certificate);
     const bool finite = problem.gram.allFinite();   // a maximum may pass over a NaN
     const DenseMatrix identity = DenseMatrix::Identity(problem.gram.rows(), problem.gram.cols());

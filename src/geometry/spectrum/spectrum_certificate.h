@@ -43,10 +43,11 @@ struct SpectrumCertificate {
     int counted_below = -1, found_below = 0;
     double delta = 0,
            gap = 0;   // rounding of the count; distance of σ from u and from the next value found: proved needs δ < gap [1/length²]
-    int zero_eigenvalues = 0;      // μ ≤ 1e-9 μ₀, and where these are too many, not out of rounding
-    int components = 0;            // of the mesh, by its triangles; those without area may or may not join two
-    int expected_zeros = 0;        // as many, at most k
-    double smallest_step_up = 0;   // of the eigenvalues from one to the next, over the largest: negative where they are not ascending
+    bool delta_is_measured = false;   // by probing (inertia.h), because other processes hold the factor: `complete` rests on it
+    int zero_eigenvalues = 0;         // μ ≤ 1e-9 μ₀, and where these are too many, not out of rounding
+    int components = 0;               // of the mesh, by its triangles; those without area may or may not join two
+    int expected_zeros = 0;           // as many, at most k
+    double smallest_step_up = 0;      // of the eigenvalues from one to the next, over the largest: negative where they are not ascending
 
     static constexpr double orthonormality_limit = 1e-9, parseval_limit = 1e-9, step_down_limit = 1e-12;
 
