@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/joined.h"
+
 namespace meshfolio {
 
 namespace {
@@ -44,6 +46,11 @@ std::vector<std::string> near_words(const std::string& word, std::vector<std::st
     std::vector<std::string> words;
     for (auto& [distance, one] : near) words.push_back(std::move(one));
     return words;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+    const std::vector<std::string> near = near_words(word, known);
+    return near.empty() ? "" : "did you mean '" + joined(near, "' or '") + "'? ";
 }
 
 }   // namespace meshfolio

@@ -11,4 +11,7 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
 /// The known words that may have been meant, nearest first: at most three, each with two thirds of its letters right.
 std::vector<std::string> near_words(const std::string& word, std::vector<std::string> known);
 
+/// "did you mean 'render'? ", of what is near enough; else empty.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known);
+
 }   // namespace meshfolio

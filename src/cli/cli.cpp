@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/nearest_word.h"
 #include "build_info.h"
 #include "cli/commands.h"
@@ -38,18 +39,6 @@ std::vector<std::string> with_command(int argc, const char* const* argv) {
     return words;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-    return text;
-}
-
-/// "did you mean 'render'? ", of what is near enough; else empty.
-std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-    const std::vector<std::string> near = near_words(word, known);
-    return near.empty() ? "" : "did you mean '" + joined(near, "' or '") + "'? ";
-}
-
 /// A script's variable that is not set: CLI11 would take the next word for the value of "--out=".
 void refuse_empty(const std::vector<std::string>& words) {
     std::string before;
@@ -59,13 +48,6 @@ void refuse_empty(const std::vector<std::string>& words) {
         if (word.starts_with("--") && word.find('=') == word.size() - 1) throw UsageError("'" + word + "' has no value", "leave it out");
         before = word;
     }
-}
-
-void refuse_unknown_command(const std::string& word, const std::vector<Command>& commands) {
-    std::vector<std::string> known;
-    for (const Command& command : commands) known.push_back(command.app->get_name());
-    if (word.starts_with('-') || std::find(known.begin(), known.end(), word) != known.end()) return;
-    throw UsageError("unknown command '" + word + "'", suggestion(word, known) + "see meshfolio help");
 }
 
 /// What CLI11 refuses. A misspelt option is told first: what else is missing or left over may follow from it.
@@ -110,8 +92,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
 
     std::vector<std::string> words = with_command(argc, argv);
     refuse_empty(words);
-    refuse_unknown_command(words.front(), commands);
-    std::reverse(words.begin(), words.end());   // CLI11 takes the words from the back
+    if (!words.front().starts_with('-')) command_called(app, words.front());   // or it is refused
+    std::reverse(words.begin(), words.end());                                  // CLI11 takes the words from the back
     try {
         app.parse(words);
     } catch (const CLI::CallForAllHelp&) {

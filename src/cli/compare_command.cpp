@@ -7,6 +7,7 @@
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/difference_page.h"
+#include "run/one_mesh/vertex_columns.h"
 
 namespace meshfolio::cli {
 
@@ -39,26 +40,15 @@ void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, 
     if (same_triangles(read_mesh(options.a).mesh, read_mesh(options.b).mesh)) b.mesh.F = a.mesh.F;
 }
 
-std::string distance_table(const TriangleMesh& mesh, const Vector& distances) {
-    std::string csv = "vertex,x,y,z,distance\n";
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        csv += std::to_string(v);
-        for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(mesh.X(v, axis));
-        csv += ',' + exact_text(distances[v]) + '\n';
-    }
-    return csv;
-}
-
 /// What needs the distances of surfaces.
 void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
                const Difference& difference) {
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
     const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh);
-    const Vector& of_vertices = distances.a_to_b.of_vertices;
-    if (!options.ply.empty())
-        files.add(options.ply, encode_mesh(a.mesh, options.ply, {.columns = {{"distance", of_vertices, ScalarType::float32}}}));
+    const std::vector<VertexColumn> columns{{"distance", distances.a_to_b.of_vertices, ScalarType::float32}};
+    if (!options.ply.empty()) files.add(options.ply, encode_mesh(a.mesh, options.ply, {.columns = columns}));
     if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
-    if (!options.csv.empty()) print_to(files, options.csv, distance_table(a.mesh, of_vertices));
+    if (!options.csv.empty()) print_to(files, options.csv, vertex_table(a, columns));
 }
 
 ExitCode run_compare(const CompareFlags& options) {

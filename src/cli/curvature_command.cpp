@@ -1,29 +1,14 @@
 #include <memory>
 
-#include "base/number_text.h"
 #include "cli/commands.h"
 #include "mesh/io/mesh_files.h"
 #include "run/console.h"
-#include "run/one_mesh/curvature_columns.h"
 #include "run/one_mesh/fields.h"
+#include "run/one_mesh/vertex_columns.h"
 
 namespace meshfolio::cli {
 
 namespace {
-
-std::string curvature_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns) {
-    std::string csv = "vertex,x,y,z,boundary";
-    for (const VertexColumn& column : columns) csv += ',' + column.name;
-    csv += '\n';
-    for (int v = 0; v < prepared.mesh.vertex_count(); ++v) {
-        csv += std::to_string(v);
-        for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(prepared.mesh.X(v, axis));
-        csv += prepared.topology.on_boundary[static_cast<std::size_t>(v)] ? ",1" : ",0";
-        for (const VertexColumn& column : columns) csv += ',' + exact_text(column.values[v]);
-        csv += '\n';
-    }
-    return csv;
-}
 
 /// Interior vertices whose area is not positive have no curvature; that is worth a word.
 void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, AreaForm form) {
@@ -61,7 +46,7 @@ Command curvature_command(CLI::App& parent) {
                 const std::vector<VertexColumn> columns = curvature_columns(prepared, form, kind, options->jets);
                 if (!options->ply.empty()) files.add(options->ply, encode_mesh(prepared.mesh, options->ply, {.columns = columns}));
                 if (!options->csv.empty() || options->ply.empty())
-                    print_to(files, options->csv.empty() ? "-" : options->csv, curvature_table(prepared, columns));
+                    print_to(files, options->csv.empty() ? "-" : options->csv, vertex_table(prepared, columns));
                 files.publish();
                 return ExitCode::ok;
             }};

@@ -94,7 +94,7 @@ const CLI::App& command_called(const CLI::App& program, const std::string& name)
         if (command->get_name() == name) return *command;
         known.push_back(command->get_name());
     }
-    throw UsageError("unknown command " + in_quotes(name), "did you mean '" + nearest_word(name, known) + "'? See meshfolio help");
+    throw UsageError("unknown command " + in_quotes(name), suggestion(name, known) + "see meshfolio help");
 }
 
 std::string man_page(const CLI::App& command) {

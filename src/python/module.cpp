@@ -22,7 +22,7 @@
 #include "output/publish/file_group.h"
 #include "python/interruptible.h"
 #include "python/mesh_arrays.h"
-#include "run/one_mesh/curvature_columns.h"
+#include "run/one_mesh/vertex_columns.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
@@ -42,20 +43,14 @@ std::string sentence_of(const std::string& key) {
     return words.line("convention." + key);
 }
 
-std::string joined_by(const std::vector<std::string>& parts, const std::string& between) {
-    std::string all;
-    for (const std::string& part : parts) all += (all.empty() ? "" : between) + part;
-    return all;
-}
-
 std::string in_words(const std::vector<ConventionKeys>& conventions) {
     std::vector<std::string> each;
     for (const ConventionKeys& keys : conventions) {
         std::vector<std::string> sentences;
         std::ranges::transform(keys, std::back_inserter(sentences), sentence_of);
-        each.push_back(joined_by(sentences, "; " + words.line("and") + " "));
+        each.push_back(joined(sentences, "; " + words.line("and") + " "));
     }
-    return joined_by(each, "; " + words.line("or") + " ");
+    return joined(each, "; " + words.line("or") + " ");
 }
 
 /// "that of vertex 17".
@@ -201,7 +196,7 @@ std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
     }
     std::vector<std::string> remarks;
     std::ranges::transform(marks.remarks, std::back_inserter(remarks), report::safe_text);
-    const std::string output = marks.refused.empty() ? joined_by(remarks, "\n") : report::safe_text(marks.refused);
+    const std::string output = marks.refused.empty() ? joined(remarks, "\n") : report::safe_text(marks.refused);
     const nlohmann::ordered_json results{{"score", marks.score()},
                                          {"output", output},
                                          {"output_format", "text"},
@@ -224,12 +219,12 @@ std::string class_csv(const std::vector<StudentMarks>& students, const Rubric& r
             const ItemMark* mark = i < marks.items.size() ? &marks.items[i] : nullptr;
             std::vector<std::string> each;
             if (mark != nullptr)
-                for (const ConventionKeys& keys : mark->conventions) each.push_back(joined_by(keys, " + "));
+                for (const ConventionKeys& keys : mark->conventions) each.push_back(joined(keys, " + "));
             row.emplace_back(mark != nullptr ? mark->score : 0.0);
             row.emplace_back(mark == nullptr ? std::string("refused")
-                                             : verdict_word(mark->verdict) + (each.empty() ? "" : ": " + joined_by(each, " | ")));
+                                             : verdict_word(mark->verdict) + (each.empty() ? "" : ": " + joined(each, " | ")));
         }
-        row.emplace_back(harmless_cell(marks.refused.empty() ? joined_by(marks.remarks, "; ") : marks.refused));
+        row.emplace_back(harmless_cell(marks.refused.empty() ? joined(marks.remarks, "; ") : marks.refused));
         table.rows.push_back(std::move(row));
     }
     return report::write_csv(table);

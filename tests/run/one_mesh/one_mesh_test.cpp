@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "geometry/measures/mesh_error.h"
 #include "mesh/small_meshes.h"
-#include "run/one_mesh/curvature_columns.h"
+#include "run/one_mesh/vertex_columns.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"

@@ -1,7 +1,8 @@
 /// @file
-/// What is known of every vertex: the columns of `curvature`.
+/// What is known of every vertex: the columns of `curvature`, and such columns as a table.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/operators/laplace_operator.h"
@@ -13,5 +14,8 @@ namespace meshfolio::run {
 /// area [length²], h_uniform [length], k_gauss [1/length²], h_cotan and h_uniform_scaled [1/length], then, when asked for, h_jet and k_jet,
 /// and h_<operator> of any other operator.
 std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
+
+/// CSV of `vertex,x,y,z,boundary` and the columns, a row a vertex.
+std::string vertex_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns);
 
 }   // namespace meshfolio::run

@@ -1,9 +1,11 @@
-#include "run/one_mesh/curvature_columns.h"
+#include "run/one_mesh/vertex_columns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "base/at.h"
+#include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/curvature/jet_fit.h"
 
@@ -38,6 +40,20 @@ std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaFo
     const bool has_column = kind == OperatorKind::cotan || kind == OperatorKind::uniform;   // h_cotan, h_uniform_scaled
     if (!has_column) columns.push_back(operator_column(prepared, form, kind));
     return columns;
+}
+
+std::string vertex_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns) {
+    std::string csv = "vertex,x,y,z,boundary";
+    for (const VertexColumn& column : columns) csv += ',' + column.name;
+    csv += '\n';
+    for (int v = 0; v < prepared.mesh.vertex_count(); ++v) {
+        csv += std::to_string(v);
+        for (int axis = 0; axis < 3; ++axis) csv += ',' + exact_text(prepared.mesh.X(v, axis));
+        csv += prepared.topology.on_boundary[at(v)] ? ",1" : ",0";
+        for (const VertexColumn& column : columns) csv += ',' + exact_text(column.values[v]);
+        csv += '\n';
+    }
+    return csv;
 }
 
 }   // namespace meshfolio::run
