@@ -28,6 +28,7 @@ Command batch_command(CLI::App& parent) {
     app.text("--pdf-browser FILE", report.pdf_browser, "the browser that prints, by name or path");
     app.text("--templates DIR", report.templates, "folder of templates; reports that are finished keep theirs");
     app.flag("--no-timings", report.no_timings, "leave out everything that differs from run to run");
+    app.flag("--plan", flags->plan, "only say which folder each mesh gets: a line of both, with a tab between them");
     app.flag("--no-cache", report.no_cache, "answer every question anew and keep no answer");
     app.footer(
         "Interrupted or not, run it again: only what is missing, failed or of other meshes, settings or programs is made.\n"

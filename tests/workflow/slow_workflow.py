@@ -172,8 +172,10 @@ class Workflow(unittest.TestCase):
         (cls.folder / "meshes").mkdir()
         for name, ending in (("cube8", "obj"), ("sphere", "obj"), ("cube8", "ply")):
             sample(cls.folder / "meshes", name, ending)
+        (cls.folder / "meshes" / "sphere.obj").rename(cls.folder / "meshes" / "ball {1}.obj")   # braces are wildcards elsewhere
+        subprocess.run(["gzip", cls.folder / "meshes" / "cube8.ply"], check=True)
         (cls.folder / "meshes" / "broken.off").write_text("OFF\n1 2 3\n")
-        (cls.folder / "meshes.txt").write_text("meshes/cube8.obj\n# the others\n\nmeshes/*.ply\nmeshes/broken.off\nmeshes/sphere.obj\n")
+        (cls.folder / "meshes.txt").write_text("meshes/cube8.obj\n# the others\n\nmeshes/*.gz\nmeshes/broken.off\nmeshes/ball {1}.obj\n")
         process = run("batch", "--list", "meshes.txt", "--out", "whole", "--no-timings", *SMALL, cwd=cls.folder)
         assert process.returncode == 1, process.stderr   # one cannot be read
         cls.whole = tree(cls.folder / "whole")
@@ -206,7 +208,7 @@ class Workflow(unittest.TestCase):
     def test_on_this_machine(self):
         log = self.require_the_whole(self.begin("local", "--cores", "2", apart=1), "local")
         parts = json.loads((self.folder / "local.parts" / "plans.json").read_text())
-        self.assertEqual(list(parts), ["cube8", "cube8-2", "broken", "sphere"])
+        self.assertEqual(list(parts), ["cube8", "cube8-2", "broken", "ball__1_"])
         self.assertEqual(parts.pop("broken"), {})
         for mesh, some in parts.items():
             self.assertGreater(len(some), 1, mesh)

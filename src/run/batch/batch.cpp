@@ -188,6 +188,10 @@ ExitCode run_batch(const BatchFlags& flags) {
     const ReportSettings settings = report_settings(flags.report);
     if (!flags.jobs.empty()) integer_between("--jobs", flags.jobs, 1, limits::largest_threads);
     std::vector<BatchMesh> meshes = batch_meshes(flags.meshes, flags.lists, settings.out);
+    if (flags.plan) {
+        for (const BatchMesh& mesh : meshes) print(mesh.name + "\t" + mesh.file + "\n");
+        return ExitCode::ok;
+    }
     const report::Templates templates(settings.templates);
     static_cast<void>(PaperCopy(settings, templates));   // an engine that is required is there
     const BatchFolder folder(settings.out);

@@ -14,6 +14,7 @@ struct BatchFlags {
     ReportFlags report;   // of every report; its `out` is the folder of them all
     std::vector<std::string> meshes, lists;
     std::string jobs;
+    bool plan = false;   // only say which folder each mesh gets
 };
 
 /// Finished reports of the same meshes, settings and program are kept, the others made; the index is renewed after each.
