@@ -52,7 +52,7 @@ MeshFacts mesh_facts(const PreparedMesh& prepared) {
     facts.diagonal = box.diagonal();
     facts.offset = box.centre().norm() / facts.diagonal;
     const Vector deficits = angle_deficit(mesh, prepared.topology);
-    facts.total_deficit = deficits.sum();
+    facts.total_deficit = total_deficit(deficits);
     facts.gauss_bonnet_residual = gauss_bonnet_error(deficits, facts.counts.euler_characteristic);
     const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
     const double spacing = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "geometry/linear/special_values.h"
@@ -101,8 +102,12 @@ double flux_over_area(const TriangleMesh& mesh) {
     return (normals.transpose() * areas).norm() / areas.sum();
 }
 
+double total_deficit(const Vector& angle_deficits) {
+    return static_cast<double>(std::accumulate(angle_deficits.begin(), angle_deficits.end(), 0.0L));
+}
+
 double gauss_bonnet_error(const Vector& angle_deficits, int euler_characteristic) {
-    return std::abs(angle_deficits.sum() / (2 * pi) - euler_characteristic);
+    return std::abs(total_deficit(angle_deficits) / (2 * pi) - euler_characteristic);
 }
 
 double gauss_bonnet_tolerance(int triangles) { return 1e-12 + 1e-15 * triangles; }

@@ -39,6 +39,8 @@ int repeated_half_edges(const Faces& F);
 /// ‖Σ_t A_t n_t‖ over the surface area: 0 for closed surfaces that are oriented consistently.
 double flux_over_area(const TriangleMesh& mesh);
 
+/// Σ of the angle deficits, added up with more digits: thousands of components would add rounding of their own. [rad]
+double total_deficit(const Vector& angle_deficits);
 /// |Σ angle deficits / 2π − χ|: 0 on manifold meshes, with or without boundary (Gauss–Bonnet).
 double gauss_bonnet_error(const Vector& angle_deficits, int euler_characteristic);
 /// What rounding of the angles may leave of it.

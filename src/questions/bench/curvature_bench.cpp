@@ -13,6 +13,7 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
+#include "geometry/measures/mesh_laws.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -166,7 +167,7 @@ BenchLevel measured(const BenchMesh& b) {
                      .mean_edge = b.mean_edge,
                      .smallest_angle = smallest_angle(b.mesh),
                      .negative_weights = negative_weights(b.C(), b.topology).inside / edges,
-                     .euler_from_angles = angle_deficit(b.mesh, b.topology).sum() / (2 * pi)};
+                     .euler_from_angles = total_deficit(angle_deficit(b.mesh, b.topology)) / (2 * pi)};
     const Vector bending = 2 * b.H.array().square() - b.K.array();   // ½(κ₁² + κ₂²)
     level.indicator = indicator_on(b);
     for (const Estimator* e : estimators()) {

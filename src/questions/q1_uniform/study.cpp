@@ -4,6 +4,7 @@
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/linear/special_values.h"
+#include "geometry/measures/mesh_laws.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/operators/vertex_areas.h"
@@ -33,7 +34,7 @@ double colour_range(const Vector& values) {
     return output::robust_range({panel}, "diverging", "", "", 0).high;
 }
 
-double MeshCurvature::euler_from_angles() const { return deficit.sum() / (2 * pi); }
+double MeshCurvature::euler_from_angles() const { return total_deficit(deficit) / (2 * pi); }
 
 MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
     MeshCurvature c;

@@ -132,6 +132,19 @@ TEST(MeshLaws, OneSidedChangesAreSeen) {
     EXPECT_GT(row_sum_error(C), 0.01);
 }
 
+TEST(MeshLaws, GaussBonnetHoldsOnThousandsOfComponents) {
+    TriangleMesh one{Positions(4, 3), Faces(4, 3)};
+    one.X << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    one.F << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+    const int copies = 3000;
+    TriangleMesh mesh{Positions(4 * copies, 3), Faces(4 * copies, 3)};
+    for (int c = 0; c < copies; ++c) {
+        mesh.X.middleRows(4 * c, 4) = one.X.rowwise() + Eigen::RowVector3d(3.7 * c, 0, 0);
+        mesh.F.middleRows(4 * c, 4) = one.F.array() + 4 * c;
+    }
+    EXPECT_LT(gauss_bonnet_error(angle_deficit(mesh, topology_of(mesh)), 2 * copies), gauss_bonnet_tolerance(mesh.face_count()));
+}
+
 TEST(MeshLaws, GaussBonnetSeesALostAngle) {
     const TriangleMesh mesh = torus_mesh(20, 12, 2, 0.7);
     Vector deficits = angle_deficit(mesh, topology_of(mesh));
