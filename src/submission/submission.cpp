@@ -71,7 +71,7 @@ std::string zip_of(const std::vector<ZipEntry>& entries) {
     const Writer writer(archive_write_new(), &archive_write_free);
     archive* const w = writer.get();
     require(archive_write_set_format_zip(w), w);
-    require(archive_write_set_options(w, "zip:compression=deflate,zip:compression-level=9"), w);
+    require(archive_write_set_options(w, "zip:compression=deflate,zip:compression-level=6"), w);
     require(archive_write_set_bytes_in_last_block(w, 1), w);   // no padding
     require(archive_write_open(w, &zip, nullptr, append, nullptr), w);
     for (const ZipEntry& entry : entries) add(w, entry);

@@ -19,15 +19,28 @@ describe("the panel", options, () => {
     const small = { viewport: { width: 900, height: 700 } };
     const block = (page, question) => page.locator(`.lab[data-question="${question}"]`);
     const problemsOf = (page) => page.problems.filter((problem) => !problem.includes("GPU stall due to ReadPixels"));
-    /// The page with a laboratory open, at a link if one is given.
+    const pages = new Map();
+    /// The page with a laboratory open, at a link if one is given. Tests that ask for the same options follow one another on one page.
     async function opened(question, { link = "", ...more } = {}) {
-        const page = await open(browser, reports.quick, { ...small, ...more });
+        const key = JSON.stringify(more), page = pages.get(key) ?? await open(browser, reports.quick, { ...small, ...more });
+        pages.set(key, page);
+        page.problems.length = 0;
+        if (await page.locator(".lab-panel").count() > 0) {
+            await page.locator('.lab-panel select[name="scheme"]').focus();
+            await page.keyboard.press("Escape");
+        }
+        await page.evaluate(() => history.replaceState(null, "", location.pathname));
         if (link) await page.evaluate((hash) => { location.hash = hash; }, link);
         else await block(page, question).getByRole("button", { name: "Open the live laboratory" }).click();
         await block(page, question).locator(".lab-numbers td").first().waitFor();
         await settled(page);
         return page;
     }
+    /// Of a page that the next test must not get as it is.
+    const closed = async (page) => {
+        for (const [key, kept] of pages) if (kept === page) pages.delete(key);
+        await page.context().close();
+    };
     /// Once what was done has reached the panel, until it has told of it.
     const settled = async (page) => {
         await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50))));
@@ -88,7 +101,6 @@ describe("the panel", options, () => {
                 assert.deepEqual([of, change.scheme], [question, state.scheme]);
             }
             assert.deepEqual(problemsOf(page), []);
-            await page.context().close();
         }
     });
 
@@ -125,7 +137,6 @@ describe("the panel", options, () => {
         await page.locator('input[name="k-slider"]').press("End");
         await settled(page);
         assert.equal(Number(await page.locator('input[name="k"]').inputValue()), dataOf(reportPage, "q7").modes);
-        await page.context().close();
     });
 
     test("just beyond the limit a mode grows, far beyond vertices leave the view, and it is said", async () => {
@@ -148,7 +159,6 @@ describe("the panel", options, () => {
         await settled(page);
         assert.doesNotMatch(await told(page), /Beyond the limit|Flown/);
         assert.equal(await page.locator(".lab-panel").count(), 1);
-        await page.context().close();
     });
 
     test("its gains are those of the report's table", async () => {
@@ -164,7 +174,6 @@ describe("the panel", options, () => {
             const gains = (await table(page))[`gain: ${at(row, "measure")} ×`];
             for (const gain of gains) assert.ok(Math.abs(numberIn(gain) / Number(at(row, "gain")) - 1) < 1e-3, `${row}: ${gains}`);
         }
-        await page.context().close();
     });
 
     test("the preset nearest to the surface is the least of its curve, as far as the quick report went", async () => {
@@ -176,7 +185,6 @@ describe("the panel", options, () => {
         const best = experiment.extendCurve(Infinity);
         assert.equal(state.t, Math.min(best, iterations));
         assert.match(await page.locator(".lab-told").textContent(), new RegExp(`Nearest to the clean surface at t = ${best}\\.`));
-        await page.context().close();
     });
 
     test("Taubin without a second step shows no result", async () => {
@@ -188,7 +196,6 @@ describe("the panel", options, () => {
         await set(page, "lambda", 0.5);
         assert.match(await page.locator("path.lab-after").getAttribute("d"), /^M/);
         assert.deepEqual(problemsOf(page), []);
-        await page.context().close();
     });
 
     test("what blows up while it plays stops, and is read out once", async () => {
@@ -208,7 +215,6 @@ describe("the panel", options, () => {
         assert.equal(readOut.length, 1, readOut.join("\n"));
         assert.match(readOut[0], new RegExp(`no vertex is left in the view, and the play has stopped at t = ${t}\\.$`));
         assert.ok(shown.length > 1 && shown.every((words) => !words.includes("Blown up")), "the text follows meanwhile");
-        await page.context().close();
     });
 
     test("a preset ends the play, a second panel closes the first, and a link without noise has none", async () => {
@@ -226,7 +232,6 @@ describe("the panel", options, () => {
         await block(page, "q4").getByRole("button", { name: "Open the live laboratory" }).click();
         await block(page, "q4").locator(".lab-panel").waitFor();
         await page.locator(".lab-panel").nth(1).waitFor({ state: "detached" });
-        await page.context().close();
     });
 
     test("plays over t and pauses; where motion is not wanted, a step at a time", async () => {
@@ -239,11 +244,9 @@ describe("the panel", options, () => {
         assert.ok(after > first + 5, `${first} to ${after}`);
         await page.waitForTimeout(300);
         assert.equal(Number(await t.inputValue()), after);
-        await page.context().close();
         const still = await opened("q5");
         await still.getByRole("button", { name: "One step" }).click();
         assert.equal(Number(await still.locator('.lab-panel input[name="t"]').inputValue()), first + 1);
-        await still.context().close();
     });
 
     test("however fast a slider is moved, the last place counts", async () => {
@@ -258,7 +261,6 @@ describe("the panel", options, () => {
         await settled(page);
         const state = { ...states.startOf(data, "q5"), lambda: 1 }, energy = lab.energy(data, lab.filtered(lab.filter(data, state), data.coefficients));
         assert.ok(Math.abs(numberIn((await table(page))["Dirichlet energy length²"][0]) / energy - 1) < 1e-5);
-        await page.context().close();
     });
 
     test("without WebGL it is said, and numbers and curves follow", async () => {
@@ -299,7 +301,7 @@ describe("the panel", options, () => {
         assert.match(await frame.getAttribute("src"), /^data:image\/png;base64,.{2000}/);
         assert.equal(await page.locator(".lab-panel :is(canvas, button):visible").count(), 0);
         assert.ok(await page.locator(".lab-told").isVisible());
-        await page.context().close();
+        await closed(page);
     });
 
     const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -319,7 +321,7 @@ describe("the panel", options, () => {
                 return words.filter((_, i) => boxes[i].x < 0 || boxes[i].x + boxes[i].width > plot.viewBox.baseVal.width || boxes.some((other) => meet(boxes[i], other))).map((one) => one.textContent);
             }));
             assert.deepEqual(unclear, [], "the plots' words are whole and apart");
-            await page.context().close();
+            await closed(page);
         });
     }
 

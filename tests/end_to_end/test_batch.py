@@ -13,7 +13,7 @@ from pathlib import Path
 
 from program import PROGRAM, run, sample, temporary_folder
 
-LIGHT = ["--only", "q1,q5,preflight", "--size", 64]   # what the index is made of
+LIGHT = ["--only", "q5,q6,preflight", "--size", 64]   # what the index is made of, question 6 for its picture
 FILES = ("index.html", "batch.json", "batch.csv", "junit.xml")
 
 
@@ -83,7 +83,7 @@ class Batches(unittest.TestCase):
             self.assertGreater(row["lambda_crit"], 0)
             self.assertEqual(row["manifold"], "yes")
             self.assertNotIn("seconds", row)
-            self.assertEqual([p.name for p in (self.out / name / "images").glob("q1_*_+x.png")], [])
+            self.assertEqual([p.name for p in (self.out / name / "images").glob("q5_*_+x.png")], [])
         self.assertIn("3 meshes: about ", self.process.stderr)
         self.assertIn(" s left", self.process.stderr)
         self.assertEqual(self.process.stdout.strip(), str(self.out / "index.html"))

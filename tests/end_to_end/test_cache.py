@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import SOURCE, run, temporary_folder
+from program import SOURCE, run, sample, temporary_folder
 from test_report import tree
 
 
@@ -16,6 +16,7 @@ class Cache(unittest.TestCase):
     def setUp(self):
         self.folder = temporary_folder(self)
         self.cache = self.folder / "cache"
+        self.mesh = [sample(self.folder, "cube8")]   # small; none of its own, where a test replaces one of the assignment's
         self.number = 0
 
     def report(self, *options, only="q2,q5", size=64, expected=0, **environment):
@@ -23,7 +24,7 @@ class Cache(unittest.TestCase):
         self.number += 1
         out = self.folder / f"out{self.number}"
         environment = {"XDG_CACHE_HOME": self.cache, **environment}
-        process = run("report", "--quick", "--size", size, "--only", only, "--no-timings", "--out", out, *options, **environment)
+        process = run("report", "--quick", "--size", size, "--only", only, "--no-timings", "--out", out, *options, *self.mesh, **environment)
         self.assertEqual(process.returncode, expected, process.stderr)
         return process, out
 
@@ -73,6 +74,7 @@ class Cache(unittest.TestCase):
         self.assertIn("Another", (out / "index.html").read_text())
 
     def test_another_mesh_is_another_answer(self):
+        self.mesh = []
         data = self.folder / "data" / "smoothing"
         data.mkdir(parents=True)
         mesh = (SOURCE / "data" / "plane_noisy.obj").read_text()
@@ -87,6 +89,7 @@ class Cache(unittest.TestCase):
         self.assertTrue(is_cached(self.report(*options, only="q5")[0], "q5"), "the bundled mesh again")
 
     def test_failures_are_never_stored(self):
+        self.mesh = []
         self.report(only="q2", MESHFOLIO_FAIL="q2", expected=1)
         self.assertFalse((self.cache / "meshfolio").exists())
         data = self.folder / "data" / "smoothing"

@@ -66,7 +66,7 @@ class QuickReport(unittest.TestCase):
         cls.case = cls("test_all_questions_are_complete")
         cls.folder = temporary_folder(cls.case)
         cls.out = cls.folder / "out"
-        cls.process = run("report", "--quick", "--size", 200, "--out", cls.out, "--no-timings", "--threads", 2)
+        cls.process = run("report", "--quick", "--size", 64, "--out", cls.out, "--no-timings", "--threads", 2)
         cls.results = json.loads((cls.out / "results.json").read_text())
 
     @classmethod
@@ -170,7 +170,7 @@ class QuickReport(unittest.TestCase):
         for path in pictures:
             png_size(path)
         for path in views:
-            self.assertEqual(png_size(path), (200, 200), path)
+            self.assertEqual(png_size(path), (64, 64), path)
         sheets = {f["id"] for q in self.results["questions"] for f in q["figures"]}
         for sheet in sheets:
             self.assertTrue((self.out / "images" / f"{sheet}_sheet.png").is_file(), sheet)
@@ -186,7 +186,7 @@ class QuickReport(unittest.TestCase):
     def test_the_same_bytes_again_with_one_thread_elsewhere(self):
         again = self.folder / "elsewhere" / "again"
         again.parent.mkdir(exist_ok=True)
-        process = run("report", "--quick", "--size", 200, "--out", again, "--no-timings", "--threads", 1, cwd=self.folder, LC_ALL="C", TZ="Asia/Tokyo")
+        process = run("report", "--quick", "--size", 64, "--out", again, "--no-timings", "--threads", 1, cwd=self.folder, LC_ALL="C", TZ="Asia/Tokyo")
         self.assertEqual(process.returncode, 0, process.stderr)
         self.assertEqual(tree(self.out), tree(again))
 
@@ -203,8 +203,9 @@ class QuickReport(unittest.TestCase):
 
 class Failures(unittest.TestCase):
     def test_one_failing_question_leaves_six_complete(self):
-        out = temporary_folder(self) / "out"
-        process = run("report", "--quick", "--size", 64, "--out", out, MESHFOLIO_FAIL="q4")
+        folder = temporary_folder(self)
+        mesh, out = sample(folder, "torus"), folder / "out"
+        process = run("report", "--quick", "--size", 64, "--only", ",".join(QUESTIONS), "--out", out, mesh, MESHFOLIO_FAIL="q4")
         self.assertEqual(process.returncode, 1)
         status = {q["id"]: q["status"] for q in json.loads((out / "results.json").read_text())["questions"]}
         self.assertEqual(status, {q: "failed" if q == "q4" else "ok" for q in QUESTIONS})

@@ -46,6 +46,17 @@ def some(items, number):
     return [items[round(i * (len(items) - 1) / (number - 1))] for i in range(number)]
 
 
+def of_each_kind(calls):
+    """All of them with FAULTS_WHOLE, else the middle one of each name, two renames and the last of all: where what is on the disk changes."""
+    if WHOLE:
+        return list(calls)
+    kinds = {}
+    for call in calls:
+        kinds.setdefault(call.name, []).append(call)
+    chosen = [call for name, same in kinds.items() for call in (some(same, 2) if name.startswith("rename") else [same[len(same) // 2]])]
+    return sorted({*chosen, calls[-1]}, key=calls.index)
+
+
 def digest(path):
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
@@ -67,6 +78,9 @@ def sums_hold(folder):
     found = {name: value for name, value in tree(folder).items() if name not in ("SHA256SUMS", ".gitignore")}
     listed.pop(".gitignore", None)
     return listed == found
+
+
+MADE = tempfile.TemporaryDirectory(prefix="meshfolio-faults-")   # reports that are the old and the new one of many tests
 
 
 class Faults(unittest.TestCase):
@@ -111,11 +125,14 @@ class Faults(unittest.TestCase):
         words = ["report", "--quick", "--only", "q2", "--pdf", "off", "--no-timings", "--size", size, "--threads", threads]
         return [*words, *([] if cached else ["--no-cache"]), "--out", out or self.out]
 
-    def report_tree(self, size, **options):
+    def report_of(self, size):
+        return Path(MADE.name) / f"made-{size}" / "out"
+
+    def report_tree(self, size):
         """The files of such a report."""
-        out = self.folder / f"made-{size}" / "out"
+        out = self.report_of(size)
         if not out.exists():
-            end = self.run_program(*self.report_words(out, size), **options)
+            end = self.run_program(*self.report_words(out, size))
             self.assertEqual(end.code, 0, end.err)
             self.assertTrue(sums_hold(out))
         return tree(out)
@@ -128,11 +145,11 @@ class Faults(unittest.TestCase):
         return old, new
 
     def with_renewal(self):
-        """The trees of a report of question 2, which is put in place, and of one that has question 1 as well; the words that add it."""
-        self.old_folder = self.folder / "made-64" / "out"
+        """The trees of a report of question 2, which is put in place, and of one that has a section more; the words that add it."""
+        self.old_folder = self.report_of(64)
         old = self.report_tree(64)
         self.restore_old()
-        words = ["q1" if word == "q2" else word for word in self.report_words()]
+        words = ["preflight" if word == "q2" else word for word in self.report_words()]
         self.assertEqual(self.run_program(*words).code, 0)
         new = tree(self.out)
         self.restore_old()
@@ -140,10 +157,10 @@ class Faults(unittest.TestCase):
 
     def with_parts(self):
         """The trees of an old report, which is put in place, and of what two parts give; the words that merge them."""
-        self.old_folder = self.folder / "made-72" / "out"
-        old, parts = self.report_tree(72), [self.folder / "part-q1", self.folder / "part-q2"]
+        self.old_folder = self.report_of(72)
+        old, parts = self.report_tree(72), [self.folder / "preflight", self.folder / "q2"]
         for part in parts:
-            self.assertEqual(self.run_program("report", "--quick", "--size", 64, "--part", part, "--only", part.name[-2:]).code, 0)
+            self.assertEqual(self.run_program("report", "--quick", "--size", 64, "--part", part, "--only", part.name).code, 0)
         words = ["merge", *parts, "--pdf", "off", "--out", self.out]
         self.sweep()
         shutil.rmtree(self.out, ignore_errors=True)
@@ -200,7 +217,7 @@ class Faults(unittest.TestCase):
     def restore_old(self):
         self.sweep()
         shutil.rmtree(self.out, ignore_errors=True)
-        shutil.copytree(self.old_folder or self.folder / "made-72" / "out", self.out)
+        shutil.copytree(self.old_folder or self.report_of(72), self.out)
 
     def beside(self):
         """Names beside the output, in the folder for temporary files and in the root of the cache."""

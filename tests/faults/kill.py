@@ -8,10 +8,11 @@ import time
 import unittest
 from pathlib import Path
 
-from common import WHOLE, Faults, needs_strace, some, sums_hold, tree
+from common import WHOLE, Faults, needs_strace, of_each_kind, some, sums_hold, tree
 
 CHANGES = ["openat", "write", "rename", "renameat", "renameat2", "link", "unlink", "unlinkat", "mkdir", "mkdirat", "rmdir", "ftruncate",
            "fsync", "close", "sendfile", "copy_file_range"]
+STEPS = CHANGES if WHOLE else ["write", "rename", "renameat2", "unlinkat"]   # a folder is filled, put in its place, and what it replaced is removed
 
 
 def runs_into(folder):
@@ -44,9 +45,7 @@ class Kill(Faults):
     def test_before_system_calls_of_a_report(self):
         old, new = self.with_old_and_new()
         words = self.report_words()
-        points = self.calls(CHANGES, *words)
-        renames = [c for c in points if c.name.startswith("rename")]
-        for call in {*some(points, 14), *renames}:
+        for call in of_each_kind(self.calls(CHANGES, *words)):
             self.restore_old()
             end, _ = self.run_with(call, "signal=KILL", *words)
             self.assertNotEqual(end.code, 0, call.line)
@@ -57,8 +56,7 @@ class Kill(Faults):
     def test_before_system_calls_of_a_first_report(self):
         new = self.report_tree(64)
         words = self.report_words()
-        points = self.calls(CHANGES, *words)
-        for call in some(points, 6):
+        for call in some(self.calls(CHANGES, *words), 4):
             shutil.rmtree(self.out, ignore_errors=True)
             self.run_with(call, "signal=KILL", *words)
             self.assertIn(tree(self.out), (None, new), call.line)
@@ -70,7 +68,7 @@ class Kill(Faults):
         points = [c for c in self.calls(CHANGES, *words, within=self.folder / "cache") if ".meshfolio.part-" in c.line]
         new = tree(self.out)
         left = 0
-        for call in some(points, 4):
+        for call in some(points, 3):
             shutil.rmtree(self.folder / "cache")
             (self.folder / "cache").mkdir()
             self.run_with(call, "signal=KILL", *words)
@@ -85,7 +83,7 @@ class Kill(Faults):
         began = time.monotonic()
         self.assertEqual(self.run_program(*words).code, 0)
         usual = time.monotonic() - began
-        for _ in range(100 if WHOLE else 12):
+        for _ in range(100 if WHOLE else 6):
             self.restore_old()
             process = self.start(*words)
             time.sleep(self.random.uniform(0, usual))
@@ -112,8 +110,7 @@ class Kill(Faults):
     def test_before_system_calls_of_a_renewal_a_merge_and_marks(self):
         for made_of in (self.with_renewal, self.with_parts, self.with_marks):
             old, new, words = made_of()
-            points = self.calls(CHANGES, *words)
-            for call in {*some(points, 8), *(c for c in points if c.name.startswith("rename"))}:
+            for call in of_each_kind(self.calls(STEPS, *words)):
                 self.restore_old()
                 self.run_with(call, "signal=KILL", *words)
                 self.require_old_or_new(old, new, call.line)
@@ -122,17 +119,16 @@ class Kill(Faults):
     @needs_strace
     def test_before_system_calls_of_a_run_that_fails_and_of_the_next_good_one(self):
         good = self.report_tree(64)
-        shutil.copytree(self.folder / "made-64" / "out", self.out)
+        shutil.copytree(self.report_of(64), self.out)
         words, failed = self.report_words(), self.place / "out.failed"
         self.environment["MESHFOLIO_FAIL"] = "q2"
-        points = self.calls(CHANGES, *words, code=1)
-        for call in {*some(points, 6), *(c for c in points if c.name.startswith("rename"))}:
+        for call in of_each_kind(self.calls(STEPS, *words, code=1)):
             self.run_with(call, "signal=KILL", *words)
             self.assertEqual(tree(self.out), good, call.line)
             self.assertTrue(not failed.exists() or sums_hold(failed), call.line)
         del self.environment["MESHFOLIO_FAIL"]
         points = [c for c in self.calls(CHANGES, *words) if "out.failed" in c.line or "unlink" in c.name]
-        for call in some(points, 6):
+        for call in of_each_kind(points):
             self.environment["MESHFOLIO_FAIL"] = "q2"
             self.assertEqual(self.run_program(*words).code, 1)
             del self.environment["MESHFOLIO_FAIL"]
@@ -142,9 +138,9 @@ class Kill(Faults):
 
     def test_a_batch_at_random_moments(self):
         """Every report that is there is whole, no process goes on alone, and in the end all is as by one run."""
-        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "q1", "--size", 64, "--no-timings", "--jobs", 2]
+        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "preflight", "--size", 64, "--no-timings", "--jobs", 2]
         straight = self.run_program(*words, "--out", self.folder / "straight")
-        for _ in range(40 if WHOLE else 4):
+        for _ in range(40 if WHOLE else 3):
             process = self.start(*words, "--out", self.out)
             time.sleep(self.random.uniform(0, 1.2 * straight.seconds))
             process.kill()
@@ -162,9 +158,9 @@ class Kill(Faults):
     def test_before_system_calls_of_a_batch(self):
         """Of the batch or of one of its reports, which costs its row: what is finished is not made again by the next run."""
         old, new, words, code = self.with_batch()
-        points = self.calls(CHANGES, *words, code=code)
+        points = self.calls(STEPS, *words, code=code)
         of_index = [c for c in points if any(Path(path).parent == self.out for path in c.paths)]
-        for call in {*some(points, 10), *some(of_index, 6)}:
+        for call in {*some(points, 3), *of_each_kind(of_index)}:
             self.restore_old()
             self.run_with(call, "signal=KILL", *words)
             self.require_all_ended()
@@ -202,7 +198,8 @@ class Kill(Faults):
     def test_before_system_calls_of_a_submission(self):
         full = self.run_program("report", "--quick", "--size", 64, "--pdf", "off", "--no-timings", "--out", self.out)
         self.assertEqual(full.code, 0, full.err)
-        shutil.copytree(self.out, self.folder / "made-72" / "out")
+        self.old_folder = self.folder / "submitted" / "out"
+        shutil.copytree(self.out, self.old_folder)
         old = tree(self.out)
         words = ["submit", "--without-pdf", "--author", "A. Nobody", "--out", self.out]
         points = self.calls(CHANGES, *words)

@@ -7,9 +7,10 @@ import resource
 import subprocess
 import unittest
 
-from common import ONE_CPU, PROGRAM, STRACE, WHOLE, Faults, needs_mount, needs_strace, some, tree
+from common import ONE_CPU, PROGRAM, STRACE, WHOLE, Faults, needs_mount, needs_strace, of_each_kind, some, tree
 
 WRITES = ["openat", "write", "fsync", "fdatasync", "ftruncate", "rename", "renameat2", "mkdir", "mkdirat", "close"]
+STEPS = WRITES if WHOLE else ["write", "fsync", "renameat2", "mkdir"]   # what a report asks for in every way, others ask for in these
 REASONS = {"ENOSPC": "No space left on device", "EIO": "Input/output error", "EDQUOT": "Disk quota exceeded"}
 
 
@@ -35,9 +36,7 @@ class Space(Faults):
     def test_each_failing_call_of_a_report(self):
         old, new = self.with_old_and_new()
         words = self.report_words()
-        points = list(writing(self.calls(WRITES, *words)))
-        last = [c for c in points if c.name.startswith("rename")] + [c for c in points if c.name == "fsync"][-2:]
-        for number, call in enumerate([*some(points, 16), *last]):
+        for number, call in enumerate(of_each_kind(list(writing(self.calls(WRITES, *words))))):
             error = list(REASONS)[number % len(REASONS)]
             self.restore_old()
             end, came = self.run_with(call, f"error={error}", *words)
@@ -50,7 +49,7 @@ class Space(Faults):
     def test_each_failing_call_of_a_renewal_a_merge_and_marks(self):
         for made_of in (self.with_renewal, self.with_parts, self.with_marks):
             old, _, words = made_of()
-            for call in some(list(writing(self.calls(WRITES, *words))), 8):
+            for call in of_each_kind(list(writing(self.calls(STEPS, *words)))):
                 self.restore_old()
                 end, came = self.run_with(call, "error=ENOSPC", *words)
                 self.assertTrue(came, call.line)
@@ -65,7 +64,7 @@ class Space(Faults):
         # Each process has a call of that number: what is opened and closed as one begins is no output.
         points = self.calls([name for name in WRITES if name not in ("openat", "close")], *words, code=code)
         of_index = [c for c in points if any(path.rsplit("/", 1)[0] == str(self.out) for path in c.paths)]
-        for call in [*some(points, 8), *some(of_index, 6)]:
+        for call in [*some(points, 3), *of_each_kind(of_index)]:
             self.restore_old()
             end, came = self.run_with(call, "error=ENOSPC", *words)
             self.assertTrue(came, call.line)
@@ -85,10 +84,10 @@ class Space(Faults):
     @needs_strace
     def test_each_failing_call_of_a_run_that_fails(self):
         good = self.report_tree(64)
-        subprocess.run(["cp", "-r", self.folder / "made-64" / "out", self.out], check=True)
+        subprocess.run(["cp", "-r", self.report_of(64), self.out], check=True)
         self.environment["MESHFOLIO_FAIL"] = "q2"
         words = self.report_words()
-        for call in some(list(writing(self.calls(WRITES, *words, code=1))), 8):
+        for call in of_each_kind(list(writing(self.calls(STEPS, *words, code=1)))):
             subprocess.run(["rm", "-rf", self.place / "out.failed"], check=True)
             end, came = self.run_with(call, "error=ENOSPC", *words)
             self.assertTrue(came, call.line)
@@ -118,8 +117,7 @@ class Space(Faults):
         words = ["render", mesh, "--size", 64, "--views", "+x,-y", "--out", self.out]
         self.assertEqual(self.run_program(*words, "--edges").code, 0)
         old = tree(self.out)
-        points = list(writing(self.calls(WRITES, *words)))
-        for number, call in enumerate(some(points, 8)):
+        for number, call in enumerate(of_each_kind(list(writing(self.calls(WRITES, *words))))):
             error = list(REASONS)[number % len(REASONS)]
             self.assertEqual(self.run_program(*words, "--edges").code, 0)
             end, came = self.run_with(call, f"error={error}", *words)

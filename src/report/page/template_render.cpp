@@ -237,6 +237,7 @@ private:
     }
 
     void walk_in(const Component& section, const json& value) {
+        take_step();   // of each item: a section may be empty
         lines_.section_tag();
         stack_.push_back(&value);
         walk(section);

@@ -73,7 +73,7 @@ inline void check_real_meshes(Answer (*answer_of)(const MeshLibrary&, const Ques
     const auto files = shared_meshes();
     if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
     for (const auto& file : files) {
-        if (std::filesystem::file_size(file) > 1000000) continue;
+        if (std::filesystem::file_size(file) > 300'000) continue;
         SCOPED_TRACE(file);
         const Answer answer = answer_of(MeshLibrary({}, {file}), settings, no_progress);
         expect_well_formed(answer);

@@ -59,12 +59,12 @@ TEST(SpectrumSlices, OfTheFlatTorusAreCompleteWhereverTheyAreCut) {
 }
 
 TEST(SpectrumSlices, OfTheSphereHaveTwoLPlusOneOfEachDegree) {
-    constexpr int degrees = 32;
-    const Spectrum spectrum = smallest_eigenpairs(laplace_beltrami(icosphere(5)), degrees * degrees);
+    constexpr int degrees = 16;
+    const Spectrum spectrum = smallest_eigenpairs(laplace_beltrami(icosphere(4)), degrees * degrees);
     EXPECT_GT(spectrum.slices, 1);
     for (int l = 1; l + 1 < degrees; ++l) {
         const auto degree = spectrum.eigenvalues.segment(l * l, 2 * l + 1);
-        EXPECT_NEAR(degree.mean() / (l * (l + 1)), 1, 2e-4 * l * (l + 1)) << l;
+        EXPECT_NEAR(degree.mean() / (l * (l + 1)), 1, 8e-4 * l * (l + 1)) << l;
         EXPECT_LT(degree.maxCoeff() - degree.minCoeff(), 0.2 * (spectrum.eigenvalues[(l + 1) * (l + 1)] - degree.minCoeff())) << l;
     }
 }
