@@ -24,7 +24,7 @@ run_clang_tidy() {
     joined=ON sources="/build/analysis/.*/Unity/|^$root/(src|render)/"
     if [ "$files" != . ]; then joined=OFF sources="^$root/(src|render)/.*($files)"; fi
     cmake -S . -B build/analysis -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++-14 -DMESHFOLIO_TESTS=OFF \
-        -DMESHFOLIO_VIEWER=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DMESHFOLIO_JOIN_SOURCES=$joined >/dev/null
+        -DMESHFOLIO_VIEWER=OFF -DMESHFOLIO_PYTHON=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DMESHFOLIO_JOIN_SOURCES=$joined >/dev/null
     # What it prints besides findings (its commands, how many warnings the headers of libraries have) stays in the files.
     run-clang-tidy-14 -quiet -p build/analysis -j "$(nproc)" -checks=-bugprone-suspicious-include "$sources" \
         >build/analysis/findings.txt 2>build/analysis/counts.txt && return 0

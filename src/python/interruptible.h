@@ -3,31 +3,39 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <future>
 #include <memory>
 #include <thread>
 #include <utility>
 
+#include "base/stop.h"
+
 namespace meshfolio::python {
 
-/// Asked for by Ctrl-C. Work that can end between two of its steps looks at it and throws Interrupted.
-class Stop {
-public:
-    struct Interrupted {};
-    void ask() { asked_ = true; }
-    bool asked() const { return asked_; }
-    void check() const {
-        if (asked_) throw Interrupted{};
-    }
-
-private:
-    std::atomic<bool> asked_ = false;
-};
-
 inline std::atomic<int> works_running = 0;
+
+/// What was left to itself may still compute when the process ends. Nothing then takes its ground away, and nobody waits for it.
+inline void leave_works_at_exit() {
+#ifdef __GLIBC__
+    ::on_exit(
+        [](int status, void*) {
+            if (works_running == 0) return;
+            std::fflush(nullptr);
+            ::_exit(status);
+        },
+        nullptr);
+#else   // who is called does not know the status
+    std::atexit([] {
+        while (works_running > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    });
+#endif
+}
 
 /// work(stop) in a thread of its own, while this one listens to signals. On Ctrl-C the work is told to stop and left to itself, so it must
 /// own all it needs, and no object of Python. @throws what the work throws, or KeyboardInterrupt
@@ -35,13 +43,16 @@ template <class Work>
 auto interruptible(Work work) {
     using Result = decltype(work(std::declval<const Stop&>()));
     const auto stop = std::make_shared<Stop>();
-    std::packaged_task<Result()> task([work = std::move(work), stop]() mutable { return work(*stop); });
+    std::packaged_task<Result()> task([work = std::move(work), stop]() mutable {
+        const WorkingFor working(stop.get());
+        return work(*stop);
+    });
     std::future<Result> result = task.get_future();
+    ++works_running;
     std::thread([task = std::move(task)]() mutable {
         std::exchange(task, {})();
         --works_running;
     }).detach();
-    ++works_running;
     for (bool done = false; !done;) {
         {
             const pybind11::gil_scoped_release released;
@@ -49,16 +60,11 @@ auto interruptible(Work work) {
         }
         if (!done && PyErr_CheckSignals() != 0) {
             stop->ask();
+            leave_works_at_exit();   // once more: before what the work began meanwhile is taken down
             throw pybind11::error_already_set();
         }
     }
     return result.get();
-}
-
-/// What was left to itself must have ended before the process takes its ground away.
-inline void wait_for_works() {
-    const pybind11::gil_scoped_release released;
-    while (works_running > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
 }   // namespace meshfolio::python

@@ -16,28 +16,43 @@
 #include "mesh/mesh_checks.h"
 #include "png/png.h"
 #include "python/interruptible.h"
+#include "python/vertex_attributes.h"
 #include "run/one_mesh/mesh_pictures.h"
 
 namespace meshfolio::python {
 
-namespace py = pybind11;
 using namespace py::literals;
 
-/// Never changed: what is computed from it makes a new one.
+/// Its surface is never changed: what is computed from it makes a new one.
 struct Mesh {
-    std::shared_ptr<const PreparedMesh> prepared;
-    bool moved = false;   // other positions than the preflight saw
+    std::shared_ptr<const PreparedMesh> prepared;   // whose columns are the file's normals alone
+    py::dict attributes;                            // the user's to change
+    bool moved = false;                             // not what the preflight saw
 
     const TriangleMesh& triangles() const { return prepared->mesh; }
 };
 
-inline Mesh prepared(LoadedMesh loaded) { return {std::make_shared<const PreparedMesh>(prepare_mesh(std::move(loaded)))}; }
+inline Mesh mesh_of(PreparedMesh prepared) {
+    py::dict attributes = dict_of(prepared.attributes.columns);
+    std::erase_if(prepared.attributes.columns, [](const VertexColumn& column) { return !is_normal(column); });
+    return {std::make_shared<const PreparedMesh>(std::move(prepared)), std::move(attributes)};
+}
+
+/// With arrays of its own.
+inline py::dict copy_of(const py::dict& arrays) { return py::module_::import("copy").attr("deepcopy")(arrays); }
 
 /// The same triangles, turned as they are, over other positions.
-inline Mesh moved_to(const PreparedMesh& mesh, Positions X) {
-    PreparedMesh moved = mesh;
+inline Mesh moved_to(const Mesh& mesh, Positions X) {
+    PreparedMesh moved = *mesh.prepared;
     moved.mesh.X = std::move(X);
-    return {std::make_shared<const PreparedMesh>(std::move(moved)), true};
+    return {std::make_shared<const PreparedMesh>(std::move(moved)), copy_of(mesh.attributes), true};
+}
+
+/// All that a file takes beside the triangles.
+inline Attributes attributes_of(const Mesh& mesh) {
+    Attributes all = mesh.prepared->attributes;
+    for (VertexColumn& column : columns_of(mesh.attributes, mesh.triangles().X.rows())) all.columns.push_back(std::move(column));
+    return all;
 }
 
 // ---- arrays in -------------------------------------------------------------------------------------------------------------
@@ -54,21 +69,20 @@ inline py::array rows_of_three(const py::object& rows, const std::string& name, 
                     kinds == "iu" ? "of PyVista's take faces.reshape(-1, 4)[:, 1:]" : "");
 }
 
-inline Mesh mesh_of_arrays(const py::object& vertices, const py::object& faces, const std::string& name) {
+inline TriangleMesh triangles_of(const py::object& vertices, const py::object& faces, const std::string& name) {
     using Indices = Eigen::Matrix<long long, Eigen::Dynamic, 3, Eigen::RowMajor>;
-    LoadedMesh loaded;
-    loaded.file = name;
-    loaded.mesh.X = rows_of_three(vertices, "vertices", "iuf").cast<Positions>();
+    TriangleMesh mesh;
+    mesh.X = rows_of_three(vertices, "vertices", "iuf").cast<Positions>();
     const Indices indices = rows_of_three(faces, "faces", "iu").cast<Indices>();
-    for (Eigen::Index v = 0; v < loaded.mesh.X.rows(); ++v) {
-        if (!loaded.mesh.X.row(v).allFinite()) throw MeshError("vertex " + std::to_string(v) + " is not finite", "", {name});
+    for (Eigen::Index v = 0; v < mesh.X.rows(); ++v) {
+        if (!mesh.X.row(v).allFinite()) throw MeshError("vertex " + std::to_string(v) + " is not finite", "", {name});
     }
     for (Eigen::Index t = 0; t < indices.rows(); ++t) {
-        if (indices.row(t).minCoeff() < 0 || indices.row(t).maxCoeff() >= loaded.mesh.X.rows())
+        if (indices.row(t).minCoeff() < 0 || indices.row(t).maxCoeff() >= mesh.X.rows())
             throw MeshError("face " + std::to_string(t) + " names a vertex that is not there", "", {name});
     }
-    loaded.mesh.F = indices.cast<int>();
-    return interruptible([loaded](const Stop&) { return prepared(loaded); });
+    mesh.F = indices.cast<int>();
+    return mesh;
 }
 
 /// N or (width, height).

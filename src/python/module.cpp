@@ -5,13 +5,19 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cerrno>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "base/errors.h"
+#include "base/in_quotes.h"
+#include "base/joined.h"
+#include "base/nearest_word.h"
 #include "base/number_text.h"
+#include "build_info.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/spectrum_certificate.h"
@@ -21,19 +27,66 @@
 #include "mesh/vertex_noise.h"
 #include "output/publish/file_group.h"
 #include "python/interruptible.h"
-#include "python/mesh_arrays.h"
-#include "run/one_mesh/vertex_columns.h"
+#include "python/mesh_class.h"
+#include "run/arguments.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"
+#include "run/one_mesh/vertex_columns.h"
+#include "run/settings/setting_list.h"
 
 namespace meshfolio::python {
 
 namespace {
 
+// ---- what is refused or warned of, in the words of the command line --------------------------------------------------------
+
+void check_choice(const std::string& name, const std::string& word, const std::vector<std::string>& choices) {
+    if (!run::contains(choices, word))
+        throw UsageError("unknown " + name + " " + in_quotes(word), suggestion(word, choices) + "it takes " + joined(choices, ", "));
+}
+
+AreaForm area_of(const std::string& name) {
+    check_choice("area", name, {"barycentric", "voronoi", "mixed"});
+    return area_form_named(name);
+}
+
+OperatorKind operator_of(const std::string& name) {
+    check_choice("operator", name, run::operator_choices());
+    return operator_named(name);
+}
+
+void warn(const std::string& text) {
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+// ---- the functions behind the commands -------------------------------------------------------------------------------------
+
+/// @throws meshfolio.MissingFileError, which is a FileNotFoundError as well
+Mesh load(const std::filesystem::path& path) {
+    try {
+        return mesh_of(interruptible([path](const Stop&) { return prepare_mesh(read_mesh(path, Keep::attributes)); }));
+    } catch (const InputError& error) {
+        std::error_code unknown;
+        if (std::filesystem::exists(path, unknown) || unknown) throw;
+        const py::object kind = py::module_::import("meshfolio._core").attr("MissingFileError"), missing = kind(error.what());
+        missing.attr("errno") = ENOENT;
+        PyErr_SetObject(kind.ptr(), missing.ptr());
+        throw py::error_already_set();
+    }
+}
+
+void save(const Mesh& mesh, const std::filesystem::path& path) {
+    const std::string bytes = interruptible([of = mesh.prepared, attributes = attributes_of(mesh), path](const Stop&) {
+        return encode_mesh(of->mesh, path.string(), attributes);
+    });
+    const py::gil_scoped_release released;   // not to be left half done: this goes to its end
+    output::replace_file(path, bytes);
+}
+
 py::dict curvature(const Mesh& mesh, const std::string& area, const std::string& laplacian, bool jets) {
-    const AreaForm form = area_form_named(area);
-    const OperatorKind kind = operator_named(laplacian);
+    const AreaForm form = area_of(area);
+    const OperatorKind kind = operator_of(laplacian);
     auto columns = interruptible([=, of = mesh.prepared](const Stop&) { return run::curvature_columns(*of, form, kind, jets); });
     py::dict arrays;
     for (VertexColumn& column : columns) arrays[column.name.c_str()] = py::cast(std::move(column.values));
@@ -41,8 +94,8 @@ py::dict curvature(const Mesh& mesh, const std::string& area, const std::string&
 }
 
 py::tuple laplacian_of(const Mesh& mesh, const std::string& laplacian, const std::string& area) {
-    const AreaForm form = area_form_named(area);
-    const OperatorKind kind = operator_named(laplacian);
+    const AreaForm form = area_of(area);
+    const OperatorKind kind = operator_of(laplacian);
     auto found = interruptible([=, of = mesh.prepared](const Stop&) { return laplace_operator(of->mesh, kind, form); });
     return py::make_tuple(py::cast(std::move(found.C)), py::cast(std::move(found.M)));
 }
@@ -51,10 +104,11 @@ struct CertifiedSpectrum : Spectrum {
     std::string certificate;
 };
 
-CertifiedSpectrum spectrum(const Mesh& mesh, int k, const std::string& laplacian, const std::string& area) {
-    const AreaForm form = area_form_named(area);
-    const OperatorKind kind = operator_named(laplacian);
-    return interruptible([=, of = mesh.prepared](const Stop& stop) {
+CertifiedSpectrum spectrum(const Mesh& mesh, long long asked, const std::string& laplacian, const std::string& area) {
+    const AreaForm form = area_of(area);
+    const OperatorKind kind = operator_of(laplacian);
+    const auto k = static_cast<int>(run::integer_between("k", std::to_string(asked), 1, 100000));
+    CertifiedSpectrum spectrum = interruptible([=, of = mesh.prepared](const Stop& stop) {
         const LaplaceBeltrami L = laplace_operator(of->mesh, kind, form);
         SpectrumOptions options;
         options.progress = [&stop](double) { stop.check(); };
@@ -64,34 +118,55 @@ CertifiedSpectrum spectrum(const Mesh& mesh, int k, const std::string& laplacian
         found.certificate = proof == Proof::proved ? "proved" : proof == Proof::refuted ? "refuted" : "undecided";
         return found;
     });
+    const auto modes = static_cast<int>(spectrum.eigenvalues.size());
+    if (modes < k) warn("the mesh has " + std::to_string(modes) + " modes, fewer than the " + std::to_string(k) + " asked for");
+    return spectrum;
 }
 
-/// In model units, and whether an explicit step is beyond the limit.
 struct ChosenStep {
-    double lambda = 0, critical = 0;   // critical: 0 where it is not asked for
+    double lambda = 0;     // in model units
+    std::string warning;   // of what grows; empty: nothing
 };
-ChosenStep chosen_step(const TriangleMesh& mesh, const SmoothingOptions& options, std::optional<double> step, StepUnit unit) {
-    const bool needs_limit = !step || unit == StepUnit::tau || options.scheme == SmoothingScheme::explicit_euler;
-    const double critical = needs_limit ? largest_stable_step(largest_eigenvalue(laplace_operator(mesh, options.laplacian))) : 0;
-    return {step ? step_in_model_units(*step, unit, critical, mean_edge_length(mesh)) : 0.5 * critical, critical};
+ChosenStep chosen_step(const TriangleMesh& mesh, SmoothingOptions options, std::optional<double> step, StepUnit unit) {
+    const bool is_explicit = options.scheme == SmoothingScheme::explicit_euler, is_taubin = options.scheme == SmoothingScheme::taubin;
+    if (step && unit != StepUnit::tau && !is_explicit && !is_taubin)
+        return {step_in_model_units(*step, unit, 0, mean_edge_length(mesh)), ""};
+    const LaplaceBeltrami laplacian = laplace_operator(mesh, options.laplacian);
+    const LargestEigenvalue top = largest_eigenvalue(laplacian);
+    const double critical = largest_stable_step(top);
+    options.lambda = step ? step_in_model_units(*step, unit, critical, mean_edge_length(mesh)) : 0.5 * critical;
+    ChosenStep chosen{options.lambda, ""};
+    if (is_explicit && options.adaptive == 0 && options.lambda > critical) {
+        chosen.warning = "step = " + plain_text(options.lambda) + " is beyond the largest stable step of " + plain_text(critical) +
+                         "; the highest modes will grow";
+    } else if (is_taubin) {
+        const double growth = std::abs((1 - options.lambda * top.value) * (1 - taubin_mu_of(laplacian, options) * top.value));
+        if (growth > 1) chosen.warning = "each iteration multiplies the highest mode by " + plain_text(growth, 4) + "; take a smaller step";
+    }
+    return chosen;
 }
 
 Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string& scheme, const std::string& laplacian,
-                 const std::string& unit_name, int iterations, bool rebuild, bool adaptive, std::optional<double> mu) {
-    SmoothingOptions options{.scheme = smoothing_scheme_named(scheme), .laplacian = operator_named(laplacian)};
-    options.iterations = iterations;
+                 const std::string& unit_name, long long iterations, bool rebuild, bool adaptive, std::optional<double> mu) {
+    check_choice("scheme", scheme, {"explicit", "implicit", "taubin"});
+    check_choice("unit", unit_name, {"raw", "tau", "h2"});
+    if (step) run::number_above_zero("step", plain_text(*step));
+    if (mu) run::finite_number("mu", plain_text(*mu));
+    SmoothingOptions options{.scheme = smoothing_scheme_named(scheme), .laplacian = operator_of(laplacian)};
+    if (adaptive && options.scheme != SmoothingScheme::explicit_euler)
+        throw UsageError("adaptive is for scheme explicit", "leave it off: only explicit steps have a limit");
+    options.iterations = static_cast<int>(run::integer_between("iterations", std::to_string(iterations), 0, 1000000));
     options.rebuild = rebuild;
     options.adaptive = adaptive ? 0.95 : 0;
     options.taubin_mu = mu.value_or(0);
     const StepUnit unit = step_unit_named(unit_name);
     if (is_dimensionless(options.laplacian) && unit == StepUnit::h2)
         throw UsageError("unit h2 makes no sense with operator " + laplacian + ", whose step has no unit", "use raw or tau");
-    const bool warns = options.scheme == SmoothingScheme::explicit_euler && !adaptive;
-    auto [smoothed, chosen] = interruptible([=, of = mesh.prepared](const Stop& stop) mutable {
+    auto [smoothed, warning] = interruptible([=, of = mesh.prepared](const Stop& stop) mutable {
         const ChosenStep found = chosen_step(of->mesh, options, step, unit);
         options.lambda = found.lambda;
         options.after_step = [&stop](int, const Positions&) { return !stop.asked(); };
-        return std::pair{smooth(of->mesh, options), found};
+        return std::pair{smooth(of->mesh, options), found.warning};
     });
     if (smoothed.collapse_iteration > 0)
         throw SolverError("nothing was left of the surface before iteration " + std::to_string(smoothed.collapse_iteration),
@@ -100,19 +175,16 @@ Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string
         throw SolverError(
             "blew up in iteration " + std::to_string(smoothed.blow_up_iteration) + " at vertex " + std::to_string(smoothed.blow_up_vertex),
             "take a smaller step or scheme implicit");
-    if (warns && chosen.lambda > chosen.critical) {
-        const std::string beyond = "step " + plain_text(chosen.lambda) + " is beyond the largest stable step of " +
-                                   plain_text(chosen.critical) + "; the highest modes will grow";
-        if (PyErr_WarnEx(PyExc_RuntimeWarning, beyond.c_str(), 1) != 0) throw py::error_already_set();
-    }
-    return moved_to(*mesh.prepared, std::move(smoothed.X));
+    if (!warning.empty()) warn(warning);
+    return moved_to(mesh, std::move(smoothed.X));
 }
 
 Mesh noise(const Mesh& mesh, double sigma, std::uint64_t seed, const std::string& unit) {
-    if (!(sigma >= 0 && sigma <= largest_coordinate)) throw UsageError("sigma is below 0 or beyond 1e100");
-    if (unit != "raw" && unit != "bbox") throw UsageError("unknown unit '" + unit + "'", "raw or bbox");
+    if (run::number_not_negative("sigma", plain_text(sigma)) > largest_coordinate)
+        throw UsageError("sigma " + plain_text(sigma) + " is beyond 1e100");
+    check_choice("unit", unit, {"raw", "bbox"});
     const Vector3 scale = unit == "bbox" ? bounding_box(mesh.triangles()).extent() : Vector3::Ones();
-    return moved_to(*mesh.prepared, with_gaussian_noise(mesh.triangles().X, sigma * scale, seed));
+    return moved_to(mesh, with_gaussian_noise(mesh.triangles().X, sigma * scale, seed));
 }
 
 py::dict compare(const Mesh& a, const Mesh& b, bool surfaces) {
@@ -129,7 +201,7 @@ Vector distances(const Mesh& a, const Mesh& b) {
 }
 
 py::object inspect(const Mesh& mesh, const std::string& laplacian) {
-    const OperatorKind kind = operator_named(laplacian);
+    const OperatorKind kind = operator_of(laplacian);
     const std::string json = interruptible([=, of = mesh.prepared, again = mesh.moved](const Stop& stop) {
         PreparedMesh seen = again ? prepare_mesh({of->mesh, of->file, {}, of->warnings}) : *of;
         return run::inspection_json(run::inspect_mesh(std::move(seen), kind, [&stop](std::string_view) { stop.check(); }));
@@ -140,6 +212,8 @@ py::object inspect(const Mesh& mesh, const std::string& laplacian) {
 py::array draw(const Mesh& mesh, const std::string& field_name, const std::optional<Vector>& values, const std::string& label,
                const std::string& views, const py::object& size, const std::string& colormap,
                const std::optional<std::pair<double, double>>& range, double isolines, bool edges, bool transparent) {
+    if (!values) check_choice("field", field_name, run::field_names());
+    if (!colormap.empty()) check_choice("colormap", colormap, run::colormap_names());
     run::PictureRequest request{
         .views = run::views_named(views), .colormap = colormap, .title = std::filesystem::path(mesh.prepared->file).filename().string()};
     std::tie(request.draw.width, request.draw.height) = picture_size(size);
@@ -171,67 +245,54 @@ void add_errors(py::module_& m) {
     py::register_exception<Error>(m, "Error");
     py::register_exception<UsageError>(m, "UsageError", also("ValueError"));
     py::register_exception<InputError>(m, "InputError", also("OSError"));
+    const py::exception<void> missing(m, "MissingFileError",
+                                      py::make_tuple(m.attr("InputError"), py::module_::import("builtins").attr("FileNotFoundError")));
     py::register_exception<MeshError>(m, "MeshError", also("ValueError"));
     py::register_exception<SolverError>(m, "SolverError", also("ArithmeticError"));
     py::register_exception<OutputError>(m, "OutputError", also("OSError"));
 }
 
-void add_classes(py::module_& m) {
-    py::class_<Mesh>(m, "Mesh",
-                     "A triangle mesh. It is never changed: smooth() and noise() give new ones.\n\n"
-                     "Faces that name a vertex twice, and repeated ones, are dropped, and the rest is turned consistently, outwards where\n"
-                     "closed; `warnings` says what was done. Vertices keep their rows.")
-        .def(py::init(&mesh_of_arrays), "vertices"_a, "faces"_a, "name"_a = "mesh",
-             "vertices: n x 3 coordinates in any unit of length; faces: m x 3 rows of vertices, counter-clockwise seen from outside.")
-        .def_property_readonly(
-            "vertices", [](const Mesh& mesh) { return rows_of(mesh.triangles().X, mesh); }, "n x 3 float64 [length], read-only, no copy")
-        .def_property_readonly(
-            "points", [](const Mesh& mesh) { return rows_of(mesh.triangles().X, mesh); }, "the same as vertices, as PyVista calls them")
-        .def_property_readonly(
-            "faces", [](const Mesh& mesh) { return rows_of(mesh.triangles().F, mesh); }, "m x 3 int32, read-only, no copy")
-        .def_property_readonly(
-            "name", [](const Mesh& mesh) { return mesh.prepared->file; }, "file it was read from, or what it was called")
-        .def_property_readonly(
-            "warnings",
-            [](const Mesh& mesh) {
-                py::list lines;
-                for (const MeshWarning& warning : mesh.prepared->warnings) lines.append(printable(warning.message));
-                return lines;
-            },
-            "what looked odd when it was read, and what was repaired")
-        .def("__repr__", [](const Mesh& mesh) {
-            return "<meshfolio.Mesh " + printable(mesh.prepared->file) + ": " + std::to_string(mesh.triangles().vertex_count()) +
-                   " vertices, " + std::to_string(mesh.triangles().face_count()) + " faces>";
-        });
+void add_spectrum(py::module_& m) {
     py::class_<CertifiedSpectrum>(m, "Spectrum", "The smallest eigenpairs of -C phi = mu M phi, ascending.")
         .def_readonly("eigenvalues", &CertifiedSpectrum::eigenvalues, "k float64 [1/length^2]")
         .def_readonly("eigenvectors", &CertifiedSpectrum::eigenvectors, "n x k float64, Phi^T M Phi = I [1/length]")
         .def_readonly("residuals", &CertifiedSpectrum::residuals, "k float64, |-C phi - mu M phi| / (mu |M phi|)")
         .def_readonly("certificate", &CertifiedSpectrum::certificate,
-                      "that the pairs are right and none is missing: proved, refuted or undecided");
+                      "that the pairs are right and none is missing: proved, refuted or undecided")
+        .def(py::pickle(
+            [](const CertifiedSpectrum& found) {
+                return py::make_tuple(found.eigenvalues, found.eigenvectors, found.residuals, found.certificate);
+            },
+            [](const py::tuple& state) {
+                CertifiedSpectrum found;
+                found.eigenvalues = state[0].cast<Vector>();
+                found.eigenvectors = state[1].cast<DenseMatrix>();
+                found.residuals = state[2].cast<Vector>();
+                found.certificate = state[3].cast<std::string>();
+                return found;
+            }));
 }
 
 }   // namespace
 
 PYBIND11_MODULE(_core, m) {
     add_errors(m);
-    add_classes(m);
-    py::module_::import("atexit").attr("register")(py::cpp_function(wait_for_works));
-    m.def(
-        "load", [](const std::filesystem::path& path) { return interruptible([path](const Stop&) { return prepared(read_mesh(path)); }); },
-        "path"_a, "A mesh from an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip.");
+    add_mesh(m);
+    add_spectrum(m);
+    m.attr("__version__") = build_info::version;
+    leave_works_at_exit();
+    m.def("load", &load, "path"_a,
+          "A mesh from an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip, with what the file holds of its vertices in\n"
+          "`attributes`. MissingFileError, a FileNotFoundError, where there is none.");
     m.def(
         "sample",
         [](const std::string& name, int subdivide) {
-            return interruptible([=](const Stop&) { return prepared({make_sample(name, subdivide), name, {}, {}}); });
+            return mesh_of(interruptible([=](const Stop&) { return prepare_mesh({make_sample(name, subdivide), name, {}, {}}); }));
         },
         "name"_a, "subdivide"_a = 0, "A bundled mesh, its triangles divided into four so many times, onto the surface.");
-    m.def(
-        "save",
-        [](const Mesh& mesh, const std::filesystem::path& path) {
-            interruptible([of = mesh.prepared, path](const Stop&) { output::replace_file(path, encode_mesh(of->mesh, path.string())); });
-        },
-        "mesh"_a, "path"_a, "Into an OBJ, OFF, PLY, STL, VTP or GLB file, which is replaced as a whole.");
+    m.def("save", &save, "mesh"_a, "path"_a,
+          "Into an OBJ, OFF, PLY, STL, VTP or GLB file, which is replaced as a whole. PLY, VTP and GLB take the attributes: of an array\n"
+          "n x k columns NAME_0, NAME_1, … An OBJ file's texture coordinates, groups and materials go into OBJ.");
     m.def("curvature", &curvature, "mesh"_a, py::kw_only(), "area"_a = "barycentric", "operator"_a = "cotan", "jets"_a = false,
           "A dict of n float64 each, NaN where undefined: area [length^2], h_uniform [length], k_gauss [1/length^2], h_cotan and\n"
           "h_uniform_scaled [1/length]; with jets also h_jet, k_jet; h_<operator> of another operator.");

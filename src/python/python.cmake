@@ -1,16 +1,34 @@
-# The Python package (-DMESHFOLIO_PYTHON=ON): BUILD/python/meshfolio, to be found with PYTHONPATH=BUILD/python; pyproject.toml makes a wheel.
-# Which Python: -DPython_EXECUTABLE=/usr/bin/python3.
+# The Python package: BUILD/python/meshfolio, to be found with PYTHONPATH=BUILD/python; pyproject.toml makes a wheel, package.cmake
+# python3-meshfolio. MESHFOLIO_PYTHON_MODULE is whether it is built. For which Python: -DPython_EXECUTABLE=…; default: the system's.
 set(MESHFOLIO_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Where the Python package is installed, below the prefix")
+set(MESHFOLIO_PYTHON_MODULE OFF)
+if(NOT MESHFOLIO_PYTHON OR MESHFOLIO_FUZZ OR CMAKE_CROSSCOMPILING OR CMAKE_CXX_FLAGS MATCHES "-fsanitize|-fprofile")
+  return()   # no Python here has what instrumented code calls
+endif()
+if(MESHFOLIO_PYTHON STREQUAL "AUTO")
+  find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  set(needed QUIET)
+else()
+  set(needed REQUIRED)
+endif()
 set(PYBIND11_FINDPYTHON ON)
-find_package(Python 3.9 REQUIRED COMPONENTS Interpreter Development.Module)
-find_package(pybind11 2.10 REQUIRED CONFIG)
+find_package(Python 3.9 ${needed} COMPONENTS Interpreter Development.Module)
+if(Python_FOUND)
+  find_package(pybind11 2.10 ${needed} CONFIG)
+endif()
+if(NOT pybind11_FOUND)
+  message(STATUS "No Python module: pybind11-dev and python3-dev build it")
+  return()
+endif()
+set(MESHFOLIO_PYTHON_MODULE ON)
 
 set(package_folder ${PROJECT_BINARY_DIR}/python/meshfolio)
 pybind11_add_module(meshfolio_python MODULE NO_EXTRAS src/python/module.cpp)
 set_target_properties(meshfolio_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package_folder})
 target_link_libraries(meshfolio_python PRIVATE meshfolio_run meshfolio_warnings)
+optimise_less(meshfolio_python)
 # Only what is called: neither the libraries of the report nor our names, which a program with Python in it may have as well.
-target_link_options(meshfolio_python PRIVATE LINKER:--as-needed LINKER:--exclude-libs,ALL)
+target_link_options(meshfolio_python PRIVATE LINKER:--as-needed LINKER:--gc-sections LINKER:--exclude-libs,ALL)
 set(package_files __init__.py __init__.pyi py.typed)
 foreach(file IN LISTS package_files)
   configure_file(src/python/meshfolio/${file} ${package_folder}/${file} COPYONLY)

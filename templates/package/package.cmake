@@ -1,4 +1,5 @@
-# What `cmake --install` copies, and the Debian package of it (`cpack` in the build folder). What is written about the program is made from its own
+# What `cmake --install` copies, and the Debian packages of it (`cpack` in the build folder): meshfolio, and where the Python module is built
+# python3-meshfolio, which needs nothing of the other. What is written about the program is made from its own
 # definitions when it is built: documents.cmake.
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize|-fprofile")
   return()   # a program to be tested alone, which may not even run in the middle of a build
@@ -32,6 +33,7 @@ add_custom_target(documents ALL DEPENDS ${documents}/made)
 set(of_a_folder OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS ${of_a_folder})
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS ${of_a_folder})
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS meshfolio RUNTIME)
 install(DIRECTORY ${documents}/share/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/src/submission/NOTICES.md
@@ -47,14 +49,31 @@ set(CPACK_PACKAGE_CONTACT "${MESHFOLIO_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "report on discrete curvature and smoothing of meshes")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "One command answers the questions of a geometry-processing coursework on real\nmeshes, checks its own answers against known truth, draws every result from\nsix directions without a GPU or a display, and binds it all into one report.")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_STRIP_FILES TRUE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME meshfolio)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Any BLAS will do, src/geometry/linear/blas_turn.h says how: the serial OpenBLAS is the fastest, for threads are meshfolio's own.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-serial")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium-headless-shell | chromium | weasyprint, fonts-dejavu-extra, snakemake")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libopenblas0-serial")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium-headless-shell | chromium | weasyprint, fonts-dejavu-extra, snakemake")
+if(MESHFOLIO_PYTHON_MODULE)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-meshfolio)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "libopenblas0-serial")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy")
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+      "discrete curvature, spectra and smoothing of meshes for Python\nCurvature, spectra, smoothing, comparison and pictures of triangle meshes, with\nNumPy arrays in and out.")
+  install(FILES ${documents}/share/doc/meshfolio/copyright ${documents}/share/doc/meshfolio/changelog.gz
+          DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/python3-meshfolio COMPONENT python OPTIONAL)   # not in a wheel, where the program is not built
+endif()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package_epoch.cmake CONTENT "set(ENV{SOURCE_DATE_EPOCH} @MESHFOLIO_EPOCH@)\n" @ONLY)
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/package_epoch.cmake)
 include(CPack)

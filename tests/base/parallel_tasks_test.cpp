@@ -66,3 +66,21 @@ TEST(ParallelTasks, TheFirstFailureIsThrownAndEndsTheRest) {
     EXPECT_THROW(for_each_task(10000, fails), std::runtime_error);
     EXPECT_LT(begun, 1000);
 }
+
+TEST(ParallelTasks, AStopEndsThemBetweenTwoTasksAndOthersGoOn) {
+    Stop stop;
+    std::atomic<int> begun = 0;
+    const auto asks = [&](std::size_t) {
+        ++begun;
+        stop.ask();
+    };
+    {
+        const WorkingFor working(&stop);
+        EXPECT_THROW(for_each_task(10000, asks), Stop::Interrupted);
+        EXPECT_LT(begun, 1000);
+        EXPECT_THROW(WorkingFor again(&stop), Stop::Interrupted);
+    }
+    begun = 0;
+    for_each_task(100, asks);   // for nobody
+    EXPECT_EQ(begun, 100);
+}

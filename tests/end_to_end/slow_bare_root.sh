@@ -1,5 +1,6 @@
 #!/bin/sh
-# The Debian package: twice the same bytes, no error for lintian, installed by apt in a bare Debian 12, where it makes a report with whichever BLAS.
+# The Debian packages: twice the same bytes, no error for lintian, installed by apt in a bare Debian 12, where the program makes a report with
+# whichever BLAS, and the module, if it was built, is imported.
 #   tests/end_to_end/slow_bare_root.sh [BUILD]   default: build/release, whose program is built already
 # Needs root, mmdebstrap, lintian and the Debian mirror that apt knows; ends with 77 without them.
 set -eu
@@ -14,10 +15,15 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for time in one two; do
     (cd "$build" && cpack -G DEB -B "$work/$time" >"$work/log" 2>&1) || { cat "$work/log" >&2; exit 1; }
-    mv "$work/$time"/*.deb "$work/$time.deb"
+    mv "$work/$time"/meshfolio_*.deb "$work/$time.deb"
+    mv "$work/$time"/python3-meshfolio_*.deb "$work/$time-python.deb" || echo "no Python module was built" >&2
 done
-cmp "$work/one.deb" "$work/two.deb"
-lintian --fail-on error --allow-root "$work/one.deb"
+module=
+if [ -e "$work/one-python.deb" ]; then module=-python; fi
+for package in "" $module; do
+    cmp "$work/one$package.deb" "$work/two$package.deb"
+    lintian --fail-on error --allow-root "$work/one$package.deb"
+done
 
 cat >"$work/inside" <<'END'
 set -eu
@@ -38,6 +44,16 @@ for blas in libopenblas0-pthread libblas3; do
     meshfolio sample torus -o torus.ply
     meshfolio spectrum torus.ply -k 20 >/dev/null
 done
+if [ -e /tmp/one-python.deb ]; then
+    apt-get purge -qq -y meshfolio >/tmp/log 2>&1   # the module needs nothing of it
+    began=$(date +%s)
+    apt-get install -qq -y /tmp/one-python.deb >/tmp/log 2>&1 || { cat /tmp/log; exit 1; }
+    echo "apt install python3-meshfolio $(($(date +%s) - began)) s"
+    python3 -c "import meshfolio
+mesh = meshfolio.load('/tmp/torus.ply')
+assert mesh.euler_number == 0 and meshfolio.render(mesh, 'h-cotan').ndim == 3
+print('Python', meshfolio.__version__, meshfolio.spectrum(mesh, 5).certificate)"
+fi
 END
-mmdebstrap --quiet --mode=root --variant=apt --format=null --customize-hook="copy-in $work/one.deb $work/inside /tmp" \
+mmdebstrap --quiet --mode=root --variant=apt --format=null --customize-hook="copy-in $work/one.deb ${module:+$work/one$module.deb} $work/inside /tmp" \
     --customize-hook='chroot "$1" sh /tmp/inside' bookworm - "$mirror"

@@ -1,7 +1,10 @@
 """The Python module against what NumPy and SciPy compute of the same meshes. Skipped (77) where NumPy or SciPy is missing."""
 
 import ast
+import copy
+import errno
 import gc
+import pickle
 import signal
 import subprocess
 import sys
@@ -89,14 +92,114 @@ class Arrays(unittest.TestCase):
         self.assertGreaterEqual(len(square.warnings), 2, square.warnings)
 
 
+class Attributes(unittest.TestCase):
+    def setUp(self):
+        self.mesh = meshfolio.sample("cube8")
+        self.given = {
+            "quality": np.linspace(-1, 1, 8), "red": np.arange(8, dtype=np.uint8), "id": np.arange(8) + 16777210, "far": np.arange(8) + 2**40,
+            "flow": np.arange(16, dtype=np.float32).reshape(8, 2), "inside": np.arange(8) % 2 == 0,
+        }  # fmt: skip
+
+    def test_what_is_set_is_saved_read_again_and_kept_by_new_positions(self):
+        self.mesh.attributes.update(self.given)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "cube.ply"
+            meshfolio.save(self.mesh, path)
+            read = meshfolio.load(path)
+            again = Path(folder) / "again.ply"
+            meshfolio.save(meshfolio.smooth(read), again)
+            kept = meshfolio.load(again).attributes
+        columns = dict(self.given, flow_0=self.given["flow"][:, 0], flow_1=self.given["flow"][:, 1])
+        del columns["flow"]
+        types = {"quality": "f8", "red": "u1", "id": "i4", "far": "f8", "flow_0": "f4", "flow_1": "f4", "inside": "u1"}
+        for found in (read.attributes, kept, meshfolio.noise(read, 0.1).attributes):
+            self.assertEqual({name: values.dtype.str[1:] for name, values in found.items()}, types)
+            for name, values in columns.items():
+                np.testing.assert_array_equal(found[name], values, name)
+        self.assertIs(read.attributes, read.vertex_attributes)
+        self.assertIs(read.attributes, read.point_data)
+
+    def test_normals_of_a_file_are_written_anew_and_textures_stay_in_obj(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ply, obj = Path(folder) / "m.ply", Path(folder) / "m.obj"
+            ply.write_text(
+                "ply\nformat ascii 1.0\nelement vertex 3\n" + "".join(f"property float {p}\n" for p in ("x", "y", "z", "nx", "ny", "nz"))
+                + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n3 0 1 2\n"
+            )  # fmt: skip
+            obj.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.5\nusemtl brass\nf 1/1 2/1 3/1\n")
+            for path, words in ((ply, b"property float nx"), (obj, b"usemtl brass")):
+                mesh = meshfolio.load(path)
+                self.assertEqual(mesh.attributes, {})
+                for other in (mesh, pickle.loads(pickle.dumps(mesh)), meshfolio.noise(mesh, 0.1)):
+                    meshfolio.save(other, path)
+                    self.assertIn(words, path.read_bytes())
+
+    def test_what_fits_no_mesh_is_refused(self):
+        for values, words in (([1.0] * 7, "7 values, the mesh has 8 vertices"), (["a"] * 8, "no numbers"), (np.zeros((8, 1, 1)), "axis")):
+            self.mesh.attributes["wrong"] = values
+            with self.subTest(words=words), self.assertRaisesRegex(meshfolio.MeshError, f"'wrong'.*{words}"):
+                meshfolio.save(self.mesh, "never.ply")
+            with self.assertRaisesRegex(meshfolio.MeshError, words):
+                meshfolio.Mesh(self.mesh.vertices, self.mesh.faces, attributes={"wrong": values})
+
+    def test_copies_are_alike_and_apart(self):
+        mesh = meshfolio.noise(meshfolio.Mesh(self.mesh.vertices, self.mesh.faces, "named", self.given), 0.01)
+        copies = [mesh.copy(), copy.copy(mesh), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh))]
+        for other in copies:
+            np.testing.assert_array_equal(other.vertices, mesh.vertices)
+            np.testing.assert_array_equal(other.faces, mesh.faces)
+            self.assertEqual((other.name, other.warnings, other.euler_number), (mesh.name, mesh.warnings, 2))
+            self.assertEqual(meshfolio.inspect(other), meshfolio.inspect(mesh))
+            other.attributes["quality"][0] = 7
+            del other.attributes["id"]
+        np.testing.assert_array_equal(mesh.attributes["quality"], self.given["quality"])
+        self.assertIn("id", mesh.attributes)
+        found = meshfolio.spectrum(self.mesh, 3)
+        again = pickle.loads(pickle.dumps(found))
+        np.testing.assert_array_equal(again.eigenvectors, found.eigenvectors)
+        self.assertEqual(again.certificate, found.certificate)
+
+
+class Measures(unittest.TestCase):
+    def test_they_are_those_of_a_cube_and_of_an_open_sheet(self):
+        cube = meshfolio.sample("cube8")
+        self.assertEqual((cube.n_points, cube.n_cells, cube.euler_number, cube.is_watertight), (8, 12, 2, True))
+        np.testing.assert_array_equal(cube.bounds, [cube.vertices.min(axis=0), cube.vertices.max(axis=0)])
+        edge = np.ptp(cube.vertices[:, 0])
+        np.testing.assert_allclose((cube.area, cube.volume), (6 * edge**2, edge**3), rtol=1e-14)
+        self.assertTrue((np.sum(cube.vertex_normals * cube.vertices, axis=1) > 0).all(), "outwards")
+        corners = cube.vertices[cube.faces]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / edge**2
+        np.testing.assert_allclose(cube.face_normals, normals, atol=1e-15)
+        sheet = meshfolio.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [9, 9, 9]], [[0, 1, 2]])
+        self.assertEqual((sheet.is_watertight, sheet.euler_number, sheet.area), (False, 1, 0.5))
+        self.assertTrue(np.isnan(sheet.volume))
+        np.testing.assert_array_equal(sheet.bounds, [[0, 0, 0], [1, 1, 0]])
+
+    def test_the_version_is_that_of_the_project(self):
+        self.assertIn(f"project(meshfolio VERSION {meshfolio.__version__} ", (SOURCE / "CMakeLists.txt").read_text(encoding="utf-8"))
+
+
 class Errors(unittest.TestCase):
     def test_each_type_is_a_class_with_the_words_of_the_command_line(self):
         mesh = meshfolio.sample("cube8")
         for kind, also, words, call in (
             (meshfolio.InputError, OSError, "no.obj", lambda: meshfolio.load("no.obj")),
-            (meshfolio.UsageError, ValueError, "cotan", lambda: meshfolio.laplacian(mesh, operator="cotann")),
-            (meshfolio.UsageError, ValueError, "barycentric", lambda: meshfolio.curvature(mesh, area="all")),
-            (meshfolio.UsageError, ValueError, "h-cotan", lambda: meshfolio.render(mesh, "h-cotam")),
+            (meshfolio.MissingFileError, FileNotFoundError, "no.obj", lambda: meshfolio.load("no.obj")),
+            (meshfolio.InputError, OSError, "directory", lambda: meshfolio.load(SOURCE)),
+            (meshfolio.UsageError, ValueError, "unknown operator 'cotann'; did you mean 'cotan'", lambda: meshfolio.laplacian(mesh, operator="cotann")),
+            (meshfolio.UsageError, ValueError, "it takes barycentric, ", lambda: meshfolio.curvature(mesh, area="all")),
+            (meshfolio.UsageError, ValueError, "did you mean 'h-cotan'", lambda: meshfolio.render(mesh, "h-cotam")),
+            (meshfolio.UsageError, ValueError, "did you mean 'viridis'", lambda: meshfolio.render(mesh, colormap="virdis")),
+            (meshfolio.UsageError, ValueError, "did you mean 'implicit'", lambda: meshfolio.smooth(mesh, 1, scheme="implicite")),
+            (meshfolio.UsageError, ValueError, "did you mean 'tau'", lambda: meshfolio.smooth(mesh, 1, unit="tua")),
+            (meshfolio.UsageError, ValueError, "did you mean 'bbox'", lambda: meshfolio.noise(mesh, 1, unit="box")),
+            (meshfolio.UsageError, ValueError, "step '-1' is not a finite number > 0", lambda: meshfolio.smooth(mesh, -1)),
+            (meshfolio.UsageError, ValueError, "step 'nan' is not", lambda: meshfolio.smooth(mesh, np.nan)),
+            (meshfolio.UsageError, ValueError, "iterations '-1' is not an integer from 0", lambda: meshfolio.smooth(mesh, 1, iterations=-1)),
+            (meshfolio.UsageError, ValueError, "adaptive is for scheme explicit", lambda: meshfolio.smooth(mesh, 1, scheme="taubin", adaptive=True)),
+            (meshfolio.UsageError, ValueError, "k '0' is not an integer from 1", lambda: meshfolio.spectrum(mesh, 0)),
+            (meshfolio.UsageError, ValueError, "sigma '-1' is not", lambda: meshfolio.noise(mesh, -1)),
             (meshfolio.UsageError, ValueError, "size", lambda: meshfolio.render(mesh, size=0)),
             (meshfolio.UsageError, ValueError, "lo < hi", lambda: meshfolio.render(mesh, "x", range=(2, 1))),
             (meshfolio.MeshError, ValueError, "4 x 2", lambda: meshfolio.Mesh(np.zeros((4, 2)), mesh.faces)),
@@ -113,6 +216,18 @@ class Errors(unittest.TestCase):
             self.assertIsInstance(caught.exception, meshfolio.Error)
             self.assertIsInstance(caught.exception, also)
             self.assertIn(words, str(caught.exception))
+
+    def test_a_missing_file_has_its_number(self):
+        with self.assertRaises(FileNotFoundError) as caught:
+            meshfolio.load(Path("no") / "mesh.ply")
+        self.assertEqual(caught.exception.errno, errno.ENOENT)
+
+    def test_what_is_cut_or_grows_is_warned_of(self):
+        mesh = meshfolio.sample("cube8")
+        with self.assertWarnsRegex(RuntimeWarning, "has 8 modes, fewer than the 9 asked for"):
+            self.assertEqual(len(meshfolio.spectrum(mesh, 9).eigenvalues), 8)
+        with self.assertWarnsRegex(RuntimeWarning, "each iteration multiplies the highest mode by"):
+            meshfolio.smooth(meshfolio.sample("sphere"), 1.2, unit="tau", scheme="taubin", mu=-1e-3)
 
     def test_steps_beyond_the_limit_warn_and_then_blow_up(self):
         mesh = meshfolio.sample("cube")
@@ -262,17 +377,20 @@ class LongCalls(unittest.TestCase):
         thread.join()
         self.assertGreater(counted, 0.05 * took / 0.01 - 1)
 
-    def test_control_c_ends_a_long_call(self):
-        words = f"import meshfolio\nprint('ready', flush=True)\n{LONG}"
-        with subprocess.Popen([sys.executable, "-c", words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-            self.assertEqual(process.stdout.readline(), "ready\n")
-            time.sleep(1)
-            self.assertIsNone(process.poll(), "it takes long")
-            asked = time.monotonic()
-            process.send_signal(signal.SIGINT)
-            _, errors = process.communicate(timeout=60)
-            self.assertIn("KeyboardInterrupt", errors)
-            self.assertLess(time.monotonic() - asked, 10)
+    def test_control_c_ends_long_calls_and_their_process_without_delay(self):
+        far = "a, b = (meshfolio.sample(name, 6) for name in ('sphere', 'cube'))\n"
+        for words in (LONG, far + "print('ready', flush=True)\nmeshfolio.compare(a, b)", far + "print('ready', flush=True)\nmeshfolio.spectrum(a, 40)"):
+            if words is LONG:
+                words = f"print('ready', flush=True)\n{LONG}"
+            words = f"import meshfolio, sys\ntry:\n    " + words.replace("\n", "\n    ") + "\nexcept KeyboardInterrupt:\n    sys.exit(7)"
+            with self.subTest(words=words), subprocess.Popen([sys.executable, "-c", words], stdout=subprocess.PIPE, text=True) as process:
+                self.assertEqual(process.stdout.readline(), "ready\n")
+                time.sleep(0.5)
+                self.assertIsNone(process.poll(), "it takes long")
+                asked = time.monotonic()
+                process.send_signal(signal.SIGINT)
+                self.assertEqual(process.wait(timeout=60), 7)
+                self.assertLess(time.monotonic() - asked, 3)
 
 
 class Stubs(unittest.TestCase):
@@ -283,6 +401,10 @@ class Stubs(unittest.TestCase):
         for name, node in named.items():
             thing = getattr(meshfolio, name)
             self.assertTrue(issubclass(thing, meshfolio.Error) if name.endswith("Error") else thing.__doc__, name)
+            if name in ("Mesh", "Spectrum"):
+                members = {member.name: member for member in node.body if not member.name.startswith("__")}
+                self.assertEqual(set(members), {member for member in dir(thing) if not member.startswith("__")}, name)
+                self.assertTrue(all(getattr(thing, member).__doc__ for member in members if not member.startswith("_")), name)
             if isinstance(node, ast.FunctionDef) and name != "render":   # pybind11 writes the signature into the first line
                 for argument in node.args.args + node.args.kwonlyargs:
                     self.assertIn(f"{argument.arg}: ", thing.__doc__.splitlines()[0])

@@ -4,9 +4,12 @@
     mesh = meshfolio.load("bunny.obj")              # or meshfolio.Mesh(vertices, faces)
     meshfolio.inspect(mesh)["lambda_crit"]          # the largest stable step of explicit smoothing [length^2]
     meshfolio.render(mesh, field="h-cotan")         # six views; a notebook shows them
+    mesh.attributes.update(meshfolio.curvature(mesh))
+    meshfolio.save(mesh, "curved.ply")              # with the curvatures as properties of its vertices
 
-Lengths are in the unit of the mesh. What is refused is a meshfolio.Error, with the words of the command line. Long calls leave Python to
-its other threads and end with Ctrl-C.
+Lengths are in the unit of the mesh. What is refused is a meshfolio.Error, with the words of the command line; what looks wrong but can be
+done is a RuntimeWarning. Long calls leave Python to its other threads. Ctrl-C ends them at once; where a factorisation is under way, its
+threads compute on for some seconds in a session that goes on. save() is not left half done.
 """
 
 import base64
@@ -20,10 +23,12 @@ from ._core import (
     InputError,
     Mesh,
     MeshError,
+    MissingFileError,
     OutputError,
     SolverError,
     Spectrum,
     UsageError,
+    __version__,
     compare,
     curvature,
     distances,
@@ -38,8 +43,8 @@ from ._core import (
 )
 
 __all__ = [
-    "Error", "InputError", "Mesh", "MeshError", "OutputError", "Picture", "SolverError", "Spectrum", "UsageError", "compare", "curvature",
-    "distances", "inspect", "laplacian", "load", "noise", "render", "sample", "save", "smooth", "spectrum",
+    "Error", "InputError", "Mesh", "MeshError", "MissingFileError", "OutputError", "Picture", "SolverError", "Spectrum", "UsageError",
+    "compare", "curvature", "distances", "inspect", "laplacian", "load", "noise", "render", "sample", "save", "smooth", "spectrum",
 ]  # fmt: skip
 
 
@@ -83,5 +88,5 @@ def _mesh_html(mesh):
 
 Mesh._repr_png_ = _mesh_png
 Mesh._repr_html_ = _mesh_html
-for _shown in (Error, InputError, MeshError, OutputError, SolverError, UsageError, Mesh, Spectrum):
+for _shown in (Error, InputError, MeshError, MissingFileError, OutputError, SolverError, UsageError, Mesh, Spectrum):
     _shown.__module__ = __name__
