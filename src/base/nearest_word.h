@@ -5,7 +5,7 @@
 
 namespace meshfolio {
 
-/// The known word with the smallest edit distance (Levenshtein); the first of them on a tie.
+/// The known word with the smallest edit distance, neighbours exchanged counting as one edit; the first of them on a tie.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// The known words that may have been meant, nearest first: at most three, each with two thirds of its letters right.

@@ -13,6 +13,12 @@ TEST(NearestWord, FewestEditsWin) {
     EXPECT_EQ(nearest_word("title", known), "title");
 }
 
+TEST(NearestWord, NeighboursExchangedAreOneEdit) {
+    EXPECT_EQ(near_words("tua", {"raw", "tau", "h2"}), std::vector<std::string>{"tau"});
+    EXPECT_EQ(near_words("--cvs", {"--csv", "--ply", "--out"}), std::vector<std::string>{"--csv"});
+    EXPECT_EQ(near_words("ta", {"at"}), std::vector<std::string>()) << "one letter in two is too much";
+}
+
 TEST(NearestWord, TheFirstOnATie) { EXPECT_EQ(nearest_word("c", {"a", "b"}), "a"); }
 
 TEST(NearestWord, NothingKnownGivesNothing) { EXPECT_EQ(nearest_word("word", {}), ""); }

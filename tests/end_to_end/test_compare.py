@@ -137,12 +137,17 @@ class Action(InFolder):
         subprocess.run(['git', 'init', '--quiet', '--bare', self.path('origin')], check=True)
         self.git('init', '--quiet')
         self.git('remote', 'add', 'origin', self.path('origin'))
-        for name, text in (('changed.obj', TILE), (self.HOSTILE, GROUND), ('gone.obj', 'v 7 8 9\nv 9 8 7\nv 7 7 7\nf 1 2 3\n'), ('moved.obj', BOX), ('same.obj', GROUND)):
+        for name, text in (('changed.obj', TILE), (self.HOSTILE, GROUND), ('gone.obj', 'v 7 8 9\nv 9 8 7\nv 7 7 7\nf 1 2 3\n'), ('moved.obj', BOX), ('same.obj', GROUND),
+                           ('link.obj', TILE), ('turned.obj', BOX + '# a' * 40)):
             self.write('tree/' + name, text)
         base = self.commit()
         os.remove(self.path('tree/gone.obj'))
         os.rename(self.path('tree/moved.obj'), self.path('tree/place.obj'))
-        for name, text in (('changed.obj', TILE.replace(' 2\n', ' 3\n', 1)), (self.HOSTILE, GROUND + 'f 1 2 4\n'), ('broken.obj', 'f 1 2 3\n'),
+        os.remove(self.path('tree/link.obj'))
+        os.symlink('same.obj', self.path('tree/link.obj'))
+        os.remove(self.path('tree/turned.obj'))
+        os.chmod(self.path('tree/same.obj'), 0o755)
+        for name, text in (('turned2.obj', BOX + '# a' * 40 + '\n'), ('packed.vtp.gz', 'no'), ('changed.obj', TILE.replace(' 2\n', ' 3\n', 1)), (self.HOSTILE, GROUND + 'f 1 2 4\n'), ('broken.obj', 'f 1 2 3\n'),
                            ('new.obj', TILE), ('notes.txt', 'no mesh')):
             self.write('tree/' + name, text)
         self.variables = {'PROGRAM': PROGRAM, 'BASE': base, 'HEAD': self.commit(), 'OUT': self.path('out'), 'BRANCH': '', 'REPOSITORY_URL': 'https://h/r',
@@ -161,11 +166,14 @@ class Action(InFolder):
     def test_every_mesh_that_changed_has_a_row(self):
         summary, outputs = self.compared()
         rows = dict(re.findall(r'^\| `(.*?)` \| (.*?) \|', summary, re.M))
-        self.assertTrue(rows.pop('broken.obj').startswith('`meshfolio: after.obj:1: '))
-        self.assertEqual(rows, {'changed.obj': 'changed', 'gone.obj': 'removed', 'new.obj': 'new', 'place.obj': 'changed',
+        self.assertTrue(rows.pop('broken.obj').startswith('`meshfolio: broken.obj:1: '))
+        self.assertIn('packed.vtp.gz', rows.pop('packed.vtp.gz'))
+        self.assertEqual(rows, {'changed.obj': 'changed', 'gone.obj': 'removed', 'new.obj': 'new', 'place.obj': 'moved, was `moved.obj`',
+                                'turned2.obj': 'changed, was `turned.obj`', 'same.obj': 'other permissions',
+                                'link.obj': 'a file or a link, which it was not',
                                 self.HOSTILE.translate({ord(c): '?' for c in '`$()|<>'}): 'changed'})
-        self.assertEqual(outputs['changed'], '6')
-        self.assertRegex(summary, r'`place.obj` \| changed \| 0 \| 0 \| 0 \|')
+        self.assertEqual(outputs['changed'], '10')
+        self.assertRegex(summary, r'`turned.obj` \| 0 \| 0 \| 0 \|')
         self.assertFalse(os.path.exists(self.path('tree/x')))
         folders = os.listdir(self.path('out/meshes'))
         self.assertEqual(sum(os.path.exists(self.path('out/meshes', folder, 'sheet.png')) for folder in folders), 4)

@@ -47,30 +47,35 @@ draw() {
 taken() { git cat-file --filters "$1:$2" > "$3"; }
 
 compared() {   # STATUS OLD NEW
-    local status=$1 old=$2 new=$3 folder ending
+    local status=$1 old=$2 new=$3 folder name was=
     count=$((count + 1))
     if [ "$count" -gt "$most" ]; then return; fi
-    folder=$OUT/meshes/$count ending=${new##*.}
-    ending=${ending,,}
-    if [ "$ending" = gz ]; then ending=${new%.*} ending=${ending##*.}.gz; fi
+    folder=$OUT/meshes/$count name=$(plain "${new##*/}")
+    name=${name: -$((${#name} < 200 ? ${#name} : 200))}
+    if [ "$old" != "$new" ]; then was=", was \`$(plain "$old")\`"; fi
     mkdir -p "$folder"
     case $status in
         D) row "$new" removed – – – – –; return ;;
+        T) row "$new" 'a file or a link, which it was not' – – – – –; return ;;
         A)
-            taken "$HEAD" "$new" "$folder/after.$ending"
-            if draw "$new" "$folder" "$folder/after.$ending"; then row "$new" new – – – – –; else failed "$new" "$folder"; fi
+            taken "$HEAD" "$new" "$folder/$name"
+            if draw "$new" "$folder" "$folder/$name"; then row "$new" new – – – – –; else failed "$new" "$folder"; fi
             return ;;
     esac
-    taken "$before" "$old" "$folder/before.$ending"
-    taken "$HEAD" "$new" "$folder/after.$ending"
-    if ! timeout 600 "$PROGRAM" compare "$folder/before.$ending" "$folder/after.$ending" --html "$folder/page.html" \
+    if [ "$(git rev-parse "$before:$old")" = "$(git rev-parse "$HEAD:$new")" ]; then
+        row "$new" "$([ -n "$was" ] && echo "moved$was" || echo 'other permissions')" – – – – –
+        return
+    fi
+    taken "$before" "$old" "$folder/before $name"
+    taken "$HEAD" "$new" "$folder/after $name"
+    if ! timeout 600 "$PROGRAM" compare "$folder/before $name" "$folder/after $name" --html "$folder/page.html" \
             > "$folder/numbers.txt" 2> "$folder/log"; then
         failed "$new" "$folder"
         return
     fi
     number() { awk -v key="$1" '$1 == key { print $2 }' "$folder/numbers.txt"; }
-    row "$new" changed "$(number rms)" "$(number hausdorff)" "$(number mean_normal_angle_deg)" "$(number volume_ratio)" "$(number area_ratio)"
-    draw "$new" "$folder" "$folder/before.$ending" "$folder/after.$ending" || true   # the numbers are there
+    row "$new" "changed$was" "$(number rms)" "$(number hausdorff)" "$(number mean_normal_angle_deg)" "$(number volume_ratio)" "$(number area_ratio)"
+    draw "$new" "$folder" "$folder/before $name" "$folder/after $name" || true   # the numbers are there
 }
 
 while IFS= read -r -d '' status && IFS= read -r -d '' old; do
@@ -78,8 +83,9 @@ while IFS= read -r -d '' status && IFS= read -r -d '' old; do
     if [[ $status == R* ]]; then IFS= read -r -d '' new; fi
     if [ "${old##*.}" != "${new##*.}" ]; then status=A; fi   # another format: only what is there now
     compared "${status:0:1}" "$old" "$new"
-done < <(git diff -z --name-status --find-renames --diff-filter=AMDR "$before" "$HEAD" -- ':(icase)*.obj' ':(icase)*.off' ':(icase)*.ply' ':(icase)*.stl' \
-    ':(icase)*.glb' ':(icase)*.vtp' ':(icase)*.obj.gz' ':(icase)*.off.gz' ':(icase)*.ply.gz' ':(icase)*.stl.gz')
+done < <(git diff -z --name-status --find-renames --diff-filter=AMDRT "$before" "$HEAD" -- ':(icase)*.obj' ':(icase)*.off' ':(icase)*.ply' ':(icase)*.stl' \
+    ':(icase)*.glb' ':(icase)*.vtp' ':(icase)*.obj.gz' ':(icase)*.off.gz' ':(icase)*.ply.gz' ':(icase)*.stl.gz' \
+    ':(icase)*.glb.gz' ':(icase)*.vtp.gz')
 
 # Pushes the sheets, one commit a run, and prints where they are found.
 kept_sheets() {

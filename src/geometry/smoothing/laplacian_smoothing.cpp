@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "geometry/measures/spatial_order.h"
@@ -177,7 +178,8 @@ SmoothingScheme smoothing_scheme_named(const std::string& name) {
     if (name == "explicit") return SmoothingScheme::explicit_euler;
     if (name == "implicit") return SmoothingScheme::implicit_euler;
     if (name == "taubin") return SmoothingScheme::taubin;
-    throw UsageError("unknown smoothing scheme '" + printable(name) + "'", "use explicit, implicit or taubin");
+    throw UsageError("unknown smoothing scheme '" + printable(name) + "'",
+                     suggestion(name, {"explicit", "implicit", "taubin"}) + "use explicit, implicit or taubin");
 }
 
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
@@ -250,6 +252,11 @@ double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& op
     if (inverse < 0) return 1 / inverse;
     throw MeshError("smoothing: no Taubin step inflates again after lambda at pass-band " + plain_text(options.pass_band, 3),
                     "take a smaller lambda");
+}
+
+double taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options) {
+    const double top = largest_eigenvalue(laplacian).value;
+    return std::abs((1 - options.lambda * top) * (1 - taubin_mu_of(laplacian, options) * top));
 }
 
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {

@@ -79,6 +79,9 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
 /// @throws MeshError if λ is too large for the pass-band
 double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
 
+/// What an iteration of Taubin's multiplies the highest mode by, |(1 − λμ)(1 − mμ)| at μ_max: beyond 1 it grows. @throws MeshError as above
+double taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
+
 /// X + λLX for a fixed operator, and the solution of (M − λC)X' = MX: the two steps on their own, for tests and studies.
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);
 Positions implicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);

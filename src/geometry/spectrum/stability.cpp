@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/errors.h"
+#include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "geometry/spectrum/eigenvalue_enclosure.h"
 #include "geometry/spectrum/top_lanczos.h"
@@ -94,7 +95,7 @@ StepUnit step_unit_named(const std::string& name) {
     if (name == "raw") return StepUnit::raw;
     if (name == "tau") return StepUnit::tau;
     if (name == "h2") return StepUnit::h2;
-    throw UsageError("unknown unit of lambda '" + printable(name) + "'", "use raw, tau or h2");
+    throw UsageError("unknown unit of lambda '" + printable(name) + "'", suggestion(name, {"raw", "tau", "h2"}) + "use raw, tau or h2");
 }
 
 double step_in_model_units(double lambda, StepUnit unit, double critical, double mean_edge) {

@@ -5,11 +5,13 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "base/at.h"
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
 
@@ -41,10 +43,13 @@ public:
         for (const Json& extension : json_.value("extensionsRequired", Json::array())) refuse_unknown(extension.get<std::string>());
         place_scene();
         if (corners_.empty()) fail("no triangles", "export the mesh with its faces");
+        if (keeps_columns_ && !not_kept_.empty())
+            warnings_.add(0, "attributes that are not kept", "attributes that are not kept",
+                          joined({not_kept_.begin(), not_kept_.end()}, ", "));
         WeldedMesh mesh = welded(points_, corners_, {}, file_, warnings_);
         for (const Column& column : columns_) {
             if (column.values.size() != points_.size()) continue;   // not everywhere
-            mesh.loaded.attributes.columns.push_back({column.name, Vector(mesh.loaded.mesh.vertex_count()), column.type});
+            mesh.loaded.attributes.columns.push_back({column.name, Vector(mesh.loaded.mesh.vertex_count()), column.type, column.array});
             Vector& kept = mesh.loaded.attributes.columns.back().values;
             for (std::size_t v = 0; v < mesh.first.size(); ++v) kept[static_cast<Eigen::Index>(v)] = column.values[at(mesh.first[v])];
         }
@@ -72,6 +77,7 @@ private:
         std::string name;
         ScalarType type;
         std::vector<double> values;   // of points
+        std::string array;            // of several numbers
     };
 
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const { throw InputError({file_, 0}, problem, remedy); }
@@ -197,6 +203,11 @@ private:
             }
             if (primitive.contains("targets"))
                 warnings_.add(0, "morph targets ignored", "primitives with morph targets, which are ignored");
+            for (const auto& attribute : primitive.at("attributes").items()) {
+                const std::string& name = attribute.key();
+                if (name != "POSITION" && name != "NORMAL" && !is_column(name)) not_kept_.insert(name);
+            }
+            if (primitive.contains("material")) not_kept_.insert("material");
             const std::size_t positions = number(primitive.at("attributes"), "POSITION", std::size_t{1} << 40);
             const auto [place, is_new] = first_points.try_emplace(positions, static_cast<int>(points_.size()));
             const Accessor points = accessor(positions);
@@ -225,7 +236,7 @@ private:
         }
         if (!keeps_columns_) return;
         for (const auto& [name, index] : attributes.items()) {
-            if (name != "COLOR_0" && !name.starts_with('_')) continue;
+            if (!is_column(name)) continue;
             const Accessor values = accessor(index.get<std::size_t>());
             refuse_too_many(column_values_ += values.count * at(values.components));
             if (values.count != points.count) fail(name + " has another count than the positions", "the file may be damaged");
@@ -233,16 +244,19 @@ private:
         }
     }
 
+    static bool is_column(const std::string& attribute) { return attribute == "COLOR_0" || attribute.starts_with('_'); }
+
     /// A colour's channels as they are stored; of an attribute of one's own, its components.
     void add_columns(const std::string& name, Accessor values, std::size_t before) {
         static constexpr std::array channels{"red", "green", "blue", "alpha"};
         values.normalized = false;
+        const bool is_color = name == "COLOR_0", is_alone = values.components == 1;
         for (int k = 0; k < values.components; ++k) {
-            const std::string component = name == "COLOR_0"        ? channels[at(k)]
-                                          : values.components == 1 ? name.substr(1)
-                                                                   : name.substr(1) + "_" + std::to_string(k);
+            const std::string own = name.substr(1), component = is_color   ? channels[at(k)]
+                                                                : is_alone ? own
+                                                                           : component_name(own, at(k), at(values.components));
             auto column = std::ranges::find(columns_, component, &Column::name);
-            if (column == columns_.end()) column = columns_.insert(column, {component, values.type, {}});
+            if (column == columns_.end()) column = columns_.insert(column, {component, values.type, {}, is_color || is_alone ? "" : own});
             if (column->values.size() != before || column->type != values.type) continue;   // not everywhere
             for (std::size_t i = 0; i < values.count; ++i) column->values.push_back(values(i, k));
         }
@@ -291,6 +305,7 @@ private:
     std::vector<int> corners_;   // of triangles, as numbers of points
     std::vector<Column> columns_;
     std::size_t column_values_ = 0;
+    std::set<std::string> not_kept_;
 };
 
 }   // namespace

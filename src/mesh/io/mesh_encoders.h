@@ -15,7 +15,8 @@ std::string ply_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
 /// PolyData of VTK in XML, its arrays appended as they are, coordinates as double. Colours and normals are arrays of components.
 std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns);
 
-/// Binary glTF 2.0, coordinates as float. Colours are COLOR_0; any other column c is the attribute _C, as float, which holds no NaN: 0.
+/// Binary glTF 2.0, coordinates as float. Colours are COLOR_0; any other column or array c is the attribute _c, as float. It
+/// may hold no NaN and nothing infinite: 0 and the largest floats stand for them.
 std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns);
 
 }   // namespace meshfolio

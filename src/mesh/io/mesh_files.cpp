@@ -108,6 +108,14 @@ std::string mesh_name(const std::string& file) { return without_gz(file).stem().
 
 bool is_mesh_file(const std::string& file) { return format_of(lower_case_ending(without_gz(file).string())) != nullptr; }
 
+std::vector<std::string> mesh_endings() {
+    std::vector<std::string> endings;
+    for (const Format& format : formats) endings.emplace_back(format.ending);
+    return endings;
+}
+
+std::vector<std::string> column_endings() { return {".ply", ".vtp", ".glb"}; }
+
 LoadedMesh parse_mesh(std::string_view bytes, const std::string& file, Keep keep) {
     if (bytes.empty()) throw InputError({file, 0}, "file is empty", "export or download the mesh again");
     std::string unpacked;

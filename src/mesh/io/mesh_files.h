@@ -63,8 +63,14 @@ LoadedMesh parse_glb(std::string_view bytes, const std::string& file, Keep keep 
 /// @throws UsageError for another ending
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
 
-/// Does its format hold columns, by its ending?
-bool holds_columns(const std::string& file);
+/// What of it is lost or changed there, a sentence each: values that the format cannot hold, and triangles that rounding to its floats
+/// spoils. To be told to whoever writes it.
+std::vector<std::string> losses(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
+
+/// Of the formats that are read and written: ".obj" …
+std::vector<std::string> mesh_endings();
+/// Of those among them that hold columns.
+std::vector<std::string> column_endings();
 
 /// The ending of a file's name with its dot: ".obj" of "Cow.OBJ".
 std::string lower_case_ending(const std::string& file);

@@ -133,11 +133,6 @@ std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const
     throw UsageError("cannot write a mesh as '" + ending + "'", "name the file .obj, .off, .ply, .stl, .vtp or .glb", {file, 0});
 }
 
-bool holds_columns(const std::string& file) {
-    const std::string ending = lower_case_ending(file);
-    return ending == ".ply" || ending == ".vtp" || ending == ".glb";
-}
-
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) { write_file(path, encode_mesh(mesh, path.string())); }
 
 }   // namespace meshfolio

@@ -42,7 +42,9 @@ public:
             const Vector3 n = length > 0 ? Vector3(sum / length) : Vector3(0, 0, 1);
             before_faces_ += "vn " + plain_text(n.x()) + ' ' + plain_text(n.y()) + ' ' + plain_text(n.z()) + '\n';
         }
-        return before_faces_ + from_faces_;
+        std::string text = before_faces_ + from_faces_;
+        std::erase(text, '\r');   // lines end in one way
+        return text;
     }
 
 private:

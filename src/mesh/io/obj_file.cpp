@@ -75,6 +75,19 @@ void check_content(const Found& found, const std::string& file) {
     }
 }
 
+/// As bytes, which other formats take for colours; none where some vertex has none, or another range.
+std::vector<VertexColumn> colors_of(const CheckedObj& checked) {
+    const Eigen::Map<const Vector> colors(checked.colors.data(), static_cast<Eigen::Index>(checked.colors.size()));
+    if (checked.colors.size() != checked.coordinates.size() || colors.minCoeff() < 0 || colors.maxCoeff() > 1) return {};
+    const Vector bytes = (255 * colors).array().round();
+    std::vector<VertexColumn> columns;
+    for (const char* channel : {"red", "green", "blue"}) {
+        const auto first = static_cast<Eigen::Index>(columns.size());
+        columns.push_back({channel, bytes(Eigen::seq(first, Eigen::last, Eigen::fix<3>)), ScalarType::uint8});
+    }
+    return columns;
+}
+
 }   // namespace
 
 LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep) {
@@ -88,6 +101,7 @@ LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep) 
     if (keep == Keep::attributes) {
         loaded.attributes.obj = without_bom(text);
         loaded.attributes.face_lines = loaded.face_lines;
+        loaded.attributes.columns = colors_of(checked);
     }
     return loaded;
 }

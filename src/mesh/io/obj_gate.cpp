@@ -125,6 +125,9 @@ private:
             checked_.warnings.add(line_, "vertex weight other than 1 ignored", "vertex weights other than 1 ignored");
         }
         checked_.coordinates.insert(checked_.coordinates.end(), value.begin(), value.begin() + 3);
+        if (count == 6 || count == 7)
+            checked_.colors.insert(checked_.colors.end(), value.begin() + static_cast<int>(count) - 3,
+                                   value.begin() + static_cast<int>(count));
     }
 
     void face(std::string_view rest) {

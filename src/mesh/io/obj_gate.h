@@ -13,6 +13,7 @@ namespace meshfolio {
 
 struct CheckedObj {
     std::vector<double> coordinates;   // x y z of each vertex, correctly rounded
+    std::vector<double> colors;        // r g b, from 0 to 1, of those that have one
     std::string text;                  // "f a b c …" only, one face a line, indices counted from 1
     std::vector<long> face_lines;      // in the file, of each "f" of the text
     WarningTally warnings;

@@ -8,6 +8,7 @@
 
 #include "base/at.h"
 #include "base/errors.h"
+#include "base/joined.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/ply_body.h"
 #include "mesh/io/polygon_list.h"
@@ -35,6 +36,8 @@ public:
             }
         }
         body_.end(warnings);
+        if (const std::string names = joined(not_kept(), ", "); keep == Keep::attributes && !names.empty())
+            warnings.add(0, "properties that are not kept", "properties that are not kept", names);
         LoadedMesh loaded = triangulated(polygons_, std::move(X_), file_, std::move(warnings));
         loaded.attributes.columns = std::move(columns_);
         return loaded;
@@ -43,6 +46,19 @@ public:
 private:
     [[noreturn]] void fail(long line, const std::string& problem, const std::string& remedy) const {
         throw InputError({file_, line}, problem, remedy);
+    }
+
+    /// Other elements than vertices and faces, what faces have beside their corners, and lists.
+    std::vector<std::string> not_kept() const {
+        std::vector<std::string> names;
+        for (const PlyElement& element : header_.elements) {
+            const bool is_vertex = &element == parts_.vertices, is_part = is_vertex || &element == parts_.faces;
+            if (!is_part && &element != parts_.ignored && element.count > 0) names.push_back(element.name);
+            for (std::size_t p = 0; is_part && p < element.properties.size(); ++p) {
+                if (is_vertex ? element.properties[p].is_list : !parts_.is_corners(element, p)) names.push_back(element.properties[p].name);
+            }
+        }
+        return names;
     }
 
     /// Of every property of a vertex that is one number and no coordinate.

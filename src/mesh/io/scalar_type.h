@@ -81,7 +81,13 @@ struct VertexColumn {
     std::string name;
     Vector values;                           // n, each within the range of the type; NaN: not defined
     ScalarType type = ScalarType::float64;   // as files hold it
+    std::string array = {};                  // of several numbers a vertex, which this is one of; empty: it stands alone
 };
+
+/// The column of number `part` of such an array: "velocity_x", or "stress_4" where they are not three.
+inline std::string component_name(const std::string& array, std::size_t part, std::size_t parts) {
+    return array + "_" + (parts == 3 ? std::string(1, "xyz"[part]) : std::to_string(part));
+}
 
 /// What a file says beside positions and triangles.
 struct Attributes {

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -48,6 +49,14 @@ std::string from_base64(std::string_view text, std::size_t count) {
     return bytes;
 }
 
+/// "nan", "-inf" or "Infinity", in letters of any case, as VTK and others write them.
+std::optional<double> not_finite(std::string_view word) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size() || std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
 std::size_t base64_size(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
 }   // namespace
@@ -87,11 +96,10 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
     if (format == "ascii") {
         WordScanner words(element.child_value());
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-            const std::optional<double> number = parse_number(word);
-            const bool is_nan = (word == "nan" || word == "-nan") && !is_integer(array.type);
-            if (!is_nan && (!number || !fits_type(*number, array.type)))
+            const std::optional<double> finite = parse_number(word), number = finite || is_integer(array.type) ? finite : not_finite(word);
+            if (!number || !fits_type(*number, array.type))
                 fail(name + ": " + in_quotes(word) + " is no number of its type", "the file may be damaged");
-            array.values.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+            array.values.push_back(*number);
         }
         return array;
     }

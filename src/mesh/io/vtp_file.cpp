@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
@@ -26,12 +27,17 @@ public:
         const pugi::xml_node data = vtk_.root().child("PolyData");
         if (!data) fail("holds " + in_quotes(vtk_.root().attribute("type").value()) + ", not PolyData", "save the surface as .vtp");
         for (const pugi::xml_node& piece : data.children("Piece")) read_piece(piece);
+        if (!not_kept_.empty()) warnings_.add(0, "arrays that are not kept", "arrays that are not kept", joined(not_kept_, ", "));
         LoadedMesh loaded = triangulated(polygons_, Eigen::Map<const Positions>(points_.data(), vertices(), 3), file_, warnings_);
         for (const Column& column : columns_) {
             if (std::ssize(column.values) != vertices()) continue;                                        // not in every piece
             const bool is_long = column.type == ScalarType::int64 || column.type == ScalarType::uint64;   // which other formats lack
-            loaded.attributes.columns.push_back(
-                {column.name, Eigen::Map<const Vector>(column.values.data(), vertices()), is_long ? ScalarType::float64 : column.type});
+            const bool is_short = std::ranges::all_of(column.values, [](double x) { return fits_type(x, ScalarType::int32); });
+            loaded.attributes.columns.push_back({column.name, Eigen::Map<const Vector>(column.values.data(), vertices()),
+                                                 !is_long   ? column.type
+                                                 : is_short ? ScalarType::int32
+                                                            : ScalarType::float64,
+                                                 column.parts > 1 ? column.array : ""});
         }
         return loaded;
     }
@@ -59,6 +65,7 @@ private:
         for (const bool strips : {false, true}) read_cells(piece.child(strips ? "Strips" : "Polys"), strips, first);
         if (!keeps_columns_) return;
         for (const pugi::xml_node& element : piece.child("PointData").children("DataArray")) read_columns(element, first);
+        for (const pugi::xml_node& element : piece.child("CellData").children()) not_kept(element.attribute("Name").value());
     }
 
     /// `offsets` says behind which entry of `connectivity` each cell ends.
@@ -96,32 +103,39 @@ private:
 
     void read_columns(const pugi::xml_node& element, std::size_t first) {
         const std::string name = element.attribute("Name").value();
-        if (element.attribute("type").value() == std::string_view("String")) return;
+        if (element.attribute("type").value() == std::string_view("String")) return not_kept(name);
         const VtkArray array = vtk_.array(element);
         const auto parts = static_cast<std::size_t>(array.components);
         const std::size_t points = points_.size() / 3 - first;
         if (array.values.size() != parts * points)
             fail("array " + in_quotes(name) + " has not one entry a point", "the file may be damaged");
         for (std::size_t part = 0; part < parts; ++part) {
-            const std::string column = vtk_column_name(name, array, part);
-            auto place = std::ranges::find(columns_, column, &Column::name);
-            if (place == columns_.end()) place = columns_.insert(place, {column, array.type, {}});
+            const auto is_it = [&](const Column& c) { return c.array == name && c.part == part && c.parts == parts; };
+            auto place = std::ranges::find_if(columns_, is_it);
+            if (place == columns_.end())
+                place = columns_.insert(place, {column_name(name, array, part), name, part, parts, array.type, {}});
             if (place->values.size() != first || place->type != array.type) continue;   // not in every piece
             for (std::size_t i = 0; i < points; ++i) place->values.push_back(array.values[parts * i + part]);
         }
     }
 
-    /// As PLY calls it.
-    static std::string vtk_column_name(const std::string& name, const VtkArray& array, std::size_t part) {
+    /// As PLY calls it: the first colour by its channels.
+    std::string column_name(const std::string& name, const VtkArray& array, std::size_t part) const {
         static constexpr std::array channels{"red", "green", "blue", "alpha"}, axes{"nx", "ny", "nz", ""};
         if (array.components == 1) return name;
-        if (name == "Normals" && array.components == 3) return axes[part];
-        if (array.type == ScalarType::uint8 && (array.components == 3 || array.components == 4)) return channels[part];
-        return name + "_" + std::to_string(part);
+        const bool is_color = array.type == ScalarType::uint8 && (array.components == 3 || array.components == 4);
+        const std::string known = name == "Normals" && array.components == 3 ? axes[part] : is_color ? channels[part] : "";
+        const bool is_free = std::ranges::find(columns_, known, &Column::name) == columns_.end();
+        return !known.empty() && is_free ? known : component_name(name, part, static_cast<std::size_t>(array.components));
+    }
+
+    void not_kept(const std::string& array) {
+        if (std::ranges::find(not_kept_, array) == not_kept_.end()) not_kept_.push_back(array);
     }
 
     struct Column {
-        std::string name;
+        std::string name, array;
+        std::size_t part, parts;   // of the array
         ScalarType type;
         std::vector<double> values;
     };
@@ -133,6 +147,7 @@ private:
     std::vector<double> points_;   // x y z of each
     PolygonList polygons_;
     std::vector<Column> columns_;
+    std::vector<std::string> not_kept_;
 };
 
 }   // namespace

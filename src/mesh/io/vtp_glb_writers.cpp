@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -15,7 +16,8 @@ namespace {
 
 using Group = std::span<const VertexColumn>;
 
-/// Red, green, blue and perhaps alpha, or nx, ny, nz, where they stand one after the other and are of one type; other columns alone.
+/// What stands one after the other and is of one type: the columns of an array; red, green, blue and perhaps alpha; nx, ny, nz. Others
+/// stand alone.
 std::vector<Group> groups_of(const std::vector<VertexColumn>& columns) {
     static constexpr std::array<std::string_view, 4> rgba{"red", "green", "blue", "alpha"};
     static constexpr std::array<std::string_view, 3> normal{"nx", "ny", "nz"};
@@ -24,10 +26,14 @@ std::vector<Group> groups_of(const std::vector<VertexColumn>& columns) {
                    return c.name == name && c.type == left.front().type;
                });
     };
+    const auto of_array = [](Group left) {
+        const auto differs = [&](const VertexColumn& c) { return c.array != left.front().array || c.type != left.front().type; };
+        return left.front().array.empty() ? 0 : static_cast<std::size_t>(std::ranges::find_if(left, differs) - left.begin());
+    };
     std::vector<Group> groups;
     for (Group left(columns); !left.empty(); left = left.subspan(groups.back().size())) {
-        const std::size_t size = fits(left, rgba) ? 4 : fits(left, std::span(rgba).first(3)) || fits(left, normal) ? 3 : 1;
-        groups.push_back(left.first(size));
+        const std::size_t named = fits(left, rgba) ? 4 : fits(left, std::span(rgba).first(3)) || fits(left, normal) ? 3 : 1;
+        groups.push_back(left.first(std::max(named, of_array(left))));
     }
     return groups;
 }
@@ -77,6 +83,12 @@ struct GlbWriter {
     }
 };
 
+/// As near as a float of glTF comes, which is neither NaN nor infinite.
+double finite(double x) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return std::isnan(x) ? 0 : std::clamp(x, -largest, largest);
+}
+
 /// Rows of a colour begin at multiples of four bytes.
 void add_color(GlbWriter& glb, Group channels, Eigen::Index vertices) {
     const ScalarType type = channels.front().type;
@@ -88,7 +100,8 @@ void add_color(GlbWriter& glb, Group channels, Eigen::Index vertices) {
         for (Eigen::Index v = 0; v < vertices; ++v) {
             const std::size_t end = glb.data.size() + row;
             for (const VertexColumn& channel : channels)
-                with_zero_of(type, [&](auto zero) { append_little_endian(glb.data, static_cast<decltype(zero)>(channel.values[v])); });
+                with_zero_of(type,
+                             [&](auto zero) { append_little_endian(glb.data, static_cast<decltype(zero)>(finite(channel.values[v]))); });
             glb.data.resize(end);
         }
     });
@@ -108,7 +121,12 @@ std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
         "\">\n<PointData>\n";
     for (const Group group : groups_of(columns)) {
         const std::size_t size = group.size();
-        const std::string name = size == 1 ? group.front().name : group.front().name == "nx" ? "Normals" : size == 3 ? "RGB" : "RGBA";
+        const VertexColumn& front = group.front();
+        const std::string name = size == 1              ? front.name
+                                 : !front.array.empty() ? front.array
+                                 : front.name == "nx"   ? "Normals"
+                                 : size == 3            ? "RGB"
+                                                        : "RGBA";
         vtp.array(group.front().type, name, static_cast<int>(size), n,
                   [&](std::size_t i) { return group[i % size].values[static_cast<Eigen::Index>(i / size)]; });
     }
@@ -134,17 +152,24 @@ std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
     glb.attributes["POSITION"] = glb.accessor(positions, {{"target", 34962}}, [&] {
         for (const float x : X.reshaped<Eigen::RowMajor>()) append_little_endian(glb.data, x);
     });
+    static constexpr std::array shapes{"SCALAR", "VEC2", "VEC3", "VEC4"};
+    const auto add_values = [&](const std::string& name, Group group) {
+        glb.attributes["_" + name] = glb.accessor(numbers(shapes[group.size() - 1], 5126, n), {{"target", 34962}}, [&] {
+            for (Eigen::Index v = 0; v < n; ++v) {
+                for (const VertexColumn& column : group) append_little_endian(glb.data, static_cast<float>(finite(column.values[v])));
+            }
+        });
+    };
     for (const Group group : groups_of(columns)) {
         const ScalarType type = group.front().type;
         if (group.front().name == "nx") continue;   // viewers compute them
-        if (group.size() > 1 && (type == ScalarType::uint8 || type == ScalarType::uint16 || type == ScalarType::float32)) {
+        const bool is_color = group.size() > 1 && group.front().name == "red";
+        if (is_color && (type == ScalarType::uint8 || type == ScalarType::uint16 || type == ScalarType::float32)) {
             add_color(glb, group, n);
-            continue;
-        }
-        for (const VertexColumn& column : group) {
-            glb.attributes["_" + column.name] = glb.accessor(numbers("SCALAR", 5126, n), {{"target", 34962}}, [&] {
-                for (const double x : column.values) append_little_endian(glb.data, std::isnan(x) ? 0.0F : static_cast<float>(x));
-            });
+        } else if (group.size() <= shapes.size() && !group.front().array.empty()) {
+            add_values(group.front().array, group);
+        } else {
+            for (std::size_t i = 0; i < group.size(); ++i) add_values(group[i].name, group.subspan(i, 1));
         }
     }
     const std::size_t indices = glb.accessor(numbers("SCALAR", 5125, mesh.F.size()), {{"target", 34963}}, [&] {

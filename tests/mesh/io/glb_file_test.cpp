@@ -121,14 +121,18 @@ TEST(Glb, ColoursAndValuesOfOnesOwnAreColumns) {
     text = replaced(text, R"("count":12}])",
                     R"("count":12},{"bufferView":0,"byteOffset":512,"componentType":5121,"normalized":true,"type":"VEC4","count":4},)"
                     R"({"bufferView":0,"byteOffset":768,"componentType":5126,"type":"SCALAR","count":4}])");
-    const std::vector<VertexColumn> columns = parse_mesh(glb_of(text, data), "m.glb", Keep::attributes).attributes.columns;
+    text = replaced(text, R"("indices":1})", R"("indices":1,"material":0})");
+    const LoadedMesh read = parse_mesh(glb_of(text, data), "m.glb", Keep::attributes);
+    EXPECT_EQ(warnings_of(read), "0: attributes that are not kept (TEXCOORD_0, material)\n");
+    const std::vector<VertexColumn>& columns = read.attributes.columns;
     ASSERT_EQ(columns.size(), 5U);
     EXPECT_EQ(columns[1].name, "green");
     EXPECT_EQ(columns[1].values, (Vector(4) << 1, 51, 101, 151).finished());
     EXPECT_EQ(columns[1].type, ScalarType::uint8);
     EXPECT_EQ(columns[4].name, "HEIGHT");
     EXPECT_EQ(columns[4].values, (Vector(4) << 0.5, 1.5, -2.5, 1e30F).finished());
-    EXPECT_TRUE(parse_mesh(glb_of(text, data), "m.glb").attributes.columns.empty()) << "where they are not asked for";
+    const LoadedMesh bare = parse_mesh(glb_of(text, data), "m.glb");
+    EXPECT_TRUE(bare.attributes.columns.empty() && bare.warnings.empty()) << "where they are not asked for";
 }
 
 TEST(Glb, WhatIsRefusedIsNamed) {

@@ -51,6 +51,13 @@ TEST(ObjCopy, AllButPositionsStays) {
     EXPECT_EQ(copied(copied(text)), copied(text));
 }
 
+TEST(ObjCopy, LinesEndInOneWay) {
+    const std::string text = corner + "vt 0 0\ng side # a\nf 1/1 2/1 3/1\nl 1 2\n";
+    std::string windows;
+    for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    EXPECT_EQ(copied(windows), copied(text));
+}
+
 TEST(ObjCopy, PolygonsStayWhereTheyFallIntoTheSameTriangles) {
     const std::string flat = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n";
     PreparedMesh mesh = prepared(flat);

@@ -174,6 +174,55 @@ TEST(Vtp, WhatIsWrittenReadsBackBitForBit) {
     EXPECT_EQ(encode_mesh(read.mesh, "m.vtp", read.attributes), bytes);
 }
 
+TEST(Vtp, AsciiSpellsWhatIsNotFinite) {
+    const auto with_values = [](const std::string& type, const std::string& words) {
+        return replaced(
+            ascii, "<Points>",
+            "<PointData><DataArray type=\"" + type + "\" Name=\"a\" format=\"ascii\">" + words + "</DataArray></PointData><Points>");
+    };
+    const Vector values =
+        parse_mesh(with_values("Float64", "NaN inf -Infinity -nan"), "m.vtp", Keep::attributes).attributes.columns[0].values;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(std::isnan(values[0]) && values[1] == infinity && values[2] == -infinity && std::isnan(values[3])) << values;
+    for (const std::string word : {"NaN", "inf"}) {
+        EXPECT_TRUE(refused(replaced(ascii, "0 0 0 1", "0 0 " + word + " 1"), "m.vtp", "a coordinate is not finite"));
+        EXPECT_THROW(parse_mesh(with_values("Int32", "1 2 3 " + word), "m.vtp", Keep::attributes), InputError);
+    }
+    for (const std::string word : {"nano", "1e999", "0x1p3", "infinit"})
+        EXPECT_THROW(parse_mesh(with_values("Float32", "1 2 3 " + word), "m.vtp", Keep::attributes), InputError) << word;
+}
+
+TEST(Vtp, ArraysStayArraysUnderTheirNames) {
+    Writer writer({true, false, false, true, false});
+    std::string arrays = writer.array<float>("Float32", "Velocity", 3, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
+    for (const std::string name : {"Colors", "Tint"})
+        arrays += writer.array<std::uint8_t>("UInt8", name, 3, std::vector<std::uint8_t>(12, 7));
+    arrays += writer.array<std::int64_t>("Int64", "id", 1, {1, -2, 2000000000, 4}) +
+              writer.array<std::int64_t>("Int64", "far", 1, {1, 2, 3, 1LL << 40});
+    arrays += writer.array<double>("Float64", "stress", 2, std::vector<double>(8, 2));
+    const TriangleMesh mesh = tetrahedron();
+    std::string piece = "<Piece NumberOfPoints=\"4\"><PointData>" + arrays + "</PointData><CellData>";
+    piece += writer.array<float>("Float32", "of faces", 1, {1, 2, 3, 4}) + "</CellData><Points>";
+    piece += writer.array<double>("Float64", "Points", 3, {mesh.X.data(), mesh.X.data() + 12}) + "</Points><Polys>";
+    piece += writer.array<std::int64_t>("Int64", "connectivity", 1, {mesh.F.data(), mesh.F.data() + 12});
+    piece += writer.array<std::int64_t>("Int64", "offsets", 1, {3, 6, 9, 12}) + "</Polys></Piece>\n";
+    const LoadedMesh read = parse_mesh(writer.file(piece), "m.vtp", Keep::attributes);
+    const std::string names = "Velocity_x Velocity_y Velocity_z red green blue Tint_x Tint_y Tint_z id far stress_0 stress_1 ";
+    EXPECT_EQ(names_of(read.attributes.columns), names);
+    EXPECT_EQ(warnings_of(read), "0: arrays that are not kept (of faces)\n");
+    const std::string bytes = encode_mesh(read.mesh, "m.vtp", read.attributes);
+    for (const char* array : {"Name=\"Velocity\" NumberOfComponents=\"3\"", "Name=\"Colors\" NumberOfComponents=\"3\"",
+                              "Name=\"Tint\" NumberOfComponents=\"3\"", "Name=\"stress\" NumberOfComponents=\"2\""})
+        EXPECT_NE(bytes.find(array), std::string::npos) << array;
+    const LoadedMesh again = parse_mesh(bytes, "m.vtp", Keep::attributes);
+    EXPECT_EQ(names_of(again.attributes.columns), names);
+    EXPECT_EQ(read.attributes.columns[9].type, ScalarType::int32);
+    EXPECT_EQ(read.attributes.columns[10].type, ScalarType::float64) << "no other format has longer ones";
+    for (std::size_t i = 0; i < 13; ++i) EXPECT_EQ(again.attributes.columns[i].values, read.attributes.columns[i].values) << i;
+    const LoadedMesh through = parse_mesh(encode_mesh(read.mesh, "m.glb", read.attributes), "m.glb", Keep::attributes);
+    EXPECT_NE(encode_mesh(through.mesh, "m.vtp", through.attributes).find("Name=\"Velocity\" NumberOfComponents=\"3\""), std::string::npos);
+}
+
 TEST(Vtp, StripsAndPieces) {
     const std::string strip = replaced(replaced(ascii, "0 2 1  0 1 3  0 3 2  1 2 3", "0 1 2 3"), "3 6 9 12", "4");
     std::string strips = replaced(replaced(strip, "<Polys>", "<Strips>"), "</Polys>", "</Strips>");

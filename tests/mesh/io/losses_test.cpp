@@ -1,0 +1,88 @@
+// What is said of a mesh whose format cannot hold it.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/joined.h"
+#include "mesh/io/mesh_files.h"
+#include "mesh/small_meshes.h"
+
+using namespace meshfolio;
+using namespace meshfolio::testing;
+
+namespace {
+
+std::string told(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {}) {
+    return joined(losses(mesh, file, attributes), "\n");
+}
+
+/// Does one of them begin like that?
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}   // namespace
+
+TEST(Losses, RoundingIsToldWhereItSpoilsTheSurface) {
+    const TriangleMesh mesh = torus(9, 7), far = moved_to(mesh, moved(mesh.X, Vector3(1e8, 0, 0)));
+    for (const std::string ending : {".obj", ".off", ".ply", ".vtp"}) EXPECT_EQ(told(far, "m" + ending), "") << ending;
+    for (const std::string ending : {".stl", ".glb"}) {
+        EXPECT_EQ(told(mesh, "m" + ending), "") << "every number is rounded, no triangle suffers";
+        EXPECT_TRUE(says(told(far, "m" + ending), " of 63 vertices fall onto others")) << told(far, "m" + ending);
+        const TriangleMesh read = parse_mesh(encode_mesh(far, "m" + ending), "m" + ending).mesh;
+        EXPECT_TRUE(says(told(far, "m" + ending), std::to_string(63 - read.vertex_count()) + " of 63"))
+            << "as many as reading it again misses";
+    }
+    TriangleMesh sheets = joined(tetrahedron(), moved_to(tetrahedron(), moved(tetrahedron().X, Vector3(1e-12, 0, 0))));
+    sheets.X.array() += 1;
+    EXPECT_TRUE(says(told(sheets, "m.stl"), "4 of 8 vertices fall onto others and 0 of 8 faces"));
+}
+
+TEST(Losses, GlbTellsWhatFloatsOfGltfCannotBe) {
+    const double infinity = std::numeric_limits<double>::infinity(), nothing = std::nan("");
+    Attributes attributes{.columns = {{"h", (Vector(4) << nothing, 1, infinity, 2).finished()},
+                                      {"k", (Vector(4) << nothing, 0.1, 1e300, -1e-300).finished()},
+                                      {"id", (Vector(4) << 16777216, 16777217, 0, -16777219).finished(), ScalarType::int32}}};
+    const std::string text = told(tetrahedron(), "m.glb", attributes);
+    EXPECT_TRUE(says(text, "3 values of h, k are undefined or infinite")) << text;
+    EXPECT_TRUE(says(text, "2 values of id are whole numbers")) << text;
+    for (const char* file : {"m.ply", "m.vtp"}) EXPECT_EQ(told(tetrahedron(), file, attributes), "");
+    const LoadedMesh read = parse_mesh(encode_mesh(tetrahedron(), "m.glb", attributes), "m.glb", Keep::attributes);
+    for (const VertexColumn& column : read.attributes.columns) EXPECT_TRUE(column.values.allFinite()) << column.name;
+    EXPECT_EQ(told(read.mesh, "m.glb", read.attributes), "") << "floats stay floats";
+}
+
+TEST(Losses, ReadersNameWhatTheyDoNotKeep) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int near\n";
+    text += "element face 1\nproperty list uchar int vertex_indices\nproperty float quality\nelement edge 1\nproperty int a\nend_header\n";
+    text += "0 0 0 0\n1 0 0 0\n0 1 0 1 5\n3 0 1 2 0.5\n7\n";
+    const LoadedMesh read = parse_mesh(text, "m.ply", Keep::attributes);
+    ASSERT_EQ(read.warnings.size(), 1U);
+    EXPECT_EQ(read.warnings[0].message, "properties that are not kept (near, quality, edge)");
+    EXPECT_TRUE(parse_mesh(text, "m.ply").warnings.empty()) << "where they are not asked for";
+}
+
+TEST(Losses, ColoursOfObjGoToOtherFormats) {
+    const LoadedMesh read = parse_mesh("v 0 0 0 1 0 0.5\nv 1 0 0 0 1 0\nv 0 1 0 0.2 0.4 0.6\nf 1 2 3\n", "m.obj", Keep::attributes);
+    for (const char* file : {"m.ply", "m.vtp", "m.glb"}) {
+        EXPECT_EQ(told(read.mesh, file, read.attributes), "") << file;
+        const LoadedMesh again = parse_mesh(encode_mesh(read.mesh, file, read.attributes), file, Keep::attributes);
+        ASSERT_EQ(again.attributes.columns.size(), 3U) << file;
+        EXPECT_EQ(again.attributes.columns[0].values, (Vector(3) << 255, 0, 51).finished()) << file;
+        EXPECT_EQ(again.attributes.columns[2].values, (Vector(3) << 128, 0, 153).finished()) << file;
+    }
+    EXPECT_EQ(told(read.mesh, "m.obj", read.attributes), "") << "the text stays";
+    EXPECT_TRUE(says(encode_mesh(read.mesh, "m.obj", read.attributes), "v 0 1 0 0.2 0.4 0.6"));
+    EXPECT_TRUE(parse_mesh("v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj", Keep::attributes).attributes.columns.empty());
+}
+
+TEST(Losses, FormatsWithoutValuesNameThem) {
+    const Attributes attributes{
+        .columns = {{"nx", Vector::Ones(4)}, {"quality", Vector::Ones(4)}, {"red", Vector::Ones(4), ScalarType::uint8}}};
+    for (const char* file : {"m.obj", "m.off", "m.stl", "-"})
+        EXPECT_TRUE(says(told(tetrahedron(), file, attributes), "not kept are quality, red;"));
+    EXPECT_EQ(told(tetrahedron(), "m.ply", attributes), "");
+    EXPECT_EQ(told(tetrahedron(), "m.obj", {.columns = {{"nx", Vector::Ones(4)}}}), "") << "normals are made anew";
+    const Attributes textured{.obj = "v 0 0 0\nvt 0 0\n"};
+    EXPECT_TRUE(says(told(tetrahedron(), "m.ply", textured), "from OBJ to OBJ only"));
+    EXPECT_EQ(told(tetrahedron(), "m.obj", textured), "");
+}
