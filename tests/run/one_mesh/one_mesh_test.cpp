@@ -8,10 +8,10 @@
 #include "base/errors.h"
 #include "geometry/measures/mesh_error.h"
 #include "mesh/small_meshes.h"
-#include "run/one_mesh/vertex_columns.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"
+#include "run/one_mesh/vertex_columns.h"
 
 using namespace meshfolio;
 using namespace meshfolio::run;
