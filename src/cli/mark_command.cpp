@@ -11,7 +11,7 @@ Command mark_command(CLI::App& parent) {
     CommandOptions app(parent, "mark", "Students' meshes and numbers held against the right answers");
     app.required_texts("SUBMISSION", flags->submissions, "a student's folder or zip; several for a class");
     app.text("--rubric FILE", flags->rubric, "what is marked (TOML); default: the bundled data/rubric.toml, which documents every key");
-    app.text("--out DIR", flags->out, "folder of the marks, replaced as a whole");
+    app.text("--out DIR", flags->out, "folder of the marks, replaced as a whole: by marks of the same students at least");
     app.text("--templates DIR", flags->templates, "folder of templates that replace those of the same name");
     app.footer(
         "Writes class.csv, and for each student a page that shows the differences on the mesh, and results.json as Gradescope reads it.\n"

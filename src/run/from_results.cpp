@@ -53,7 +53,7 @@ void warn_of_missing(const std::vector<std::string>& missing) {
 
 ExitCode report_from_results(const ReportFlags& flags) {
     refuse_computing_options(flags);
-    const ReportSettings settings = report_settings(flags);
+    ReportSettings settings = report_settings(flags);
     const auto threads = limited_threads(settings);
     std::vector<EarlierReport> parts;
     if (!flags.from.empty()) parts.emplace_back(flags.from);
@@ -70,8 +70,9 @@ ExitCode report_from_results(const ReportFlags& flags) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (std::string& file : parts[i].copy_to(publication.folder(), i == whole.cover, digests)) missing.push_back(std::move(file));
     }
-    const bool timings = parts.size() == 1 && parts.front().timings && !flags.no_timings;   // those of parts add up to nothing
-    const report::WriteOptions options{.timings = timings, .plot_files = true, .design = words.page.design, .labs = std::move(whole.labs)};
+    settings.timings = parts.size() == 1 && parts.front().timings && !flags.no_timings;   // those of parts add up to nothing
+    const report::WriteOptions options{
+        .timings = settings.timings, .plot_files = true, .design = words.page.design, .labs = std::move(whole.labs)};
     try {
         write_report_files(whole.document, whole.figures, templates, options, {}, {}, publication.folder());
     } catch (const std::logic_error& error) {   // a text refers to what is not there

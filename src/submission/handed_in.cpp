@@ -33,6 +33,7 @@ bool has_read_ending(const std::string& path) {
 /// Why an entry's path is a trick; empty: it is none. Names may be of any alphabet.
 std::string trick_in(std::string_view path) {
     if (path.empty()) return "has no name";
+    if (path.size() > 1024) return "has a name of " + std::to_string(path.size()) + " bytes";   // patterns are held against it
     if (path.front() == '/') return "is an absolute path";
     if (path.find('\\') != path.npos) return "is written with backslashes";
     if (path.size() > 1 && path[1] == ':') return "names a drive";

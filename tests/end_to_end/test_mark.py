@@ -188,6 +188,7 @@ class Mark(unittest.TestCase):
             ("eigenvalues", ["doubled"], q4(column_times(table, "eigenvalue", 2))),
             ("eigenvalues", ["zero_left_out"], q4("\n".join(without_zero))),
             ("eigenvalues", ["area_voronoi"], q4(eigenvalues("--area", "voronoi"))),
+            ("eigenvalues", ["half_kept"], q4(column_times(eigenvalues("--operator", "edge-normalised"), "eigenvalue", 0.5))),
             ("eigenvalues", ["operator_uniform"], q4(eigenvalues("--operator", "uniform"))),
             ("k15", ["one_less"], k15(cls.spectrum(14)[1].read_bytes())),
             ("k15", ["one_more"], k15(cls.spectrum(16)[1].read_bytes())),
@@ -198,6 +199,7 @@ class Mark(unittest.TestCase):
             ("smoothed", ["lambda_doubled"], q5(cls.smoothed(step=1))),
             ("smoothed", ["operator_cotan-no-half"], q5(cls.smoothed(step=1))),   # the same steps
             ("smoothed", ["other_scheme"], q5(cls.smoothed("--scheme", "implicit"))),
+            ("smoothed", ["operator_uniform"], q5(cls.smoothed("--operator", "uniform"))),   # with its own largest stable step
             ("smoothed", ["other_rebuild"], q5(cls.smoothed("--rebuild"))),
             ("kappa", ["halved"], {"answers.toml": "kappa = 1.0\n"}),
             ("kappa", ["inverse"], {"answers.toml": "[kappa]\nvalue = 0.5\n"}),
@@ -262,6 +264,25 @@ class Mark(unittest.TestCase):
         out, _ = self.marked(0, [path])
         test = self.results_of(out, "noisy")["cotan"]
         self.assertEqual((test["score"], test["extra_data"]["verdict"]), (0, "wrong"))
+
+    def test_a_right_table_is_right_in_any_dress(self):
+        q1, q4 = self.right["q1_lily.csv"], self.right["q4_creature.csv"]
+        cells = [line.split(",") for line in q1.splitlines()]
+        one = lambda column: [row[cells[0].index(column)] for row in cells]
+        six = lambda text: "\n".join(",".join(f"{float(x):f}" if i and x else x for x in line.split(",")) for i, line in enumerate(text.splitlines()))
+        parted = lambda by: "\n".join(by.join(row) for row in cells) + "\n"
+        quoted = "\n".join([",".join(f'"{name}"' for name in cells[0])] + q1.splitlines()[1:])
+        dresses = [q1 + "\n\n", parted(";"), parted(";").replace(".", ","), parted("\t"), parted(" , "), quoted, "# " + q1, q1.upper().replace("E-", "e-"),
+                   q1.replace("\n", "\r\n"), q1.replace("\n", "\r\r\n"), "\ufeff" + q1, q1.replace(",,", ",inf,"), q1.replace(",,", ",nan,"), six(q1)]
+        plans = [{"q1_lily.csv": dress} for dress in dresses]
+        plans += [{"q3_lily.csv": "\n".join(one("h_cotan")[1:]) + "\n"}, {"q3_lily.csv": "# H\n" + " \n".join(x or "nan" for x in one("h_cotan")[1:])},
+                  {"q4_creature.csv": six(q4)}, {"q1_lily.csv": None, "Q1_LILY.CSV": q1, "q5_lily.ply": None, "Q5_lily.PLY": self.right["q5_lily.ply"]}]
+        folder = temporary_folder(self)
+        paths = [self.zipped(folder / f"dress{i:02}.zip", {**self.right, **plan}) for i, plan in enumerate(plans)]
+        out, _ = self.marked(0, paths)
+        for path, plan in zip(paths, plans):
+            for item, test in self.results_of(out, path.stem).items():
+                self.assertEqual(test["score"], 10, (path.stem, item, test["output"], {name: data and data[:80] for name, data in plan.items()}))
 
     def test_settings_that_the_student_names(self):
         named = "kappa = 2.0\n[cotan]\narea = \"voronoi\"\n[gauss]\narea = \"mixed\"\n[smoothed]\niterations = 7\nlambda = 0.25\n"
@@ -330,6 +351,39 @@ class Mark(unittest.TestCase):
         self.assertEqual(len({row["student"] for row in rows}), 5)
         self.assertTrue(all((out / row["student"] / "index.html").is_file() for row in rows))
         self.assertFalse([value for row in rows for value in row.values() if value.startswith("=")])
+
+    def test_no_submission_can_keep_the_class(self):
+        """Each within the limits of what is read; long ago each took hours."""
+        folder = temporary_folder(self)
+        many = lambda text, n=7 << 20: (text * (n // len(text)))[:n]
+        plans = [{"q1_lily.csv": "H" + many(",")}, {"q1_lily.csv": "H\n" + many("1,")}, {"q1_lily.csv": many("0123456789,.")},
+                 {"q1_lily.csv": "H\n" + many("\n")}, {"q1_lily.csv": many('"', 1 << 20)}, {"q1_lily.csv": many("#\n", 1 << 20)},
+                 {"q1_" + many("x", 60_000) + ".csv": "H"}, {"q4_" + many("_k1", 60_000) + ".csv": "H"},
+                 {"answers.toml": "[smoothed]\niterations = 100\nlambda = 0.123\n"}]
+        began = time.monotonic()
+        for i, plan in enumerate(plans):
+            path = self.zipped(folder / f"long{i}.zip", {**self.right, **plan})
+            process = run("mark", path, "--rubric", self.folder / "rubric.toml", "--out", folder / f"marks{i}")
+            self.assertIn(process.returncode, (0, 1), process.stderr)
+            self.assertLess(time.monotonic() - began, 20 * (i + 1), list(plan))
+
+    def test_marks_and_reports_do_not_replace_each_other_and_no_student_is_lost(self):
+        folder = temporary_folder(self)
+        ada, bob = (self.zipped(folder / f"{name}.zip", self.right) for name in ("ada", "bob"))
+        mark = lambda out, *paths: run("mark", *paths, "--rubric", self.folder / "rubric.toml", "--out", out)
+        marks, report = folder / "marks", folder / "report"
+        report.mkdir()
+        (report / ".meshfolio").write_text("")
+        for out, words, process in ((report, "a report", mark(report, ada)), (marks, "", mark(marks, ada, bob)),
+                                    (marks, "the marks of a class", run("report", self.folder / "lily.obj", "--only", "q1", "--alone", "--quick", "--out", marks)),
+                                    (marks, "'bob'", mark(marks, ada)), (marks, "", mark(marks, bob, ada))):
+            self.assertEqual(process.returncode, 4 if words else 0, process.stderr)
+            self.assertIn(words, process.stderr)
+        (marks / "ada" / "notes.txt").write_text("mine")
+        process = mark(marks, ada, bob)
+        self.assertEqual(process.returncode, 4)
+        self.assertIn("notes.txt", process.stderr)
+        self.assertEqual((marks / "ada" / "notes.txt").read_text(), "mine")
 
     # ---- exit codes
 

@@ -91,6 +91,7 @@ TEST(HandedIn, TricksInPathsAreNamed) {
     EXPECT_NE(refusal_of_zip(zip_of("a/../../h.csv", "1")).find("leads outside"), std::string::npos);
     EXPECT_NE(refusal_of_zip(zip_of("/etc/h.csv", "1")).find("absolute"), std::string::npos);
     EXPECT_NE(refusal_of_zip(zip_of("..\\..\\h.csv", "1")), "") << "of Windows";
+    EXPECT_NE(refusal_of_zip(zip_of(std::string(2000, 'x') + ".csv", "1")).find("2004 bytes"), std::string::npos);
     EXPECT_EQ(refusal_of_zip(zip_of("gr\u00f6\u00dfe.csv", "1")), "");
     EXPECT_NE(refusal_of_zip(zip_of("h.csv", "/etc/passwd", 0120777)).find("is a link"), std::string::npos);
     EXPECT_EQ(refusal_of_zip(zip_of("a..b/h.csv", "1")), "");

@@ -1,11 +1,14 @@
 #include "mesh/io/csv_column.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
@@ -14,75 +17,187 @@ namespace meshfolio {
 
 namespace {
 
-constexpr const char* csv_remedy = "write a header and one row a vertex, such as meshfolio curvature --csv gives";
+using namespace std::string_view_literals;
 
-std::size_t cell_count(std::string_view line) { return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')); }
+constexpr const char* csv_remedy = "write a header and one row a value, such as meshfolio curvature --csv gives";
+constexpr char blanks = ' ';   // as a separator: any number of them
 
-/// A cell of a line that has so many. Quotes are not taken off: numbers have none.
-std::string_view cell(std::string_view line, std::size_t number) {
-    for (; number > 0; --number) line.remove_prefix(line.find(',') + 1);
-    return line.substr(0, line.find(','));
-}
+bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%'); }
 
 std::string_view without_blanks(std::string_view word) {
     const std::size_t first = word.find_first_not_of(" \t"), last = word.find_last_not_of(" \t");
     return first == std::string_view::npos ? std::string_view() : word.substr(first, last - first + 1);
 }
 
-bool is_nan_word(std::string_view word) {
-    return word.size() == 3 && std::ranges::equal(word, std::string_view("nan"), [](char a, char b) { return (a | 0x20) == b; });
+/// A cell, or a line that is one.
+std::string_view bare(std::string_view word) {
+    word = without_blanks(word);
+    const bool is_quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
+    return is_quoted ? without_blanks(word.substr(1, word.size() - 2)) : word;
 }
 
-/// The place of a column in the header.
-std::size_t column_named(const std::string& column, std::string_view header, bool lenient, const std::string& file) {
-    const std::size_t count = cell_count(header);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::string_view name = cell(header, i);
-        if ((lenient ? without_blanks(name) : name) == column) return i;
+bool same_but_for_case(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+/// The cells of a line, one after another.
+class CellScanner {
+public:
+    CellScanner(std::string_view line, char separator) : rest_(line), separator_(separator) {}
+
+    /// Moves to the next cell; false at the end of the line.
+    bool next() {
+        if (separator_ == blanks) {
+            cell_ = bare(take_word(rest_));
+            return !cell_.empty();
+        }
+        if (at_end_) return false;
+        bool is_quoted = false;
+        std::size_t end = 0;
+        for (; end < rest_.size() && (is_quoted || rest_[end] != separator_); ++end) is_quoted ^= rest_[end] == '"';
+        cell_ = bare(rest_.substr(0, end));
+        at_end_ = end == rest_.size();
+        rest_.remove_prefix(at_end_ ? end : end + 1);
+        return true;
     }
-    throw InputError({file, 1}, "no column " + in_quotes(column), "the header is " + in_quotes(header, 200));
+    std::string_view cell() const { return cell_; }
+
+private:
+    std::string_view rest_, cell_;
+    char separator_;
+    bool at_end_ = false;
+};
+
+char separator_of(std::string_view line) {
+    for (const char separator : ";\t,"sv) {
+        CellScanner cells(line, separator);
+        if (cells.next() && cells.next()) return separator;
+    }
+    return blanks;
 }
 
-double value_of(std::string_view word, bool lenient, const Location& here) {
-    if (lenient) word = without_blanks(word);
-    if (word.empty() || (lenient && is_nan_word(word))) return std::numeric_limits<double>::quiet_NaN();
-    const auto value = parse_number(word);
-    if (!value) throw InputError(here, in_quotes(word) + " is not a finite number", "leave the cell empty where there is no value");
-    if (std::abs(*value) > largest_coordinate)   // differences must not overflow
-        throw InputError(here, in_quotes(word) + " is out of the supported range (1e100)", "scale the values");
-    return *value;
+struct Number {
+    double value = std::numeric_limits<double>::quiet_NaN(), rounding = 0;
+};
+
+/// Half a unit of the last digit of a decimal number: 0.00005 for "0.0012".
+double rounding_of(std::string_view number) {
+    const std::size_t power = number.find_first_of("eE"), end = std::min(power, number.size()), point = std::min(number.find('.'), end);
+    const long long exponent = power < number.size() ? parse_integer(number.substr(power + 1)).value_or(0) : 0;
+    const auto decimals = point < end ? end - point - 1 : 0;
+    return 0.5 * std::pow(10.0, static_cast<double>(exponent) - static_cast<double>(decimals));
+}
+
+/// The number of a cell; nothing where it is none.
+std::optional<Number> number_in(std::string_view cell, char separator) {
+    constexpr std::array undefined{"nan"sv, "nan(ind)"sv, "na"sv, "inf"sv, "infinity"sv};
+    const bool has_sign = cell.starts_with('-') || cell.starts_with('+');
+    const auto is_cell = [&](std::string_view word) { return same_but_for_case(cell.substr(has_sign ? 1 : 0), word); };
+    if (cell.empty() || std::ranges::any_of(undefined, is_cell)) return Number{};
+    std::string text(cell);
+    if (separator != ',') std::ranges::replace(text, ',', '.');
+    const auto value = parse_number(text);
+    if (!value) return {};
+    return Number{*value, rounding_of(text)};
+}
+
+struct Header {
+    LineScanner rows;   // before the first one
+    char separator = blanks;
+    std::size_t columns = 1, place = 0;   // how many there are, and which is asked for
+};
+
+/// Where a line has one of the names; nothing where it has none.
+std::optional<Header> header_in(std::string_view line, const std::vector<std::string>& names, const LineScanner& rows) {
+    std::size_t best = 2 * names.size();   // names as they are come before names in another case
+    const auto is_better = [&](std::string_view cell) {
+        for (std::size_t i = 0; i < best; ++i) {
+            const std::string& name = names[i % names.size()];
+            if (i < names.size() ? cell != name : !same_but_for_case(cell, name)) continue;
+            best = i;
+            return true;
+        }
+        return false;
+    };
+    Header header{rows};
+    if (is_better(bare(line))) return header;   // the only column, and its name may have blanks
+    header.separator = separator_of(line);
+    header.columns = 0;
+    for (CellScanner cells(line, header.separator); cells.next(); ++header.columns)
+        if (is_better(cells.cell())) header.place = header.columns;
+    return best < 2 * names.size() ? std::optional(header) : std::nullopt;
+}
+
+Header header_of(std::string_view bytes, const std::string& file, const std::vector<std::string>& names) {
+    std::string seen;
+    LineScanner lines(without_bom(bytes)), rows = lines;   // rows: behind the last comment, where blank lines may be empty cells
+    while (lines.next()) {
+        std::string_view line = without_blanks(lines.line());
+        if (line.empty()) continue;
+        if (seen.empty()) seen = in_quotes(line, 200);
+        const bool is_left_out = is_comment(line);
+        if (is_left_out) line = without_blanks(line.substr(1));
+        if (const auto header = header_in(line, names, lines)) return *header;
+        if (is_left_out) {
+            rows = lines;
+            continue;
+        }
+        if (separator_of(line) == blanks && number_in(bare(line), blanks)) return {rows};
+        throw InputError({file, lines.number()}, "no column " + in_quotes(joined(names, " or ")), "the header is " + seen);
+    }
+    throw InputError({file, 0}, seen.empty() ? "file is empty" : "no row of numbers", csv_remedy);
+}
+
+/// The next row that is not left out; false at the end.
+bool next_row(LineScanner& lines, bool with_blank_ones) {
+    while (lines.next()) {
+        const std::string_view line = without_blanks(lines.line());
+        if (line.empty() ? with_blank_ones : !is_comment(line)) return true;
+    }
+    return false;
+}
+
+Number number_of(const LineScanner& line, const Header& header, const std::string& file) {
+    const Location here{file, line.number()};
+    std::size_t count = 0;
+    std::string_view wanted, last;
+    for (CellScanner cells(line.line(), header.separator); cells.next(); ++count) {
+        last = cells.cell();
+        if (count == header.place) wanted = last;
+    }
+    const bool has_separator_at_end = count == header.columns + 1 && last.empty();
+    if (count > 0 && count != header.columns && !has_separator_at_end)
+        throw InputError(here, std::to_string(count) + " cells, the header has " + std::to_string(header.columns), csv_remedy);
+    const auto number = number_in(wanted, header.separator);
+    if (!number) throw InputError(here, in_quotes(wanted) + " is not a finite number", "leave the cell empty where there is no value");
+    if (std::abs(number->value) > largest_coordinate)   // differences must not overflow
+        throw InputError(here, in_quotes(wanted) + " is out of the supported range (1e100)", "scale the values");
+    return *number;
 }
 
 }   // namespace
 
-Vector csv_column(std::string_view bytes, const std::string& file, const std::string& column, const CsvRules& rules) {
+NumberColumn csv_column(std::string_view bytes, const std::string& file, const std::vector<std::string>& names, Eigen::Index rows,
+                        MoreRows more) {
     refuse_nul_bytes(bytes, file);
-    LineScanner lines(without_bom(bytes));
-    if (!lines.next()) throw InputError({file, 0}, "file is empty", csv_remedy);
-    const std::size_t columns = cell_count(lines.line()), place = column_named(column, lines.line(), rules.lenient, file);
-    const std::string of_the_mesh = "the mesh has " + std::to_string(rules.rows.value_or(0)) + " vertices";
-    std::vector<double> values;
-    while (!rules.rows || static_cast<Eigen::Index>(values.size()) < *rules.rows) {
-        if (!lines.next()) {
-            if (!rules.rows) break;
-            throw InputError({file, lines.number()}, "ends after " + std::to_string(values.size()) + " rows, " + of_the_mesh, csv_remedy);
-        }
-        const Location here{file, lines.number()};
-        const std::size_t cells = cell_count(lines.line());
-        if (cells != columns)
-            throw InputError(here, std::to_string(cells) + " cells, the header has " + std::to_string(columns), csv_remedy);
-        values.push_back(value_of(cell(lines.line(), place), rules.lenient, here));
+    const Header header = header_of(bytes, file, names);
+    Eigen::Index filled = 0;
+    for (LineScanner lines = header.rows; filled < rows && next_row(lines, false);) ++filled;
+    const bool blank_is_empty = header.columns == 1 && filled < rows;
+    const std::string asked_for = std::to_string(rows) + " are asked for";
+    NumberColumn column{Vector(rows), Vector(rows)};
+    LineScanner lines = header.rows;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        if (!next_row(lines, blank_is_empty))
+            throw InputError({file, lines.number()}, "ends after " + std::to_string(i) + " rows, " + asked_for, csv_remedy);
+        const Number number = number_of(lines, header, file);
+        column.values[i] = number.value;
+        column.rounding[i] = number.rounding;
     }
-    if (rules.rows && lines.next()) throw InputError({file, lines.number()}, "more rows than " + of_the_mesh, csv_remedy);
-    return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-std::vector<std::string> csv_header(std::string_view bytes, const std::string& file) {
-    LineScanner lines(without_bom(bytes));
-    if (!lines.next()) throw InputError({file, 0}, "file is empty", csv_remedy);
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < cell_count(lines.line()); ++i) names.emplace_back(without_blanks(cell(lines.line(), i)));
-    return names;
+    if (more == MoreRows::refused && next_row(lines, false))
+        throw InputError({file, lines.number()}, "more rows than " + asked_for, csv_remedy);
+    return column;
 }
 
 }   // namespace meshfolio

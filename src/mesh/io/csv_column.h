@@ -1,9 +1,8 @@
 /// @file
-/// One column of a CSV file of numbers, such as `curvature --csv` and `spectrum --csv` write.
+/// One column of a table of numbers, such as `curvature --csv` and `spectrum --csv`, spreadsheets and other programs write.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,18 +13,22 @@ namespace meshfolio {
 
 inline constexpr std::uintmax_t largest_csv = std::uintmax_t{1} << 30;   // bytes
 
-struct CsvRules {
-    std::optional<Eigen::Index> rows = {};   // so many there must be, one a vertex; none: as many as there are
-    bool lenient = false;                    // blanks around cells, and "nan" for an empty one, are taken too: other programs write them
+struct NumberColumn {
+    Vector values;     // NaN where there is none: an empty cell, nan, inf
+    Vector rounding;   // as many: half a unit of the last digit written, by which the number that was meant may be another
 };
 
-/// The column called `column`; empty cells are NaN. Cells are not quoted: no number needs it.
-/// @param file  what messages call it
+enum class MoreRows { refused, left_out };
+
+/// So many rows of a column. Cells are parted by ';', a tab, ',' or blanks, whichever of these comes first and is in the header; blanks and
+/// quotes around them are taken off, and a decimal comma is read where ',' parts nothing. Lines that are blank or begin with '#' or '%'
+/// are left out, but the header may begin so, and in a table of one column blank lines are empty cells where rows would be missing.
+/// A table of one column needs no header. The time taken is linear in the bytes.
+/// @param file   what messages call it
+/// @param names  the column is the first of these that the header has as it is written here, or else in another case
 /// @throws InputError with the line of what is no finite number up to 1e100, of a row with more or fewer cells than the header, or where
 ///         rows are missing or left over
-Vector csv_column(std::string_view bytes, const std::string& file, const std::string& column, const CsvRules& rules = {});
-
-/// The names of the columns, blanks around them taken off. @throws InputError for an empty file
-std::vector<std::string> csv_header(std::string_view bytes, const std::string& file);
+NumberColumn csv_column(std::string_view bytes, const std::string& file, const std::vector<std::string>& names, Eigen::Index rows,
+                        MoreRows more = MoreRows::refused);
 
 }   // namespace meshfolio

@@ -44,8 +44,8 @@ void keep_private(const fs::path& folder, const fs::path& target) {
     fs::permissions(folder, others & ~replaced.permissions(), fs::perm_options::remove, error);
 }
 
-/// @throws OutputError if replacing `target` would delete what we did not make
-void require_ours(const fs::path& target) {
+/// @throws OutputError if replacing `target` would delete what we did not make, or what is of another kind
+void require_ours(const fs::path& target, const FolderKind& kind) {
     std::error_code error;
     const fs::file_status status = fs::symlink_status(target, error);
     if (status.type() == fs::file_type::not_found) return;
@@ -56,14 +56,15 @@ void require_ours(const fs::path& target) {
     if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
     for (; it != fs::directory_iterator(); it.increment(error)) {
         const fs::path name = it->path().filename();
-        if (name == marker_file) return;
+        if (name == kind.marker) return;
         if (name != ".gitignore" && process_in_name(name.string(), ".meshfolio.tmp-") == 0) foreign = true;
     }
     if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
-    if (foreign) {
-        throw OutputError(target.string(), "holds files that no report of ours put there, and would be replaced",
-                          "choose a new or empty folder with --out");
-    }
+    if (!foreign) return;
+    std::string what = "files that no " + std::string(kind.marker == report_folder.marker ? "report" : "marks") + " of ours put there";
+    for (const FolderKind& other : {report_folder, marks_folder})
+        if (fs::exists(target / other.marker, error)) what = other.words;
+    throw OutputError(target.string(), "holds " + what + ", and would be replaced", "choose a new or empty folder with --out");
 }
 
 /// Files below `folder`, relative to it, sorted by their bytes.
@@ -98,8 +99,8 @@ void sync_folders(const fs::path& folder) {
 
 /// Two renames where the file system cannot exchange names. The next run can restore the old folder from its name.
 /// @return whether there was one
-bool replace_in_two_steps(const fs::path& folder, const fs::path& target) {
-    require_ours(target);
+bool replace_in_two_steps(const fs::path& folder, const fs::path& target, const FolderKind& kind) {
+    require_ours(target, kind);
     const fs::path aside = target.string() + ".old-" + process_number();
     const int moved = rename_with(target, aside, Taken::replaced);
     if (moved != 0 && moved != ENOENT) fail(target, "cannot be moved aside", moved);
@@ -114,13 +115,13 @@ bool replace_in_two_steps(const fs::path& folder, const fs::path& target) {
 enum class Placed { fresh, exchanged, unsupported };
 
 /// `folder` becomes `target` by one rename. Two first runs may race: the second finds the name taken and exchanges.
-Placed place(const fs::path& folder, const fs::path& target) {
+Placed place(const fs::path& folder, const fs::path& target, const FolderKind& kind) {
     int error = 0;
     for (int attempt = 0; attempt < 10; ++attempt) {
         error = rename_with(folder, target, Taken::kept);
         if (error == 0) return Placed::fresh;
         if (error == EEXIST || error == ENOTEMPTY) {
-            require_ours(target);
+            require_ours(target, kind);
             error = rename_with(folder, target, Taken::exchanged);
             if (error == 0) return Placed::exchanged;
         }
@@ -130,11 +131,11 @@ Placed place(const fs::path& folder, const fs::path& target) {
     fail(target, "the finished report cannot be put in its place", error);
 }
 
-void place_by_one_rename(const fs::path& folder, const fs::path& target, std::string& note) {
+void place_by_one_rename(const fs::path& folder, const fs::path& target, const FolderKind& kind, std::string& note) {
     const OpenFolder parent(target.parent_path());
     const auto permission = permission_to_create();
-    const Placed placed = place(folder, target);
-    if (placed == Placed::unsupported && replace_in_two_steps(folder, target)) {
+    const Placed placed = place(folder, target, kind);
+    if (placed == Placed::unsupported && replace_in_two_steps(folder, target, kind)) {
         note = target.string() + ": this file system cannot exchange folders, so the report was replaced in two steps";
     }
     try {
@@ -180,8 +181,8 @@ struct Publication::Folder : Temporary {
     using Temporary::Temporary;
 };
 
-Publication::Publication(const fs::path& target) : target_(resolved_folder(target)) {
-    require_ours(target_);
+Publication::Publication(const fs::path& target, const FolderKind& kind) : target_(resolved_folder(target)), kind_(kind) {
+    require_ours(target_, kind);
     make_folder(target_.parent_path());
     sweep_leftovers(target_);
     in_place_ = is_mount_point(target_);
@@ -194,7 +195,7 @@ Publication::Publication(const fs::path& target) : target_(resolved_folder(targe
     folder_ = std::make_unique<Folder>(path);
     create_folder(path);
     keep_private(path, target_);
-    write_file(path / marker_file, "This folder was made by meshfolio, which replaces it as a whole.\n");
+    write_file(path / kind.marker, "This folder was made by meshfolio, which replaces it as a whole.\n");
 }
 
 Publication::~Publication() = default;
@@ -211,7 +212,7 @@ std::string Publication::publish(const Digests& known) try {
         place_file_by_file(folder(), target_);
         note = target_.string() + ": is a mount point, so the report was replaced file by file";
     } else {
-        place_by_one_rename(folder(), target_, note);
+        place_by_one_rename(folder(), target_, kind_, note);
     }
     if (!folder_->remove())   // the earlier report, of another owner perhaps
         note += (note.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
@@ -220,6 +221,11 @@ std::string Publication::publish(const Digests& known) try {
     throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
 } catch (const InputError& error) {   // a file of ours that cannot be read back
     throw OutputError(target_.string(), error.what());
+}
+
+bool is_marked(const fs::path& folder) noexcept {
+    std::error_code error;
+    return fs::exists(folder / report_folder.marker, error) || fs::exists(folder / marks_folder.marker, error);
 }
 
 fs::path failed_beside(const fs::path& target) { return (target.has_filename() ? target : target.parent_path()).string() + ".failed"; }

@@ -11,8 +11,16 @@
 
 namespace meshfolio::output {
 
-/// The marker file of a folder made by us.
+/// The marker file of a report made by us.
 inline constexpr const char* marker_file = ".meshfolio";
+/// Folders that we replace as a whole. None takes the place of one of the other kind.
+struct FolderKind {
+    const char* marker;
+    const char* words;
+};
+inline constexpr FolderKind report_folder{marker_file, "a report"}, marks_folder{".meshfolio-marks", "the marks of a class"};
+/// Does a folder have the marker of either? False where that cannot be seen.
+bool is_marked(const std::filesystem::path& folder) noexcept;
 /// Digests of every other file, in the format of sha256sum.
 inline constexpr const char* sums_file = "SHA256SUMS";
 
@@ -26,8 +34,8 @@ public:
     /// Prepares `<target>.tmp-<pid>` beside `target` and sweeps leftovers of dead runs. A target that is a symbolic link
     /// stands for what it points to; one that is a mount point is prepared inside.
     /// @throws OutputError if the parent cannot be written, a mount point is being written by another run, or `target` holds something that
-    /// is not ours (neither the marker nor nothing but a .gitignore)
-    explicit Publication(const std::filesystem::path& target);
+    /// is not ours (neither the marker of this kind nor nothing but a .gitignore)
+    explicit Publication(const std::filesystem::path& target, const FolderKind& kind = report_folder);
     ~Publication();   // removes the temporary folder unless published
     Publication(const Publication&) = delete;
     Publication& operator=(const Publication&) = delete;
@@ -51,6 +59,7 @@ public:
 private:
     struct Folder;
     std::filesystem::path target_;
+    FolderKind kind_;
     std::unique_ptr<Folder> folder_;
     bool in_place_ = false;              // the target is a mount point
     std::unique_ptr<OpenFolder> lock_;   // of such a target, where two runs would mix their files

@@ -42,7 +42,8 @@ Registry& registry() {
 void remove_contents(const fs::path& folder, std::error_code& error) {
     if (fs::is_symlink(fs::symlink_status(folder, error)) || !fs::is_directory(folder, error)) return;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-        if (it->path().filename() != marker_file) fs::remove_all(it->path(), error);
+        const fs::path name = it->path().filename();
+        if (name != report_folder.marker && name != marks_folder.marker) fs::remove_all(it->path(), error);
     }
 }
 
@@ -103,10 +104,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Only a folder that carries our marker, or never held more than a .gitignore, is ours to remove.
+/// Only a folder that carries a marker of ours, or never held more than a .gitignore, is ours to remove.
 bool is_our_folder(const fs::directory_entry& entry) {
     if (entry.is_symlink() || !entry.is_directory()) return false;
-    if (fs::exists(entry.path() / marker_file)) return true;
+    if (is_marked(entry.path())) return true;
     return std::all_of(fs::directory_iterator(entry.path()), fs::directory_iterator(),
                        [](const fs::directory_entry& inside) { return inside.path().filename() == ".gitignore"; });
 }

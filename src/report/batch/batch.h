@@ -21,7 +21,8 @@ struct WorstCheck {
     double used = 0;   // of what is allowed: 1 is the limit, beyond it fails; ∞ where nothing is allowed
 };
 
-/// The share of what a check allows that its number takes up. Whole numbers that are met exactly take up nothing.
+/// The share of what a check allows that its number takes up. A limit that is a whole number other than 0 is what a theorem or a count says
+/// and no allowance: kept to, nothing is taken up, and beyond it the tolerance counts.
 double used_share(const Check& check);
 std::optional<WorstCheck> worst_check(const std::vector<Section>& sections);
 

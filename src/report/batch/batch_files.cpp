@@ -1,4 +1,5 @@
 // batch.csv and batch.json.
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
@@ -26,7 +27,12 @@ std::string defect_words(const BatchRow& row) {
 Cell text_cell(const std::string& text) { return text.empty() ? Cell() : Cell(text); }
 
 OrderedJson json_of_cell(const Cell& cell) {
-    if (const auto* number = std::get_if<double>(&cell)) return exact_text(*number).empty() ? OrderedJson() : OrderedJson(*number);
+    constexpr double exact_below = 9007199254740992.0;   // 2⁵³
+    if (const auto* number = std::get_if<double>(&cell)) {
+        if (!std::isfinite(*number)) return {};
+        if (std::trunc(*number) == *number && std::abs(*number) < exact_below) return static_cast<long long>(*number);
+        return *number;
+    }
     if (const auto* words = std::get_if<std::string>(&cell)) return *words;
     return {};
 }
@@ -51,7 +57,7 @@ OrderedJson json_of_row(const BatchRow& row) {
     json["defects"] = OrderedJson();
     if (row.defects) {
         json["defects"] = OrderedJson::array();
-        for (const auto& [kind, count] : *row.defects) json["defects"].push_back({{"kind", kind}, {"count", count}});
+        for (const auto& [kind, count] : *row.defects) json["defects"].push_back({{"kind", kind}, {"count", json_of_cell(Cell(count))}});
     }
     json["checks"] = {{"passed", row.score.passed}, {"failed", row.score.failed}, {"undecided", row.score.undecided}};
     if (row.worst) {
@@ -122,7 +128,11 @@ std::string write_batch_json(const Batch& batch, const std::string& version) {
     constexpr int batch_version = 1;   // raised whenever a reader of the earlier one would misread what is written
     OrderedJson meshes = OrderedJson::array();
     for (const BatchRow& row : batch.rows) meshes.push_back(json_of_row(row));
-    const OrderedJson json{{"schema_version", batch_version}, {"program", "meshfolio"}, {"version", version}, {"meshes", meshes}};
+    const OrderedJson json{{"schema_version", batch_version},
+                           {"program", "meshfolio"},
+                           {"version", version},
+                           {"units", {{"lambda_crit", "length²"}, {"seconds", "s"}}},
+                           {"meshes", meshes}};
     return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

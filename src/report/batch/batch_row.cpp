@@ -86,7 +86,9 @@ double used_share(const Check& check) {
     const double limit = check.kind == Check::Kind::at_least ? check.expected - check.tolerance : check.expected + check.tolerance;
     if (!std::isfinite(check.measured) || !std::isfinite(limit)) return check.passed() ? 0 : none;
     if (check.kind == Check::Kind::near) return share_of(std::abs(check.measured - check.expected), check.tolerance);
-    if (check.measured == limit && is_whole(limit)) return 0;
+    const double beyond = check.kind == Check::Kind::at_most ? check.measured - check.expected : check.expected - check.measured;
+    if (is_whole(check.expected) && check.expected != 0)
+        return check.tolerance > 0 || beyond <= 0 ? share_of(beyond, check.tolerance) : 1 + beyond;
     if (limit <= 0) return check.passed() ? 0 : none;   // no scale to measure by
     return check.kind == Check::Kind::at_most ? share_of(check.measured, limit) : share_of(limit, check.measured);
 }

@@ -201,6 +201,7 @@ ExitCode run_batch(const BatchFlags& flags) {
     index.write();
     Batch batch(flags, settings, std::move(meshes), index);
     batch.run();
+    index.write();
     tell_of_failures(index.batch());
     print_path(folder.path() / "index.html");
     if (batch.has_output_error()) return ExitCode::output;

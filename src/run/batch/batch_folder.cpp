@@ -36,13 +36,14 @@ BatchFolder::BatchFolder(fs::path path) : path_(std::move(path)) {
                          "This folder was made by meshfolio batch: a report in each folder, index.html tells of all.\n");
 }
 
-void BatchIndex::write_unlocked() const {
+void BatchIndex::write_unlocked() {
     output::FileGroup files;
     files.add(folder_ / "index.html", report::write_batch_page(batch_, build_info::version, templates_));
     files.add(folder_ / "batch.json", report::write_batch_json(batch_, build_info::version));
     files.add(folder_ / "batch.csv", report::write_csv(report::batch_table(batch_)));
     files.add(folder_ / "junit.xml", report::write_batch_junit(batch_));
     files.publish();
+    written_ = std::chrono::steady_clock::now();
 }
 
 void BatchIndex::write() {
@@ -53,7 +54,7 @@ void BatchIndex::write() {
 void BatchIndex::set(std::size_t place, report::BatchRow row) {
     const std::lock_guard lock(mutex_);
     batch_.rows.at(place) = std::move(row);
-    write_unlocked();
+    if (std::chrono::steady_clock::now() - written_ > std::chrono::seconds(3)) write_unlocked();
 }
 
 }   // namespace meshfolio::run

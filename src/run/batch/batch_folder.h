@@ -2,6 +2,7 @@
 /// The folder of a batch: a report a mesh in folders of their own, and the index of them.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -28,7 +29,7 @@ private:
     std::optional<output::OpenFolder> lock_;
 };
 
-/// index.html, batch.json, batch.csv and junit.xml, which always tell what is known by now. Thread-safe.
+/// index.html, batch.json, batch.csv and junit.xml, which tell what is known by now, or was a few seconds ago. Thread-safe.
 class BatchIndex {
 public:
     /// @param templates  must outlive this
@@ -37,7 +38,7 @@ public:
 
     /// Replaces each file, all at once. @throws OutputError
     void write();
-    /// The same with another row. @throws OutputError
+    /// Another row. The files follow once they have not been written for a while: each holds all rows. @throws OutputError
     void set(std::size_t place, report::BatchRow row);
     /// To be read when nobody sets rows any more.
     const report::Batch& batch() const { return batch_; }
@@ -47,8 +48,9 @@ private:
     std::filesystem::path folder_;
     report::Batch batch_;
     const report::Templates& templates_;
+    std::chrono::steady_clock::time_point written_ = {};
 
-    void write_unlocked() const;
+    void write_unlocked();
 };
 
 }   // namespace meshfolio::run

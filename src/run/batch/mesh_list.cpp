@@ -25,7 +25,7 @@ constexpr std::uintmax_t largest_list = std::uintmax_t{16} << 20;
 
 bool is_output_of_ours(const fs::path& folder) {
     std::error_code error;
-    return fs::exists(folder / output::marker_file, error) || fs::exists(folder / batch_marker, error);
+    return output::is_marked(folder) || fs::exists(folder / batch_marker, error);
 }
 
 /// Sorted by their paths. What is hidden, a folder that may not be listed, and our own outputs are passed by.

@@ -32,6 +32,8 @@ const ValueConvention inverse{{"inverse"}, [](const Vector& right) -> Vector { r
 
 }   // namespace of_values
 
+constexpr double coarsest_rounding = 0.005;   // of the typical size: more leaves too little to judge by
+
 double median_magnitude(const Vector& values) {
     std::vector<double> magnitudes;
     for (const double value : values)
@@ -46,10 +48,11 @@ double median_magnitude(const Vector& values) {
 
 const std::vector<std::string>& convention_keys() {
     static const std::vector<std::string> all = [] {
-        std::vector<std::string> keys{"doubled",        "halved",        "negated",      "magnitude",     "square_root",   "descending",
-                                      "inverse",        "without_area",  "whole_ring",   "valence_sum",   "scaled",        "unclamped",
-                                      "zero_left_out",  "unmapped",      "unweighted",   "one_more",      "one_less",      "lambda_negated",
-                                      "lambda_doubled", "lambda_halved", "other_scheme", "other_rebuild", "reversed_faces"};
+        std::vector<std::string> keys{"doubled",      "halved",        "negated",        "magnitude",      "square_root",
+                                      "descending",   "inverse",       "without_area",   "whole_ring",     "valence_sum",
+                                      "scaled",       "unclamped",     "zero_left_out",  "unmapped",       "unweighted",
+                                      "one_more",     "one_less",      "lambda_negated", "lambda_doubled", "lambda_halved",
+                                      "other_scheme", "other_rebuild", "reversed_faces", "half_kept"};
         for (const OperatorEntry& entry : operator_list()) keys.push_back("operator_" + std::string(entry.name));
         for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed})
             keys.push_back("area_" + std::string(name_of(form)));
@@ -79,14 +82,15 @@ const std::vector<ValueConvention>& value_conventions(MarkedThing what) {
     }
 }
 
-Agreement agreement_of(const Vector& given, const RightValues& right, double tolerance) {
+Agreement agreement_of(const GivenValues& given, const RightValues& right, double tolerance) {
     const double typical = right.relative_to_scale ? right.scale : std::max(median_magnitude(right.values), right.scale);
     Agreement agreement;
     Eigen::Index good = 0;
     for (Eigen::Index i = 0; i < right.values.size(); ++i) {
         if (!std::isfinite(right.values[i])) continue;
         const double size = right.relative_to_scale ? typical : std::abs(right.values[i]) + typical;
-        const double difference = std::abs(given[i] - right.values[i]) / size;
+        const double rounding = given.rounding.size() > 0 ? std::min(given.rounding[i], coarsest_rounding * typical) : 0;
+        const double difference = std::max(std::abs(given.values[i] - right.values[i]) - rounding, 0.0) / size;
         const double off = std::isfinite(difference) ? difference : std::numeric_limits<double>::infinity();
         ++agreement.asked;
         good += off <= tolerance ? 1 : 0;
@@ -96,7 +100,7 @@ Agreement agreement_of(const Vector& given, const RightValues& right, double tol
     return agreement;
 }
 
-std::vector<ConventionKeys> recognised(const Vector& given, const RightValues& right, MarkedThing what, double tolerance,
+std::vector<ConventionKeys> recognised(const GivenValues& given, const RightValues& right, MarkedThing what, double tolerance,
                                        const std::function<const std::vector<Variant>&()>& variants) {
     std::vector<ConventionKeys> found;
     const Agreement with_right = agreement_of(given, right, tolerance);
@@ -107,12 +111,13 @@ std::vector<ConventionKeys> recognised(const Vector& given, const RightValues& r
         if (keys.empty() || (!found.empty() && keys.size() > found.front().size())) return;
         RightValues wrong = right;
         wrong.values = convention.apply(base);
+        if (right.relative_to_scale) wrong.scale = std::max(right.scale, wrong.values.cwiseAbs().maxCoeff());   // of a run that blows up
         // As large as right values are: where they are all 0, so is what they are measured by.
-        if (agreement_of(wrong.values, right, tolerance).worst <= 2 * tolerance) return;   // no other answer than the right one
+        if (agreement_of({wrong.values}, right, tolerance).worst <= 2 * tolerance) return;   // no other answer than the right one
         const Agreement with_wrong = agreement_of(given, wrong, tolerance);
         if (!with_wrong.agrees(tolerance) || 2 * with_wrong.asked < with_right.asked) return;   // hardly defined: it explains nothing
         if (!found.empty() && keys.size() < found.front().size()) found.clear();
-        found.push_back(std::move(keys));
+        if (std::ranges::find(found, keys) == found.end()) found.push_back(std::move(keys));
     };
     for (const ValueConvention& convention : value_conventions(what)) try_one(right.values, "", convention);
     if (what == MarkedThing::number) return found;

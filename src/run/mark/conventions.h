@@ -26,6 +26,12 @@ struct ValueConvention {
 /// Scales and signs that are known of this thing; the first leaves all as it is.
 const std::vector<ValueConvention>& value_conventions(MarkedThing what);
 
+/// What a student gives.
+struct GivenValues {
+    Vector values;
+    Vector rounding = {};   // as many: how far the digits written leave each open; none: not at all
+};
+
 /// Values to hold others against; NaN where nothing is asked.
 struct RightValues {
     Vector values;
@@ -45,13 +51,14 @@ struct Agreement {
     Eigen::Index where = -1;   // that of `worst`
     bool agrees(double tolerance) const { return worst <= tolerance; }
 };
-/// Each difference over |right| + the median of all |right|, so that neither a few peaks nor values near 0 decide. A value that is missing
-/// is infinitely far away.
-Agreement agreement_of(const Vector& given, const RightValues& right, double tolerance);
+/// Each difference over |right| + the median of all |right|, so that neither a few peaks nor values near 0 decide. Of a difference only
+/// what rounding does not explain counts, and rounding explains up to 0.5 % of that median: three digits must be left. A value that is
+/// missing is infinitely far away.
+Agreement agreement_of(const GivenValues& given, const RightValues& right, double tolerance);
 
 /// All smallest sets of conventions with which `given` agrees; none where none does, or where it is right.
 /// @param variants  asked for only where no value convention alone explains it
-std::vector<ConventionKeys> recognised(const Vector& given, const RightValues& right, MarkedThing what, double tolerance,
+std::vector<ConventionKeys> recognised(const GivenValues& given, const RightValues& right, MarkedThing what, double tolerance,
                                        const std::function<const std::vector<Variant>&()>& variants);
 
 }   // namespace meshfolio::run

@@ -1,9 +1,14 @@
 #include "run/mark/mark_class.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "base/file_bytes.h"
+#include "base/in_quotes.h"
+#include "base/sha256.h"
+#include "output/publish/file_sums.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
 #include "report/words.h"
@@ -32,6 +37,39 @@ std::string id_of(const fs::path& submission, std::set<std::string>& taken) {
     std::string id = name;
     for (int number = 2; !taken.insert(id).second; ++number) id = name + "-" + std::to_string(number);
     return id;
+}
+
+/// A name of its own for each.
+std::vector<std::string> ids_of(const std::vector<std::string>& submissions) {
+    std::set<std::string> taken{"class.csv", output::sums_file};
+    std::vector<std::string> ids;
+    std::ranges::transform(submissions, std::back_inserter(ids), [&](const std::string& path) { return id_of(path, taken); });
+    return ids;
+}
+
+/// The marks of an earlier run are replaced as a whole: by those of the same students at least, and not where others worked on them.
+void require_nothing_lost(const fs::path& out, const std::vector<std::string>& ids) try {
+    const fs::path sums_file = out / output::sums_file;
+    if (!may_be_there(out / output::marks_folder.marker) || !may_be_there(sums_file)) return;
+    const auto sums = output::parse_sums(read_file(sums_file), sums_file);
+    const std::set<std::string> ours{output::marks_folder.marker, output::sums_file, ".gitignore"};
+    std::set<std::string> files;   // sorted
+    for (const auto& entry : fs::recursive_directory_iterator(out))
+        if (!entry.is_directory()) files.insert(entry.path().lexically_relative(out).generic_string());
+    for (const std::string& file : files) {
+        if (ours.contains(file)) continue;
+        const auto sum = sums.find(file);
+        if (sum == sums.end() || sum->second.digest != sha256_of_file(out / file))
+            throw OutputError((out / file).string(), "is not as mark wrote it, and would be lost",
+                              "move it, or choose another folder with --out");
+        const std::size_t slash = file.find('/');
+        const std::string student = file.substr(0, slash);
+        if (slash != std::string::npos && std::ranges::find(ids, student) == ids.end())
+            throw OutputError(out.string(), "holds the marks of " + in_quotes(student) + ", who is not among these submissions",
+                              "name the whole class, or choose another folder with --out");
+    }
+} catch (const fs::filesystem_error& error) {
+    throw OutputError(out.string(), "cannot be listed (" + error.code().message() + ")");
 }
 
 /// Right answers at the settings of the rubric: what is wrong with them is wrong with the rubric.
@@ -67,23 +105,25 @@ ExitCode mark_class(const MarkFlags& flags) {
     const report::Templates templates(flags.templates);
     report::use_words_of(templates);
     require_submissions(flags.submissions);
+    const std::vector<std::string> ids = ids_of(flags.submissions);
     References references(rubric);
+    output::Publication publication(flags.out, output::marks_folder);
+    require_nothing_lost(flags.out, ids);
     compute_references(rubric, references);
-    output::Publication publication(flags.out);
     std::vector<StudentMarks> students;
-    std::set<std::string> taken{"class.csv", output::sums_file};
     int refused = 0;
     Stage stage("marking");
-    for (const std::string& path : flags.submissions) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const std::string& path = flags.submissions[i];
         StudentMarks marks = marks_of_submission(path, rubric, references);
-        marks.id = id_of(path, taken);
+        marks.id = ids[i];
         marks.source = fs::path(path).filename().string();
         if (marks.source.empty()) marks.source = marks.id;
         refused += marks.refused.empty() ? 0 : 1;
         write_student(marks, rubric, templates, publication.folder() / marks.id);
         for (ItemMark& mark : marks.items) mark.difference = {};   // drawn, and as large as the mesh
         students.push_back(std::move(marks));
-        stage.advance(static_cast<double>(students.size()) / static_cast<double>(flags.submissions.size()));
+        stage.advance(static_cast<double>(students.size()) / static_cast<double>(ids.size()));
     }
     write_file(publication.folder() / "class.csv", class_csv(students, rubric));
     if (const std::string note = publication.publish(); !note.empty()) warn(note);

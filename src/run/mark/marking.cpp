@@ -17,31 +17,58 @@ namespace {
 
 bool is_of_mesh(MarkedThing what) { return what == MarkedThing::reconstruction || what == MarkedThing::smoothed; }
 
-/// The first in order that fits, by its path or its bare name.
+std::string in_lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
+}
+
+/// The first in order that fits, by its path or its bare name; if there is none, the first in another case.
 const std::pair<const std::string, std::string>* file_like(const submission::HandedIn& files, const std::string& pattern) {
-    for (const auto& file : files) {
-        const std::string name = file.first.substr(file.first.rfind('/') + 1);
-        if (fnmatch(pattern.c_str(), file.first.c_str(), 0) == 0 || fnmatch(pattern.c_str(), name.c_str(), 0) == 0) return &file;
-    }
+    const auto fits = [](const std::string& as_asked_for, const std::string& path) {
+        const std::string name = path.substr(path.rfind('/') + 1);
+        return fnmatch(as_asked_for.c_str(), path.c_str(), 0) == 0 || fnmatch(as_asked_for.c_str(), name.c_str(), 0) == 0;
+    };
+    for (const auto& file : files)
+        if (fits(pattern, file.first)) return &file;
+    for (const auto& file : files)
+        if (fits(in_lower_case(pattern), in_lower_case(file.first))) return &file;
     return nullptr;
 }
 
 /// What is held against the right values: as many.
-struct Given {
-    Vector values;
+struct Given : GivenValues {
     bool faces_reversed = false;
 };
 
+/// Nothing that a mesh of so many vertices asks for needs more; what is larger was made to take long.
+void require_fitting_size(const std::string& bytes, const std::string& file, Eigen::Index vertices) {
+    constexpr std::size_t always = std::size_t{1} << 16, a_vertex = std::size_t{1} << 11;   // bytes
+    const std::size_t most = always + a_vertex * static_cast<std::size_t>(vertices);
+    if (bytes.size() > most)
+        throw InputError({file}, "has " + std::to_string(bytes.size()) + " bytes, an answer on this mesh may have " + std::to_string(most));
+}
+
+/// Rows may come in any order where a column says of which vertex each is, from 0 or 1 on.
+void sort_by_vertex(NumberColumn& column, const std::string& bytes, const std::string& file) try {
+    const Eigen::Index count = column.values.size();
+    const Vector vertex = csv_column(bytes, file, {"vertex", "vertex_id", "index", "id"}, count).values;
+    const double first = vertex.minCoeff();
+    std::vector<Eigen::Index> row_of(static_cast<std::size_t>(count), -1);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double place = vertex[i] - first;
+        if (!(place >= 0 && place < static_cast<double>(count)) || std::trunc(place) != place) return;
+        row_of[static_cast<std::size_t>(place)] = i;
+    }
+    if (std::ranges::find(row_of, -1) != row_of.end()) return;   // one stands twice
+    column = {column.values(row_of).eval(), column.rounding(row_of).eval()};
+} catch (const InputError&) {   // no such column
+}
+
 Given given_column(const std::string& bytes, const std::string& file, const RubricItem& item, const Reference& reference) {
-    const std::vector<std::string> header = csv_header(bytes, file);
-    const auto column = std::ranges::find_if(item.columns, [&](const std::string& name) { return contains(header, name); });
-    const std::string name = column == item.columns.end() ? item.columns.front() : *column;
-    const Eigen::Index count = reference.right.values.size();
-    if (item.what != MarkedThing::eigenvalues) return {csv_column(bytes, file, name, {.rows = count, .lenient = true})};
-    const Vector all = csv_column(bytes, file, name, {.lenient = true});   // more than asked for are welcome
-    if (all.size() < count)
-        throw InputError({file, 0}, "has " + std::to_string(all.size()) + " of " + std::to_string(count) + " eigenvalues");
-    return {all.head(count)};
+    const MoreRows more = item.what == MarkedThing::eigenvalues ? MoreRows::left_out : MoreRows::refused;
+    NumberColumn column = csv_column(bytes, file, item.columns, reference.right.values.size(), more);
+    if (item.what != MarkedThing::eigenvalues) sort_by_vertex(column, bytes, file);
+    return {{std::move(column.values), std::move(column.rounding)}};
 }
 
 /// How many triangles of A are those of B, corner by corner from any of them on. @param turned  B's turned round
@@ -63,7 +90,7 @@ Given given_positions(const std::string& bytes, const std::string& file, const R
     if (loaded.mesh.vertex_count() != right.mesh.vertex_count())
         throw InputError({file, 0}, "has " + std::to_string(loaded.mesh.vertex_count()) + " vertices, the mesh asked for has " +
                                         std::to_string(right.mesh.vertex_count()));
-    Given given{Eigen::Map<const Vector>(loaded.mesh.X.data(), loaded.mesh.X.size())};
+    Given given{{Eigen::Map<const Vector>(loaded.mesh.X.data(), loaded.mesh.X.size())}};
     // Where the file itself was turned, its own order is no mistake.
     const bool is_as_read = right.preflight.flipped_faces == 0 && right.preflight.inside_out_components == 0;
     if (is_as_read && loaded.mesh.face_count() == right.mesh.face_count())
@@ -89,15 +116,20 @@ bool is_accepted(const std::vector<ConventionKeys>& conventions, const RubricIte
 void judge(ItemMark& mark, const Given& given, References& references) {
     const RubricItem& item = *mark.item;
     const RightValues& right = mark.reference->right;
-    mark.agreement = agreement_of(given.values, right, item.tolerance);
+    mark.agreement = agreement_of(given, right, item.tolerance);
     if (mark.agreement.where >= 0) {
         mark.given = given.values[mark.agreement.where];
         mark.expected = right.values[mark.agreement.where];
     }
-    const bool agrees = mark.agreement.agrees(item.tolerance);
+    bool agrees = mark.agreement.agrees(item.tolerance);
+    if (const auto& equal = mark.reference->equal; equal && !agrees) {
+        const Positions positions = Eigen::Map<const Positions>(given.values.data(), given.values.size() / 3, 3);
+        agrees = is_another_choice(positions, *equal, item.tolerance * right.scale);
+        if (agrees) mark.agreement.worst = 0;
+    }
     if (!agrees) {
         mark.difference = difference_of(given.values, item, *mark.reference);
-        mark.conventions = recognised(given.values, right, item.what, item.tolerance,
+        mark.conventions = recognised(given, right, item.what, item.tolerance,
                                       [&]() -> const std::vector<Variant>& { return references.variants_of(item, mark.settings); });
     }
     if (given.faces_reversed && agrees) mark.conventions.push_back({});
@@ -115,11 +147,12 @@ std::optional<Given> given_for(ItemMark& mark, const submission::HandedIn& files
     const RubricItem& item = *mark.item;
     if (item.what == MarkedThing::number) {
         mark.file = answers_file;
-        return answer.value ? std::optional(Given{Vector::Constant(1, *answer.value)}) : std::nullopt;
+        return answer.value ? std::optional(Given{{Vector::Constant(1, *answer.value)}}) : std::nullopt;
     }
     const auto* file = file_like(files, item.file);
     if (file == nullptr) return {};
     mark.file = file->first;
+    require_fitting_size(file->second, file->first, mark.reference->mesh->mesh().vertex_count());
     if (is_of_mesh(item.what)) return given_positions(file->second, file->first, *mark.reference);
     return given_column(file->second, file->first, item, *mark.reference);
 }

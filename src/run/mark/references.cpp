@@ -1,12 +1,18 @@
 #include "run/mark/references.h"
 
+#include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 #include "base/errors.h"
 #include "geometry/curvature/curvature.h"
+#include "geometry/operators/vertices_with_mass.h"
 #include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
+#include "run/mark/smoothing_variants.h"
+#include "run/mark/wrong_laplacians.h"
 
 namespace meshfolio::run {
 
@@ -14,69 +20,37 @@ namespace {
 
 /// Eigenvalues nearer than this, relative, have eigenvectors that are one choice of many.
 constexpr double equal_eigenvalues = 1e-6;
-/// Beyond, steps that each factor a matrix of their own would take too long.
-constexpr int most_single_steps = 50;
+/// Sets of wrong answers that are kept, some 25 times the positions of a mesh each.
+constexpr std::size_t most_variants = 64;
 
-/// A Laplacian with its kind: the uniform one makes a curvature in its own way.
-struct MarkedLaplacian {
-    std::string key;   // of the convention; empty: the right one
-    OperatorKind kind = OperatorKind::cotan;
-    AreaForm area = AreaForm::barycentric;
-    LaplaceBeltrami L;
-};
-
-MarkedLaplacian right_laplacian(const TriangleMesh& mesh, const AnswerSettings& s) {
-    return {"", s.laplacian, s.area, laplace_operator(mesh, s.laplacian, s.area)};
-}
-
-/// Calls `use` with each of the operator laboratory but the right one, and with what is made of that by wrong areas.
+/// Calls `use` with each; there may be no such operator on this mesh, or no such answer with it.
 template <class Use>
 void for_each_wrong_laplacian(const TriangleMesh& mesh, const AnswerSettings& s, const Use& use) {
-    const auto attempt = [&](auto make) {
+    for (const WrongLaplacian& wrong : wrong_laplacians(s)) {
         try {
-            use(make());
-        } catch (const Error&) {   // no such operator on this mesh, or no such answer with it
+            use(wrong, wrong.of(mesh));
+        } catch (const Error&) {
         }
-    };
-    for (const OperatorEntry& entry : operator_list()) {
-        if (entry.kind == s.laplacian) continue;
-        attempt([&] {
-            return MarkedLaplacian{"operator_" + std::string(entry.name), entry.kind, s.area, laplace_operator(mesh, entry.kind, s.area)};
-        });
     }
-    if (is_dimensionless(s.laplacian)) return;   // it has no areas
-    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
-        if (form == s.area) continue;
-        attempt([&] {
-            return MarkedLaplacian{"area_" + std::string(name_of(form)), s.laplacian, form, laplace_operator(mesh, s.laplacian, form)};
-        });
-    }
-    const LaplaceBeltrami right = laplace_operator(mesh, s.laplacian, s.area);
-    attempt([&] {
-        const Vector ones = (right.M.array() > 0).select(Vector::Ones(right.M.size()), 0);
-        return MarkedLaplacian{"without_area", s.laplacian, s.area, {right.C, ones}};
-    });
-    attempt([&] { return MarkedLaplacian{"whole_ring", s.laplacian, s.area, {right.C, 3 * right.M}}; });
-    attempt([&] {
-        const Vector ones = (right.M.array() > 0).select(Vector::Ones(right.M.size()), 0);
-        return MarkedLaplacian{"unclamped", OperatorKind::edge_normalised, s.area, {edge_normalised_laplacian(mesh, false), ones}};
-    });
 }
-
-Vector flat(const Positions& X) { return Eigen::Map<const Vector>(X.data(), X.size()); }
 
 double diagonal_of(const PreparedMesh& prepared) { return (prepared.preflight.box_high - prepared.preflight.box_low).norm(); }
 
-Vector mean_curvature_by(const PreparedMesh& prepared, const MarkedLaplacian& laplacian) {
-    return operator_mean_curvature(prepared.mesh, prepared.topology, laplacian.kind, laplacian.L);
+Vector mean_curvature_by(const PreparedMesh& prepared, OperatorKind kind, const LaplaceBeltrami& L) {
+    return operator_mean_curvature(prepared.mesh, prepared.topology, kind, L);
+}
+
+/// What is a mean over the neighbours as the sum over them.
+Vector summed(const Vector& mean, const MeshTopology& topology) {
+    Vector sum = mean;
+    for (Eigen::Index v = 0; v < sum.size(); ++v) sum[v] *= topology.neighbours.size(static_cast<int>(v));
+    return sum;
 }
 
 // ---- curvature ----------------------------------------------------------------------------------------------------------
 
 std::vector<Variant> uniform_variants(const PreparedMesh& prepared, const Vector& right) {
-    Vector valence(right.size());
-    for (Eigen::Index v = 0; v < right.size(); ++v) valence[v] = prepared.topology.neighbours.size(static_cast<int>(v));
-    return {{"valence_sum", right.cwiseProduct(valence)}, {"scaled", uniform_mean_curvature_scaled(prepared.mesh, prepared.topology)}};
+    return {{"valence_sum", summed(right, prepared.topology)}, {"scaled", uniform_mean_curvature_scaled(prepared.mesh, prepared.topology)}};
 }
 
 std::vector<Variant> gaussian_variants(const PreparedMesh& prepared, AreaForm form) {
@@ -91,15 +65,24 @@ std::vector<Variant> gaussian_variants(const PreparedMesh& prepared, AreaForm fo
     return variants;
 }
 
+std::vector<Variant> curvature_variants(const PreparedMesh& prepared, const AnswerSettings& s) {
+    std::vector<Variant> variants;
+    for_each_wrong_laplacian(prepared.mesh, s, [&](const WrongLaplacian& wrong, const LaplaceBeltrami& L) {
+        const Vector H = mean_curvature_by(prepared, wrong.kind, L);
+        variants.push_back({wrong.key, wrong.key == "valence_sum" ? summed(H, prepared.topology) : H});
+    });
+    return variants;
+}
+
 // ---- spectra ------------------------------------------------------------------------------------------------------------
 
 std::vector<Variant> spectrum_variants(const PreparedMesh& prepared, const AnswerSettings& s) {
     std::vector<Variant> variants;
     const Spectrum more = smallest_eigenpairs(laplace_operator(prepared.mesh, s.laplacian, s.area), s.k + 1);
     if (more.eigenvalues.size() > s.k) variants.push_back({"zero_left_out", more.eigenvalues.tail(s.k)});
-    for_each_wrong_laplacian(prepared.mesh, s, [&](const MarkedLaplacian& laplacian) {
-        const Vector eigenvalues = smallest_eigenpairs(laplacian.L, s.k).eigenvalues;
-        if (eigenvalues.size() == s.k) variants.push_back({laplacian.key, eigenvalues});
+    for_each_wrong_laplacian(prepared.mesh, s, [&](const WrongLaplacian& wrong, const LaplaceBeltrami& L) {
+        const Vector eigenvalues = smallest_eigenpairs(L, s.k).eigenvalues;
+        if (eigenvalues.size() == s.k) variants.push_back({wrong.key, eigenvalues});
     });
     return variants;
 }
@@ -107,93 +90,38 @@ std::vector<Variant> spectrum_variants(const PreparedMesh& prepared, const Answe
 std::vector<Variant> reconstruction_variants(const PreparedMesh& prepared, const AnswerSettings& s) {
     std::vector<Variant> variants;
     const Positions& X = prepared.mesh.X;
-    const LaplaceBeltrami L = laplace_operator(prepared.mesh, s.laplacian, s.area);
-    const Spectrum spectrum = smallest_eigenpairs(L, s.k + 1);
+    const LaplaceBeltrami right = laplace_operator(prepared.mesh, s.laplacian, s.area);
+    const Spectrum spectrum = smallest_eigenpairs(right, s.k + 1);
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
-    variants.push_back({"unmapped", flat(reconstruct_unmapped(spectrum, L.M, X, std::min(s.k, found)))});
-    variants.push_back({"unweighted", flat(reconstruct_unweighted(spectrum, L.M, X, std::min(s.k, found)))});
-    if (s.k > 1 && s.k <= found) variants.push_back({"one_less", flat(reconstruct(spectrum, L.M, X, s.k - 1))});
+    variants.push_back({"unmapped", flat(reconstruct_unmapped(spectrum, right.M, X, std::min(s.k, found)))});
+    variants.push_back({"unweighted", flat(reconstruct_unweighted(spectrum, right.M, X, std::min(s.k, found)))});
+    if (s.k > 1 && s.k <= found) variants.push_back({"one_less", flat(reconstruct(spectrum, right.M, X, s.k - 1))});
     if (found > s.k) {
-        const Positions more = reconstruct(spectrum, L.M, X, s.k + 1), constant = reconstruct(spectrum, L.M, X, 1);
+        const Positions more = reconstruct(spectrum, right.M, X, s.k + 1), constant = reconstruct(spectrum, right.M, X, 1);
         variants.push_back({"one_more", flat(more)});
         variants.push_back({"zero_left_out", flat(more - constant)});
     }
-    for_each_wrong_laplacian(prepared.mesh, s, [&](const MarkedLaplacian& laplacian) {
-        const Spectrum wrong = smallest_eigenpairs(laplacian.L, s.k);
-        variants.push_back({laplacian.key, flat(reconstruct(wrong, laplacian.L.M, X, static_cast<int>(wrong.eigenvalues.size())))});
+    for_each_wrong_laplacian(prepared.mesh, s, [&](const WrongLaplacian& wrong, const LaplaceBeltrami& L) {
+        if (wrong.key == "half_kept") return;   // a factor leaves the modes as they are
+        const Spectrum its_own = smallest_eigenpairs(L, s.k);
+        variants.push_back({wrong.key, flat(reconstruct(its_own, L.M, X, static_cast<int>(its_own.eigenvalues.size())))});
     });
     return variants;
 }
 
-// ---- smoothing ----------------------------------------------------------------------------------------------------------
-
-SmoothingOptions smoothing_of(const PreparedMesh& prepared, const AnswerSettings& s) {
-    SmoothingOptions options;
-    options.scheme = s.scheme;
-    options.laplacian = s.laplacian;
-    options.area = s.area;
-    options.iterations = s.iterations;
-    options.rebuild = s.rebuild;
-    // As `meshfolio smooth`: the largest stable step is that with barycentric areas.
-    const double critical =
-        s.unit == StepUnit::tau ? largest_stable_step(largest_eigenvalue(laplace_operator(prepared.mesh, s.laplacian))) : 0;
-    options.lambda = step_in_model_units(s.lambda, s.unit, critical, mean_edge_length(prepared.mesh));
-    return options;
-}
-
-/// Steps with a fixed operator, whatever it and the step are.
-Positions steps_of(const LaplaceBeltrami& L, const SmoothingOptions& options, Positions X) {
-    for (int i = 0; i < options.iterations && X.allFinite(); ++i) {
-        X = options.scheme == SmoothingScheme::implicit_euler ? implicit_step(L, options.lambda, X) : explicit_step(L, options.lambda, X);
-    }
-    return X;
-}
-
-std::vector<Variant> smoothing_variants(const PreparedMesh& prepared, const AnswerSettings& s) {
-    std::vector<Variant> variants;
-    const SmoothingOptions right = smoothing_of(prepared, s);
-    const auto attempt = [&](const std::string& key, auto change) {
-        SmoothingOptions wrong = right;
-        change(wrong);
-        try {
-            if (wrong.iterations > 0) variants.push_back({key, flat(smooth(prepared.mesh, wrong).X)});
-        } catch (const Error&) {   // no such run
-        }
-    };
-    attempt("lambda_doubled", [](SmoothingOptions& o) { o.lambda *= 2; });
-    attempt("lambda_halved", [](SmoothingOptions& o) { o.lambda /= 2; });
-    attempt("one_more", [](SmoothingOptions& o) { ++o.iterations; });
-    attempt("one_less", [](SmoothingOptions& o) { --o.iterations; });
-    attempt("other_rebuild", [](SmoothingOptions& o) { o.rebuild = !o.rebuild; });
-    if (s.scheme == SmoothingScheme::taubin) return variants;
-    const bool is_implicit = s.scheme == SmoothingScheme::implicit_euler;
-    attempt("other_scheme",
-            [&](SmoothingOptions& o) { o.scheme = is_implicit ? SmoothingScheme::explicit_euler : SmoothingScheme::implicit_euler; });
-    SmoothingOptions backwards = right;
-    backwards.lambda = -right.lambda;
-    try {
-        const LaplaceBeltrami L = laplace_operator(prepared.mesh, s.laplacian, s.area);
-        variants.push_back({"lambda_negated", flat(steps_of(L, backwards, prepared.mesh.X))});
-    } catch (const Error&) {   // M + |λ|C that cannot be factored
-    }
-    for_each_wrong_laplacian(prepared.mesh, s, [&](const MarkedLaplacian& laplacian) {
-        const bool is_listed = laplacian.key.starts_with("operator_") || laplacian.key.starts_with("area_");
-        SmoothingOptions wrong = right;
-        wrong.laplacian = laplacian.kind;
-        wrong.area = laplacian.area;
-        if (is_listed || s.iterations <= most_single_steps)
-            variants.push_back(
-                {laplacian.key, flat(is_listed ? smooth(prepared.mesh, wrong).X : steps_of(laplacian.L, right, prepared.mesh.X))});
-    });
-    return variants;
-}
-
-std::vector<Variant> curvature_variants(const PreparedMesh& prepared, const AnswerSettings& s) {
-    std::vector<Variant> variants;
-    for_each_wrong_laplacian(prepared.mesh, s, [&](const MarkedLaplacian& laplacian) {
-        variants.push_back({laplacian.key, mean_curvature_by(prepared, laplacian)});
-    });
-    return variants;
+/// The modes with the eigenvalue in place k − 1; nothing where more than a few follow.
+std::optional<EqualModes> equal_modes(const LaplaceBeltrami& L, const Positions& X, int k) {
+    constexpr int a_few = 12;
+    const Spectrum spectrum = smallest_eigenpairs(L, k + a_few);
+    const double eigenvalue = spectrum.eigenvalues[k - 1];
+    const auto is_equal = [&](Eigen::Index i) { return std::abs(spectrum.eigenvalues[i] - eigenvalue) <= equal_eigenvalues * eigenvalue; };
+    Eigen::Index first = k - 1, end = k;
+    while (first > 0 && is_equal(first - 1)) --first;
+    while (end < spectrum.eigenvalues.size() && is_equal(end)) ++end;
+    const bool is_cut_off = end == spectrum.eigenvalues.size() && end < operator_with_mass(L).size();
+    if (first == 0 || is_cut_off) return {};
+    return EqualModes{L.M, X, reconstruct(spectrum, L.M, X, static_cast<int>(first)), spectrum.eigenvectors.middleCols(first, end - first),
+                      k - static_cast<int>(first)};
 }
 
 Reference reconstruction_of(const PreparedMesh& prepared, const AnswerSettings& s) {
@@ -205,6 +133,7 @@ Reference reconstruction_of(const PreparedMesh& prepared, const AnswerSettings& 
     if (found > s.k) {
         const double last = spectrum.eigenvalues[s.k - 1], next = spectrum.eigenvalues[s.k];
         reference.not_unique = next - last <= equal_eigenvalues * next;
+        if (reference.not_unique) reference.equal = equal_modes(L, prepared.mesh.X, s.k);
     }
     return reference;
 }
@@ -215,7 +144,7 @@ Reference computed(const RubricItem& item, const AnswerSettings& s, const Prepar
     Reference reference;
     switch (item.what) {
         case MarkedThing::H:
-            reference.right = {mean_curvature_by(prepared, right_laplacian(mesh, s)), 1e-6 / diagonal};
+            reference.right = {mean_curvature_by(prepared, s.laplacian, laplace_operator(mesh, s.laplacian, s.area)), 1e-6 / diagonal};
             break;
         case MarkedThing::H_uniform:
             reference.right = {uniform_mean_curvature(mesh, prepared.topology), 1e-9 * diagonal};
@@ -265,6 +194,21 @@ std::vector<Variant> computed_variants(const RubricItem& item, const AnswerSetti
 
 }   // namespace
 
+// The coefficients ĉ of a choice are P of all coefficients c, P a projector of rank `taken`: there is one where ĉᵀ(c − ĉ) = 0 and neither
+// factor has more rank than it may have.
+bool is_another_choice(const Positions& given, const EqualModes& equal, double tolerance) {
+    const DenseMatrix D = given - equal.below, weighted = equal.modes.transpose() * equal.M.asDiagonal();
+    const DenseMatrix all = weighted * equal.X, own = weighted * D, rest = all - own;
+    if (!given.allFinite() || (D - equal.modes * own).cwiseAbs().maxCoeff() > tolerance) return false;
+    const double off = tolerance * std::sqrt(equal.M.sum());   // of a coefficient [length²]
+    const auto has_rank = [&](const DenseMatrix& A, Eigen::Index rank) {
+        const Vector singular = A.jacobiSvd().singularValues();
+        return rank >= singular.size() || singular[rank] <= off;
+    };
+    const double mixed = (own.transpose() * rest).cwiseAbs().maxCoeff();
+    return mixed <= 3 * off * (all.norm() + off) && has_rank(own, equal.taken) && has_rank(rest, equal.modes.cols() - equal.taken);
+}
+
 References::References(const Rubric& rubric) {
     const MeshLibrary library({}, {});
     for (const RubricItem& item : rubric.items)
@@ -287,6 +231,7 @@ const Reference& References::of(const RubricItem& item, const AnswerSettings& se
 const std::vector<Variant>& References::variants_of(const RubricItem& item, const AnswerSettings& settings) {
     const Key key{item.id, settings};
     if (const auto known = variants_.find(key); known != variants_.end()) return known->second;
+    if (variants_.size() >= most_variants) variants_.clear();   // of a class in which everyone chooses something else
     return variants_[key] = computed_variants(item, settings, of(item, settings));
 }
 

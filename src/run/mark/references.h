@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,11 +13,22 @@
 
 namespace meshfolio::run {
 
+/// Modes of equal eigenvalues, of which a reconstruction takes some: which ones is a choice.
+struct EqualModes {
+    Vector M;
+    Positions X, below;   // and rebuilt from the modes before them
+    DenseMatrix modes;    // all of them
+    int taken = 0;        // by the reconstruction
+};
+/// Do positions come of such a choice? @param tolerance  [length]
+bool is_another_choice(const Positions& given, const EqualModes& equal, double tolerance);
+
 /// What a student's file is held against.
 struct Reference {
     std::shared_ptr<const LibraryMesh> mesh;   // null for a number
     RightValues right;                         // one a vertex, three a vertex for positions, or a list
-    bool not_unique = false;                   // a reconstruction that parts equal eigenvalues: others may be right as well
+    bool not_unique = false;                   // a reconstruction that parts equal eigenvalues: others are right as well
+    std::optional<EqualModes> equal;           // those, unless they are too many
 };
 
 class References {
@@ -26,6 +38,7 @@ public:
 
     /// @throws Error where these settings have no answer
     const Reference& of(const RubricItem& item, const AnswerSettings& settings);
+    /// Valid until the next call.
     const std::vector<Variant>& variants_of(const RubricItem& item, const AnswerSettings& settings);
 
 private:

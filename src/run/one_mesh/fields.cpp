@@ -81,7 +81,7 @@ Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_colu
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
     if (file.empty() || column.empty()) throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
     return field_of_values(is_mesh_file(file) ? mesh_column(file, column, mesh.mesh.vertex_count())
-                                              : csv_column(read_file(file, largest_csv), file, column, {.rows = mesh.mesh.vertex_count()}),
+                                              : csv_column(read_file(file, largest_csv), file, {column}, mesh.mesh.vertex_count()).values,
                            column);
 }
 

@@ -85,9 +85,12 @@ TEST(Batch, ASectionOrACheckThatFailedMakesARowBad) {
 
 TEST(Batch, TheShareIsOneAtTheLimitAndMoreBeyond) {
     EXPECT_DOUBLE_EQ(used_share(check_near("x", 1, 1.5, 0.5)), 1);
-    EXPECT_DOUBLE_EQ(used_share(check_at_most("x", 2, 1.5, 1)), 0.5);
-    EXPECT_DOUBLE_EQ(used_share(check_at_least("x", 2, 4)), 0.5);
-    EXPECT_EQ(used_share(check_at_most("x", 1, -3)), 0);
+    EXPECT_DOUBLE_EQ(used_share(check_at_most("x", 2.5, 1.5, 0.5)), 0.5);
+    EXPECT_DOUBLE_EQ(used_share(check_at_least("x", 0.5, 1)), 0.5);
+    EXPECT_EQ(used_share(check_at_most("x", 0.5, -3)), 0);
+    EXPECT_EQ(used_share(check_at_most("x", 1, 0.98)), 0);   // by a theorem, and not nearly beyond it
+    EXPECT_EQ(used_share(check_at_least("x", 1, 1, 1e-9)), 0);
+    EXPECT_DOUBLE_EQ(used_share(check_at_least("x", 2, 1.5, 1)), 0.5);
     EXPECT_EQ(used_share(check_near("x", 1, 1, 0)), 0);
     EXPECT_EQ(used_share(check_at_least("x", 60, 60)), 0);   // a count, met exactly
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -116,6 +119,8 @@ TEST(Batch, EveryFileHasEveryMeshOnce) {
     const auto json = nlohmann::json::parse(write_batch_json(batch, "1"));
     ASSERT_EQ(json["meshes"].size(), 3u);
     EXPECT_EQ(json["meshes"][0]["lambda_crit"], 0.25);
+    EXPECT_EQ(json["units"]["lambda_crit"], "length²");
+    EXPECT_TRUE(json["meshes"][0]["vertices"].is_number_integer()) << json["meshes"][0]["vertices"];
     EXPECT_EQ(json["meshes"][0]["checks"]["passed"], 1);
     EXPECT_EQ(json["meshes"][1]["worst_check"]["failed"], true);
     EXPECT_EQ(json["meshes"][1]["defects"][0]["count"], 3.0);

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
 #include "base/number_text.h"
@@ -17,10 +21,10 @@ using namespace meshfolio::run;
 namespace {
 
 /// One item on a bundled mesh with an irregular surface and a boundary.
-Rubric rubric_of(const std::string& keys) {
-    return parse_rubric(
-        "[[item]]\nid = \"a\"\npoints = 8\nmesh = \"lily.obj\"\nfile = \"*\"\ncolumn = \"v\"\nvalue = 3\ntolerance = 1e-6\n" + keys,
-        "r.toml");
+Rubric rubric_of(const std::string& keys, const std::string& mesh = "lily.obj") {
+    return parse_rubric("[[item]]\nid = \"a\"\npoints = 8\nmesh = \"" + mesh + "\"\ncolumn = \"v\"\nvalue = 3\ntolerance = 1e-6\n" +
+                            std::string(keys.find("file = ") == std::string::npos ? "file = \"*\"\n" : "") + keys,
+                        "r.toml");
 }
 
 const std::vector<std::string> marked_things{"what = \"H\"",
@@ -30,7 +34,12 @@ const std::vector<std::string> marked_things{"what = \"H\"",
                                              "what = \"eigenvalues\"\nk = 7",
                                              "what = \"reconstruction\"\nk = 6",
                                              "what = \"smoothed\"\nlambda = 0.5\niterations = 4",
-                                             "what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 3\niterations = 3"};
+                                             "what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 3\niterations = 3",
+                                             "what = \"H\"\noperator = \"uniform\"",
+                                             "what = \"eigenvalues\"\noperator = \"uniform\"\nk = 7",
+                                             "what = \"smoothed\"\noperator = \"uniform\"\nunit = \"raw\"\nlambda = 0.25\niterations = 4",
+                                             "what = \"smoothed\"\nrebuild = true\nlambda = 0.5\niterations = 3",
+                                             "what = \"smoothed\"\nscheme = \"taubin\"\nlambda = 0.3\niterations = 3"};
 
 bool names(const std::vector<ConventionKeys>& found, const ConventionKeys& keys) { return std::ranges::find(found, keys) != found.end(); }
 
@@ -68,7 +77,7 @@ TEST(Marking, EveryConventionIsNamed) {
         const RubricItem& item = rubric.items.front();
         const Reference& reference = references.of(item, item.settings);
         const auto expect_named = [&](const Vector& values, const ConventionKeys& keys) {
-            if (agreement_of(values, reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // no mistake on this mesh
+            if (agreement_of({values}, reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // no mistake on this mesh
             const StudentMarks marks = marks_of(files_with(values, reference, item.what), rubric, references);
             const ItemMark& mark = marks.items.front();
             EXPECT_EQ(mark.verdict, Verdict::recognised) << thing << ": " << keys.front();
@@ -82,6 +91,116 @@ TEST(Marking, EveryConventionIsNamed) {
         for (const Variant& variant : variants)
             if (variant.values.allFinite() || item.what != MarkedThing::smoothed) expect_named(variant.values, {variant.key});
     }
+}
+
+TEST(Marking, TheListedMistakesAreKnownWhereTheyCanBeMade) {
+    const auto known = [](const std::string& thing, const std::string& key) {
+        const Rubric rubric = rubric_of(thing);
+        References references(rubric);
+        const RubricItem& item = rubric.items.front();
+        return std::ranges::any_of(references.variants_of(item, item.settings), [&](const Variant& variant) { return variant.key == key; });
+    };
+    for (const std::string& thing : marked_things) {
+        const bool is_smoothed = thing.find("smoothed") != std::string::npos, is_uniform = thing.find("\"uniform\"") != std::string::npos;
+        const bool has_operator = is_smoothed || thing.find("\"H\"") != std::string::npos || thing.find("eigenvalues") != std::string::npos;
+        if (is_smoothed) EXPECT_TRUE(known(thing, "lambda_negated")) << thing;
+        if (is_uniform || thing.find("H_uniform") != std::string::npos) EXPECT_TRUE(known(thing, "valence_sum")) << thing;
+        if (!has_operator || is_uniform) continue;
+        for (const char* key : {"half_kept", "unclamped", "operator_edge-normalised", "area_voronoi", "without_area"})
+            EXPECT_TRUE(known(thing, key)) << thing << ": " << key;
+    }
+}
+
+TEST(Marking, ASignThatMakesAnImplicitStepIndefiniteIsNamed) {
+    const Rubric rubric = rubric_of("what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 5\niterations = 3");
+    References references(rubric);
+    const RubricItem& item = rubric.items.front();
+    const Reference& reference = references.of(item, item.settings);
+    const TriangleMesh& mesh = reference.mesh->mesh();
+    const LaplaceBeltrami L = laplace_operator(mesh, OperatorKind::cotan);
+    const double lambda = 5 * largest_stable_step(largest_eigenvalue(L));
+    const Eigen::MatrixXd system = Eigen::MatrixXd(L.M.asDiagonal()) + lambda * Eigen::MatrixXd(L.C);   // dense, with pivots
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(system);
+    Eigen::MatrixXd X = mesh.X;
+    for (int i = 0; i < 3; ++i) X = factor.solve(L.M.asDiagonal() * X);
+    const Positions rows = X;
+    const Vector values = Eigen::Map<const Vector>(rows.data(), rows.size());
+    EXPECT_TRUE(
+        names(marks_of(files_with(values, reference, item.what), rubric, references).items.front().conventions, {"lambda_negated"}));
+}
+
+TEST(Marking, DigitsThatAreLeftOutCostNothing) {
+    const Rubric rubric = rubric_of("what = \"H_uniform\"\naccept = \"negated\"");
+    References references(rubric);
+    const RubricItem& item = rubric.items.front();
+    const Vector& right = references.of(item, item.settings).right.values;
+    const auto mark_with = [&](double factor, int decimals) {
+        std::ostringstream csv;
+        csv << "v\n" << std::fixed << std::setprecision(decimals);
+        for (const double value : right) csv << factor * value << "\n";
+        return marks_of({{"a.csv", csv.str()}}, rubric, references).items.front();
+    };
+    for (const int decimals : {6, 9, 17}) {
+        EXPECT_EQ(mark_with(1, decimals).verdict, Verdict::right) << decimals << ": " << said_of(mark_with(1, decimals));
+        EXPECT_EQ(mark_with(-1, decimals).verdict, Verdict::accepted) << decimals;
+        EXPECT_TRUE(names(mark_with(2, decimals).conventions, {"doubled"})) << decimals;
+        EXPECT_EQ(mark_with(1.02, decimals).verdict, Verdict::wrong) << decimals;
+    }
+    EXPECT_EQ(mark_with(1, 1).verdict, Verdict::wrong) << "0.0 for all says nothing";
+}
+
+TEST(Marking, FilesAreFoundInAnyCaseAndAreNoLargerThanAnAnswer) {
+    const Rubric rubric = rubric_of("what = \"H\"\nfile = \"q1_*.csv\"");
+    References references(rubric);
+    const RubricItem& item = rubric.items.front();
+    const std::string table =
+        files_with(references.of(item, item.settings).right.values, references.of(item, item.settings), item.what).at("a.csv");
+    const auto mark_of = [&](const submission::HandedIn& files) { return marks_of(files, rubric, references).items.front(); };
+    EXPECT_EQ(mark_of({{"Q1_LILY.CSV", table}}).verdict, Verdict::right);
+    EXPECT_EQ(mark_of({{"Q1_OLD.CSV", "H\n"}, {"q1_lily.csv", table}}).verdict, Verdict::right) << "as it is asked for comes first";
+    EXPECT_EQ(mark_of({{"q1_lily.csv", table + std::string(std::size_t{1} << 23, '\n')}}).verdict, Verdict::unusable);
+}
+
+TEST(Marking, AnotherChoiceOfEqualModesIsRight) {
+    int choices = 0;
+    for (int k = 2; k < 8; ++k) {
+        const Rubric rubric = rubric_of("what = \"reconstruction\"\nk = " + std::to_string(k) + "\n", "cube8.obj");
+        References references(rubric);
+        const RubricItem& item = rubric.items.front();
+        const Reference& reference = references.of(item, item.settings);
+        if (!reference.equal) continue;
+        const EqualModes& equal = *reference.equal;
+        const Eigen::Index count = equal.modes.cols();
+        const DenseMatrix turn = DenseMatrix(DenseMatrix::Random(count, count).householderQr().householderQ()), modes = equal.modes * turn;
+        const auto verdict_of = [&](Eigen::Index taken) {
+            const DenseMatrix chosen = modes.leftCols(taken);
+            const Positions X = equal.below + chosen * (chosen.transpose() * equal.M.asDiagonal() * equal.X);
+            return marks_of(files_with(Eigen::Map<const Vector>(X.data(), X.size()), reference, item.what), rubric, references)
+                .items.front()
+                .verdict;
+        };
+        EXPECT_EQ(verdict_of(equal.taken), Verdict::right) << k;
+        EXPECT_NE(verdict_of(equal.taken - 1), Verdict::right) << k;
+        EXPECT_NE(verdict_of(equal.taken + 1), Verdict::right) << k;
+        ++choices;
+    }
+    EXPECT_GT(choices, 0);
+}
+
+TEST(Marking, RowsMayComeInAnyOrderWhereTheyNameTheirVertex) {
+    const Rubric rubric = rubric_of("what = \"K\"");
+    References references(rubric);
+    const RubricItem& item = rubric.items.front();
+    const Vector& right = references.of(item, item.settings).right.values;
+    const auto verdict_with = [&](int first, bool twice) {
+        std::string csv = "vertex,v\n";
+        for (Eigen::Index i = right.size() - 1; i >= 0; --i)
+            csv += std::to_string(twice ? i / 2 : i + first) + "," + exact_text(right[i]) + "\n";
+        return marks_of({{"a.csv", csv}}, rubric, references).items.front().verdict;
+    };
+    EXPECT_EQ(verdict_with(0, false), Verdict::right);
+    EXPECT_EQ(verdict_with(1, false), Verdict::right);
+    EXPECT_EQ(verdict_with(0, true), Verdict::wrong);
 }
 
 TEST(Marking, WhatIsWrongIsNotExcused) {
