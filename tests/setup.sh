@@ -6,6 +6,7 @@ build_packages="cmake g++ ninja-build pkg-config libeigen3-dev libspectra-dev li
     libkainjow-mustache-dev libtomlplusplus-dev libqpdf-dev libarchive-dev fonts-dejavu-core fonts-dejavu-extra chromium-headless-shell"
 test_packages="$clang_format libgtest-dev libgmp-dev libembree-dev python3 libvalijson-dev libxml2-utils pandoc poppler-utils qpdf
     strace faketime locales"
+python_packages="pybind11-dev python3-dev python3-numpy python3-scipy"
 command -v npm >/dev/null || test_packages="$test_packages nodejs npm"   # Debian's npm cannot stand beside a Node.js from elsewhere
 # Not every distribution has these, and what is built does without: Ubuntu's Chromium is no package of apt.
 optional_packages="libsuitesparse-dev libopenblas-serial-dev chromium-headless-shell $clang_format libembree-dev nodejs npm"
@@ -49,8 +50,10 @@ install_packages() {
     [ -z "$without" ] || echo "these packages could not be had, and it goes on without them:$without" >&2
 }
 
-# build_release ROOT TESTS: the program at ROOT/build/release/meshfolio; TESTS is ON or OFF. Warnings are errors where the tests are built.
+# build_release ROOT TESTS [OPTIONS…]: the program at ROOT/build/release/meshfolio; TESTS is ON or OFF, options are CMake's. Warnings are errors where the tests are built.
 build_release() {
-    cmake -S "$1" -B "$1/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMESHFOLIO_TESTS="$2" -DMESHFOLIO_WERROR="$2" -DMESHFOLIO_JOIN_SOURCES=ON >&2
-    cmake --build "$1/build/release" >&2
+    source=$1 release=$1/build/release tests=$2
+    shift 2
+    cmake -S "$source" -B "$release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMESHFOLIO_TESTS="$tests" -DMESHFOLIO_WERROR="$tests" -DMESHFOLIO_JOIN_SOURCES=ON "$@" >&2
+    cmake --build "$release" >&2
 }

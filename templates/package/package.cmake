@@ -52,9 +52,15 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if(MESHFOLIO_PYTHON)   # the module is for this Python alone
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS
+      "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy")
+  set(module_suggests ", python3-scipy")
+endif()
 # Any BLAS will do, src/geometry/linear/blas_turn.h says how: the serial OpenBLAS is the fastest, for threads are meshfolio's own.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-serial")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium-headless-shell | chromium | weasyprint, fonts-dejavu-extra, snakemake")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium-headless-shell | chromium | weasyprint, fonts-dejavu-extra, snakemake${module_suggests}")
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package_epoch.cmake CONTENT "set(ENV{SOURCE_DATE_EPOCH} @MESHFOLIO_EPOCH@)\n" @ONLY)
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/package_epoch.cmake)
 include(CPack)
