@@ -51,7 +51,8 @@ void refuse_empty(const std::vector<std::string>& words) {
 }
 
 /// What CLI11 refuses. A misspelt option is told first: what else is missing or left over may follow from it.
-UsageError usage_error(const CLI::App& command, const CLI::ParseError& error) {
+/// @param name_called  by the user: "meshfolio" alone may mean the report
+UsageError usage_error(const CLI::App& command, const std::string& name_called, const CLI::ParseError& error) {
     const std::string help = "see " + called(command) + " --help";
     std::vector<std::string> known;
     for (const CLI::Option* option : command.get_options())
@@ -59,7 +60,7 @@ UsageError usage_error(const CLI::App& command, const CLI::ParseError& error) {
     const std::vector<std::string> left = command.remaining();
     for (const std::string& word : left) {
         const std::string name = word.substr(0, word.find('='));
-        if (name.starts_with('-')) return UsageError(called(command) + " has no option '" + name + "'", suggestion(name, known) + help);
+        if (name.starts_with('-')) return UsageError(name_called + " has no option '" + name + "'", suggestion(name, known) + help);
     }
     if (!left.empty()) return UsageError("'" + left.front() + "' is one argument too many", help);
     return UsageError(error.what(), help);
@@ -108,7 +109,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         return ExitCode::ok;
     } catch (const CLI::ParseError& error) {
         const auto chosen = app.get_subcommands();
-        throw usage_error(chosen.empty() ? app : *chosen.front(), error);
+        const CLI::App& command = chosen.empty() ? app : *chosen.front();
+        throw usage_error(command, argc > 1 && argv[1][0] == '-' ? app.get_name() : called(command), error);
     }
     const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& command) { return command.app->parsed(); });
     const Stage stage(chosen->app->get_name());

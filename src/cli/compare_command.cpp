@@ -46,15 +46,18 @@ void add_files(output::FileGroup& files, const CompareFlags& options, const Prep
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
     const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh);
     const std::vector<VertexColumn> columns{{"distance", distances.a_to_b.of_vertices, ScalarType::float32}};
-    if (!options.ply.empty()) files.add(options.ply, encode_mesh(a.mesh, options.ply, {.columns = columns}));
+    if (!options.ply.empty()) add_mesh(files, options.ply, a.mesh, beside_attributes(a, columns));
     if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
     if (!options.csv.empty()) print_to(files, options.csv, vertex_table(a, columns));
 }
 
 ExitCode run_compare(const CompareFlags& options) {
     if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
-    check_holds_columns("--ply", options.ply);
-    const PreparedMesh a = load_mesh(options.a);
+    check_read_once(options.a, options.b);
+    check_output("--csv", options.csv, {".csv", "-"});
+    check_output("--ply", options.ply, column_endings());
+    check_output("--html", options.html, {".html", ".htm"});
+    const PreparedMesh a = load_mesh(options.a, Checks::all, options.ply.empty() ? Keep::mesh : Keep::attributes);
     PreparedMesh b = load_mesh(options.b);
     take_triangles_of_file(options, a, b);
     const Difference difference = about_mesh(options.b, [&] { return difference_of(a.mesh, b.mesh, options.surfaces); });

@@ -33,18 +33,19 @@ Command curvature_command(CLI::App& parent) {
     app.choice("--operator", options->laplacian, operator_choices(), "adds the mean curvature by another operator, as h_<its name>");
     app.flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
     app.text("--csv FILE", options->csv, "file, or - for standard output; default: - where there is no --ply");
-    app.text("--ply FILE", options->ply, "the mesh with all of these as properties of its vertices: .ply, .vtp or .glb");
+    app.text("--ply FILE", options->ply, "the mesh with all of these beside the values its vertices have: .ply, .vtp or .glb");
     app.footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);
                 const OperatorKind kind = operator_named(options->laplacian);
-                check_holds_columns("--ply", options->ply);
-                const PreparedMesh prepared = load_mesh(options->mesh);
-                warn_of_empty_areas(prepared, options->mesh, form);
+                check_output("--csv", options->csv, {".csv", "-"});
+                check_output("--ply", options->ply, column_endings());
+                const PreparedMesh prepared = load_mesh(options->mesh, Checks::all, options->ply.empty() ? Keep::mesh : Keep::attributes);
+                warn_of_empty_areas(prepared, shown(options->mesh), form);
                 output::FileGroup files;
                 files.keep(options->mesh);
                 const std::vector<VertexColumn> columns = curvature_columns(prepared, form, kind, options->jets);
-                if (!options->ply.empty()) files.add(options->ply, encode_mesh(prepared.mesh, options->ply, {.columns = columns}));
+                if (!options->ply.empty()) add_mesh(files, options->ply, prepared.mesh, beside_attributes(prepared, columns));
                 if (!options->csv.empty() || options->ply.empty())
                     print_to(files, options->csv.empty() ? "-" : options->csv, vertex_table(prepared, columns));
                 files.publish();

@@ -5,8 +5,11 @@
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/nearest_word.h"
 #include "build_info.h"
+#include "questions/core/chapter.h"
+#include "questions/core/experiment.h"
 
 namespace meshfolio::cli {
 
@@ -46,6 +49,9 @@ std::string values_of(const CLI::App& program, const CLI::Option& option) {
         return names;
     }
     if (option.get_name() == "NAME") return "$(meshfolio sample --list | cut -d' ' -f1)";
+    if (option.check_lname("views")) return "+x -x +y -y +z -z hero";
+    if (option.check_lname("only")) return joined(section_ids(), " ");
+    if (option.check_lname("config")) return joined(bundled_report_names(), " ");
     const std::string type = option.get_type_name();
     return type.find('|') == std::string::npos ? "" : replaced(type, "|", " ");
 }
@@ -64,7 +70,8 @@ std::string man_options(const CLI::App& command) {
             text += ".TP\n";
             std::string names = places ? "\\fI" + troff(option->get_name()) + "\\fR" : "";
             for (const std::string& name : names_of(*option)) names += (names.empty() ? "\\fB" : ", \\fB") + troff(name) + "\\fR";
-            if (!places && takes_value(*option)) names += " \\fI" + troff(option->get_type_name()) + "\\fR";
+            if (!places && takes_value(*option))
+                names += " \\fI" + replaced(troff(option->get_type_name()), "|", "|\\:") + "\\fR";   // \\: a line may end there
             text += names + "\n" + troff(option->get_description());
             if (!option->get_default_str().empty()) text += " (default: " + troff(option->get_default_str()) + ")";
             text += "\n";
@@ -100,8 +107,8 @@ const CLI::App& command_called(const CLI::App& program, const std::string& name)
 std::string man_page(const CLI::App& command) {
     const bool is_program = command.get_parent() == nullptr;
     const std::string title = troff(replaced(called(command), " ", "-"));
-    std::string text = ".TH \"" + title + "\" 1 \"\" \"meshfolio " + build_info::version + "\" \"User Commands\"\n.SH NAME\n" + title +
-                       " \\- " + troff(command.get_description()) + "\n.SH SYNOPSIS\n.B " + troff(called(command)) +
+    std::string text = ".TH \"" + title + "\" 1 \"\" \"meshfolio " + build_info::version + "\" \"User Commands\"\n.ad l\n.SH NAME\n" +
+                       title + " \\- " + troff(command.get_description()) + "\n.SH SYNOPSIS\n.B " + troff(called(command)) +
                        (is_program ? "\n.I COMMAND\n[\\fIOPTIONS\\fR]" : "\n[\\fIOPTIONS\\fR]");
     for (const CLI::Option* place : options_of(command, true))
         text += place->get_required() ? " \\fI" + place->get_name() + "\\fR" : " [\\fI" + place->get_name() + "\\fR]";

@@ -18,12 +18,13 @@ struct LabFlags {
 ExitCode run_lab(const LabFlags& options) {
     if (report::viewer_program().empty())
         throw UsageError("this program was built without the viewer, and the laboratory needs it", "apt install npm, then build again");
+    check_output("-o", options.output, {".html", ".htm"});
     const report::Templates templates(options.templates);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const std::string name = mesh_name(options.mesh);
     const LabMesh lab = about_mesh(options.mesh, [&] { return lab_mesh(prepared.mesh, name, {{"lab", {}}}, {.vertices = 0}); });
     if (!lab.has_all_modes())
-        warn(options.mesh + ": the page has the lowest " + std::to_string(lab.eigenvalues.size()) + " modes of " +
+        warn(shown(options.mesh) + ": the page has the lowest " + std::to_string(lab.eigenvalues.size()) + " modes of " +
              std::to_string(lab.mesh.vertex_count()) + ", a truncation");
     output::FileGroup files;
     files.keep(options.mesh);

@@ -29,6 +29,7 @@ Command noise_command(CLI::App& parent) {
                 if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100");
                 const auto seed =
                     static_cast<std::uint64_t>(integer_between("--seed", options->seed, 0, std::numeric_limits<std::int64_t>::max()));
+                check_output("-o", options->output, mesh_or_standard_output());
                 const PreparedMesh prepared = load_mesh(options->mesh, Checks::all, Keep::attributes);
                 const Vector3 scale = options->unit == "bbox" ? bounding_box(prepared.mesh).extent() : Vector3::Ones();
                 write_mesh_to(options->output, moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, sigma * scale, seed)),

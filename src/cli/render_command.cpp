@@ -152,7 +152,10 @@ ExitCode run_render(const RenderFlags& options) {
     std::optional<std::pair<double, double>> range;
     if (!options.range.empty()) range = value_limits_in(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
+    check_output("--glb", options.glb, {".glb"}, options.out);
+    check_read_once(options.mesh, options.pair);
     if (options.mesh == "-" && options.out.empty()) throw UsageError("render - needs --out DIR", "the mesh has no name for a folder");
+    output::require_folder(options.out.empty() ? mesh_name(options.mesh) : options.out);
     if (!options.pair.empty()) return run_pair(options, {.draw = given, .views = views, .colormap = options.colormap, .range = range});
     if (options.field == "distance") throw UsageError("--field distance needs another mesh", "name it with --pair");
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
@@ -170,13 +173,13 @@ ExitCode run_render(const RenderFlags& options) {
     output::FileGroup files;
     files.keep(options.mesh);
     files.keep(options.values.substr(0, options.values.rfind(':')));
-    if (!options.glb.empty())
-        files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
     const std::filesystem::path folder = options.out.empty() ? mesh_name(options.mesh) : options.out;
     std::vector<std::filesystem::path> paths;
     for (const render::View& view : views) paths.push_back(folder / file_name(std::string(view.name), options.names == "word"));
     paths.push_back(folder / "sheet.png");
     output::make_folder(folder);
+    if (!options.glb.empty())
+        files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
     add_pictures(files, paths, drawn.sheet, bare);
     files.publish();
     for (const std::filesystem::path& path : paths) print_path(path);

@@ -96,7 +96,9 @@ void begin_planned(const Plan& plan, ReportSettings& settings) {
 
 ExitCode run_report(const ReportFlags& flags) {
     if (flags.json && !flags.plan) throw UsageError("--json goes with --plan", "a report leaves results.json");
+    if (contains(flags.meshes, "-")) throw UsageError("a report cannot take its mesh from standard input", "save it to a file first");
     ReportSettings settings = report_settings(flags);
+    check_output("--junit", flags.junit, {".xml"}, settings.out);
     report::Templates templates(settings.templates);
     report::use_words_of(templates);
     if (settings.page.file) templates.replace("report.html", *settings.page.file);

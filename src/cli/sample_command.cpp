@@ -33,6 +33,7 @@ Command sample_command(CLI::App& parent) {
                 }
                 if (options->name.empty() || options->output.empty()) throw UsageError("sample needs NAME and -o FILE", "or --list");
                 const int subdivide = static_cast<int>(integer_between("--subdivide", options->subdivide, 0, most_subdivisions));
+                check_output("-o", options->output, mesh_or_standard_output());
                 write_mesh_to(options->output, make_sample(options->name, subdivide));
                 return ExitCode::ok;
             }};

@@ -92,11 +92,8 @@ double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, co
     return step;
 }
 
-/// An iteration of Taubin's multiplies a mode by (1 − λμ)(1 − mμ): beyond 1 at the top, the highest modes grow.
 void warn_of_taubin(const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
-    const LaplaceBeltrami laplacian = laplace_operator(mesh, smoothing.laplacian);
-    const double top = largest_eigenvalue(laplacian).value, back = taubin_mu_of(laplacian, smoothing);
-    const double growth = std::abs((1 - smoothing.lambda * top) * (1 - back * top));
+    const double growth = taubin_growth(laplace_operator(mesh, smoothing.laplacian), smoothing);
     if (growth > 1) warn("each iteration multiplies the highest mode by " + plain_text(growth, 4) + "; take a smaller --lambda");
 }
 
@@ -117,6 +114,7 @@ void warn_of_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
 ExitCode run_smooth(const SmoothFlags& options, Ranks* ranks) {
     SmoothingOptions smoothing = smoothing_options(options);
     smoothing.ranks = ranks;
+    check_output("-o", options.output, mesh_or_standard_output());
     const PreparedMesh prepared = load_mesh(options.mesh, Checks::all, Keep::attributes);
     bool indefinite = false;
     const Smoothed result = about_mesh(options.mesh, [&] {
@@ -132,12 +130,12 @@ ExitCode run_smooth(const SmoothFlags& options, Ranks* ranks) {
     write_mesh_to(options.output, moved_to(prepared.mesh, result.X), prepared.attributes);
     warn_of_limit(smoothing, result);
     if (result.collapse_iteration > 0) {
-        complain(options.mesh + ": nothing was left of the surface before iteration " + std::to_string(result.collapse_iteration) + "; " +
-                 options.output + " has the last positions; take fewer --iterations or a smaller --lambda");
+        complain(shown(options.mesh) + ": nothing was left of the surface before iteration " + std::to_string(result.collapse_iteration) +
+                 "; " + options.output + " has the last positions; take fewer --iterations or a smaller --lambda");
         return ExitCode::failed;
     }
     if (!result.blew_up) return ExitCode::ok;
-    complain(options.mesh + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
+    complain(shown(options.mesh) + ": blew up in iteration " + std::to_string(result.blow_up_iteration) + " at vertex " +
              std::to_string(result.blow_up_vertex) + "; " + options.output + " has the last finite positions; take " +
              (indefinite                                            ? "--operator cotan or idt"
               : smoothing.scheme == SmoothingScheme::implicit_euler ? "a smaller --lambda"

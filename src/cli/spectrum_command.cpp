@@ -14,6 +14,7 @@
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/fields.h"
+#include "run/one_mesh/vertex_columns.h"
 
 namespace meshfolio::cli {
 
@@ -90,7 +91,7 @@ void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options,
     for (const int k : counts) {
         if (k > spectrum.eigenvalues.size()) continue;
         const auto file = std::filesystem::path(options.out) / (stem + "_k" + std::to_string(k) + ".ply");
-        files.add(file, encode_mesh(moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)), file.string()));
+        add_mesh(files, file, moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)));
     }
 }
 
@@ -102,21 +103,28 @@ ExitCode run_spectrum(const SpectrumFlags& options, Ranks* ranks) {
     if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
     if (!options.csv.empty() && options.csv == options.vectors)
         throw UsageError("--csv and --vectors are both " + in_quotes(options.csv), "give each output a name of its own");
-    check_holds_columns("--ply", options.ply);
-    const PreparedMesh prepared = load_mesh(options.mesh);
+    if (!options.out.empty()) output::require_folder(options.out);
+    check_output("--csv", options.csv, {".csv", "-"}, options.out);
+    check_output("--vectors", options.vectors, {".npy", ".csv", "-"}, options.out);
+    check_output("--ply", options.ply, column_endings(), options.out);
+    const PreparedMesh prepared = load_mesh(options.mesh, Checks::all, options.ply.empty() ? Keep::mesh : Keep::attributes);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
     const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k, {.ranks = ranks}); });
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
     if (found < k) {
-        warn(options.mesh + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) + " asked for");
+        warn(shown(options.mesh) + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) +
+             " asked for");
     }
     const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum, ranks);
     complain(in_words(certificate));
     output::FileGroup files;
     files.keep(options.mesh);
     if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
-    if (!options.vectors.empty()) print_to(files, options.vectors, npy_of(spectrum.eigenvectors));
-    if (!options.ply.empty()) files.add(options.ply, encode_mesh(prepared.mesh, options.ply, {.columns = mode_columns(spectrum)}));
+    if (!options.vectors.empty()) {
+        const bool is_table = lower_case_ending(options.vectors) == ".csv";
+        print_to(files, options.vectors, is_table ? vertex_table(prepared, mode_columns(spectrum)) : npy_of(spectrum.eigenvectors));
+    }
+    if (!options.ply.empty()) add_mesh(files, options.ply, prepared.mesh, beside_attributes(prepared, mode_columns(spectrum)));
     if (!options.csv.empty() || (options.vectors.empty() && options.ply.empty() && options.out.empty())) {
         print_to(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     }
@@ -135,7 +143,8 @@ Command spectrum_command(CLI::App& parent) {
     app.choice("--operator", options->laplacian, operator_choices(), "whose eigenpairs");
     app.choice("--backend", options->backend, backend_choices(), "who factors; slepc: all ranks of mpirun together");
     app.text("--csv FILE", options->csv, "index, eigenvalue, residual; - for standard output");
-    app.text("--vectors FILE", options->vectors, "eigenvectors as .npy, n x K float64");
+    app.text("--vectors FILE", options->vectors,
+             "eigenvectors: .npy, n x K float64; .csv, a row a vertex with mode_1, mode_2, …; - for .npy on standard output");
     app.text("--ply FILE", options->ply, "the mesh with its eigenvectors as properties mode_1, mode_2, …: .ply, .vtp or .glb");
     app.text("--reconstruct NUMBERS", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
     app.text("--out DIR", options->out, "folder for <mesh>_k<k>.ply");

@@ -7,7 +7,11 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/in_quotes.h"
+#include "base/joined.h"
 #include "mesh/io/mesh_files.h"
+#include "output/publish/folder_system.h"
+#include "run/arguments.h"
 #include "run/progress.h"
 
 namespace meshfolio::run {
@@ -30,13 +34,43 @@ void print_to(output::FileGroup& files, const std::string& file, std::string_vie
 }
 
 void write_mesh_to(const std::string& file, const TriangleMesh& mesh, const Attributes& attributes) {
-    const std::string bytes = encode_mesh(mesh, file, attributes);
-    if (file == "-") return print(bytes);
-    output::replace_file(file, bytes);
+    output::FileGroup files;
+    add_mesh(files, file, mesh, attributes);
+    files.publish();
 }
 
-void check_holds_columns(const std::string& option, const std::string& file) {
-    if (!file.empty() && !holds_columns(file)) throw UsageError(option + " " + file + " holds no values", "name it .ply, .vtp or .glb");
+void add_mesh(output::FileGroup& files, const std::filesystem::path& file, const TriangleMesh& mesh, const Attributes& attributes) {
+    const std::string name = !file.has_extension() && output::is_stream(file) ? "-" : file.string();   // OBJ
+    const std::string bytes = encode_mesh(mesh, name, attributes);
+    for (const std::string& loss : losses(mesh, name, attributes)) warn(file.string() + ": " + loss);
+    print_to(files, file.string(), bytes);
+}
+
+void check_output(const std::string& option, const std::string& file, const std::vector<std::string>& endings,
+                  const std::filesystem::path& made) {
+    const bool takes_streams = contains(endings, "-");
+    const std::string ending = lower_case_ending(file);
+    if (file.empty() || (takes_streams && file == "-")) return;
+    if (!contains(endings, ending) && !(takes_streams && ending.empty() && output::is_stream(file))) {
+        std::vector<std::string> known = endings;
+        std::erase(known, "-");
+        throw UsageError(
+            option + " " + in_quotes(file) + (ending.empty() ? " does not say its format" : " cannot be written as '" + ending + "'"),
+            "let its name end in " + meshfolio::joined(known, ", ") + (takes_streams ? ", or take - for standard output" : ""));
+    }
+    std::error_code error;
+    const std::filesystem::path inside = output::resolved(file, error).lexically_relative(output::resolved(made, error));
+    if (made.empty() || error || inside.empty() || *inside.begin() == "..") output::place_of_file(file);
+}
+
+std::vector<std::string> mesh_or_standard_output() {
+    std::vector<std::string> endings = mesh_endings();
+    endings.emplace_back("-");
+    return endings;
+}
+
+void check_read_once(const std::string& a, const std::string& b) {
+    if (a == "-" && b == "-") throw UsageError("standard input can be read once", "name a file for one of them");
 }
 
 void complain(const std::string& message) {
@@ -57,16 +91,19 @@ int close_standard_output(int exit_code) {
 
 void warn(const std::string& message) { complain("warning: " + message); }
 
+std::string shown(const std::string& file) { return file == "-" ? standard_input : file; }
+
 PreparedMesh load_mesh(const std::string& file, Checks checks, Keep keep) {
     constexpr std::size_t most = 20;
-    const Stage stage("reading " + file);
+    const std::string name = shown(file);
+    const Stage stage("reading " + name);
     LoadedMesh loaded = file == "-" ? parse_mesh(read_standard_input(standard_input), standard_input, keep) : read_mesh(file, keep);
     PreparedMesh prepared = prepare_mesh(std::move(loaded), checks);
     for (std::size_t i = 0; i < std::min(most, prepared.warnings.size()); ++i) {
         const MeshWarning& warning = prepared.warnings[i];
-        warn(file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);
+        warn(name + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);
     }
-    if (prepared.warnings.size() > most) warn(file + ": " + std::to_string(prepared.warnings.size() - most) + " more warnings");
+    if (prepared.warnings.size() > most) warn(name + ": " + std::to_string(prepared.warnings.size() - most) + " more warnings");
     return prepared;
 }
 

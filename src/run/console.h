@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/errors.h"
 #include "mesh/mesh_checks.h"
@@ -25,17 +26,33 @@ int close_standard_output(int exit_code);
 /// To a file, to be published with the others, or to stdout for "-". @throws OutputError
 void print_to(output::FileGroup& files, const std::string& file, std::string_view text);
 
-/// A mesh into a file, which is replaced as a whole, or to stdout for "-". @throws OutputError, UsageError for an ending that is not
-/// written
+/// A mesh into a file, which is replaced as a whole, or to stdout for "-". Warns of what is lost. @throws OutputError, UsageError for an
+/// ending that is not written
 void write_mesh_to(const std::string& file, const TriangleMesh& mesh, const Attributes& attributes = {});
 
-/// Before the work, for a file that values of vertices are to go into; none of an empty name. @throws UsageError for another format
-void check_holds_columns(const std::string& option, const std::string& file);
+/// The same, to be published with others. @throws OutputError
+void add_mesh(output::FileGroup& files, const std::filesystem::path& file, const TriangleMesh& mesh, const Attributes& attributes = {});
+
+/// To be called before the work, of a file that an option names; empty: none. Devices and pipes need no ending where "-" is taken.
+/// @param endings  of the formats it may be written in, "-" being standard output
+/// @param made     folder that the command makes; the file may lie in it
+/// @throws UsageError for another ending; OutputError where no file can be made
+void check_output(const std::string& option, const std::string& file, const std::vector<std::string>& endings,
+                  const std::filesystem::path& made = {});
+
+/// "-" and the endings of meshes.
+std::vector<std::string> mesh_or_standard_output();
+
+/// @throws UsageError where both are standard input, which can be read once
+void check_read_once(const std::string& a, const std::string& b);
 
 /// One line on stderr: "meshfolio: …". Nothing is thrown when stderr is gone.
 void complain(const std::string& message);
 /// One line on stderr: "meshfolio: warning: …".
 void warn(const std::string& message);
+
+/// What messages call an input: standard input for "-".
+std::string shown(const std::string& file);
 
 /// Reads and prepares a mesh, that of standard input for "-", and prints its warnings, at most 20 lines of them.
 /// @throws InputError
@@ -46,9 +63,9 @@ template <class Work>
 auto about_mesh(const std::string& file, const Work& work) try {
     return work();
 } catch (const MeshError& error) {
-    throw InputError({file, 0}, error.what());
+    throw InputError({shown(file), 0}, error.what());
 } catch (const SolverError& error) {
-    throw SolverError(file + ": " + error.what());
+    throw SolverError(shown(file) + ": " + error.what());
 }
 
 }   // namespace meshfolio::run

@@ -54,6 +54,7 @@ void warn_of_missing(const std::vector<std::string>& missing) {
 ExitCode report_from_results(const ReportFlags& flags) {
     refuse_computing_options(flags);
     ReportSettings settings = report_settings(flags);
+    check_output("--junit", flags.junit, {".xml"}, settings.out);
     const auto threads = limited_threads(settings);
     std::vector<EarlierReport> parts;
     if (!flags.from.empty()) parts.emplace_back(flags.from);

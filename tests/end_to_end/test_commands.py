@@ -6,6 +6,7 @@ import io
 import json
 import math
 import os
+import re
 import struct
 import subprocess
 import unittest
@@ -108,6 +109,35 @@ class Usage(InFolder):
             self.refuse(4, *arguments)
         self.assertEqual(read(self.path('file')), b'kept')
 
+    def test_outputs_are_refused_before_the_work(self):
+        # It has not begun: the mesh, which is missing, was not even looked for.
+        for arguments in (['smooth', '-o'], ['noise', '--sigma', 1, '-o'], ['curvature', '--csv'], ['curvature', '--ply'], ['spectrum', '-k', 3, '--csv'],
+                          ['spectrum', '-k', 3, '--vectors'], ['spectrum', '-k', 3, '--ply'], ['lab', '-o'], ['compare', 'b.obj', '--csv'],
+                          ['compare', 'b.obj', '--ply'], ['compare', 'b.obj', '--html'], ['render', '--glb'], ['report', '--quick', '--junit'],
+                          ['merge', '--junit']):
+            command, option = [arguments[0], 'none.obj', *arguments[1:-1]], arguments[-1]
+            told = self.refuse(2, *command, option, 'x.pdf')
+            self.assertRegex(told, rf"{option} 'x.pdf' cannot be written as '.pdf'; let its name end in (\.\w+)")
+            known = told.split('let its name end in ')[1].split(',')[0]
+            self.refuse(4, *command, option, f'nodir/x{known}')
+            os.mkdir(self.path(f'folder{known}'))
+            self.refuse(4, *command, option, f'folder{known}')
+            os.rmdir(self.path(f'folder{known}'))
+        for arguments in (['spectrum', 'none.obj', '-k', 3, '--reconstruct', 3], ['render', 'none.obj']):
+            self.refuse(4, *arguments, '--out', os.path.join(self.write('file', ''), 'x'))
+        for words in (['compare', '-', '-'], ['render', '-', '--pair', '-', '--out', 'x']):
+            self.assertIn('standard input can be read once', self.refuse(2, *words))
+        self.assertEqual(os.listdir(self.folder), ['file'])
+
+    def test_devices_and_pipes_need_no_ending(self):
+        mesh = self.sample('cube8')
+        for words in (['curvature', mesh, '--csv'], ['spectrum', mesh, '-k', 3, '--vectors'], ['noise', mesh, '--sigma', 0, '-o']):
+            self.assertEqual(self.succeed(*words, '/dev/null'), '')
+        line = '"$0" noise "$1" --sigma 0 -o >(cat >made.obj)'
+        subprocess.run(['bash', '-c', line + '; wait $!', PROGRAM, mesh], cwd=self.folder, check=True)
+        self.assertEqual(read(self.path('made.obj')), read(self.path(mesh)))
+        self.refuse(2, 'curvature', mesh, '--ply', '/dev/null')
+
     def test_standard_output_full_or_closed(self):
         mesh = self.sample('cube8')
         with open('/dev/full', 'wb') as full:
@@ -145,10 +175,15 @@ class Manners(InFolder):
         for words, meant in ((['report', '--qick'], '--quick'), (['render', '--fild', 'x', 'a.obj'], '--field'), (['rendre', 'a.obj'], 'render'),
                              (['smooth', 'a.obj', '--outptu=b.ply'], '--output'), (['smooth', 'a.obj', '-o', 'b', '--scheme', 'implict'], 'implicit'),
                              (['render', 'a.obj', '--colormap', 'virids'], 'viridis'), (['curvature', 'a.obj', '--area', 'mixd'], 'mixed'),
-                             (['sample', 'creatur', '-o', 'a.obj'], 'creature'), (['vesion'], 'version')):
+                             (['sample', 'creatur', '-o', 'a.obj'], 'creature'), (['vesion'], 'version'),
+                             (['smooth', 'a.obj', '-o', 'b.ply', '--unit', 'tua'], 'tau'), (['curvature', 'a.obj', '--cvs', 'b'], '--csv'),
+                             (['help', '--as', 'zhs'], 'zsh'), (['render', 'a.obj', '--views', 'heroo'], 'hero'), (['cache', 'claer'], 'clear'),
+                             (['report', '--config', 'labratory'], 'laboratory'), (['report', '--pdf', 'requier'], 'require')):
             self.assertRegex(self.refuse(2, *words), f'did you mean [\'"]{meant}[\'"]')
         self.assertNotIn('did you mean', self.refuse(2, 'inspect', 'a.obj', '--xyzzyxyzzy'), 'nothing is like it')
         self.assertIn('too many', self.refuse(2, 'inspect', 'a.obj', 'b.obj'))
+        self.assertIn("meshfolio has no option '--bogus'", self.refuse(2, '--bogus'))
+        self.assertIn('standard input', self.refuse(2, 'report', '-'))
 
     def test_a_closed_pipe_ends_it_quietly_and_leaves_what_was_there(self):
         mesh = self.sample('creature')
@@ -268,7 +303,12 @@ class Spectrum(InFolder):
             self.assertAlmostEqual(value / exact, 1, delta=0.02)
         self.assertLess(max(float(r['residual']) for r in rows), 1e-6)
 
+        self.succeed('spectrum', mesh, '-k', '9', '--vectors', 'v.csv')
+        modes = table(read(self.path('v.csv')).decode())
+        self.assertEqual((len(modes), list(modes[0])[-2:]), (len(vertices), ['mode_8', 'mode_9']))
+
         data = read(self.path('v.npy'))
+        self.assertEqual(list(struct.unpack_from('<%dd' % 9, data, len(data) - 72)), [float(modes[-1][f'mode_{k}']) for k in range(1, 10)])
         self.assertEqual(data[:8], b'\x93NUMPY\x01\x00')
         length = struct.unpack_from('<H', data, 8)[0]
         header = data[10:10 + length].decode()
@@ -359,7 +399,7 @@ class MeshesOut(InFolder):
                       ['spectrum', mesh, '-k', '3', '--vectors', mesh], with_values + ['--glb', mesh], with_values + ['--glb', 'values.csv']):
             code, _, err = self.run_here(*words)
             self.assertEqual(code, 2, err)
-            self.assertIn('is the input itself', err)
+            self.assertRegex(err, "is the input itself|cannot be written as '.(obj|csv)'")
         self.assertEqual([read(self.path(name)) for name in (mesh, 'values.csv')], before)
 
     def test_compare_sees_past_a_surface_that_turned_inside_out(self):
@@ -385,7 +425,7 @@ class OtherFormats(InFolder):
             self.assertEqual(self.counts(f'a.{ending}'), expected)
             packed = self.write(f'b.{ending}.gz', gzip.compress(Path(self.path(f'a.{ending}')).read_bytes()))
             self.assertEqual(self.counts(packed), expected)
-        self.assertIn('cannot write a mesh as', self.refuse(2, 'sample', 'torus', '-o', 'torus.obj.gz'))
+        self.assertIn("cannot be written as '.gz'", self.refuse(2, 'sample', 'torus', '-o', 'torus.obj.gz'))
 
     def test_pipes(self):
         self.sample('torus')
@@ -400,6 +440,8 @@ class OtherFormats(InFolder):
         bad = subprocess.run([PROGRAM, 'inspect', '-'], input='v 0 0 x\n', capture_output=True, text=True, timeout=60)
         self.assertEqual(bad.returncode, 3)
         self.assertIn('meshfolio: standard input:1: ', bad.stderr)
+        doubled = subprocess.run([PROGRAM, 'inspect', '-'], input=text + text.splitlines()[-1] + '\n', capture_output=True, text=True, timeout=60)
+        self.assertRegex(doubled.stderr, '^meshfolio: warning: standard input: ')
         self.assertIn('needs --out', self.refuse(2, 'render', '-'))
 
     def test_curvatures_and_modes_become_properties_that_can_be_drawn(self):
@@ -417,8 +459,38 @@ class OtherFormats(InFolder):
         self.succeed('smooth', 'modes.ply', '-o', 'fair.ply', '--lambda', 0.001)
         self.succeed('render', 'fair.ply', '--values', 'fair.ply:mode_3', '--size', 100, '--out', 'fair')
         self.assertIn("no property 'mode_4' of vertices; it has mode_1, mode_2, mode_3",
-                      self.refuse(3, 'render', 'torus.obj', '--values', 'modes.ply:mode_4'))
-        self.assertIn('holds no values', self.refuse(2, 'curvature', 'torus.obj', '--ply', 'h.obj'))
+                      self.refuse(3, 'render', 'torus.obj', '--values', 'modes.ply:mode_4').replace("did you mean 'mode_1' or 'mode_2' or 'mode_3'? ", ''))
+        self.assertIn("did you mean 'h_cotan", self.refuse(3, 'render', 'torus.obj', '--values', 'h.ply:h_cotam'))
+        self.assertIn('.ply, .vtp, .glb', self.refuse(2, 'curvature', 'torus.obj', '--ply', 'h.obj'))
+
+    def test_what_a_format_cannot_hold_is_said(self):
+        self.sample('lily')
+        undefined = [sum(row[name] == '' for row in table(self.succeed('curvature', 'lily.obj'))) for name in ('h_uniform', 'k_gauss')]
+        code, _, err = self.run_here('curvature', 'lily.obj', '--ply', 'h.glb')
+        self.assertEqual(code, 0)
+        self.assertRegex(err, r'h\.glb: \d+ values of .*k_gauss.* are undefined or infinite')
+        self.assertGreaterEqual(int(err.split('h.glb: ')[1].split(' ')[0]), sum(undefined))
+        self.write('far.obj', 'v 1e8 0 0\nv 100000001 0 0\nv 1e8 1 0\nv 1e8 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n')
+        for ending, is_told in (('glb', True), ('stl', True), ('ply', False)):
+            code, _, err = self.run_here('noise', 'far.obj', '--sigma', 0, '-o', f'far.{ending}')
+            self.assertEqual((code, f'far.{ending}: rounded to the floats of {ending.upper()}, 1 of 4 vertices' in err), (0, is_told), err)
+        self.assertIn('not kept are area', self.run_here('noise', self.with_curvatures(), '--sigma', 0, '-o', 'a.obj')[2])
+
+    def test_values_are_written_beside_those_of_the_file(self):
+        mesh = self.with_curvatures()   # and "area" with them
+        self.write('b.ply', Path(self.path(mesh)).read_bytes().replace(b'h_cotan', b'quality').replace(b'k_gauss', b'my area'.replace(b' ', b'_')))
+        for words in (['curvature', 'b.ply'], ['spectrum', 'b.ply', '-k', 3], ['compare', 'b.ply', mesh]):
+            self.succeed(*words, '--ply', 'more.ply')
+            header = Path(self.path('more.ply')).read_bytes().split(b'end_header')[0].decode()
+            names = re.findall(r'property double (\w+)|property float (\w+)', header)
+            names = [a or b for a, b in names]
+            self.assertEqual(len(names), len(set(names)), names)
+            for name in ('quality', 'my_area', 'area'):
+                self.assertIn(name, names)
+
+    def with_curvatures(self):
+        self.succeed('curvature', self.sample('cube8'), '--ply', 'h.ply')
+        return 'h.ply'
 
     def test_texture_groups_and_materials_stay(self):
         kept = ['mtllib a.mtl', 'vt 0 0', 'vt 1 0', 'vt 0 1', 'g side', 'usemtl red', 'f 1/1 3/2 2/3', 'f 1/1 2/2 4/3', 'f 1/1 4/2 3/3', 'f 2/1 3/2 4/3']

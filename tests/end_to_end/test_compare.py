@@ -88,6 +88,11 @@ class Compare(InFolder):
             for part in ('<figure class="plot">', '<code>max_a_to_b</code>'):
                 self.assertEqual(part in page, b == 'ground.obj', part)
 
+    def test_an_open_surface_has_no_volume(self):
+        for options in ([], ['--surfaces']):
+            self.assertRegex(self.succeed('compare', 'tile.obj', 'tile.obj', *options), r'volume_ratio +undefined')
+            self.assertIsNone(json.loads(self.succeed('compare', 'tile.obj', 'tile.obj', '--json', *options))['volume_ratio'])
+
     def test_what_cannot_be_compared_or_written(self):
         self.assertIn('none.obj', self.refuse(3, 'compare', 'tile.obj', 'none.obj'))
         self.refuse(2, 'compare', 'tile.obj', 'ground.obj', '--csv', 'ground.obj')

@@ -42,8 +42,9 @@ class Install(unittest.TestCase):
         self.assertTrue((pages / 'meshfolio.1.gz').exists())
         if shutil.which('man'):
             for page in pages.iterdir():
-                done = subprocess.run(['man', '--warnings', '-E', 'UTF-8', '-l', page], capture_output=True, text=True, env={**os.environ, 'MANWIDTH': '300'})
-                self.assertEqual((done.returncode, done.stderr), (0, ''), page)
+                for width in ('80', '300'):
+                    done = subprocess.run(['man', '--warnings', '-E', 'UTF-8', '-l', page], capture_output=True, text=True, env={**os.environ, 'MANWIDTH': width})
+                    self.assertEqual((done.returncode, done.stderr), (0, ''), (page, width))
                 self.assertIn('SYNOPSIS', done.stdout)
 
     def test_shells_read_their_completions(self):
@@ -68,6 +69,9 @@ class Install(unittest.TestCase):
         self.assertEqual(completed('render', '--iso'), ['--isolines'])
         self.assertEqual(completed('smooth', 'a.obj', '--scheme', ''), ['explicit', 'implicit', 'taubin'])
         self.assertEqual(completed('sample', 'creat'), ['creature'])
+        self.assertEqual(completed('render', '--views', 'he'), ['hero'])
+        self.assertEqual(completed('report', '--only', 'q'), [f'q{i}' for i in range(1, 8)])
+        self.assertEqual(completed('report', '--config', 'lab'), ['laboratory'])
         self.assertEqual(completed('help', 'rend'), ['render'])
         self.assertEqual(completed('render', '--out', ''), [], 'names of files are left to bash')
 

@@ -59,14 +59,15 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
         range.high = percentile(values, 1 - clip);
     }
     const bool diverging = range.colormap == "diverging";
-    if (range.colormap == "pale" && range.low > 0) range.low = 0;
+    const bool from_zero = range.colormap == "pale" && range.low >= 0;
+    if (from_zero) range.low = 0;
     if (diverging) {
         const double median = values.empty() ? 0 : percentile(values, 0.5);
         range.high = std::max({std::abs(range.low), std::abs(range.high), 1.25 * std::abs(median)});
         range.low = -range.high;
     }
     if (range.high - range.low < floor) {
-        const double middle = diverging ? 0 : 0.5 * (range.low + range.high);
+        const double middle = diverging ? 0 : from_zero ? 0.5 * floor : 0.5 * (range.low + range.high);
         range.low = middle - 0.5 * floor;
         range.high = middle + 0.5 * floor;
     }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/vec3.hpp>
-#include <stdexcept>
 
 #include "base/errors.h"
+#include "base/in_quotes.h"
+#include "base/joined.h"
+#include "base/nearest_word.h"
 #include "output/draw/robust_range.h"
 
 namespace meshfolio::output {
@@ -35,10 +37,13 @@ bool fit_frame_of(const TriangleMesh& mesh, const Positions& X) {
     return (frame.pixels_per_unit * (X.rowwise() - centre).array().abs() <= 0.5).all();
 }
 
-render::ValueRange value_range(const ColorRange& range) try {
+render::ValueRange value_range(const ColorRange& range) {
+    std::vector<std::string> known;
+    for (const render::Colormap& map : render::colormap_list()) known.emplace_back(map.name);
+    if (std::ranges::find(known, range.colormap) == known.end())
+        throw UsageError("unknown colour map " + in_quotes(range.colormap),
+                         suggestion(range.colormap, known) + "known are " + joined(known, ", "));
     return {&render::colormap_named(range.colormap), range.low, range.high, range.logarithmic};
-} catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
 }
 
 std::vector<double> histogram_of(const std::vector<double>& values, const render::ValueRange& range) {

@@ -22,14 +22,11 @@ void FileGroup::keep(const fs::path& input) {
 }
 
 void FileGroup::add(const fs::path& path, std::string_view bytes) {
-    std::error_code error;
-    const fs::path target = resolved(path, error);
-    if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
+    if (is_stream(path)) return write_file(path, bytes);
+    const fs::path target = place_of_file(path), folder = target.parent_path();
     if (kept_.contains(target)) throw UsageError(path.string() + " is the input itself", "give the output a name of its own");
+    std::error_code error;
     const fs::file_status status = fs::status(target, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, bytes);
-    const fs::path folder = target.parent_path();
-    if (!fs::is_directory(folder, error)) throw OutputError(path.string(), "its folder does not exist", "create it first");
     const auto member = [&]() -> Member* {
         static int number = 0;
         static std::mutex numbering;   // of all groups

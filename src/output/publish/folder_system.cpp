@@ -41,6 +41,35 @@ fs::path resolved(const fs::path& path, std::error_code& error) {
     return target;
 }
 
+void require_folder(const fs::path& path) {
+    std::error_code error;
+    fs::path there = resolved(path, error);
+    if (error) throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")");
+    while (!fs::exists(fs::symlink_status(there, error)) && there.has_relative_path()) there = there.parent_path();
+    if (!fs::is_directory(there, error))
+        throw OutputError(path.string(), "cannot be a folder: " + there.string() + " is none", "choose another name");
+    if (::access(there.c_str(), W_OK | X_OK) != 0)
+        throw OutputError(path.string(), std::string("takes no files (") + std::strerror(errno) + ")", "choose another folder");
+}
+
+fs::path place_of_file(const fs::path& path) {
+    if (is_stream(path)) return path;   // links to pipes lead nowhere by name
+    std::error_code error;
+    const fs::path target = resolved(path, error), folder = target.parent_path();
+    if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
+    if (fs::is_directory(target, error)) throw OutputError(path.string(), std::string("cannot be a file (") + std::strerror(EISDIR) + ")");
+    if (!fs::is_directory(folder, error)) throw OutputError(path.string(), "its folder does not exist", "create it first");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw OutputError(path.string(), std::string("its folder takes no files (") + std::strerror(errno) + ")", "choose another one");
+    return target;
+}
+
+bool is_stream(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
 void make_folder(const fs::path& path) {
     const auto permission = permission_to_create();
     std::error_code error;

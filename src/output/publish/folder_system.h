@@ -28,6 +28,16 @@ private:
 /// Absolute, links followed as far as the path exists: what a rename will name. @param error  why there is no such path
 std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& error);
 
+/// Where a file of that name will stand, links followed. @throws OutputError where none can be made or replaced: its folder is missing or
+/// closed, or it is a folder itself
+std::filesystem::path place_of_file(const std::filesystem::path& path);
+
+/// What is there and takes bytes as they come: a device, a pipe.
+bool is_stream(const std::filesystem::path& path);
+
+/// Before the work: can make_folder() make it, and files be put into it? @throws OutputError
+void require_folder(const std::filesystem::path& path);
+
 /// mkdir, parents too. @throws OutputError
 void make_folder(const std::filesystem::path& path);
 

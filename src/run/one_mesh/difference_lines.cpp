@@ -16,25 +16,25 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
+/// An open surface encloses none.
+double volume_of(const TriangleMesh& mesh) {
+    const std::vector<Edge> edges = edges_of(mesh);
+    const bool closed = std::ranges::none_of(edges, [](const Edge& edge) { return edge.faces == 1; });
+    return closed ? signed_volume(mesh) : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<DifferenceLine> lines_of_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
     const MeshDifference d = compare_meshes(a, b);
     return {{"rms", d.rms, "sqrt(sum d^2 / n) over vertices"},
             {"max", d.max, "largest vertex distance"},
             {"hausdorff", hausdorff_distance(a, b), "two-sided, vertices to surface"},
             {"mean_normal_angle_deg", degrees * d.mean_normal_angle, "between corresponding faces"},
-            {"volume_ratio", d.volume_ratio, "B over A"},
+            {"volume_ratio", std::isnan(volume_of(a)) ? volume_of(a) : d.volume_ratio, "B over A, of closed ones"},
             {"area_ratio", d.area_ratio, "B over A"},
             {"area_weighted_rms", d.area_weighted_rms, "with the vertex areas of A"},
             {"mean_squared_normal_angle_deg2", degrees * degrees * d.mean_squared_normal_angle, ""},
             {"box_diagonal", d.box_diagonal, "of A"},
             {"inverted_faces", static_cast<double>(d.inverted_faces), "normal turned by more than 90 degrees", true}};
-}
-
-/// An open surface encloses none.
-double volume_of(const TriangleMesh& mesh) {
-    const std::vector<Edge> edges = edges_of(mesh);
-    const bool closed = std::ranges::none_of(edges, [](const Edge& edge) { return edge.faces == 1; });
-    return closed ? signed_volume(mesh) : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistances& d) {

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/nearest_word.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/laplace_operator.h"
@@ -65,12 +66,13 @@ Vector mesh_column(const std::string& file, const std::string& name, int vertice
                          "it has " + std::to_string(loaded.mesh.vertex_count()) + " vertices, the mesh " + std::to_string(vertices),
                          "name values of the same mesh");
     }
-    std::string names;
+    std::vector<std::string> names;
     for (const VertexColumn& column : loaded.attributes.columns) {
         if (column.name == name) return (column.values.array().abs() <= largest_coordinate).select(column.values, std::nan(""));
-        names += (names.empty() ? "it has " : ", ") + column.name;
+        names.push_back(column.name);
     }
-    throw InputError({file, 0}, "no property " + in_quotes(name) + " of vertices", names.empty() ? "it has none" : names);
+    throw InputError({file, 0}, "no property " + in_quotes(name) + " of vertices",
+                     names.empty() ? "it has none" : suggestion(name, names) + "it has " + meshfolio::joined(names, ", "));
 }
 
 }   // namespace

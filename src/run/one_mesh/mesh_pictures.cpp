@@ -4,9 +4,11 @@
 #include <cmath>
 #include <memory>
 #include <span>
-#include <stdexcept>
 
 #include "base/errors.h"
+#include "base/in_quotes.h"
+#include "base/joined.h"
+#include "base/nearest_word.h"
 #include "mesh/io/polygon_list.h"
 #include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
@@ -100,13 +102,13 @@ render::Image bare_sheet(const std::vector<render::Image>& pictures) {
 }   // namespace
 
 std::vector<render::View> views_named(const std::string& names) {
+    std::vector<std::string> known{"hero"};
+    for (const render::View& view : render::six_views) known.emplace_back(view.name);
     std::vector<render::View> views;
     for (const std::string& name : split(names, ',')) {
-        try {
-            views.push_back(render::view_named(name));
-        } catch (const std::invalid_argument& error) {
-            throw UsageError(error.what());
-        }
+        if (!contains(known, name))
+            throw UsageError("unknown view " + in_quotes(name), suggestion(name, known) + "known are " + meshfolio::joined(known, ", "));
+        views.push_back(render::view_named(name));
     }
     if (views.empty()) views.assign(render::six_views.begin(), render::six_views.end());
     return views;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "base/at.h"
 #include "base/number_text.h"
@@ -40,6 +42,14 @@ std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaFo
     const bool has_column = kind == OperatorKind::cotan || kind == OperatorKind::uniform;   // h_cotan, h_uniform_scaled
     if (!has_column) columns.push_back(operator_column(prepared, form, kind));
     return columns;
+}
+
+Attributes beside_attributes(const PreparedMesh& prepared, std::vector<VertexColumn> columns) {
+    Attributes all = prepared.attributes;
+    std::erase_if(all.columns,
+                  [&](const VertexColumn& old) { return std::ranges::find(columns, old.name, &VertexColumn::name) != columns.end(); });
+    std::ranges::move(columns, std::back_inserter(all.columns));
+    return all;
 }
 
 std::string vertex_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns) {

@@ -15,6 +15,9 @@ namespace meshfolio::run {
 /// and h_<operator> of any other operator.
 std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
 
+/// What the file of the mesh says of its vertices, and these, which take the place of others of their names.
+Attributes beside_attributes(const PreparedMesh& prepared, std::vector<VertexColumn> columns);
+
 /// CSV of `vertex,x,y,z,boundary` and the columns, a row a vertex.
 std::string vertex_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns);
 

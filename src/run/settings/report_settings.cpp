@@ -37,7 +37,8 @@ void take(std::optional<double>& value, const Setting& setting, const std::strin
 
 void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {
     if (setting.choices != nullptr && !contains(setting.choices(), text))
-        throw UsageError(name + " " + in_quotes(text) + " is none of auto, require and off");
+        throw UsageError(name + " " + in_quotes(text) + " is none of auto, require and off",
+                         suggestion(text, setting.choices()) + "take one of them");
     const bool is_word_of_report = *setting.table != '\0';
     if (is_word_of_report && (text.size() > limits::longest_text || printable(text) != text))
         throw UsageError(name + " is not at most " + std::to_string(limits::longest_text) + " bytes on one line", "write it shorter");

@@ -5,6 +5,7 @@
 
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/nearest_word.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
@@ -233,7 +234,10 @@ ReportSettings read_settings(const std::string& config, ReportSettings before) {
     try {
         text = read_file(config, limits::largest_settings);
     } catch (const InputError& unreadable) {
-        throw SettingsErrors({UsageError(unreadable.what())});
+        const std::string meant = suggestion(config, bundled_report_names());
+        throw SettingsErrors({meant.empty() ? UsageError(unreadable.what())
+                                            : UsageError(in_quotes(config) + " is neither a file nor bundled settings",
+                                                         meant + "bundled are " + meshfolio::joined(bundled_report_names(), ", "))});
     }
     return parse_settings(text, config, std::move(before));
 }
