@@ -20,7 +20,7 @@ std::vector<int> sparse_order(const SparseMatrix& A) {
 }
 
 /// Fronts of every kind: narrow and wide, with and without rows below, dense alone.
-std::vector<SparseMatrix> matrices() {
+std::vector<SparseMatrix> matrices_of_fronts() {
     std::vector<SparseMatrix> all;
     for (const TriangleMesh& mesh : {irregular_sphere(3), grid_mesh(3, 2, 1, 1), irregular_plane(20)})
         all.push_back(-laplace_beltrami(mesh).C);
@@ -49,7 +49,7 @@ DenseMatrix lower_of(const LdltPanels& factor) {
 }   // namespace
 
 TEST(FrontElimination, MultipliedOutIsTheMatrix) {
-    for (const SparseMatrix& A : matrices()) {
+    for (const SparseMatrix& A : matrices_of_fronts()) {
         const FrontTree tree = front_tree(A, sparse_order(A));
         for (const double sigma : {-0.7, 0.31}) {
             const LdltPanels factor = factor_by_fronts(A, sigma, tree, false);

@@ -15,7 +15,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-std::vector<SparseMatrix> matrices() {
+std::vector<SparseMatrix> matrices_of_trees() {
     std::vector<SparseMatrix> all;
     for (const TriangleMesh& mesh : {irregular_sphere(3), grid_mesh(3, 2, 1, 1), irregular_plane(20)})
         all.push_back(-laplace_beltrami(mesh).C);
@@ -35,7 +35,7 @@ std::vector<int> some_order(Eigen::Index n) {
 }   // namespace
 
 TEST(FrontTree, IsAPostorder) {
-    for (const SparseMatrix& A : matrices()) {
+    for (const SparseMatrix& A : matrices_of_trees()) {
         const FrontTree tree = front_tree(A, some_order(A.rows()));
         std::vector<int> first(std::size_t(tree.fronts()));   // front of each subtree
         std::vector<int> size(first.size(), 1);
@@ -54,7 +54,7 @@ TEST(FrontTree, IsAPostorder) {
 }
 
 TEST(FrontTree, HoldsEveryEntryOfTheFactorAndFewMore) {
-    for (const SparseMatrix& A : matrices()) {
+    for (const SparseMatrix& A : matrices_of_trees()) {
         const FrontTree tree = front_tree(A, some_order(A.rows()));
         const EliminationTree columns = elimination_tree(A, tree.order);
         for (int f = 0; f < tree.fronts(); ++f) {
