@@ -57,6 +57,11 @@ struct SparseFactor::Implementation {
 /// Analysed, not factored yet. `A` compressed.
 std::unique_ptr<SparseFactor::Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library);
 std::unique_ptr<SparseFactor::Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library, bool supernodal);
+/// @throws SolverError if an entry is not finite
+void check_finite(const SparseMatrix& A, FactorKind kind);
+/// A pivot is what is left of a diagonal entry after the elimination. Below a few roundings of that entry its sign means nothing.
+/// @throws SolverError if one is, or is not finite
+void check_pivots(const Vector& pivots, const Vector& diagonal, FactorKind kind);
 /// Numerical factorisation, with every pivot checked.
 /// @throws SolverError if an entry is not finite or a pivot is lost in rounding
 void factorize_checked(SparseFactor::Implementation& factor, const SparseMatrix& A);

@@ -1,51 +1,12 @@
 #include "geometry/linear/factor_operations.h"
 
-#include <string>
-
-#include "base/errors.h"
+#include "geometry/linear/elimination_tree.h"
 
 namespace meshfolio {
 
-namespace {
-
-/// Place of each row in the order.
-std::vector<int> inverse_of(const std::vector<int>& order, Eigen::Index rows) {
-    std::vector<int> place(static_cast<std::size_t>(rows), -1);
-    bool valid = order.size() == place.size();
-    for (std::size_t i = 0; valid && i < order.size(); ++i) {
-        valid = order[i] >= 0 && order[i] < rows && place[static_cast<std::size_t>(order[i])] < 0;
-        if (valid) place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    }
-    if (!valid) throw MeshError("operations of a factor: the order is no permutation of " + std::to_string(rows) + " rows");
-    return place;
-}
-
-/// Entries below the diagonal in each column of L: row k has one in every column on the way up the tree from its own entries to k.
-std::vector<int> column_counts(const SparseMatrix& A, const std::vector<int>& order) {
-    const std::vector<int> place = inverse_of(order, A.rows());
-    const std::size_t n = order.size();
-    std::vector<int> parent(n, -1), seen(n, -1), count(n, 0);
-    for (std::size_t k = 0; k < n; ++k) {
-        const int row = static_cast<int>(k);
-        seen[k] = row;
-        for (SparseMatrix::InnerIterator entry(A, order[k]); entry; ++entry) {
-            std::size_t i = static_cast<std::size_t>(place[static_cast<std::size_t>(entry.index())]);
-            if (i >= k) continue;
-            for (; seen[i] != row; i = static_cast<std::size_t>(parent[i])) {
-                if (parent[i] < 0) parent[i] = row;
-                ++count[i];
-                seen[i] = row;
-            }
-        }
-    }
-    return count;
-}
-
-}   // namespace
-
 FactorOperations factor_operations(const SparseMatrix& A, const std::vector<int>& order) {
     FactorOperations operations;
-    for (const int count : column_counts(A, order)) {
+    for (const int count : elimination_tree(A, order).count) {
         const double c = count;
         operations.nonzeros += count + 1;
         operations.factorisation += 0.5 * c * (c + 1) + c;   // the update of what is left, symmetric, and the division by the pivot

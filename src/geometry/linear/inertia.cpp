@@ -6,8 +6,9 @@
 
 #include "base/errors.h"
 #include "geometry/distributed/ranks.h"
+#include "geometry/linear/ldlt_analysis.h"
+#include "geometry/linear/ldlt_rounding.h"
 #include "geometry/linear/random_numbers.h"
-#include "geometry/linear/sparse_factor.h"
 
 namespace meshfolio {
 
@@ -46,8 +47,9 @@ Inertia inertia_at(const SparseMatrix& A, const Vector& M, double sigma, Ranks* 
         const double largest_row = std::numeric_limits<double>::epsilon() * S.diagonal().cwiseAbs().cwiseQuotient(M).maxCoeff();
         return {sigma, ranks->negative_pivots(), measured_backward_error(*ranks, S, M) + forming + largest_row};
     }
-    const SparseFactor factor = SparseFactor::ldlt(S);
-    return {sigma, factor.negative_pivots(), factor.backward_error(M) + forming};
+    const SparseMatrix whole = S.selfadjointView<Eigen::Lower>();
+    const LdltPanels factor = LdltAnalysis(whole).factor(0, true);
+    return {sigma, factor.negative_pivots(), backward_error(factor, M) + forming};
 }
 
 std::optional<Inertia> inertia_between(const SparseMatrix& A, const Vector& M, double low, double high, Ranks* ranks) {

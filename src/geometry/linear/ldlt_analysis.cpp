@@ -4,50 +4,30 @@
 #include <limits>
 
 #include "geometry/linear/factor_implementation.h"
+#include "geometry/linear/front_elimination.h"
 #include "geometry/linear/ldlt_rounding.h"
 
 namespace meshfolio {
 
-namespace {
-
-using Implementation = SparseFactor::Implementation;
-
-SparseMatrix shifted(SparseMatrix A, double sigma) {
-    for (int j = 0; j < A.cols(); ++j) A.coeffRef(j, j) -= sigma;
-    return A;
-}
-
-/// Of A − σI from the matrix factored, in the 2-norm.
-double distance_of(const Implementation& L, double sigma) {
-    return backward_error(L, Vector::Ones(L.rows), 1) + std::numeric_limits<double>::epsilon() * std::abs(sigma);
-}
-
-}   // namespace
-
 LdltAnalysis::LdltAnalysis(const SparseMatrix& A, FactorLibrary library)
-    : A_(A), symbolic_(analysed(A, FactorKind::ldlt, library)), order_(symbolic_->order()) {}
-LdltAnalysis::~LdltAnalysis() = default;
-
-long long LdltAnalysis::nonzeros() const { return symbolic_->nonzeros(); }
-
-std::unique_ptr<Implementation> LdltAnalysis::factored(double sigma) const {
-    auto factor = symbolic_->analysed_copy(A_);
-    factorize_checked(*factor, shifted(A_, sigma));
-    return factor;
+    : A_(A), tree_(front_tree(A, analysed(A, FactorKind::ldlt, library)->order())) {
+    check_finite(A, FactorKind::ldlt);
 }
 
-LdltPanels LdltAnalysis::factor(double sigma) const {
-    const auto L = factored(sigma);
-    LdltPanels panels = panels_of(*L);
-    const Vector pivots = L->pivots();
-    panels.delta = distance_of(*L, sigma);
-    panels.growth = (pivots.array() / (A_.diagonal().array() - sigma)).abs().maxCoeff();
+LdltPanels LdltAnalysis::factor(double sigma, bool parallel) const {
+    LdltPanels panels = factor_by_fronts(A_, sigma, tree_, parallel);
+    Vector pivots(panels.size);   // by the rows of the matrix
+    pivots(panels.order) = panels.pivots;
+    const Vector diagonal = A_.diagonal().array() - sigma;
+    check_pivots(pivots, diagonal, FactorKind::ldlt);
+    panels.delta = backward_error(panels, Vector::Ones(panels.size), 1) + std::numeric_limits<double>::epsilon() * std::abs(sigma);
+    panels.growth = (pivots.array() / diagonal.array()).abs().maxCoeff();
     return panels;
 }
 
-Inertia LdltAnalysis::count_below(double sigma) const {
-    const auto L = factored(sigma);
-    return {sigma, L->negative, distance_of(*L, sigma)};
+Inertia LdltAnalysis::count_below(double sigma, bool parallel) const {
+    const LdltPanels panels = factor(sigma, parallel);
+    return {sigma, panels.negative_pivots(), panels.delta};
 }
 
 }   // namespace meshfolio

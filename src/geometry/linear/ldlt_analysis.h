@@ -2,8 +2,7 @@
 /// One symbolic analysis for LDLᵀ of all A − σI. Private to the layer.
 #pragma once
 
-#include <memory>
-
+#include "geometry/linear/front_tree.h"
 #include "geometry/linear/inertia.h"
 #include "geometry/linear/ldlt_panels.h"
 #include "geometry/linear/sparse_factor.h"
@@ -13,26 +12,24 @@ namespace meshfolio {
 class LdltAnalysis {
 public:
     /// Keeps a reference to A: compressed, symmetric, every diagonal entry stored.
+    /// @param library  whose ordering
     explicit LdltAnalysis(const SparseMatrix& A, FactorLibrary library = FactorLibrary::automatic);
-    ~LdltAnalysis();
 
     /// Row order()[i] is eliminated as the i-th: neighbours on the surface are mostly near each other in this order.
-    const std::vector<int>& order() const { return order_; }
-    long long nonzeros() const;   // of a factor
+    const std::vector<int>& order() const { return tree_.order; }
+    const std::vector<int>& place() const { return tree_.place; }   // its inverse
+    long long nonzeros() const { return tree_.entries(); }          // of a factor
 
-    /// LDLᵀ of A − σI. Several threads may factor at once.
+    /// LDLᵀ of A − σI. Several threads may factor at once; `parallel`: one factor is shared out among threads. The numbers are the same.
     /// @throws SolverError if a pivot is within a few roundings of zero: σ is an eigenvalue, or next to one
-    LdltPanels factor(double sigma) const;
+    LdltPanels factor(double sigma, bool parallel = false) const;
     /// Eigenvalues of A below σ, by Sylvester's law of inertia.
     /// @throws SolverError as `factor`
-    Inertia count_below(double sigma) const;
+    Inertia count_below(double sigma, bool parallel = false) const;
 
 private:
-    std::unique_ptr<SparseFactor::Implementation> factored(double sigma) const;
-
     const SparseMatrix& A_;
-    std::unique_ptr<SparseFactor::Implementation> symbolic_;
-    std::vector<int> order_;
+    FrontTree tree_;
 };
 
 }   // namespace meshfolio

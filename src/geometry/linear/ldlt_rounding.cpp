@@ -4,49 +4,67 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/linear/factor_implementation.h"
 #include "geometry/linear/special_values.h"
 
 namespace meshfolio {
 
 namespace {
 
-using Implementation = SparseFactor::Implementation;
+/// visit(column, w, rows below, their count, values): the panel's own w × w, its lower triangle alone, then w of each row below.
+template <class Visit>
+void for_each_panel(const LdltPanels& L, const Visit& visit) {
+    for (int p = 0; p < L.panels(); ++p) {
+        const auto panel = static_cast<std::size_t>(p);
+        visit(L.first[panel], L.first[panel + 1] - L.first[panel], L.rows.data() + L.row_start[panel],
+              L.row_start[panel + 1] - L.row_start[panel], L.values.data() + L.value_start[panel]);
+    }
+}
 
 /// t_i + 3 for each row of L.
-Vector roundings_of_rows(const Implementation& L) {
-    Vector roundings = Vector::Constant(L.rows, 3.0);
-    for (int j = 0; j < static_cast<int>(L.rows); ++j) {
-        const FactorColumn column = L.column(j);
-        for (int q = 0; q < column.count; ++q) roundings[column.rows[q]] += 1;
-    }
+Vector roundings_of_rows(const LdltPanels& L) {
+    Vector roundings = Vector::Constant(L.size, 3.0);
+    for_each_panel(L, [&](int column, int w, const int* rows, std::size_t below, const double*) {
+        for (int c = 0; c < w; ++c) roundings[column + c] += c;
+        for (std::size_t q = 0; q < below; ++q) roundings[rows[q]] += w;
+    });
     return roundings;
 }
 
 /// |L||D||Lᵀ|x, all in the order of elimination.
-Vector sum_of_sizes(const Implementation& L, const Vector& D, const Vector& x) {
-    Vector sum = Vector::Zero(L.rows);
-    for (int j = 0; j < static_cast<int>(L.rows); ++j) {
-        const FactorColumn column = L.column(j);
-        double inner = x[j];
-        for (int q = 0; q < column.count; ++q) inner += std::abs(column.values[q]) * x[column.rows[q]];
-        const double outer = std::abs(D[j]) * inner;
-        sum[j] += outer;
-        for (int q = 0; q < column.count; ++q) sum[column.rows[q]] += outer * std::abs(column.values[q]);
-    }
+Vector sum_of_sizes(const LdltPanels& L, const Vector& x) {
+    Vector sum = Vector::Zero(L.size);
+    for_each_panel(L, [&](int column, int w, const int* rows, std::size_t below, const double* values) {
+        double outer[LdltPanels::widest];   // |D||Lᵀ|x of the panel's columns
+        for (int c = 0; c < w; ++c) outer[c] = x[column + c];
+        const double* l = values;
+        for (int r = 0; r < w; ++r, l += w) {
+            for (int c = 0; c < r; ++c) outer[c] += std::abs(l[c]) * x[column + r];
+        }
+        for (std::size_t q = 0; q < below; ++q, l += w) {
+            for (int c = 0; c < w; ++c) outer[c] += std::abs(l[c]) * x[rows[q]];
+        }
+        for (int c = 0; c < w; ++c) outer[c] *= std::abs(L.pivots[column + c]);
+        l = values;
+        for (int r = 0; r < w; ++r, l += w) {
+            sum[column + r] += outer[r];
+            for (int c = 0; c < r; ++c) sum[column + r] += std::abs(l[c]) * outer[c];
+        }
+        for (std::size_t q = 0; q < below; ++q, l += w) {
+            for (int c = 0; c < w; ++c) sum[rows[q]] += std::abs(l[c]) * outer[c];
+        }
+    });
     return sum;
 }
 
 }   // namespace
 
-double backward_error(const Implementation& L, const Vector& W, int passes) {
+double backward_error(const LdltPanels& factor, const Vector& W, int passes) {
     constexpr double u = std::numeric_limits<double>::epsilon() / 2, underflow = std::numeric_limits<double>::min();
-    const std::vector<int> order = L.order();
-    const Vector D = L.pivots()(order), weight = W(order), roundings = roundings_of_rows(L);
-    Vector x = Vector::Ones(L.rows);
+    const Vector weight = W(factor.order), roundings = roundings_of_rows(factor);
+    Vector x = Vector::Ones(factor.size);
     double least = infinity;
     for (int pass = 0; pass < passes; ++pass) {
-        const Vector sizes = sum_of_sizes(L, D, x);
+        const Vector sizes = sum_of_sizes(factor, x);
         const Vector ratio = (roundings.array() * (u * sizes.array() + underflow) / (weight.array() * x.array())).matrix();
         const double largest = ratio.maxCoeff(), smallest = ratio.minCoeff();
         if (!ratio.allFinite() || !(smallest > 0)) break;   // a maximum may pass over a NaN

@@ -90,8 +90,40 @@ void MultiplyRows(const double* T, Eigen::Index first, Eigen::Index last, double
     }
 }
 
+/// One number, multiplied and added as lanes are.
+using One = hn::CappedTag<double, 1>;
+HWY_INLINE double MinusProduct(double from, double a, double b) {
+    const One d;
+    return hn::GetLane(hn::NegMulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, from)));
+}
+
+/// y_c = w_c − Σ y_a l_ca, a < c; of the first eight rows y_c is l_rc d_c too.
+void EliminateBlock(double* W, Eigen::Index rows, double* pivots) {
+    const Lanes d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    alignas(64) double columns[width * width] = {};   // column a of L from its row a + 1 on, zeros above
+    for (int r = 0; r < width; ++r) {
+        double* const w = W + width * r;
+        for (int a = 0; a < r; ++a) {
+            for (int c = a + 1; c < r; ++c) w[c] = MinusProduct(w[c], w[a], columns[width * a + c]);
+            columns[width * a + r] = w[a] / pivots[a];
+            w[r] = MinusProduct(w[r], w[a], columns[width * a + r]);
+        }
+        pivots[r] = w[r];
+        for (int c = 0; c < width; ++c) w[c] = c < r ? columns[width * c + r] : 0;
+    }
+    for (double* w = W + width * width; w < W + width * rows; w += width) {
+        for (int a = 0; a + 1 < width; ++a) {
+            const Numbers y = hn::Set(d, w[a]);
+            for (int c = a / lanes * lanes; c < width; c += lanes)
+                hn::Store(hn::NegMulAdd(y, hn::Load(d, columns + width * a + c), hn::Load(d, w + c)), d, w + c);
+        }
+        for (int c = 0; c < width; c += lanes) hn::Store(hn::Div(hn::Load(d, w + c), hn::LoadU(d, pivots + c)), d, w + c);
+    }
+}
+
 /// X := L⁻¹ X within one panel of w columns and below it.
-template <int w, int columns>
+template <int w, int columns, int stride>
 HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index row_count, double* X, double* top) {
     const hn::CappedTag<double, columns> d;
     using Row = hn::Vec<hn::CappedTag<double, columns>>;
@@ -100,13 +132,13 @@ HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index
         Row x[w];
         HWY_UNROLL(8)
         for (int i = 0; i < w; ++i) {
-            x[i] = hn::Load(d, top + columns * i + c);
+            x[i] = hn::Load(d, top + stride * i + c);
             for (int j = 0; j < i; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * i + j]), x[j], x[i]);
-            hn::Store(x[i], d, top + columns * i + c);
+            hn::Store(x[i], d, top + stride * i + c);
         }
         const double* l = values + w * w;
         for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
-            double* const at = X + static_cast<std::ptrdiff_t>(columns) * rows[r] + c;
+            double* const at = X + static_cast<std::ptrdiff_t>(stride) * rows[r] + c;
             Row y = hn::Load(d, at);
             HWY_UNROLL(8)
             for (int i = 0; i < w; ++i) y = hn::NegMulAdd(hn::Set(d, l[i]), x[i], y);
@@ -116,7 +148,7 @@ HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index
 }
 
 /// X := L⁻ᵀ D⁻¹ X within one panel, what lies below it being solved already.
-template <int w, int columns>
+template <int w, int columns, int stride>
 HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Index row_count, const double* pivots, const double* X,
                               double* top) {
     const hn::CappedTag<double, columns> d;
@@ -125,17 +157,17 @@ HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Inde
     for (int c = 0; c < columns; c += lanes) {
         Row x[w];
         HWY_UNROLL(8)
-        for (int i = 0; i < w; ++i) x[i] = hn::Div(hn::Load(d, top + columns * i + c), hn::Set(d, pivots[i]));
+        for (int i = 0; i < w; ++i) x[i] = hn::Div(hn::Load(d, top + stride * i + c), hn::Set(d, pivots[i]));
         const double* l = values + w * w;
         for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
-            const Row y = hn::Load(d, X + static_cast<std::ptrdiff_t>(columns) * rows[r] + c);
+            const Row y = hn::Load(d, X + static_cast<std::ptrdiff_t>(stride) * rows[r] + c);
             HWY_UNROLL(8)
             for (int i = 0; i < w; ++i) x[i] = hn::NegMulAdd(hn::Set(d, l[i]), y, x[i]);
         }
         HWY_UNROLL(8)
         for (int i = w - 1; i >= 0; --i) {
             for (int j = i + 1; j < w; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * j + i]), x[j], x[i]);
-            hn::Store(x[i], d, top + columns * i + c);
+            hn::Store(x[i], d, top + stride * i + c);
         }
     }
 }
@@ -151,7 +183,8 @@ HWY_INLINE void WithWidth(int w, const Visit& visit) {
     visit(std::integral_constant<int, most>());
 }
 
-template <int columns>
+/// Columns of a row of X are `stride` numbers from those of the next.
+template <int columns, int stride = columns>
 HWY_INLINE void SolveColumns(const LdltPanels& factor, double* X) {
     const auto visit = [&](int p, bool forward) HWY_ATTR {
         const auto panel = static_cast<std::size_t>(p);
@@ -159,12 +192,12 @@ HWY_INLINE void SolveColumns(const LdltPanels& factor, double* X) {
         const double* const values = factor.values.data() + factor.value_start[panel];
         const int* const rows = factor.rows.data() + factor.row_start[panel];
         const auto count = static_cast<Eigen::Index>(factor.row_start[panel + 1] - factor.row_start[panel]);
-        double* const top = X + static_cast<std::ptrdiff_t>(columns) * column;
+        double* const top = X + static_cast<std::ptrdiff_t>(stride) * column;
         WithWidth(factor.first[panel + 1] - column, [&](auto w) HWY_ATTR {
             if (forward) {
-                ForwardPanel<w(), columns>(values, rows, count, X, top);
+                ForwardPanel<w(), columns, stride>(values, rows, count, X, top);
             } else {
-                BackwardPanel<w(), columns>(values, rows, count, factor.pivots.data() + column, X, top);
+                BackwardPanel<w(), columns, stride>(values, rows, count, factor.pivots.data() + column, X, top);
             }
         });
     };
@@ -173,6 +206,7 @@ HWY_INLINE void SolveColumns(const LdltPanels& factor, double* X) {
 }
 
 void SolveInPlace(const LdltPanels& factor, double* X) { SolveColumns<EightColumns::width>(factor, X); }
+void SolveHalfInPlace(const LdltPanels& factor, double* X) { SolveColumns<EightColumns::width / 2, EightColumns::width>(factor, X); }
 void SolveFourInPlace(const LdltPanels& factor, double* X) { SolveColumns<FourColumns::width>(factor, X); }
 
 }   // namespace meshfolio::HWY_NAMESPACE
@@ -184,7 +218,9 @@ namespace meshfolio {
 HWY_EXPORT(AddProducts);
 HWY_EXPORT(SubtractCombination);
 HWY_EXPORT(MultiplyRows);
+HWY_EXPORT(EliminateBlock);
 HWY_EXPORT(SolveInPlace);
+HWY_EXPORT(SolveHalfInPlace);
 HWY_EXPORT(SolveFourInPlace);
 
 void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G) {
@@ -199,7 +235,10 @@ void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, doubl
     HWY_DYNAMIC_DISPATCH(MultiplyRows)(T, first, last, W);
 }
 
+void eliminate_block(double* W, Eigen::Index rows, double* pivots) { HWY_DYNAMIC_DISPATCH(EliminateBlock)(W, rows, pivots); }
+
 void solve_in_place(const LdltPanels& factor, double* X) { HWY_DYNAMIC_DISPATCH(SolveInPlace)(factor, X); }
+void solve_half_in_place(const LdltPanels& factor, double* X) { HWY_DYNAMIC_DISPATCH(SolveHalfInPlace)(factor, X); }
 void solve_in_place(const LdltPanels& factor, FourColumns& X) { HWY_DYNAMIC_DISPATCH(SolveFourInPlace)(factor, X.data()); }
 
 }   // namespace meshfolio

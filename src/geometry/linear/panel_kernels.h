@@ -25,8 +25,13 @@ void subtract_combination(Blocks V, const double* G, Eigen::Index first, Eigen::
 /// W := W T in the rows [first, last), T 8 × 8 and row-major.
 void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, double* W);
 
+/// Eight columns of a symmetric matrix, of which the first eight rows are the diagonal block, become those of its LDLᵀ: W is L with zeros
+/// for its unit diagonal, `pivots` the eight of D.
+void eliminate_block(double* W, Eigen::Index rows, double* pivots);
+
 /// X := (LDLᵀ)⁻¹ X in the order of elimination.
-void solve_in_place(const LdltPanels& factor, double* X);   // n × 8
+void solve_in_place(const LdltPanels& factor, double* X);        // n × 8
+void solve_half_in_place(const LdltPanels& factor, double* X);   // the four columns at X of n × 8: the other four may be solved meanwhile
 void solve_in_place(const LdltPanels& factor, FourColumns& X);
 
 }   // namespace meshfolio

@@ -7,7 +7,6 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "geometry/linear/factor_implementation.h"
-#include "geometry/linear/ldlt_rounding.h"
 
 namespace meshfolio {
 
@@ -17,19 +16,6 @@ using Implementation = SparseFactor::Implementation;
 
 std::string name_of(FactorKind kind) { return kind == FactorKind::ldlt ? "LDLᵀ factorisation" : "Cholesky factorisation"; }
 
-/// A pivot is what is left of a diagonal entry after the elimination. Below a few roundings of that entry its sign means nothing.
-void check_pivots(const Implementation& factor, const SparseMatrix& A) {
-    const Vector d = factor.pivots();
-    const Vector diagonal = A.diagonal();
-    for (Eigen::Index i = 0; i < d.size(); ++i) {
-        const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(diagonal[i]);
-        const bool usable = std::isfinite(d[i]) && (factor.kind == FactorKind::cholesky ? d[i] > 0 : std::abs(d[i]) > rounding);
-        if (usable) continue;
-        throw SolverError(name_of(factor.kind) + " of a " + std::to_string(d.size()) + "-row matrix: pivot " + plain_text(d[i], 3) +
-                          " at row " + std::to_string(i) + ", where the diagonal is " + plain_text(diagonal[i], 3));
-    }
-}
-
 SparseMatrix compressed(SparseMatrix A) {
     A.makeCompressed();
     return A;
@@ -37,16 +23,31 @@ SparseMatrix compressed(SparseMatrix A) {
 
 }   // namespace
 
-void factorize_checked(Implementation& factor, const SparseMatrix& A) {
+void check_finite(const SparseMatrix& A, FactorKind kind) {
     for (Eigen::Index z = 0; z < A.nonZeros(); ++z) {
-        if (!std::isfinite(A.valuePtr()[z])) throw SolverError(name_of(factor.kind) + ": the matrix has an entry that is not finite");
+        if (!std::isfinite(A.valuePtr()[z])) throw SolverError(name_of(kind) + ": the matrix has an entry that is not finite");
     }
+}
+
+void check_pivots(const Vector& pivots, const Vector& diagonal, FactorKind kind) {
+    for (Eigen::Index i = 0; i < pivots.size(); ++i) {
+        const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(diagonal[i]);
+        const double d = pivots[i];
+        if (std::isfinite(d) && (kind == FactorKind::cholesky ? d > 0 : std::abs(d) > rounding)) continue;
+        throw SolverError(name_of(kind) + " of a " + std::to_string(pivots.size()) + "-row matrix: pivot " + plain_text(d, 3) + " at row " +
+                          std::to_string(i) + ", where the diagonal is " + plain_text(diagonal[i], 3));
+    }
+}
+
+void factorize_checked(Implementation& factor, const SparseMatrix& A) {
+    check_finite(A, factor.kind);
     if (!factor.factorize(A)) {
         throw SolverError(name_of(factor.kind) + " of a " + std::to_string(A.rows()) + "-row matrix failed: it is " +
                           (factor.kind == FactorKind::ldlt ? "singular" : "not positive definite"));
     }
-    check_pivots(factor, A);
-    factor.negative = static_cast<int>((factor.pivots().array() < 0).count());
+    const Vector pivots = factor.pivots();
+    check_pivots(pivots, A.diagonal(), factor.kind);
+    factor.negative = static_cast<int>((pivots.array() < 0).count());
 }
 
 std::unique_ptr<Implementation> analysed(const SparseMatrix& A, FactorKind kind, FactorLibrary library) {
@@ -101,11 +102,6 @@ DenseMatrix SparseFactor::solve(const DenseMatrix& B) const {
 }
 
 int SparseFactor::negative_pivots() const { return implementation_->kind == FactorKind::ldlt ? implementation_->negative : 0; }
-
-double SparseFactor::backward_error(const Vector& W) const {
-    if (implementation_->kind != FactorKind::ldlt) throw SolverError("backward_error: not of an LDLᵀ");
-    return meshfolio::backward_error(*implementation_, W);
-}
 
 long long SparseFactor::nonzeros() const { return implementation_->nonzeros(); }
 

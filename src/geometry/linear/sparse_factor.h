@@ -31,9 +31,6 @@ public:
 
     /// Pivots < 0: by Sylvester's law the number of negative eigenvalues of a nearby matrix (LDLᵀ only; 0 after cholesky).
     int negative_pivots() const;
-    /// How near, δ with |xᵀEx| ≤ δ xᵀWx for LDLᵀ = A + E (ldlt_rounding.h). LDLᵀ only.
-    /// @param W  a weight > 0 for each row
-    double backward_error(const Vector& W) const;
     long long nonzeros() const;   // of the factor, diagonal included
 
     struct Implementation;

@@ -22,10 +22,10 @@ struct SpectrumOptions {
     bool polish = false;        // residuals down to 1e-11 where rounding lets them: more steps, refined solves
     int dense_below = 700;      // vertices in use at or below which all pairs are found at once by a dense solver
     int one_slice_up_to = 60;   // pairs besides the zero modes; more are found slice by slice
-    int pairs_per_slice = 80;
-    int threads = 0;           // slices at a time at most; 0: one a processor. The result is the same
-    double memory_limit = 0;   // bytes that may be taken; 0: as much as the machine has left
-    Ranks* ranks = nullptr;    // of several processes, that hold the factors; nullptr: this one does. Limits do not apply then
+    int pairs_per_slice = 30;   // shorter bases pay for more factors
+    int threads = 0;            // slices at a time at most; 0: one a processor. The result is the same
+    double memory_limit = 0;    // bytes that may be taken; 0: as much as the machine has left
+    Ranks* ranks = nullptr;     // of several processes, that hold the factors; nullptr: this one does. Limits do not apply then
     std::function<void(double)> progress = {};   // fraction done, in [0, 1]; called from any thread, one at a time; may throw to stop
 };
 

@@ -1,12 +1,12 @@
 #include "geometry/spectrum/engine/block_lanczos.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 #include "geometry/linear/panel_kernels.h"
@@ -168,21 +168,29 @@ Small BlockLanczos::normalise(EightColumns& W, Small gram) {
 
 void BlockLanczos::invert(EightColumns& W) const {
     using Eight = Eigen::Map<Eigen::Array<double, width, 1>>;
+    const auto solve = [&](EightColumns& X) {
+        if (setting_.parallel) {
+            tbb::parallel_invoke([&] { solve_half_in_place(factor_, X.data()); },
+                                 [&] { solve_half_in_place(factor_, X.data() + width / 2); });
+        } else {
+            solve_in_place(factor_, X.data());
+        }
+    };
     if (setting_.refine_with == nullptr) {
-        solve_in_place(factor_, W.data());
+        solve(W);
         zeros_.project_out(W);
         return;
     }
     EightColumns rest(n_);   // W − (B − σI)X, then what is added to X
     std::copy_n(W.data(), width * n_, rest.data());
-    solve_in_place(factor_, W.data());
+    solve(W);
     const SparseMatrix& B = *setting_.refine_with;
     tbb::parallel_for(Eigen::Index{0}, n_, [&](Eigen::Index i) {
         Eight r(rest.row(i));
         r += setting_.sigma * Eight(W.row(i));
         for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) r -= entry.value() * Eight(W.row(entry.row()));
     });
-    solve_in_place(factor_, rest.data());
+    solve(rest);
     for (Eigen::Index i = 0; i < n_; ++i) Eight(W.row(i)) += Eight(rest.row(i));
     zeros_.project_out(W);
 }
@@ -191,7 +199,9 @@ void BlockLanczos::advance() {
     const double start = seconds();
     const std::size_t j = V_.size() - 1;
     EightColumns W(n_);
-    std::memcpy(W.data(), V_[j].data(), sizeof(double) * width * static_cast<std::size_t>(n_));
+    for_each_chunk(n_, setting_.parallel, [&](Eigen::Index, Eigen::Index first, Eigen::Index last) {
+        std::copy(V_[j].row(first), V_[j].row(last), W.row(first));   // and the first touch of W's memory
+    });
     invert(W);
     const double solved = seconds();
     times.solve += solved - start;

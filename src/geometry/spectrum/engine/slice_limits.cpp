@@ -85,9 +85,7 @@ std::vector<InertiaProof> bracket_from_above(const SpectrumProblem& problem, int
 
 std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::vector<InertiaProof>& counts, const SliceOptions& options) {
     const int zeros = problem.zeros.count(), pairs = counts.back().counted - zeros;
-    // Measured with 150 pairs of 43 k vertices: four slices take three quarters of the time of two, their bases being shorter.
-    const int least = pairs > 100 ? 4 : 2;
-    int slices = std::max(least, (pairs + options.pairs_per_slice - 1) / options.pairs_per_slice);
+    int slices = std::max(2, (pairs + options.pairs_per_slice - 1) / options.pairs_per_slice);
     slices += slices % 2;   // for two processors
     std::vector<double> limit{0};
     const double first = 0.5;   // of a slice: the first shift lies at its lower end
@@ -104,7 +102,7 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
         if (!(goal.high > goal.low)) continue;   // many eigenvalues at one place
         // Distances from σ are what is accurate, so the smallest eigenvalues need a σ near zero.
         goal.sigma = goal.low > 0 ? 0.5 * (goal.low + goal.high) : sigma_below_zero(problem.B);
-        goal.largest_basis = std::min(problem.size() / 2, std::max(160, 8 * options.pairs_per_slice));
+        goal.largest_basis = std::min(problem.size() / 2, 200 + 8 * options.pairs_per_slice);
         goal.tolerance = options.tolerance;
         goal.polish = options.polish;
         goal.seed = i;

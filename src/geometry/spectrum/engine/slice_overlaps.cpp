@@ -16,17 +16,27 @@ using Small = EightColumns::Small;
 /// Overlaps smaller than this are left: the sum of k rounding errors.
 constexpr double negligible = 1e-13;
 
-/// XᵢᵀX_g − I for all i ≤ g.
-std::vector<Small> overlaps(const std::vector<EightColumns>& X, int g, int k) {
+/// E[g][i] = XᵢᵀX_g − I for all i ≤ g, first ≤ g < end. A panel of the Xᵢ is read once for all of these.
+void set_overlaps(const std::vector<EightColumns>& X, int first, int end, int k, std::vector<std::vector<Small>>& E) {
     std::vector<const double*> blocks;
-    for (int i = 0; i <= g; ++i) blocks.push_back(X[static_cast<std::size_t>(i)].data());
-    EightColumns products(static_cast<Eigen::Index>(lanes * blocks.size()));
-    std::fill_n(products.data(), 64 * blocks.size(), 0.0);
-    add_products(blocks, X[static_cast<std::size_t>(g)].data(), 0, X[0].rows(), products.data());
-    std::vector<Small> E;
-    for (std::size_t i = 0; i < blocks.size(); ++i) E.push_back(Eigen::Map<const Small>(products.data() + 64 * i));
-    for (int c = 0; c < std::min(lanes, k - lanes * g); ++c) E.back()(c, c) -= 1;
-    return E;
+    for (int i = 0; i < end; ++i) blocks.push_back(X[static_cast<std::size_t>(i)].data());
+    std::vector<EightColumns> products;
+    for (int g = first; g < end; ++g) {
+        products.emplace_back(static_cast<Eigen::Index>(lanes * (g + 1)));
+        std::fill_n(products.back().data(), 64 * (g + 1), 0.0);
+    }
+    for (Eigen::Index r = 0; r < X[0].rows(); r += panel_rows) {
+        for (int g = first; g < end; ++g) {
+            add_products(Blocks(blocks).first(static_cast<std::size_t>(g + 1)), blocks[static_cast<std::size_t>(g)], r,
+                         std::min(X[0].rows(), r + panel_rows), products[static_cast<std::size_t>(g - first)].data());
+        }
+    }
+    for (int g = first; g < end; ++g) {
+        const double* const product = products[static_cast<std::size_t>(g - first)].data();
+        std::vector<Small>& column = E[static_cast<std::size_t>(g)];
+        for (int i = 0; i <= g; ++i) column.push_back(Eigen::Map<const Small>(product + std::ptrdiff_t(64) * i));
+        for (int c = 0; c < std::min(lanes, k - lanes * g); ++c) column.back()(c, c) -= 1;
+    }
 }
 
 }   // namespace
@@ -35,10 +45,12 @@ double make_orthonormal(std::vector<EightColumns>& X, int k) {
     if (X.empty()) return 0;
     const int groups = static_cast<int>(X.size());
     std::vector<std::vector<Small>> E(X.size());
-    tbb::parallel_for(0, groups, [&](int i) {
-        const int g = i % 2 == 0 ? groups - 1 - i / 2 : i / 2;   // long and short ones alternate
-        E[static_cast<std::size_t>(g)] = overlaps(X, g, k);
-    });
+    const int tile = std::clamp(groups / 16, 1, 6), tiles = (groups + tile - 1) / tile;
+    const auto set_tile = [&](int i) {
+        const int first = tile * (tiles - 1 - i);   // the long ones first
+        set_overlaps(X, first, std::min(first + tile, groups), k, E);
+    };
+    tbb::parallel_for(0, tiles, set_tile, tbb::simple_partitioner());
     double largest = 0;
     for (const auto& column : E) {
         for (const Small& block : column) largest = std::max(largest, block.cwiseAbs().maxCoeff());

@@ -5,10 +5,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/errors.h"
-#include "geometry/linear/sparse_factor.h"
+#include "geometry/linear/aligned_columns.h"
 #include "geometry/spectrum/engine/distributed_modes.h"
 #include "geometry/spectrum/engine/zero_modes.h"
 #include "geometry/spectrum/spectrum_memory.h"
@@ -42,69 +41,15 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
     return modes;
 }
 
-/// Largest ‖By − μy‖/μ, the relative residual in the M⁻¹ norm, over what it should be: 5e-9, or what rounding of the largest rows leaves.
-/// Above 1 where needles raise ‖B‖ so far that the rounding of the basis counts, which Ritz values do not show.
-double excess_of_residuals(const SpectrumProblem& problem, const SymmetricPairs& pairs) {
-    const double rounding = 50 * std::numeric_limits<double>::epsilon() * problem.B.diagonal().maxCoeff();
-    const Vector residuals = relative_residuals(problem.B, Vector::Ones(problem.size()), pairs);
-    double excess = 0;
-    for (int j = 0; j < pairs.count(); ++j) excess = std::max(excess, residuals[j] / std::clamp(rounding / pairs.mu[j], 5e-9, 5e-4));
-    return excess;
-}
-
-/// y := y − (B + cI)⁻¹(By − μy), c the largest μ: an error in a mode λ is multiplied by (μ + c)/(λ + c). So noise in the highest modes,
-/// which needles make large in the residual, is damped, and nothing grows to more than twice.
-/// @throws SolverError if B + cI is not positive definite
-SymmetricPairs damped(const SparseMatrix& A, const SpectrumProblem& problem, const Vector& M, SymmetricPairs pairs) {
-    SparseMatrix shift(A.rows(), A.cols());
-    shift = (pairs.mu[pairs.count() - 1] * M).asDiagonal();
-    const SparseFactor factor = SparseFactor::cholesky(A + shift);
-    const Vector root = M.cwiseSqrt();
-    tbb::parallel_for(0, pairs.count(), [&](int j) {
-        auto y = pairs.Y.col(j);
-        const Vector r = problem.B * y - pairs.mu[j] * y;
-        y -= root.cwiseProduct(factor.solve(Vector(root.cwiseProduct(r))));
-        problem.zeros.project_out(y);
-    });
-    const DenseMatrix half_error = 0.5 * (pairs.Y.transpose() * pairs.Y - DenseMatrix::Identity(pairs.count(), pairs.count()));
-    constexpr Eigen::Index at_a_time = 1024;   // rows, for which a copy is small
-    for (Eigen::Index i = 0; i < A.rows(); i += at_a_time) {
-        auto rows = pairs.Y.middleRows(i, std::min(at_a_time, A.rows() - i));
-        rows -= (rows * half_error).eval();   // orthonormal again: the square of the error does not count
-    }
-    return pairs;
-}
-
-/// The same pairs, damped where that makes their largest residual smaller.
-SymmetricPairs with_small_residuals(const SparseMatrix& A, const SpectrumProblem& problem, const Vector& M, SymmetricPairs pairs) {
-    constexpr int most_steps = 3;
-    double excess = excess_of_residuals(problem, pairs);
-    for (int step = 0; step < most_steps && excess > 1; ++step) {
-        try {
-            SymmetricPairs better = damped(A, problem, M, pairs);
-            const double after = excess_of_residuals(problem, better);
-            if (!(after < excess)) break;
-            excess = after;
-            pairs = std::move(better);
-        } catch (const SolverError&) {   // they stay as they are, and the residuals say so
-            break;
-        }
-    }
-    return pairs;
-}
-
 Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
-    // Measured with k = 1500 on 3.5 k vertices: half the time, the dense projected problems being most of it there.
-    constexpr int small_mesh = 20'000, pairs_on_small_meshes = 40;
     const SpectrumProblem problem(A, M);
     const int others = std::max(0, k - problem.zeros.count());
-    SliceOptions slice_options{
-        .tolerance = options.polish ? std::min(options.tolerance, 1e-12) : options.tolerance,
-        .polish = options.polish,
-        .pairs_per_slice = A.rows() < small_mesh ? std::min(options.pairs_per_slice, pairs_on_small_meshes) : options.pairs_per_slice,
-        .one_slice_up_to = options.one_slice_up_to,
-        .threads = options.threads,
-        .progress = options.progress};
+    SliceOptions slice_options{.tolerance = options.polish ? std::min(options.tolerance, 1e-12) : options.tolerance,
+                               .polish = options.polish,
+                               .pairs_per_slice = options.pairs_per_slice,
+                               .one_slice_up_to = options.one_slice_up_to,
+                               .threads = options.threads,
+                               .progress = options.progress};
     slice_options.threads = slices_that_fit(problem, k, slice_options, options.memory_limit);
     SlicedPairs found = find_by_slices(problem, others, slice_options);
     const InertiaProof last = found.proofs.back();
@@ -114,18 +59,33 @@ Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const Spectrum
     modes.times = found.times;
     modes.slices = found.slices;
     modes.repairs = found.repairs;
-    modes.pairs = first_pairs(problem.zeros, with_small_residuals(A, problem, M, {std::move(found.mu), std::move(found.Y)}), k);
+    modes.pairs = first_pairs(problem.zeros, {std::move(found.mu), std::move(found.Y)}, k);
     return modes;
 }
 
 }   // namespace
 
 Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const SymmetricPairs& pairs) {
+    using Eight = Eigen::Array<double, EightColumns::width, 1>;
+    constexpr int width = EightColumns::width;
     Vector residuals(pairs.count());
-    tbb::parallel_for(0, pairs.count(), [&](int j) {
-        const Vector r = B * pairs.Y.col(j) - pairs.mu[j] * pairs.Y.col(j);
-        const double size = root_mass.cwiseProduct(pairs.Y.col(j)).norm();
-        residuals[j] = root_mass.cwiseProduct(r).norm() / (pairs.mu[j] > 0 ? pairs.mu[j] * size : 1);
+    // Eight pairs read the matrix once.
+    tbb::parallel_for(0, (pairs.count() + width - 1) / width, [&](int group) {
+        const int first = width * group, columns = std::min(width, pairs.count() - first);
+        EightColumns Y(B.rows());
+        for (Eigen::Index i = 0; i < B.rows(); ++i) {
+            for (int c = 0; c < width; ++c) Y.row(i)[c] = c < columns ? pairs.Y(i, first + c) : 0;
+        }
+        Eight mu = Eight::Zero(), rest = Eight::Zero(), size = Eight::Zero();
+        mu.head(columns) = pairs.mu.segment(first, columns);
+        for (Eigen::Index i = 0; i < B.cols(); ++i) {
+            const Eigen::Map<const Eight> y(Y.row(i));
+            Eight r = Eight::Zero();
+            for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) r += entry.value() * Eigen::Map<const Eight>(Y.row(entry.row()));
+            rest += (root_mass[i] * (r - mu * y)).square();
+            size += (root_mass[i] * y).square();
+        }
+        for (int c = 0; c < columns; ++c) residuals[first + c] = std::sqrt(rest[c]) / (mu[c] > 0 ? mu[c] * std::sqrt(size[c]) : 1);
     });
     return residuals;
 }

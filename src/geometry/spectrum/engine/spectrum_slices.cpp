@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "base/first_failure.h"
 #include "geometry/linear/special_values.h"
+#include "geometry/spectrum/engine/noise_damping.h"
 #include "geometry/spectrum/engine/slice_limits.h"
 #include "geometry/spectrum/engine/slice_overlaps.h"
 
@@ -257,22 +258,27 @@ SlicedPairs SliceSet::pairs(int k) {
     }
     result.slices = static_cast<int>(slices_.size());
     result.mu.resize(k);
-    std::vector<EightColumns> packed;
     const int groups = (k + lanes - 1) / lanes;
-    for (int g = 0; g < groups; ++g) {
-        EightColumns& X = packed.emplace_back(problem_.size());
-        for (int c = 0; c < lanes; ++c) {
-            const int place = lanes * g + c;
-            const auto j = static_cast<std::size_t>(place);
-            const bool used = place < k;
-            if (used) result.mu[place] = all[j].mu;
-            for (Eigen::Index i = 0; i < X.rows(); ++i) X.row(i)[c] = used ? all[j].group->row(i)[all[j].lane] : 0;
+    for (int j = 0; j < k; ++j) result.mu[j] = all[static_cast<std::size_t>(j)].mu;
+    std::vector<EightColumns> packed(static_cast<std::size_t>(groups));
+    tbb::parallel_for(0, groups, [&](int g) {
+        const int first = lanes * g, columns = std::min(lanes, k - first);
+        const double* from[lanes];
+        for (int c = 0; c < columns; ++c) {
+            const Pair& pair = all[static_cast<std::size_t>(first + c)];
+            from[c] = pair.group->data() + pair.lane;
         }
-    }
+        EightColumns X(problem_.size());
+        for (Eigen::Index i = 0; i < X.rows(); ++i) {
+            for (int c = 0; c < lanes; ++c) X.row(i)[c] = c < columns ? from[c][lanes * i] : 0;
+        }
+        problem_.zeros_in_order.project_out(X);   // the share of the zero modes that rounding added
+        packed[static_cast<std::size_t>(g)] = std::move(X);
+    });
     slices_.clear();
     extra_.clear();
-    for (EightColumns& X : packed) problem_.zeros_in_order.project_out(X);   // the share of the zero modes that rounding added
     make_orthonormal(packed, k);
+    damp_noise(problem_, packed, result.mu);
     result.Y.resize(problem_.size(), k);
     const std::vector<int>& order = problem_.analysis.order();
     tbb::parallel_for(0, groups, [&](int g) {

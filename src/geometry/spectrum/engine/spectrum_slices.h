@@ -10,7 +10,7 @@ namespace meshfolio {
 struct SliceOptions {
     double tolerance = 1e-9;
     bool polish = false;
-    int pairs_per_slice = 80;
+    int pairs_per_slice = 30;
     int one_slice_up_to = 60;                    // nonzero pairs; more are sliced
     int threads = 0;                             // slices at a time at most; 0: as many as there are processors
     std::function<void(double)> progress = {};   // fraction done; may throw to stop
