@@ -103,8 +103,12 @@ TEST(Marking, TheListedMistakesAreKnownWhereTheyCanBeMade) {
     for (const std::string& thing : marked_things) {
         const bool is_smoothed = thing.find("smoothed") != std::string::npos, is_uniform = thing.find("\"uniform\"") != std::string::npos;
         const bool has_operator = is_smoothed || thing.find("\"H\"") != std::string::npos || thing.find("eigenvalues") != std::string::npos;
-        if (is_smoothed) EXPECT_TRUE(known(thing, "lambda_negated")) << thing;
-        if (is_uniform || thing.find("H_uniform") != std::string::npos) EXPECT_TRUE(known(thing, "valence_sum")) << thing;
+        if (is_smoothed) {
+            EXPECT_TRUE(known(thing, "lambda_negated")) << thing;
+        }
+        if (is_uniform || thing.find("H_uniform") != std::string::npos) {
+            EXPECT_TRUE(known(thing, "valence_sum")) << thing;
+        }
         if (!has_operator || is_uniform) continue;
         for (const char* key : {"half_kept", "unclamped", "operator_edge-normalised", "area_voronoi", "without_area"})
             EXPECT_TRUE(known(thing, key)) << thing << ": " << key;
