@@ -441,7 +441,7 @@ class OtherFormats(InFolder):
         self.assertEqual(bad.returncode, 3)
         self.assertIn('meshfolio: standard input:1: ', bad.stderr)
         doubled = subprocess.run([PROGRAM, 'inspect', '-'], input=text + text.splitlines()[-1] + '\n', capture_output=True, text=True, timeout=60)
-        self.assertRegex(doubled.stderr, '^meshfolio: warning: standard input: ')
+        self.assertRegex(doubled.stderr, '^meshfolio: warning: standard input:')
         self.assertIn('needs --out', self.refuse(2, 'render', '-'))
 
     def test_curvatures_and_modes_become_properties_that_can_be_drawn(self):

@@ -225,10 +225,10 @@ class Encodings(Hostile):
         for label, code, content in (
                 ("good", 0, good), ("BOM", 0, b"\xef\xbb\xbf" + good.encode()), ("CRLF", 0, good.replace("\n", "\r\n")),
                 ("CR", 0, good.replace("\n", "\r")), ("UTF-16", 3, good.encode("utf-16")), ("NUL", 3, good + "\0"), ("empty", 3, ""),
-                ("semicolons", 3, good.replace(",", ";")), ("too few", 3, good[:-4]), ("too many", 3, good + "4,5\n"),
-                ("cells", 3, good + "4,5,6\n"), ("ragged", 3, good.replace("2,3", "2,3,4")), ("nan", 3, good.replace("3", "nan")),
+                ("semicolons", 0, good.replace(",", ";")), ("too few", 3, good[:-4]), ("too many", 3, good + "4,5\n"),
+                ("cells", 3, good + "4,5,6\n"), ("ragged", 3, good.replace("2,3", "2,3,4")), ("nan", 0, good.replace("3", "nan")),
                 ("inf", 3, good.replace("3", "inf")), ("1e999", 3, good.replace("3", "1e999")), ("1e308", 3, good.replace("3", "1e308")),
-                ("hex", 3, good.replace("3", "0x3")), ("quoted", 3, good.replace("3", '"3"')), ("formula", 3, good.replace("3", "=1+1")),
+                ("hex", 3, good.replace("3", "0x3")), ("quoted", 0, good.replace("3", '"3"')), ("formula", 3, good.replace("3", "=1+1")),
                 ("denormal", 0, good.replace("3", "5e-324")), ("minus zero", 0, good.replace("3", "-0")), ("all empty", 0, "x\n\n\n\n\n"),
                 ("one line of commas", 3, "x" + "," * (1 << 24)), ("commas below", 3, "x\n" + "," * (1 << 24)), ("long word", 3, "x\n" + "9" * (1 << 24)),
                 ("large", 0, good.replace("3", "1e100").replace("2", "-1e100"))):

@@ -79,6 +79,7 @@ char separator_of(std::string_view line) {
 
 struct Number {
     double value = std::numeric_limits<double>::quiet_NaN(), rounding = 0;
+    bool is_infinite = false;
 };
 
 /// Half a unit of the last digit of a decimal number: 0.00005 for "0.0012".
@@ -91,10 +92,11 @@ double rounding_of(std::string_view number) {
 
 /// The number of a cell; nothing where it is none.
 std::optional<Number> number_in(std::string_view cell, char separator) {
-    constexpr std::array undefined{"nan"sv, "nan(ind)"sv, "na"sv, "inf"sv, "infinity"sv};
+    constexpr std::array undefined{"nan"sv, "nan(ind)"sv, "na"sv}, infinite{"inf"sv, "infinity"sv};
     const bool has_sign = cell.starts_with('-') || cell.starts_with('+');
     const auto is_cell = [&](std::string_view word) { return same_but_for_case(cell.substr(has_sign ? 1 : 0), word); };
     if (cell.empty() || std::ranges::any_of(undefined, is_cell)) return Number{};
+    if (std::ranges::any_of(infinite, is_cell)) return Number{.is_infinite = true};
     std::string text(cell);
     if (separator != ',') std::ranges::replace(text, ',', '.');
     const auto value = parse_number(text);
@@ -186,7 +188,7 @@ NumberColumn csv_column(std::string_view bytes, const std::string& file, const s
     for (LineScanner lines = header.rows; filled < rows && next_row(lines, false);) ++filled;
     const bool blank_is_empty = header.columns == 1 && filled < rows;
     const std::string asked_for = std::to_string(rows) + " are asked for";
-    NumberColumn column{Vector(rows), Vector(rows)};
+    NumberColumn column{.values = Vector(rows), .rounding = Vector(rows)};
     LineScanner lines = header.rows;
     for (Eigen::Index i = 0; i < rows; ++i) {
         if (!next_row(lines, blank_is_empty))
@@ -194,6 +196,7 @@ NumberColumn csv_column(std::string_view bytes, const std::string& file, const s
         const Number number = number_of(lines, header, file);
         column.values[i] = number.value;
         column.rounding[i] = number.rounding;
+        if (number.is_infinite && column.first_infinite == 0) column.first_infinite = lines.number();
     }
     if (more == MoreRows::refused && next_row(lines, false))
         throw InputError({file, lines.number()}, "more rows than " + asked_for, csv_remedy);

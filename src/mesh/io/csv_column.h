@@ -14,8 +14,9 @@ namespace meshfolio {
 inline constexpr std::uintmax_t largest_csv = std::uintmax_t{1} << 30;   // bytes
 
 struct NumberColumn {
-    Vector values;     // NaN where there is none: an empty cell, nan, inf
-    Vector rounding;   // as many: half a unit of the last digit written, by which the number that was meant may be another
+    Vector values;             // NaN where there is none: an empty cell, nan, inf
+    Vector rounding;           // as many: half a unit of the last digit written, by which the number that was meant may be another
+    long first_infinite = 0;   // line of the first inf; 0: there is none
 };
 
 enum class MoreRows { refused, left_out };

@@ -75,6 +75,13 @@ Vector mesh_column(const std::string& file, const std::string& name, int vertice
                      names.empty() ? "it has none" : suggestion(name, names) + "it has " + meshfolio::joined(names, ", "));
 }
 
+Vector table_column(const std::string& file, const std::string& column, int vertices) {
+    NumberColumn read = csv_column(read_file(file, largest_csv), file, {column}, vertices);
+    if (read.first_infinite > 0)
+        throw InputError({file, read.first_infinite}, "an infinite value has no colour", "leave the cell empty where there is no value");
+    return std::move(read.values);
+}
+
 }   // namespace
 
 Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_column) {
@@ -82,9 +89,9 @@ Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_colu
     if (colon == std::string::npos) throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
     if (file.empty() || column.empty()) throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
-    return field_of_values(is_mesh_file(file) ? mesh_column(file, column, mesh.mesh.vertex_count())
-                                              : csv_column(read_file(file, largest_csv), file, {column}, mesh.mesh.vertex_count()).values,
-                           column);
+    return field_of_values(
+        is_mesh_file(file) ? mesh_column(file, column, mesh.mesh.vertex_count()) : table_column(file, column, mesh.mesh.vertex_count()),
+        column);
 }
 
 Field field_of_values(Vector values, const std::string& quantity) {
