@@ -46,9 +46,8 @@ install(PROGRAMS ${PROJECT_SOURCE_DIR}/data/workflow/slurm/status DESTINATION ${
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "${MESHFOLIO_CONTACT}")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "report on discrete curvature and smoothing of meshes")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-    "One command answers the questions of a geometry-processing coursework on real\nmeshes, checks its own answers against known truth, draws every result from\nsix directions without a GPU or a display, and binds it all into one report.")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+    "report on discrete curvature and smoothing of meshes\nOne command answers the questions of a geometry-processing coursework on real\nmeshes, checks its own answers against known truth, draws every result from\nsix directions without a GPU or a display, and binds it all into one report.")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
