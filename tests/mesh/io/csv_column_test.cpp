@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -88,6 +87,8 @@ TEST(CsvColumn, WhereThereIsNoNumberThereIsNone) {
         EXPECT_TRUE(std::isnan(values_of("K,H\n0," + cell + "\n", "H", 1)[0])) << cell;
         EXPECT_TRUE(std::isnan(values_of("H\n1\n" + cell + "\n", "H", 2)[1])) << cell;
     }
+    EXPECT_EQ(csv_column("H\n1\nnan\n-inf\ninf\n", "f.csv", {"H"}, 4).first_infinite, 4);
+    EXPECT_EQ(csv_column("H\n1\nnan\n", "f.csv", {"H"}, 2).first_infinite, 0);
     EXPECT_TRUE(std::isnan(values_of("# by Ada\n\n1\n\n", "H", 3)[0]));
     EXPECT_TRUE(std::isnan(values_of("# by Ada\n\n1\n\n", "H", 3)[2]));
     for (const std::string cell : {"x", "1e400", "2e100", "1.2.3", "0x1", "1 2", "-", "(1+0j)"})
@@ -106,13 +107,8 @@ TEST(CsvColumn, DigitsSayHowFarTheNumberMayBeAway) {
 }
 
 TEST(CsvColumn, TimeIsLinearInTheBytes) {
-    const auto seconds = [](const std::string& table) {
-        const auto began = std::chrono::steady_clock::now();
-        EXPECT_THROW(values_of(table, "K", 1000), InputError);
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    };
-    const std::size_t bytes = 4'000'000;   // squared, hours
+    const std::size_t bytes = 4'000'000;   // squared, hours: ctest would end this
     const std::string many_cells = "H" + std::string(bytes, ','), many_rows = "K\n1" + std::string(bytes, '\n');
     for (const std::string& table : {many_cells, many_rows, "H\n" + many_cells, "K\n" + std::string(bytes, '"'), std::string(bytes, ';')})
-        EXPECT_LT(seconds(table), 5);
+        EXPECT_THROW(values_of(table, "K", 1000), InputError);
 }
