@@ -128,11 +128,10 @@ std::string write_batch_json(const Batch& batch, const std::string& version) {
     constexpr int batch_version = 1;   // raised whenever a reader of the earlier one would misread what is written
     OrderedJson meshes = OrderedJson::array();
     for (const BatchRow& row : batch.rows) meshes.push_back(json_of_row(row));
-    const OrderedJson json{{"schema_version", batch_version},
-                           {"program", "meshfolio"},
-                           {"version", version},
-                           {"units", {{"lambda_crit", "length²"}, {"seconds", "s"}}},
-                           {"meshes", meshes}};
+    OrderedJson units{{"lambda_crit", "length²"}};
+    if (batch.timings) units["seconds"] = "s";
+    const OrderedJson json{
+        {"schema_version", batch_version}, {"program", "meshfolio"}, {"version", version}, {"units", units}, {"meshes", meshes}};
     return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -108,7 +108,8 @@ TEST(CsvColumn, DigitsSayHowFarTheNumberMayBeAway) {
 
 TEST(CsvColumn, TimeIsLinearInTheBytes) {
     const std::size_t bytes = 4'000'000;   // squared, hours: ctest would end this
-    const std::string many_cells = "H" + std::string(bytes, ','), many_rows = "K\n1" + std::string(bytes, '\n');
-    for (const std::string& table : {many_cells, many_rows, "H\n" + many_cells, "K\n" + std::string(bytes, '"'), std::string(bytes, ';')})
+    const std::string many_cells = "H" + std::string(bytes, ',');
+    EXPECT_EQ(values_of("K\n1" + std::string(bytes, '\n'), "K", 1000)[0], 1);
+    for (const std::string& table : {many_cells, "H\n" + many_cells, "K\n" + std::string(bytes, '"'), std::string(bytes, ';')})
         EXPECT_THROW(values_of(table, "K", 1000), InputError);
 }

@@ -305,7 +305,7 @@ void expect_same_columns(const std::vector<VertexColumn>& a, const std::vector<V
 
 TEST(PlyColumns, AreReadWhereTheyAreAskedFor) {
     const LoadedMesh read = parse_ply(with_colors, "m.ply", Keep::attributes);
-    expect_tetrahedron(read);
+    expect_tetrahedron(read, "0: properties that are not kept (ring)\n");
     const std::vector<VertexColumn>& columns = read.attributes.columns;
     ASSERT_EQ(columns.size(), 5U) << "of numbers, not of lists";
     EXPECT_EQ(columns[0].values, (Vector(4) << 0, 255, 7, 8).finished());

@@ -103,12 +103,8 @@ TEST(Marking, TheListedMistakesAreKnownWhereTheyCanBeMade) {
     for (const std::string& thing : marked_things) {
         const bool is_smoothed = thing.find("smoothed") != std::string::npos, is_uniform = thing.find("\"uniform\"") != std::string::npos;
         const bool has_operator = is_smoothed || thing.find("\"H\"") != std::string::npos || thing.find("eigenvalues") != std::string::npos;
-        if (is_smoothed) {
-            EXPECT_TRUE(known(thing, "lambda_negated")) << thing;
-        }
-        if (is_uniform || thing.find("H_uniform") != std::string::npos) {
-            EXPECT_TRUE(known(thing, "valence_sum")) << thing;
-        }
+        EXPECT_EQ(known(thing, "lambda_negated"), is_smoothed) << thing;
+        EXPECT_EQ(known(thing, "valence_sum"), is_uniform || thing.find("H_uniform") != std::string::npos) << thing;
         if (!has_operator || is_uniform) continue;
         for (const char* key : {"half_kept", "unclamped", "operator_edge-normalised", "area_voronoi", "without_area"})
             EXPECT_TRUE(known(thing, key)) << thing << ": " << key;
@@ -126,7 +122,7 @@ TEST(Marking, ASignThatMakesAnImplicitStepIndefiniteIsNamed) {
     const Eigen::MatrixXd system = Eigen::MatrixXd(L.M.asDiagonal()) + lambda * Eigen::MatrixXd(L.C);   // dense, with pivots
     const Eigen::PartialPivLU<Eigen::MatrixXd> factor(system);
     Eigen::MatrixXd X = mesh.X;
-    for (int i = 0; i < 3; ++i) X = factor.solve(L.M.asDiagonal() * X);
+    for (int i = 0; i < 3; ++i) X = factor.solve((L.M.asDiagonal() * X).eval()).eval();
     const Positions rows = X;
     const Vector values = Eigen::Map<const Vector>(rows.data(), rows.size());
     EXPECT_TRUE(
@@ -166,29 +162,25 @@ TEST(Marking, FilesAreFoundInAnyCaseAndAreNoLargerThanAnAnswer) {
 }
 
 TEST(Marking, AnotherChoiceOfEqualModesIsRight) {
-    int choices = 0;
-    for (int k = 2; k < 8; ++k) {
-        const Rubric rubric = rubric_of("what = \"reconstruction\"\nk = " + std::to_string(k) + "\n", "cube8.obj");
+    for (const int k : {2, 3}) {   // of three with the eigenvalue in places 1 to 3: nearly the coordinates
+        const Rubric rubric = rubric_of("what = \"reconstruction\"\nk = " + std::to_string(k) + "\n", "cube.obj");
         References references(rubric);
         const RubricItem& item = rubric.items.front();
         const Reference& reference = references.of(item, item.settings);
-        if (!reference.equal) continue;
+        ASSERT_TRUE(reference.equal.has_value());
         const EqualModes& equal = *reference.equal;
-        const Eigen::Index count = equal.modes.cols();
-        const DenseMatrix turn = DenseMatrix(DenseMatrix::Random(count, count).householderQr().householderQ()), modes = equal.modes * turn;
+        ASSERT_EQ(equal.modes.cols(), 3);
+        const Eigen::Matrix3d some = (Eigen::Matrix3d() << 1, 2, 3, -1, 1, 4, 2, 0, 1).finished(),
+                              turn = some.householderQr().householderQ();
+        const DenseMatrix modes = equal.modes * turn;
         const auto verdict_of = [&](Eigen::Index taken) {
             const DenseMatrix chosen = modes.leftCols(taken);
             const Positions X = equal.below + chosen * (chosen.transpose() * equal.M.asDiagonal() * equal.X);
-            return marks_of(files_with(Eigen::Map<const Vector>(X.data(), X.size()), reference, item.what), rubric, references)
-                .items.front()
-                .verdict;
+            const Vector values = Eigen::Map<const Vector>(X.data(), X.size());
+            return marks_of(files_with(values, reference, item.what), rubric, references).items.front().verdict;
         };
-        EXPECT_EQ(verdict_of(equal.taken), Verdict::right) << k;
-        EXPECT_NE(verdict_of(equal.taken - 1), Verdict::right) << k;
-        EXPECT_NE(verdict_of(equal.taken + 1), Verdict::right) << k;
-        ++choices;
+        for (const int taken : {0, 1, 2, 3}) EXPECT_EQ(verdict_of(taken) == Verdict::right, taken == equal.taken) << k << ": " << taken;
     }
-    EXPECT_GT(choices, 0);
 }
 
 TEST(Marking, RowsMayComeInAnyOrderWhereTheyNameTheirVertex) {
