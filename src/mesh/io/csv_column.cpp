@@ -92,7 +92,8 @@ double rounding_of(std::string_view number) {
 
 /// The number of a cell; nothing where it is none.
 std::optional<Number> number_in(std::string_view cell, char separator) {
-    constexpr std::array undefined{"nan"sv, "nan(ind)"sv, "na"sv}, infinite{"inf"sv, "infinity"sv};
+    constexpr std::array undefined{"nan"sv, "nan(ind)"sv, "na"sv};
+    constexpr std::array infinite{"inf"sv, "infinity"sv};
     const bool has_sign = cell.starts_with('-') || cell.starts_with('+');
     const auto is_cell = [&](std::string_view word) { return same_but_for_case(cell.substr(has_sign ? 1 : 0), word); };
     if (cell.empty() || std::ranges::any_of(undefined, is_cell)) return Number{};
