@@ -1,8 +1,8 @@
 /// @file
 /// Block Lanczos for (B − σI)⁻¹ with eight vectors a step, all of them kept, and orthogonalised again where rounding has brought them too
 /// near each other (Grimes, Lewis & Simon 1994). Private to the layer.
-/// Beside Spectra because the 30 smallest pairs take 1.7 times the processor time with it for 43 k vertices (0.81 s instead of 0.47 s), and
-/// 1.6 times for 173 k (7.0 s instead of 4.4 s; tests/bench/spectrum.py).
+/// Beside Spectra because with it the 30 smallest pairs take 2.5 times the processor time for 43 k vertices, and 150 pairs 4.2 times
+/// (tests/bench/spectrum.py, AVX2).
 #pragma once
 
 #include <chrono>
