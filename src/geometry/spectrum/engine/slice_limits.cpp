@@ -41,6 +41,13 @@ double sigma_below_zero(const SparseMatrix& B) {
     return *middle > 0 ? -1e-6 * *middle : -1e-6;
 }
 
+/// Half of a large space is enough for the pairs of one slice; a small one may be needed whole.
+int largest_basis(const SpectrumProblem& problem, int usual) {
+    constexpr int always = 128;
+    const int whole = problem.size() - problem.zeros.count();
+    return std::min({usual, whole, std::max(always, problem.size() / 2)});
+}
+
 }   // namespace
 
 double above_all(const SparseMatrix& B) {
@@ -102,7 +109,7 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
         if (!(goal.high > goal.low)) continue;   // many eigenvalues at one place
         // Distances from σ are what is accurate, so the smallest eigenvalues need a σ near zero.
         goal.sigma = goal.low > 0 ? 0.5 * (goal.low + goal.high) : sigma_below_zero(problem.B);
-        goal.largest_basis = std::min(problem.size() / 2, 200 + 8 * options.pairs_per_slice);
+        goal.largest_basis = largest_basis(problem, 200 + 8 * options.pairs_per_slice);
         goal.tolerance = options.tolerance;
         goal.polish = options.polish;
         goal.seed = i;
@@ -119,7 +126,7 @@ SliceGoal one_goal(const SpectrumProblem& problem, int k, const SliceOptions& op
     goal.expected = k;
     goal.tolerance = options.tolerance;
     goal.polish = options.polish;
-    goal.largest_basis = std::min(problem.size() / 2, 200 + 12 * k);
+    goal.largest_basis = largest_basis(problem, 200 + 12 * k);
     goal.parallel = true;
     return goal;
 }

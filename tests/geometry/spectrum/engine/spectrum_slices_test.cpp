@@ -46,6 +46,23 @@ TEST(SpectrumSlices, AgreeWithTheDenseSolver) {
     expect_eigenpairs(laplacian, sliced, 1e-8, "torus");
 }
 
+// Too many pairs for half of the space: the basis takes all of a small one.
+TEST(SpectrumSlices, OfSmallMeshesAgreeWithTheDenseSolver) {
+    for (const int around : {8, 9, 11, 13, 16, 20, 26}) {
+        const LaplaceBeltrami laplacian = laplace_beltrami(torus_mesh(around, 13, 1, 0.4));
+        for (const int k : {8, 20, around * 13 / 4}) {
+            SpectrumOptions options;
+            options.dense_below = 0;
+            options.polish = true;
+            const Spectrum dense = smallest_eigenpairs(laplacian, k, by_dense), sliced = smallest_eigenpairs(laplacian, k, options);
+            const std::string what = std::to_string(around * 13) + " vertices, k = " + std::to_string(k);
+            EXPECT_FALSE(sliced.dense);
+            EXPECT_LT(eigenvalue_difference(sliced.eigenvalues, dense.eigenvalues), 1e-10) << what;
+            expect_eigenpairs(laplacian, sliced, 1e-8, what);
+        }
+    }
+}
+
 // Multiplicities 4 and 8 throughout, so that most limits would cut one.
 TEST(SpectrumSlices, OfTheFlatTorusAreCompleteWhereverTheyAreCut) {
     constexpr int n = 40, k = 400;
