@@ -24,9 +24,6 @@ install(DIRECTORY src/base src/mesh src/geometry render DESTINATION ${meshfolio_
 install(EXPORT meshfolio-targets NAMESPACE meshfolio:: DESTINATION ${meshfolio_config} ${apart})
 
 # Of the libraries below ours only those that are linked: Spectra and stb are compiled in.
-if(CHOLMOD_INCLUDE AND CHOLMOD_LIBRARY)
-  set(meshfolio_licence_note "message(VERBOSE \"meshfolio::geometry links CHOLMOD, whose supernodal module is GPL-2+\")")
-endif()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/library/meshfolio-config.cmake CONTENT "include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(glm)
@@ -37,7 +34,6 @@ find_dependency(pugixml)
 find_dependency(PkgConfig)
 pkg_check_modules(deflate QUIET REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(nettle QUIET REQUIRED IMPORTED_TARGET nettle)
-@meshfolio_licence_note@
 include(\${CMAKE_CURRENT_LIST_DIR}/meshfolio-targets.cmake)
 " @ONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/library/meshfolio-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -2,7 +2,7 @@
 
 clang_format=clang-format-14   # the only version that agrees with the sources
 build_packages="cmake g++ ninja-build pkg-config libeigen3-dev libspectra-dev libtinyobjloader-dev libstb-dev libglm-dev libcli11-dev
-    libsuitesparse-dev libopenblas-serial-dev libtbb-dev libdeflate-dev libhwy-dev nettle-dev nlohmann-json3-dev libpugixml-dev
+    libtbb-dev libdeflate-dev libhwy-dev nettle-dev nlohmann-json3-dev libpugixml-dev
     libkainjow-mustache-dev libtomlplusplus-dev libqpdf-dev libarchive-dev fonts-dejavu-core fonts-dejavu-extra chromium-headless-shell"
 # The Python module, and what its tests compare it with.
 python_packages="pybind11-dev python3-dev python3-numpy python3-scipy python3-nbclient python3-ipykernel python3-matplotlib"
@@ -10,7 +10,7 @@ test_packages="$clang_format libgtest-dev libgmp-dev libembree-dev python3 libva
     strace faketime locales $python_packages"
 command -v npm >/dev/null || test_packages="$test_packages nodejs npm"   # Debian's npm cannot stand beside a Node.js from elsewhere
 # Not every distribution has these, and what is built does without: Ubuntu's Chromium is no package of apt.
-optional_packages="libsuitesparse-dev libopenblas-serial-dev chromium-headless-shell $clang_format libembree-dev nodejs npm
+optional_packages="chromium-headless-shell $clang_format libembree-dev nodejs npm
     $python_packages"
 
 # apt_install NAMES…: as root, or by sudo. 1 where neither can be.

@@ -8,7 +8,6 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "geometry/linear/blas_turn.h"
 #include "report/pdf/pdf_engine.h"
 #include "report/writers.h"
 #include "run/cache_folder.h"
@@ -29,17 +28,6 @@ bool is_installed(const std::string& font) {
         if (it->path().filename() == font) return true;
     }
     return false;
-}
-
-/// Which BLAS factorisations reach, and whether several of them may at once; null without CHOLMOD.
-nlohmann::ordered_json blas_in_words() {
-    const BlasLibrary& blas = blas_library();
-    if (blas.files.empty()) return nullptr;
-    std::string files;
-    for (const std::string& file : blas.files) files += (files.empty() ? "" : ", ") + printable(file);
-    return {{"library", files},
-            {"configuration", blas.configuration.empty() ? "unknown" : printable(blas.configuration)},
-            {"concurrency", blas.is_safe ? "safe" : "locked"}};
 }
 
 void add_pdf(nlohmann::ordered_json& json) {
@@ -77,7 +65,6 @@ nlohmann::ordered_json findings() {
     json["fonts"] = "DejaVu Sans, compiled in";
     json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
-    json["blas"] = blas_in_words();
     json["cache"] = cache_found();
     add_pdf(json);
     if (report::viewer_program().empty()) json["missing"].push_back("the viewer of models: apt install npm, then build again");
@@ -89,8 +76,7 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
     const auto line = [&](const std::string& key, const std::string& value) {
         text += key + std::string(key.size() < 26 ? 26 - key.size() : 1, ' ') + value + "\n";
     };
-    const std::map<std::string, std::string> group{
-        {"libraries", "library "}, {"blas", "BLAS, "}, {"cache", "cache, "}, {"pdf_engine", "PDF engine, "}};
+    const std::map<std::string, std::string> group{{"libraries", "library "}, {"cache", "cache, "}, {"pdf_engine", "PDF engine, "}};
     constexpr std::string_view unit = "_bytes";
     for (const auto& [key, value] : json.items()) {
         if (value.is_object()) {

@@ -69,8 +69,7 @@ void tell(std::string_view message) {
 
 pthread_t ending_thread;   // waits in wait_for_the_end()
 
-/// A library may have started threads of its own before main(), which do not block these signals and may be the ones that get them
-/// (OpenBLAS for several threads does so).
+/// A library may have started threads of its own before main(), which do not block these signals and may be the ones that get them.
 void hand_on(int signal) { pthread_kill(ending_thread, signal); }
 
 /// Some destructors of the packages allocate and may not throw.

@@ -42,7 +42,7 @@ std::string made() try {
     key.add(sha256_of_file(this_program()));
     for (const std::string& name : loaded_libraries()) add_library(key, name);
     add_processor(key);
-    for (const char* name : {"OPENBLAS_CORETYPE", "GLIBC_TUNABLES", "LD_PRELOAD"}) key.add(environment(name));
+    for (const char* name : {"GLIBC_TUNABLES", "LD_PRELOAD"}) key.add(environment(name));
     return key.key();
 } catch (const InputError&) {
     return "";

@@ -1,5 +1,6 @@
 #include "run/provenance.h"
 
+#include <Spectra/Util/Version.h>
 #include <tbb/version.h>
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
@@ -7,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "build_info.h"
-#include "geometry/linear/solver_versions.h"
 
 namespace meshfolio::run {
 
@@ -46,7 +46,7 @@ report::Provenance provenance_of(std::map<std::string, std::string> settings, st
     provenance.commit = build_info::commit;
     provenance.compiler = build_info::compiler;
     provenance.build_type = build_info::build_type;
-    provenance.libraries = solver_versions();
+    provenance.libraries["Spectra"] = dotted(SPECTRA_MAJOR_VERSION, SPECTRA_MINOR_VERSION, SPECTRA_PATCH_VERSION);
     provenance.libraries["Eigen"] = dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
     provenance.libraries["GLM"] = dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH);
     provenance.libraries["nlohmann-json"] = dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);

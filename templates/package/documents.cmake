@@ -40,8 +40,7 @@ string(REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(REPLACE "\n" "\n " licence "${licence}")
 file(WRITE ${about}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: meshfolio
-Comment: The program is linked with libraries under other licences, CHOLMOD's GPL modules among them: as a whole it is passed on under the GPL,
- version 3 or later (/usr/share/common-licenses/GPL-3). NOTICES.md in this folder names them all.
+Comment: The program is linked with libraries under other licences. NOTICES.md in this folder names them all.
 
 Files: *
 Copyright: ${holder}

@@ -18,7 +18,6 @@ mkdir -p "$root/build/arm64"
 if [ ! -e "$packages/usr" ]; then
     names=$(for name in $build_packages $test_packages; do echo "$name"; done | grep -E '^(lib.*|nettle|nlohmann-json3)-dev$|^fonts-' | paste -sd ,)
     mmdebstrap --quiet --mode=root --variant=extract --architectures=arm64 --include="libc6-dev,$names" bookworm "$packages" "$mirror"
-    ln -sf openblas-serial/libblas.so.3 openblas-serial/liblapack.so.3 "$packages/usr/lib/aarch64-linux-gnu"   # as its postinst would
 fi
 
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$root/tests/elsewhere/arm64.cmake" -DMESHFOLIO_ARM64_ROOT="$packages" \

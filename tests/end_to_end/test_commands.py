@@ -688,12 +688,6 @@ class ListAndDoctor(InFolder):
         self.assertIn('none', json.loads(self.succeed('doctor', '--json', HOME='', XDG_CACHE_HOME=''))['cache']['folder'])
         for library in ('Eigen', 'oneTBB'):
             self.assertRegex(found['libraries'][library], r'^\d+\.\d+')
-        if 'CHOLMOD' in found['libraries']:
-            self.assertRegex(found['blas']['library'], 'blas')
-            self.assertIn(found['blas']['concurrency'], ('safe', 'locked'))
-            if 'SINGLE_THREADED' in found['blas']['configuration'] and 'USE_LOCKING' not in found['blas']['configuration']:
-                self.assertEqual(found['blas']['concurrency'], 'locked')
-            self.assertRegex(self.succeed('doctor'), r'BLAS, concurrency +(safe|locked)\n')
         self.assertIn('fonts', self.succeed('doctor'))
         without = json.loads(self.succeed('doctor', '--json', PATH=self.folder, HOME=self.folder))
         self.assertIsNone(without['pdf_engine'])

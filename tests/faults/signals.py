@@ -146,7 +146,7 @@ class Signals(Faults):
 
     @unittest.skipUnless(shutil.which("c++"), "no compiler for a library that begins a thread")
     def test_a_thread_that_a_library_began(self):
-        """Begun before main(), it blocks no signal, as those of OpenBLAS for several threads."""
+        """Begun before main(), it blocks no signal."""
         source, library = self.folder / "thread.c", self.folder / "thread.so"
         source.write_text(THREAD_BEFORE_MAIN)
         subprocess.run(["c++", "-x", "c", "-shared", "-fPIC", "-pthread", "-o", library, source], check=True)

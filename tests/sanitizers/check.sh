@@ -18,9 +18,6 @@ if [ "$(cat /proc/sys/vm/mmap_rnd_bits 2>/dev/null || echo 28)" -gt 28 ] && [ -z
     exec setarch -R "$0" "$preset" "$@"
 fi
 
-# CHOLMOD's own threads are those of OpenMP, whose barriers are not instrumented: every one would look like a race.
-if [ "$preset" = thread ]; then export OMP_THREAD_LIMIT=1; fi
-
 cmake --preset "$preset"
 cmake --build --preset "$preset"
 # The tests that run the built program as a user does limit time and memory, which sanitizers need: a quick report takes their place here.

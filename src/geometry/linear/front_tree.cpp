@@ -128,6 +128,7 @@ FrontTree front_tree(const SparseMatrix& A, const std::vector<int>& order) {
         tree.order.push_back(order[std::size_t(old)]);
         columns.parent.push_back(parent < 0 ? -1 : place[std::size_t(parent)]);
         columns.count.push_back(given.count[std::size_t(old)]);
+        tree.nonzeros += given.count[std::size_t(old)] + 1;
     }
     tree.place = places_of(tree.order, A.rows());
 

@@ -15,14 +15,15 @@ struct FrontTree {
     std::vector<int> first;    // columns first[f] … first[f+1] − 1 are those of front f
     std::vector<int> parent;   // the front that what is left of f is added to; −1: none is left
     std::vector<std::size_t> row_start;
-    std::vector<int> rows;   // below the columns of front f, ascending: from row_start[f] on
+    std::vector<int> rows;    // below the columns of front f, ascending: from row_start[f] on
+    long long nonzeros = 0;   // of the factor, diagonal included
 
     int fronts() const { return static_cast<int>(parent.size()); }
     int columns(int f) const { return first[std::size_t(f) + 1] - first[std::size_t(f)]; }
     std::span<const int> rows_below(int f) const {
         return {rows.data() + row_start[std::size_t(f)], rows.data() + row_start[std::size_t(f) + 1]};
     }
-    long long entries() const;   // of the factor, the zeros that join columns and the unit diagonal included
+    long long entries() const;   // that are stored: nonzeros, and the zeros that join columns
 };
 
 /// @param A      compressed, symmetric, both triangles stored

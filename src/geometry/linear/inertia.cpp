@@ -48,7 +48,7 @@ Inertia inertia_at(const SparseMatrix& A, const Vector& M, double sigma, Ranks* 
         return {sigma, ranks->negative_pivots(), measured_backward_error(*ranks, S, M) + forming + largest_row};
     }
     const SparseMatrix whole = S.selfadjointView<Eigen::Lower>();
-    const LdltPanels factor = LdltAnalysis(whole).factor(0, true);
+    const LdltPanels factor = LdltAnalysis(whole).factor(whole, 0, true);
     return {sigma, factor.negative_pivots(), backward_error(factor, M) + forming};
 }
 

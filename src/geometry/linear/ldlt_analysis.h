@@ -1,34 +1,39 @@
 /// @file
-/// One symbolic analysis for LDLᵀ of all A − σI. Private to the layer.
+/// One symbolic analysis for LDLᵀ of all A − σI of one pattern. Private to the layer.
 #pragma once
 
 #include "geometry/linear/front_tree.h"
 #include "geometry/linear/inertia.h"
 #include "geometry/linear/ldlt_panels.h"
-#include "geometry/linear/sparse_factor.h"
 
 namespace meshfolio {
 
 class LdltAnalysis {
 public:
-    /// Keeps a reference to A: compressed, symmetric, every diagonal entry stored.
-    /// @param library  whose ordering
-    explicit LdltAnalysis(const SparseMatrix& A, FactorLibrary library = FactorLibrary::automatic);
+    /// Ordered by approximate minimum degree (Amestoy, Davis & Duff 1996).
+    /// @param A  whose pattern counts: compressed, symmetric, both triangles and every diagonal entry stored
+    /// @throws SolverError if A is empty or not square
+    explicit LdltAnalysis(const SparseMatrix& A);
 
     /// Row order()[i] is eliminated as the i-th: neighbours on the surface are mostly near each other in this order.
     const std::vector<int>& order() const { return tree_.order; }
     const std::vector<int>& place() const { return tree_.place; }   // its inverse
-    long long nonzeros() const { return tree_.entries(); }          // of a factor
+    long long nonzeros() const { return tree_.nonzeros; }           // of a factor, diagonal included
+    long long entries() const { return tree_.entries(); }           // that it stores
+    /// What making and keeping a factor takes at most. [bytes]
+    double memory() const;
 
     /// LDLᵀ of A − σI. Several threads may factor at once; `parallel`: one factor is shared out among threads. The numbers are the same.
-    /// @throws SolverError if a pivot is within a few roundings of zero: σ is an eigenvalue, or next to one
-    LdltPanels factor(double sigma, bool parallel = false) const;
+    /// @throws SolverError if an entry is not finite, or a pivot within a few roundings of zero: σ is an eigenvalue, or next to one
+    LdltPanels factor(const SparseMatrix& A, double sigma, bool parallel = false) const;
+    /// LDLᵀ with D > 0, which is Cholesky's factor L D^½. Its `delta` and `growth` are not computed.
+    /// @throws SolverError if an entry is not finite, or A is not positive definite
+    LdltPanels factor_definite(const SparseMatrix& A, bool parallel = false) const;
     /// Eigenvalues of A below σ, by Sylvester's law of inertia.
     /// @throws SolverError as `factor`
-    Inertia count_below(double sigma, bool parallel = false) const;
+    Inertia count_below(const SparseMatrix& A, double sigma, bool parallel = false) const;
 
 private:
-    const SparseMatrix& A_;
     FrontTree tree_;
 };
 

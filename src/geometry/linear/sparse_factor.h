@@ -1,43 +1,33 @@
 /// @file
-/// One factorisation of a symmetric sparse matrix, many solves. CHOLMOD when the build has it, Eigen otherwise.
+/// One factorisation of a symmetric sparse matrix, many solves.
 #pragma once
 
-#include <memory>
-
-#include "geometry/linear/sparse_types.h"
+#include "geometry/linear/ldlt_panels.h"
 
 namespace meshfolio {
-
-/// Whose factorisation. `automatic`: CHOLMOD where the build has it; `eigen` is always there, for comparison.
-enum class FactorLibrary { automatic, eigen };
 
 class SparseFactor {
 public:
     /// LDLᵀ of a symmetric matrix (lower triangle read), indefinite allowed as long as no pivot vanishes.
     /// @throws SolverError if a pivot is zero, within a few roundings of it, or not finite
-    static SparseFactor ldlt(const SparseMatrix& A, FactorLibrary library = FactorLibrary::automatic);
-    /// Cholesky LLᵀ, supernodal where that is faster.
+    static SparseFactor ldlt(const SparseMatrix& A);
+    /// The same with D > 0, Cholesky's factor.
     /// @throws SolverError if A is not positive definite
-    static SparseFactor cholesky(const SparseMatrix& A, FactorLibrary library = FactorLibrary::automatic);
+    static SparseFactor cholesky(const SparseMatrix& A);
 
-    SparseFactor(SparseFactor&&) noexcept;
-    SparseFactor& operator=(SparseFactor&&) noexcept;
-    ~SparseFactor();
-
-    /// Solving from several threads at once is safe.
-    Vector solve(const Vector& b) const;
-    /// Several right-hand sides together (columns of B).
+    /// Solving from several threads at once is safe. B: a row for each of A; its columns are solved together.
     DenseMatrix solve(const DenseMatrix& B) const;
+    Vector solve(const Vector& b) const { return solve(DenseMatrix(b)).col(0); }
 
-    /// Pivots < 0: by Sylvester's law the number of negative eigenvalues of a nearby matrix (LDLᵀ only; 0 after cholesky).
-    int negative_pivots() const;
-    long long nonzeros() const;   // of the factor, diagonal included
-
-    struct Implementation;
+    /// Pivots < 0: by Sylvester's law the number of negative eigenvalues of a nearby matrix.
+    int negative_pivots() const { return panels_.negative_pivots(); }
+    long long nonzeros() const { return nonzeros_; }   // of the factor, diagonal included
 
 private:
-    explicit SparseFactor(std::unique_ptr<Implementation> implementation);
-    std::unique_ptr<Implementation> implementation_;
+    SparseFactor(const SparseMatrix& A, bool definite);
+
+    LdltPanels panels_;
+    long long nonzeros_;
 };
 
 }   // namespace meshfolio

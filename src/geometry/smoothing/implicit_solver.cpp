@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "geometry/distributed/ranks.h"
-#include "geometry/linear/cholesky_analysis.h"
+#include "geometry/linear/ldlt_analysis.h"
 #include "geometry/linear/panel_kernels.h"
 #include "geometry/measures/spatial_order.h"
 #include "geometry/smoothing/conjugate_gradients.h"
@@ -41,7 +41,7 @@ SparseMatrix system_of(const OperatorWithMass& whole, double lambda) {
 struct ImplicitSolver::State {
     OperatorWithMass whole;   // as it came last
     std::vector<int> curve;   // its rows along Morton's curve
-    std::optional<CholeskyAnalysis> analysis;
+    std::optional<LdltAnalysis> analysis;
     double lambda = 0;
     LinearSolver ready = LinearSolver::none;
     LdltPanels factor;
@@ -65,7 +65,6 @@ struct ImplicitSolver::State {
         ++analyses;
         try {
             analysis.emplace(system);
-        } catch (const SolverError&) {   // beyond the library's integers
         } catch (const std::bad_alloc&) {
         }
     }
@@ -105,7 +104,7 @@ void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const
             s.vertex = sorted.vertex;
             s.M = sorted.M;
         } else if (direct) {
-            s.factor = s.analysis->factor(system);
+            s.factor = s.analysis->factor_definite(system, true);
             s.take_rows(sorted, s.factor.order);
         } else {
             s.gradients.emplace(sorted, system, lambda);

@@ -1,6 +1,6 @@
 /// @file
 /// The largest eigenvalue μ of M⁻¹S between two proved bounds, without knowing its eigenvector.
-///   above: Cholesky of σM − S runs to its end ⇒ μ ≤ σ + ρ   (Rump 2006)
+///   above: LDLᵀ of σM − S runs to its end with D > 0 ⇒ μ ≤ σ + ρ   (Rump 2006, for Cholesky's factor L D^½)
 ///   below: μ ≥ yᵀSy / yᵀMy for every y
 /// Where the factorisation just above the quotient breaks down, one farther above serves as the preconditioner of a few steps of Lanczos
 /// with (σM − S)⁻¹M, which raise the quotient; σ follows it down. Neighbours of μ do no harm: the value is right long before the vector.
@@ -9,7 +9,7 @@
 /// quotient is bounded beforehand and is part of the bounds: the factor computed is exactly that of a matrix no farther from σM − S than
 /// ε Σ_j (t_j + 8) s_jj/M_j times M, with s_jj its diagonal and t_j the entries in row j of the factor, in whatever order they were
 /// summed. Hence ρ = ε(nnz(factor) + 8n) max_j s_jj/M_j. Not covered: the rounding of S and M themselves when they were assembled,
-/// underflow, and defects of the processor or of the library that factors. Private to the layer.
+/// underflow, and defects of the processor. Private to the layer.
 #pragma once
 
 #include <optional>

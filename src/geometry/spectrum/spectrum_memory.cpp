@@ -23,7 +23,7 @@ std::string gigabytes(double bytes) { return plain_text(bytes / 1e9, 3) + " GB";
 SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SliceOptions& options) {
     constexpr double bytes_per_entry = 8 + 6;   // of a factor: numbers and rows, and the fronts that wait for their parents
     const double n = problem.size(), pairs = k > options.one_slice_up_to ? options.pairs_per_slice : k;
-    return {bytes_per_entry * static_cast<double>(problem.analysis.nonzeros()) + 8 * n * basis_for(pairs), 2 * 8 * n * k};
+    return {bytes_per_entry * static_cast<double>(problem.analysis.entries()) + 8 * n * basis_for(pairs), 2 * 8 * n * k};
 }
 
 int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& options, double limit) {

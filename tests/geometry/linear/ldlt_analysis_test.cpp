@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/errors.h"
 #include "geometry/linear/panel_kernels.h"
+#include "geometry/linear/sparse_factor.h"
+#include "geometry/smoothing/position_rows.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/stability.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;
@@ -20,20 +25,34 @@ EightColumns random_columns(Eigen::Index rows) {
 
 DenseMatrix dense(const EightColumns& X) { return Eigen::Map<const DenseMatrix>(X.data(), 8, X.rows()).transpose(); }
 
-class LdltOfEachLibrary : public ::testing::TestWithParam<FactorLibrary> {};
+SparseMatrix system_of(const TriangleMesh& mesh, double lambda) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    SparseMatrix mass(laplacian.M.size(), laplacian.M.size());
+    mass = laplacian.M.asDiagonal();
+    return mass - lambda * laplacian.C;
+}
+
+/// Largest entry of A X − B over that of B.
+double residual_of(const SparseMatrix& A, const LdltPanels& factor) {
+    Positions B(A.rows(), 3);
+    for (Eigen::Index i = 0; i < B.size(); ++i) B.data()[i] = std::sin(double(i));
+    FourColumns rows = gathered(B, factor.order);
+    solve_in_place(factor, rows);
+    Positions X = B;
+    scatter(rows, factor.order, X);
+    return (A * X - B).cwiseAbs().maxCoeff() / B.cwiseAbs().maxCoeff();
+}
 
 }   // namespace
 
-INSTANTIATE_TEST_SUITE_P(LdltAnalysis, LdltOfEachLibrary, ::testing::Values(FactorLibrary::automatic, FactorLibrary::eigen));
-
-TEST_P(LdltOfEachLibrary, SolvesWithEveryShiftOfOneAnalysis) {
+TEST(LdltAnalysis, SolvesWithEveryShiftOfOneAnalysis) {
     for (const TriangleMesh& mesh : {irregular_sphere(3), grid_mesh(3, 2, 1, 1), irregular_plane(20)}) {
         const SparseMatrix A = -laplace_beltrami(mesh).C;
-        const LdltAnalysis analysis(A, GetParam());
+        const LdltAnalysis analysis(A);
         SparseMatrix identity(A.rows(), A.cols());
         identity.setIdentity();
         for (const double sigma : {-1.0, 0.3, 2.7}) {
-            const LdltPanels factor = analysis.factor(sigma);
+            const LdltPanels factor = analysis.factor(A, sigma);
             EightColumns X = random_columns(A.rows());
             const DenseMatrix B = dense(X);
             solve_in_place(factor, X.data());
@@ -45,30 +64,49 @@ TEST_P(LdltOfEachLibrary, SolvesWithEveryShiftOfOneAnalysis) {
             const DenseMatrix rest = A * in_order - sigma * in_order - right;
             EXPECT_LT(rest.norm(), 1e-10 * in_order.norm()) << sigma;
             EXPECT_EQ(factor.negative_pivots(), SparseFactor::ldlt(A - sigma * identity).negative_pivots());
-            EXPECT_EQ(analysis.count_below(sigma).below, factor.negative_pivots());
-            EXPECT_EQ(analysis.count_below(sigma).delta, factor.delta);
+            EXPECT_EQ(analysis.count_below(A, sigma).below, factor.negative_pivots());
+            EXPECT_EQ(analysis.count_below(A, sigma).delta, factor.delta);
             EXPECT_LT(factor.delta, 1e-8);
             EXPECT_GE(factor.growth, 0.5);
         }
     }
 }
 
-TEST_P(LdltOfEachLibrary, AShiftOnAnEigenvalueIsRefused) {
+TEST(LdltAnalysis, AShiftOnAnEigenvalueIsRefused) {
     SparseMatrix A(4, 4);
     A.insert(0, 0) = 1;
     A.insert(1, 1) = 2;
     A.insert(2, 2) = 3;
     A.insert(3, 3) = 4;
     A.makeCompressed();
-    const LdltAnalysis analysis(A, GetParam());
-    EXPECT_EQ(analysis.count_below(2.5).below, 2);
-    EXPECT_THROW(analysis.factor(2), SolverError);
+    const LdltAnalysis analysis(A);
+    EXPECT_EQ(analysis.count_below(A, 2.5).below, 2);
+    EXPECT_THROW(analysis.factor(A, 2), SolverError);
+}
+
+TEST(LdltAnalysis, ServesAllDefiniteMatricesOfItsPattern) {
+    for (const TriangleMesh& mesh : {irregular_sphere(4), grid_mesh(3, 2, 1, 1), irregular_plane(20)}) {
+        const double step = critical_step(mesh);
+        const SparseMatrix first = system_of(mesh, step), second = system_of(mesh, 100 * step);
+        const LdltAnalysis analysis(first);
+        for (const SparseMatrix& A : {first, second, first}) EXPECT_LT(residual_of(A, analysis.factor_definite(A)), 1e-11);
+        EXPECT_THROW(analysis.factor_definite(system_of(mesh, -step)), SolverError);
+    }
+}
+
+TEST(LdltAnalysis, ThreadsDoNotChangeABitOfALargeFactor) {
+    const SparseMatrix A = system_of(irregular_plane(150), 1);
+    const LdltAnalysis analysis(A);
+    const LdltPanels alone = analysis.factor_definite(A), shared = analysis.factor_definite(A, true);
+    EXPECT_EQ(alone.values, shared.values);
+    EXPECT_EQ(alone.pivots, shared.pivots);
+    EXPECT_GE(analysis.entries(), analysis.nonzeros());
 }
 
 TEST(LdltPanels, HoldFullPanelsOfADenseMatrix) {
     const DenseMatrix square = DenseMatrix::Random(21, 21);
     const SparseMatrix A = (square * square.transpose() + DenseMatrix::Identity(21, 21)).sparseView();
-    const LdltPanels factor = LdltAnalysis(A).factor(0);
+    const LdltPanels factor = LdltAnalysis(A).factor(A, 0);
     EXPECT_EQ(factor.first, (std::vector<int>{0, 8, 16, 21}));
     EXPECT_EQ(factor.rows.size(), 13u + 5u);
 }

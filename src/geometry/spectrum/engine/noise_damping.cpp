@@ -91,7 +91,7 @@ void damp_noise(const SpectrumProblem& problem, std::vector<EightColumns>& X, co
     Vector excess = groups.excess(X);
     for (int step = 0; step < most_steps && excess.maxCoeff() > 1; ++step) {
         try {
-            const LdltPanels factor = problem.analysis.factor(-mu[mu.size() - 1], true);
+            const LdltPanels factor = problem.factor(-mu[mu.size() - 1], true);
             if (factor.negative_pivots() > 0) break;
             std::vector<EightColumns> better = groups.damped(factor, X, excess);
             const Vector after = groups.excess(better);

@@ -12,7 +12,7 @@ namespace meshfolio {
 namespace {
 
 InertiaProof counted(const SpectrumProblem& problem, double sigma) {
-    const Inertia inertia = count_near(problem.analysis, sigma);
+    const Inertia inertia = count_near(problem, sigma);
     return {inertia.sigma, inertia.below, 0, inertia.delta, true};
 }
 

@@ -40,13 +40,13 @@ auto with_nudges(double& sigma, const Try& attempt) {
 }
 
 /// LDLᵀ is not pivoted: where σ makes some leading part nearly singular, pivots and rounding grow. Then σ is moved within its slice.
-LdltPanels factor_within(const LdltAnalysis& analysis, const SliceGoal& goal, double& sigma) {
+LdltPanels factor_within(const SpectrumProblem& problem, const SliceGoal& goal, double& sigma) {
     constexpr double harmless_growth = 1e4, moves[] = {0, 0.02, -0.02, 0.05, -0.05};
     double least_growth = infinity, best = goal.sigma;
     for (const double move : moves) {
         sigma = goal.sigma + move * (goal.high - goal.low);
         try {
-            LdltPanels factor = analysis.factor(sigma, goal.parallel);
+            LdltPanels factor = problem.factor(sigma, goal.parallel);
             if (factor.growth <= harmless_growth) return factor;
             if (factor.growth < least_growth) {
                 least_growth = factor.growth;
@@ -56,17 +56,17 @@ LdltPanels factor_within(const LdltAnalysis& analysis, const SliceGoal& goal, do
         }
     }
     sigma = best;
-    return with_nudges(sigma, [&](double s) { return analysis.factor(s, goal.parallel); });
+    return with_nudges(sigma, [&](double s) { return problem.factor(s, goal.parallel); });
 }
 
 /// Farther below where needles or specks make rounding larger.
-LdltPanels factor_below_zero(const LdltAnalysis& analysis, const SliceGoal& goal, double& sigma) {
+LdltPanels factor_below_zero(const SpectrumProblem& problem, const SliceGoal& goal, double& sigma) {
     constexpr int most_attempts = 5;
     std::string reason;
     bool refuted = false;
     for (int i = 0; i < most_attempts; ++i) {
         try {
-            LdltPanels factor = analysis.factor(sigma, goal.parallel);
+            LdltPanels factor = problem.factor(sigma, goal.parallel);
             if (factor.negative_pivots() == 0) return factor;
             const int negative = factor.negative_pivots();
             reason = std::to_string(negative) + (negative == 1 ? " eigenvalue is negative" : " eigenvalues are negative");
@@ -138,8 +138,8 @@ SparseMatrix SpectrumProblem::B_in_order() const {
     return permuted;
 }
 
-Inertia count_near(const LdltAnalysis& analysis, double sigma) {
-    return with_nudges(sigma, [&](double s) { return analysis.count_below(s, true); });
+Inertia count_near(const SpectrumProblem& problem, double sigma) {
+    return with_nudges(sigma, [&](double s) { return problem.analysis.count_below(problem.B, s, true); });
 }
 
 Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const std::vector<const EightColumns*>& locked,
@@ -148,8 +148,8 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     Slice slice;
     slice.goal = goal;
     const double start = seconds();
-    const LdltPanels factor = goal.sigma < 0 ? factor_below_zero(problem.analysis, goal, slice.goal.sigma)
-                                             : factor_within(problem.analysis, goal, slice.goal.sigma);
+    const LdltPanels factor =
+        goal.sigma < 0 ? factor_below_zero(problem, goal, slice.goal.sigma) : factor_within(problem, goal, slice.goal.sigma);
     slice.counted = factor.negative_pivots();
     slice.delta = factor.delta;
     slice.times.factor = seconds() - start;

@@ -20,6 +20,8 @@ struct SpectrumProblem {
     LdltAnalysis analysis;
     ZeroModes zeros_in_order;   // of elimination
     SparseMatrix B_in_order() const;
+    /// LDLᵀ of B − σI. @throws SolverError as LdltAnalysis::factor
+    LdltPanels factor(double sigma, bool parallel) const { return analysis.factor(B, sigma, parallel); }
     int size() const { return static_cast<int>(B.rows()); }
 };
 
@@ -60,6 +62,6 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
                   const StepReport& report);
 
 /// Inertia at σ or, where a pivot is lost in rounding, a little beside it.
-Inertia count_near(const LdltAnalysis& analysis, double sigma);
+Inertia count_near(const SpectrumProblem& problem, double sigma);
 
 }   // namespace meshfolio

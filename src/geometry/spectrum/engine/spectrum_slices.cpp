@@ -300,7 +300,7 @@ SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOpt
     const int zeros = problem.zeros.count();
     if (k <= options.one_slice_up_to && set.solve_alone(one_goal(problem, k, options))) {
         const double above = std::isfinite(set.highest_cut()) ? set.highest_cut() : above_all(problem.B);
-        set.note_proof(count_near(problem.analysis, above));
+        set.note_proof(count_near(problem, above));
     } else {
         const std::vector<InertiaProof> counts = bracket_from_above(problem, zeros + k);
         set.note_proof({counts.back().sigma, counts.back().counted, counts.back().delta});
