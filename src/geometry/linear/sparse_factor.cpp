@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "geometry/linear/ldlt_analysis.h"
+#include "geometry/linear/ldlt_rounding.h"
 #include "geometry/linear/panel_kernels.h"
 
 namespace meshfolio {
@@ -38,5 +39,7 @@ DenseMatrix SparseFactor::solve(const DenseMatrix& B) const {
     }
     return X;
 }
+
+double SparseFactor::backward_error(const Vector& W) const { return meshfolio::backward_error(panels_, W); }
 
 }   // namespace meshfolio

@@ -97,13 +97,13 @@ bool grounded_is_definite(const OperatorWithMass& whole, const Rows& rows, int& 
     if (kept.M.size() == 0) return true;
     const SparseMatrix S = -kept.A;
     const double sums = rows.rounding.cwiseQuotient(whole.M).maxCoeff();
-    constexpr double usual_fill = 40;   // entries of the factor, a row
-    double delta = sums + epsilon * usual_fill * whole.size() * whole.A.diagonal().cwiseQuotient(whole.M).maxCoeff();
+    constexpr double usual = 400;   // roundings: measured 60 to 200 on surfaces of 1,000 to 6,000 vertices
+    double delta = sums + epsilon * usual * whole.A.diagonal().cwiseQuotient(whole.M).maxCoeff();
     for (int repeat = 0; repeat < 3; ++repeat) {
         ++factorisations;
         const std::optional<SparseFactor> factor = factor_at(S, kept.M, -delta);
         if (!factor) return false;
-        const double needed = (sums + rounding_of(*factor, S, kept.M, 0)) * (1 + 4 * epsilon);
+        const double needed = (sums + rounding_of(*factor, kept.M, delta)) * (1 + 4 * epsilon);
         if (delta >= needed) return true;
         delta = 1.01 * needed;
     }

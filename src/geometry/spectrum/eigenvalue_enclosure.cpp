@@ -127,7 +127,7 @@ private:
         factor_ = std::move(factor);
         shift_ = sigma;
         result_.factor_nonzeros = std::max(result_.factor_nonzeros, factor_->nonzeros());
-        const double rounding = rounding_of(*factor_, S_, M_, sigma);
+        const double rounding = rounding_of(*factor_, M_, sigma);
         if (sigma + rounding > result_.high) return true;
         result_.high = sigma + rounding;
         result_.rounding = rounding;
@@ -163,9 +163,8 @@ std::optional<SparseFactor> factor_at(const SparseMatrix& S, const Vector& M, do
     }
 }
 
-double rounding_of(const SparseFactor& factor, const SparseMatrix& S, const Vector& M, double sigma) {
-    const double largest = sigma - S.diagonal().cwiseQuotient(M).minCoeff();
-    return epsilon * (static_cast<double>(factor.nonzeros()) + 8.0 * static_cast<double>(M.size())) * largest;
+double rounding_of(const SparseFactor& factor, const Vector& M, double sigma) {
+    return factor.backward_error(M) + epsilon * std::abs(sigma);
 }
 
 Quotient rayleigh_quotient(const SparseMatrix& S, const Vector& M, const Vector& y) {

@@ -6,10 +6,9 @@
 /// with (σM − S)⁻¹M, which raise the quotient; σ follows it down. Neighbours of μ do no harm: the value is right long before the vector.
 ///
 /// What floating point can prove: the bounds hold for the numbers stored in S and M. The rounding of the factorisation and of the
-/// quotient is bounded beforehand and is part of the bounds: the factor computed is exactly that of a matrix no farther from σM − S than
-/// ε Σ_j (t_j + 8) s_jj/M_j times M, with s_jj its diagonal and t_j the entries in row j of the factor, in whatever order they were
-/// summed. Hence ρ = ε(nnz(factor) + 8n) max_j s_jj/M_j. Not covered: the rounding of S and M themselves when they were assembled,
-/// underflow, and defects of the processor. Private to the layer.
+/// quotient is bounded and is part of the bounds: the factor computed is exactly that of a matrix no farther from σM − S than ρ times M
+/// (ldlt_rounding.h). Not covered: the rounding of S and M themselves when they were assembled, underflow, and defects of the processor.
+/// Private to the layer.
 #pragma once
 
 #include <optional>
@@ -42,8 +41,8 @@ Enclosure enclose_largest(const SparseMatrix& S, const Vector& M, const Vector& 
 
 /// Cholesky of σM − S, or nothing where it breaks down.
 std::optional<SparseFactor> factor_at(const SparseMatrix& S, const Vector& M, double sigma);
-/// ρ of that factorisation. [as σ]
-double rounding_of(const SparseFactor& factor, const SparseMatrix& S, const Vector& M, double sigma);
+/// ρ of that factorisation: its own, and that of σM, ε|σ| at most. [as σ]
+double rounding_of(const SparseFactor& factor, const Vector& M, double sigma);
 
 /// yᵀSy/yᵀMy and bounds that hold in spite of its rounding: sums of n products with sums of k are off by at most ε(n + k + 4)/2 of the sum
 /// of magnitudes, in whatever order.
