@@ -33,9 +33,8 @@ struct Definiteness {
 
     bool semidefinite() const { return verdict == Verdict::semidefinite; }
     bool indefinite() const { return verdict == Verdict::indefinite; }
-    /// What an explicit step multiplies the lowest mode by: at least `growth`, at most `growth_bound`.
+    /// What an explicit step multiplies the lowest mode by, at least.
     double growth(double lambda) const { return 1 + lambda * std::max(0.0, -mu_high); }
-    double growth_bound(double lambda) const { return 1 + lambda * std::max(0.0, -mu_low); }
 };
 
 /// C is symmetric. Costs two passes over C where weights or triangles are evidence enough, else a factorisation, else several.

@@ -164,22 +164,6 @@ bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Pos
     return normals.row(t).dot(around) < 0;
 }
 
-int earliest_blow_up(const SmoothingSubject& subject, double lambda) {
-    const double growth = std::abs(1 - lambda * subject.top.value);
-    if (!(growth > 1)) return std::numeric_limits<int>::max();
-    // √m_v |x_v − c| ≤ ‖X − c‖_M ≤ growth^t ‖X_0 − c‖_M
-    const Vector& M = subject.laplacian.M;
-    const Eigen::RowVector3d centre = bounding_box(subject.mesh()).centre().transpose();
-    double whole = 0, lightest = infinity;
-    for (Eigen::Index v = 0; v < M.size(); ++v) {
-        if (!(M[v] > 0)) continue;
-        whole += M[v] * ((subject.mesh().X.row(v) - centre) / subject.diagonal).squaredNorm();
-        lightest = std::min(lightest, M[v]);
-    }
-    const double steps = std::log(SmoothingOptions{}.blow_up_at * std::sqrt(lightest / whole)) / std::log(growth);
-    return std::max(1, static_cast<int>(std::ceil(steps * (1 - 1e-12))));
-}
-
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X) {
     const Vector& M = subject.laplacian.M;
     return (((X - subject.mesh().X) / subject.diagonal).transpose() * (M / M.sum())).norm();

@@ -72,9 +72,6 @@ int faces_turned(const TriangleMesh& mesh, const Positions& X);
 /// Does triangle t, of these unit normals, face away from the others at its vertices?
 bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t);
 
-/// No vertex is blown up in an earlier iteration than this: modes grow by |1 − λμ_max| a step at most, all coordinates together.
-int earliest_blow_up(const SmoothingSubject& subject, double lambda);
-
 /// How far the barycentre of `X` is from that of the input, over the box diagonal.
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X);
 

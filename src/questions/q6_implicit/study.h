@@ -88,9 +88,6 @@ struct ImplicitStudy {
     std::vector<SchemeGap> gaps() const;
     /// Index of the smallest λ whose explicit run blew up.
     std::optional<std::size_t> first_blown() const;
-    /// Index of the iteration count that is looked at where one must do: the middle one.
-    std::size_t middle_iteration() const { return iterations.size() / 2; }
-    const SmoothingCell& middle_cell(std::size_t lambda) const { return cell(lambda, middle_iteration()); }
     /// The most smoothing that leaves 95 % of the size: of each λ as many steps as do; among those within 1 % of the least energy the one
     /// with the fewest steps. Null: none.
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }

@@ -154,7 +154,6 @@ TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyOnceTheyCannotBeSeen) {
                 continue;
             }
             EXPECT_EQ(panel.label, "blew up, t = " + std::to_string(run.result.blow_up_iteration));
-            EXPECT_GE(run.result.blow_up_iteration, earliest_blow_up(subject, lambda));
         }
     }
     EXPECT_GT(empty, 0) << "nothing blew up: nothing was seen";

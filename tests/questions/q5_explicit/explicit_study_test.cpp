@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "mesh/mesh_topology.h"
 #include "mesh/samples/sample_shapes.h"
@@ -26,6 +27,23 @@ TriangleMesh tetrahedron() {
     mesh.X = Positions{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
     mesh.F = Faces{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
     return mesh;
+}
+
+/// No vertex is blown up in an earlier iteration than this: modes grow by |1 − λμ_max| a step at most, all coordinates together.
+int earliest_blow_up(const SmoothingSubject& subject, double lambda) {
+    const double growth = std::abs(1 - lambda * subject.top.value);
+    if (!(growth > 1)) return std::numeric_limits<int>::max();
+    // √m_v |x_v − c| ≤ ‖X − c‖_M ≤ growth^t ‖X_0 − c‖_M
+    const Vector& M = subject.laplacian.M;
+    const Eigen::RowVector3d centre = bounding_box(subject.mesh()).centre().transpose();
+    double whole = 0, lightest = infinity;
+    for (Eigen::Index v = 0; v < M.size(); ++v) {
+        if (!(M[v] > 0)) continue;
+        whole += M[v] * ((subject.mesh().X.row(v) - centre) / subject.diagonal).squaredNorm();
+        lightest = std::min(lightest, M[v]);
+    }
+    const double steps = std::log(SmoothingOptions{}.blow_up_at * std::sqrt(lightest / whole)) / std::log(growth);
+    return std::max(1, static_cast<int>(std::ceil(steps * (1 - 1e-12))));
 }
 
 }   // namespace
