@@ -1,6 +1,5 @@
 #include "geometry/curvature/fundamental_forms.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
@@ -114,13 +113,14 @@ double normal_curvature(const FundamentalForms& forms, const Eigen::Vector2d& du
 }
 
 PrincipalCurvatures principal_curvatures(const FundamentalForms& forms) {
-    // II t = κ I t, the extrema of κ_n; Eigen sorts the eigenvalues upwards.
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(forms.II, forms.I);
-    const auto direction = [&](int i) -> Vector3 {
-        const Eigen::Vector2d t = solver.eigenvectors().col(i);
-        return as_direction(t[0] * forms.p_u + t[1] * forms.p_v);
-    };
-    return {solver.eigenvalues()[0], solver.eigenvalues()[1], direction(0), direction(1)};
+    // II in the orthonormal tangents t = p_u/√E and s = (p_v − p_u F/E)/length: its eigenvalues are the extrema of κ_n.
+    const double E = forms.I(0, 0), skew = forms.I(0, 1) / E, length = std::sqrt(forms.I(1, 1) - skew * forms.I(0, 1));
+    const double e = forms.II(0, 0), f = forms.II(0, 1), g = forms.II(1, 1);
+    const double tt = e / E, ts = (f - skew * e) / (std::sqrt(E) * length), ss = (g - skew * (2 * f - skew * e)) / (length * length);
+    const double middle = (tt + ss) / 2, radius = std::hypot((tt - ss) / 2, ts), angle = std::atan2(-2 * ts, ss - tt) / 2;
+    const Vector3 t = forms.p_u / std::sqrt(E), s = (forms.p_v - skew * forms.p_u) / length;
+    return {middle - radius, middle + radius, as_direction(std::cos(angle) * t + std::sin(angle) * s),
+            as_direction(std::cos(angle) * s - std::sin(angle) * t)};
 }
 
 double mean_curvature(const FundamentalForms& forms) {
