@@ -14,6 +14,7 @@
 #include "raster/rasterizer.h"
 #include "raster/vectors-inl.h"
 #include "raster/wide_triangle.h"
+#include "rounding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
@@ -42,24 +43,24 @@ struct TileCorner {
 };
 
 struct TileCornerFetcher {
-    const std::int32_t* vertices;
+    const GridVertex* vertices;
     const std::int32_t* triangles;
-    IntVector across, up, depth, left, top;
+    std::size_t across, up, depth;
+    IntVector left, top;
 
     TileCornerFetcher(const ProjectedScene& projected, const SampleTile& tile)
-        : vertices(projected.vertices->at.data()),
+        : vertices(projected.vertices),
           triangles(&projected.scene.surface.triangles[0].x),
-          across(hn::Set(Ints(), projected.component[0])),
-          up(hn::Set(Ints(), projected.component[1])),
-          depth(hn::Set(Ints(), projected.component[2])),
+          across(index(projected.component[0])),
+          up(index(projected.component[1])),
+          depth(index(projected.component[2])),
           left(hn::Set(Ints(), projected.scene.width * half_pixel - tile.x() * subpixels)),
           top(hn::Set(Ints(), projected.scene.height * half_pixel - tile.y() * subpixels)) {}
     TileCorner corner(IntVector id, int k) const {
         const Ints d;
         const IntVector in_triangles = hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k));
-        const IntVector v = hn::ShiftLeft<2>(hn::GatherIndex(d, triangles, in_triangles));
-        return {hn::Add(left, hn::GatherIndex(d, vertices, hn::Add(v, across))), hn::Sub(top, hn::GatherIndex(d, vertices, hn::Add(v, up))),
-                hn::GatherIndex(d, vertices, hn::Add(v, depth))};
+        const GridVectors v = grid_vectors(vertices, hn::GatherIndex(d, triangles, in_triangles));
+        return {hn::Add(left, v.at[across]), hn::Sub(top, v.at[up]), v.at[depth]};
     }
 };
 

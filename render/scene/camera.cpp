@@ -1,9 +1,11 @@
 #include "scene/camera.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -73,12 +75,25 @@ Bounds joined_bounds(std::size_t count, const BoundsOfPart& bounds) {
 /// True when every vertex belongs to some triangle and all are finite, as is usual: then no triangle need be looked at.
 bool all_in_use(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
     std::vector<std::uint8_t> used(positions.size(), 0);
-    for (const glm::ivec3& t : triangles)
+    std::atomic<bool> all = true;
+    const auto for_all = [&](std::size_t count, const auto& holds) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& part) {
+            bool good = true;
+            for (std::size_t i = part.begin(); i < part.end(); ++i) good = holds(i) && good;
+            if (!good) all = false;
+        });
+    };
+    for_all(triangles.size(), [&](std::size_t i) {
         for (int k = 0; k < 3; ++k) {
-            if (static_cast<std::size_t>(t[k]) >= positions.size()) return false;
-            used[static_cast<std::size_t>(t[k])] = 1;
+            const auto v = static_cast<std::size_t>(triangles[i][k]);
+            if (v >= used.size()) return false;
+            const std::atomic_ref mark(used[v]);
+            if (mark.load(std::memory_order_relaxed) == 0) mark.store(1, std::memory_order_relaxed);
         }
-    return std::find(used.begin(), used.end(), 0) == used.end();
+        return true;
+    });
+    for_all(positions.size(), [&](std::size_t i) { return used[i] == 1 && is_finite(positions[i]); });
+    return all;
 }
 
 }   // namespace
@@ -100,9 +115,8 @@ Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ive
         }
         return box;
     };
-    const bool finite = std::all_of(positions.begin(), positions.end(), is_finite);
-    const Bounds box = finite && all_in_use(positions, triangles) ? joined_bounds(positions.size(), of_positions)
-                                                                  : joined_bounds(triangles.size(), of_triangles);
+    const Bounds box =
+        all_in_use(positions, triangles) ? joined_bounds(positions.size(), of_positions) : joined_bounds(triangles.size(), of_triangles);
     return box.low.x <= box.high.x ? box : Bounds{};
 }
 

@@ -139,7 +139,7 @@ HeightField::HeightField(int width, int height)
       pitch_(width + 2 * reach_ + 16),
       heights_(static_cast<std::size_t>(pitch_ * (height + 2 * reach_)), nothing) {}
 
-void HeightField::clear() { std::fill(heights_.begin(), heights_.end(), nothing); }
+void HeightField::clear(int x, int y, int count) { std::fill_n(heights_.begin() + (y + reach_) * pitch_ + reach_ + x, count, nothing); }
 
 void HeightField::set(int x, int y, std::span<const float> heights) {
     float* row = heights_.data() + (y + reach_) * pitch_ + reach_ + x;
