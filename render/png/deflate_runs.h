@@ -17,6 +17,9 @@ public:
     /// @param period  bytes of a pixel, 3 or 4; @param last  it ends the stream
     DeflatedBlock(const std::uint8_t* bytes, std::size_t size, std::size_t period, bool last);
 
+    /// Bytes that it adds to a stream, at most.
+    std::size_t largest_size() const { return bits_.size() + bits_.size() / 65535 * 5 + 16; }
+
 private:
     friend class DeflateStream;
 

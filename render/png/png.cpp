@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -33,14 +34,15 @@ void check_size(const Image& image, std::int64_t largest, const char* caller) {
 }
 
 bool is_opaque(const Image& image) {
-    constexpr std::size_t stretch = 4096;
-    for (std::size_t begin = 0; begin < image.pixels.size(); begin += stretch) {
-        const std::size_t end = std::min(begin + stretch, image.pixels.size());
+    constexpr std::size_t stretch = 1 << 16;
+    std::atomic<bool> opaque = true;
+    tbb::parallel_for(std::size_t{0}, (image.pixels.size() - 1) / stretch + 1, [&](std::size_t i) {
+        const std::size_t begin = i * stretch, end = std::min(begin + stretch, image.pixels.size());
         Byte common = 255;
-        for (std::size_t i = begin; i < end; ++i) common &= image.pixels[i].a;
-        if (common != 255) return false;
-    }
-    return true;
+        for (std::size_t k = begin; k < end; ++k) common &= image.pixels[k].a;
+        if (common != 255) opaque = false;
+    });
+    return opaque;
 }
 
 /// Three bytes a pixel. Writes one byte beyond.
@@ -163,6 +165,9 @@ void append_compressed(std::string& png, const Image& image, std::size_t channel
     tbb::parallel_for(0, count, [&](int i) {
         bands[static_cast<std::size_t>(i)] = band_of(image, channels, i * rows, std::min(image.height, (i + 1) * rows));
     });
+    std::size_t most = png.size() + 64;   // and what stands around the blocks
+    for (const std::optional<Band>& band : bands) most += band->block.largest_size();
+    png.reserve(most);
     png += "\x78\x01";
     DeflateStream stream(png);
     std::uint32_t checksum = 1;

@@ -121,6 +121,26 @@ struct BlockSpan {
     }
 };
 
+/// Where no sample lies in the box of a triangle, told for boxes of one or two rows of samples and up to eight columns. Rows and columns
+/// repeat after two pixels: bit c of byte r is set where column c of row r has a sample.
+HWY_INLINE hn::Mask<Ints> holds_no_sample(const BlockSpan& columns, const BlockSpan& rows, const SamplePattern& pattern) {
+    const Ints d;
+    const hn::RebindToUnsigned<Ints> u;
+    const auto byte_of = [&](IntVector row) HWY_ATTR {
+        const auto upper = hn::Ne(hn::And(row, hn::Set(d, 4)), hn::Zero(d));
+        const IntVector four = hn::IfThenElse(upper, hn::Set(d, pattern.columns_of_rows[1]), hn::Set(d, pattern.columns_of_rows[0]));
+        const IntVector shift = hn::ShiftLeft<3>(hn::And(row, hn::Set(d, 3)));
+        return hn::And(hn::Shr(hn::BitCast(u, four), hn::BitCast(u, shift)), hn::Set(u, 255));
+    };
+    const auto some = hn::Or(byte_of(rows.first_line), byte_of(rows.last_line));
+    const auto from = hn::BitCast(u, hn::And(columns.first_line, hn::Set(d, 7)));
+    const IntVector wide = hn::Sub(columns.last_line, columns.first_line), high = hn::Sub(rows.last_line, rows.first_line);
+    const auto is_small = hn::And(hn::Lt(wide, hn::Set(d, 8)), hn::Lt(high, hn::Set(d, 2)));
+    const auto behind = hn::Shl(hn::Set(u, 2), hn::BitCast(u, hn::Min(hn::Max(wide, hn::Zero(d)), hn::Set(d, 7))));   // the first bit after
+    const auto seen = hn::And(hn::Shr(hn::Or(some, hn::ShiftLeft<8>(some)), from), hn::Sub(behind, hn::Set(u, 1)));
+    return hn::And(is_small, hn::Eq(hn::BitCast(d, seen), hn::Zero(d)));
+}
+
 /// Sets up the triangles in as many lanes as a vector has, from `lane` on.
 HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
                        SmallTriangles& result) {
@@ -149,7 +169,8 @@ HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, 
     hn::StoreU(slope(c), f, result.depth2.data() + lane);
 
     const auto misses_lines = hn::Or(hn::Gt(columns.first_line, columns.last_line), hn::Gt(rows.first_line, rows.last_line));
-    const auto is_unseen = hn::Or(misses_lines, hn::Eq(area, hn::Zero(d)));
+    const auto no_sample = hn::Or(misses_lines, holds_no_sample(columns, rows, tile.pattern()));
+    const auto is_unseen = hn::Or(no_sample, hn::Eq(area, hn::Zero(d)));
     const IntVector kind = hn::IfThenElse(is_unseen, hn::Set(d, SmallTriangles::unseen), hn::Set(d, SmallTriangles::small));
     hn::StoreU(hn::IfThenElse(hn::Or(is_far, is_large), hn::Set(d, SmallTriangles::wide), kind), d, result.kind.data() + lane);
 }

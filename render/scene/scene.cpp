@@ -137,6 +137,7 @@ Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
     in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0};
     });
+    has_far_off = any_far_off(vertices);
     if (options.shading) set_normals(*this);
     map_positions.resize(surface.values.size());
     in_parts(map_positions.size(), [&](std::size_t begin, std::size_t end) {
@@ -147,7 +148,7 @@ Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
 ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
     : scene(seen), axes(along), component{model_axis(axes.across), model_axis(axes.up), model_axis(axes.depth)} {
     vertices = scene.vertices.data();
-    has_far_off = any_far_off(scene.vertices);
+    has_far_off = scene.has_far_off;
     if (component[0] >= 0 && component[1] >= 0 && component[2] >= 0) return;
     component = {0, 1, 2};
     turned.resize(scene.vertices.size());

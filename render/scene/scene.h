@@ -47,6 +47,7 @@ struct Scene {
     Frame frame;
     int width, height;
     LargeArray<GridVertex> vertices;   // along the axes of the model
+    bool has_far_off = false;          // some vertex is
     LargeArray<float> map_positions;   // place in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
 
     Scene(const Surface& surface, const Frame& frame, const DrawOptions& options);

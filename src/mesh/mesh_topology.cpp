@@ -104,6 +104,12 @@ void label_components(const TriangleMesh& mesh, MeshTopology& topology) {
         join(mesh.F(t, 1), mesh.F(t, 2));
     });
     topology.component = large_vector<int>(at(mesh.face_count()));
+    const int first = mesh.face_count() > 0 ? find(mesh.F(0, 0)) : 0;
+    const bool is_one = all_of_range(mesh.vertex_count(), [&](int v) { return find(v) == first || topology.vertex_faces.size(v) == 0; });
+    if (is_one && mesh.face_count() > 0) {
+        topology.component_count = 1;
+        return;
+    }
     for_each_index(mesh.face_count(), [&](int t) { topology.component[at(t)] = find(mesh.F(t, 0)); });
     std::vector<int>& label = parent;   // of each smallest member, from now on
     std::ranges::fill(label, -1);
