@@ -120,8 +120,9 @@ public:
         const bool with_buffers = options_.occlusion || !options_.marked_vertices.empty();
         std::vector<std::unique_ptr<ViewPicture>> pictures(projection.placements.size());
         buffers_.resize(std::max(buffers_.size(), pictures.size()));
+        for (auto& buffers : buffers_)   // by this thread: what it frees it can use again
+            if (with_buffers && !buffers) buffers = std::make_unique<ViewBuffers>(options_);
         tbb::parallel_for(std::size_t{0}, pictures.size(), [&](std::size_t i) {
-            if (with_buffers && !buffers_[i]) buffers_[i] = std::make_unique<ViewBuffers>(options_);
             pictures[i] = std::make_unique<ViewPicture>(options_, projection.placements[i], has_values_, buffers_[i].get());
         });
         return pictures;

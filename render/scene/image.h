@@ -3,8 +3,7 @@
 #pragma once
 
 #include <cstdint>
-
-#include "scene/large_array.h"
+#include <vector>
 
 namespace render {
 
@@ -15,10 +14,11 @@ struct Rgba {
 
 struct Image {
     int width = 0, height = 0;
-    LargeArray<Rgba> pixels;   // width × height
+    std::vector<Rgba> pixels;   // width × height
 
     Image() = default;
-    Image(int w, int h, Rgba fill = {255, 255, 255, 255});
+    Image(int w, int h, Rgba fill = {255, 255, 255, 255})
+        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
 
     Rgba& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
     const Rgba& at(int x, int y) const {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,19 +34,18 @@ struct LargePages : std::allocator<T> {
         if (count * sizeof(T) < worth_it) return std::allocator<T>::deallocate(memory, count);
         ::operator delete (memory, std::align_val_t{page});
     }
-    template <class U, class... Arguments>
-    void construct(U* place, Arguments&&... arguments) {
-        if constexpr (sizeof...(Arguments) == 0)
-            ::new (static_cast<void*>(place)) U;
-        else
-            ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+    template <class... Arguments>
+    void construct(T* place, Arguments&&... arguments) {
+        if constexpr (sizeof...(Arguments) > 0) ::new (static_cast<void*>(place)) T(std::forward<Arguments>(arguments)...);
     }
 
 private:
     static constexpr std::size_t page = std::size_t{2} << 20, worth_it = 2 * page;
 };
 
+/// Of plain numbers.
 template <class T>
+requires std::is_trivially_copyable_v<T>
 using LargeArray = std::vector<T, LargePages<T>>;
 
 }   // namespace render

@@ -93,15 +93,15 @@ std::string file_name(const std::string& view, bool in_words) {
     return view.substr(1) + (view[0] == '+' ? "-pos.png" : "-neg.png");
 }
 
-/// The sheet has its own names: it is composed before the views get theirs.
-void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, render::ContactSheet sheet, bool bare) {
-    const render::Image whole = composed(sheet, bare);
-    for_each_task(1 + sheet.pictures.size(), [&](std::size_t task) {
+/// The sheet takes longer than all the views: it is begun first.
+void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, const render::ContactSheet& sheet, bool bare) {
+    const std::vector<render::Image>& pictures = sheet.pictures;
+    for_each_task(1 + pictures.size(), [&](std::size_t task) {
         if (task == 0) {
-            files.add(paths.back(), render::encode_png(whole));
+            files.add(paths.back(), render::encode_png(composed(sheet, bare)));
             return;
         }
-        render::Image& picture = sheet.pictures[task - 1];
+        render::Image picture = pictures[task - 1];
         if (!bare) output::label_view(picture, sheet.view_names[task - 1]);
         files.add(paths[task - 1], render::encode_png(picture));
     });
@@ -166,7 +166,7 @@ ExitCode run_render(const RenderFlags& options) {
 
     PictureRequest request{.draw = given, .views = views, .colormap = options.colormap, .range = range};
     request.title = std::filesystem::path(prepared.file).filename().string();
-    MeshPictures drawn = draw_pictures(prepared, field, request);
+    const MeshPictures drawn = draw_pictures(prepared, field, request);
     if (!show_something(drawn.sheet.pictures, given.background))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
@@ -180,7 +180,7 @@ ExitCode run_render(const RenderFlags& options) {
     output::make_folder(folder);
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
-    add_pictures(files, paths, std::move(drawn.sheet), bare);
+    add_pictures(files, paths, drawn.sheet, bare);
     files.publish();
     for (const std::filesystem::path& path : paths) print_path(path);
     return ExitCode::ok;
