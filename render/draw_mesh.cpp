@@ -75,8 +75,12 @@ public:
 
     void paint(const TileLists& lists, std::size_t projection, int tile, Workplace& place) const {
         lists.collect(projection, tile, place.triangles);
-        if (place.triangles.empty() && ribbons_.empty()) return;
-        place.tile.start(tile % lists.columns() * tile_side, tile / lists.columns() * tile_side);
+        const int left = tile % lists.columns() * tile_side, top = tile / lists.columns() * tile_side;
+        if (place.triangles.empty() && ribbons_.empty()) {
+            for (const auto& picture : pictures_) picture->leave_empty(left, top, tile_side);
+            return;
+        }
+        place.tile.start(left, top);
         rasterize(scene_, place.triangles, place.tile);
         for (std::size_t i = 0; i < ribbons_.size(); ++i)
             rasterize_wide(ribbons_[i].screen, scene_.scene.triangle_count() + static_cast<std::int32_t>(i), place.tile);
@@ -84,7 +88,11 @@ public:
             for (int row = 0; row < place.tile.blocks_on_side(); ++row) {
                 collect_fragments(place.tile, row, scene_.scene.width, scene_.scene.height, pictures_[v]->placement().from_below,
                                   place.fragments);
-                if (place.fragments.count == 0) continue;
+                if (place.fragments.count == 0) {
+                    const int rows = tile_side / place.tile.blocks_on_side();
+                    pictures_[v]->leave_empty(left, top + row * rows, rows);
+                    continue;
+                }
                 shade(scene_, ribbons_, styles_[v], place.fragments);
                 pictures_[v]->add(place.tile, row, place.fragments);
             }
@@ -112,11 +120,9 @@ public:
         const bool with_buffers = options_.occlusion || !options_.marked_vertices.empty();
         std::vector<std::unique_ptr<ViewPicture>> pictures(projection.placements.size());
         buffers_.resize(std::max(buffers_.size(), pictures.size()));
+        for (auto& buffers : buffers_)   // by this thread: what it frees it can use again
+            if (with_buffers && !buffers) buffers = std::make_unique<ViewBuffers>(options_);
         tbb::parallel_for(std::size_t{0}, pictures.size(), [&](std::size_t i) {
-            if (with_buffers && buffers_[i])
-                buffers_[i]->clear();
-            else if (with_buffers)
-                buffers_[i] = std::make_unique<ViewBuffers>(options_);
             pictures[i] = std::make_unique<ViewPicture>(options_, projection.placements[i], has_values_, buffers_[i].get());
         });
         return pictures;

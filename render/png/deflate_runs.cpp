@@ -233,36 +233,57 @@ BitWriter written(BitWriter writer, const uint8_t* bytes, const std::vector<Piec
 
 }   // namespace
 
-void RunDeflater::add_block(const uint8_t* bytes, size_t size, bool last) {
-    const std::vector<Piece> pieces = pieces_of(bytes, size, period_);
+DeflatedBlock::DeflatedBlock(const uint8_t* bytes, size_t size, size_t period, bool last) : last_(last) {
+    const std::vector<Piece> pieces = pieces_of(bytes, size, period);
     const Counts counts = counts_of(bytes, pieces);
     Code code{};
     choose_lengths(counts, code);
     number_words(code);
     const std::vector<Word> header = header_of(code, last);
-    const size_t bits = bits_of(header, counts, code, pieces.size()), begin = out_.size();
-    if (bits / 8 >= size + 5 * (size / largest_stored)) return add_stored(bytes, size, last);
-
-    out_.resize(begin + bits / 8 + 10);
-    BitWriter writer{reinterpret_cast<uint8_t*>(out_.data()) + begin, pending_, pending_count_};
+    const size_t most = bits_of(header, counts, code, pieces.size()) / 8;
+    stored_ = most >= size + 5 * (size / largest_stored);
+    if (stored_) {
+        bits_.assign(reinterpret_cast<const char*>(bytes), size);
+        return;
+    }
+    bits_.resize(most + 10);
+    BitWriter writer{reinterpret_cast<uint8_t*>(bits_.data()), 0, 0};
     for (const Word& word : header) writer.put(word), writer.flush();
-    writer = written(writer, bytes, pieces, code, period_);
-    if (last) writer.count += 7;   // the bits that are left have a byte of their own
+    writer = written(writer, bytes, pieces, code, period);
+    spare_ = (8 - writer.count % 8) % 8;
+    writer.count += spare_;
     writer.flush();
+    bits_.resize(static_cast<size_t>(reinterpret_cast<char*>(writer.at) - bits_.data()));
+}
+
+void DeflateStream::add(const DeflatedBlock& block) {
+    if (block.stored_) return add_stored(block.bits_, block.last_);
+    const size_t begin = out_.size();
+    out_.resize(begin + block.bits_.size() + 9);
+    BitWriter writer{reinterpret_cast<uint8_t*>(out_.data()) + begin, pending_, pending_count_};
+    for (size_t i = 0; i < block.bits_.size(); i += 4) {
+        const size_t count = std::min<size_t>(4, block.bits_.size() - i);
+        uint32_t some = 0;
+        std::memcpy(&some, block.bits_.data() + i, count);
+        writer.put({some, static_cast<uint32_t>(8 * count)});
+        if (i + count == block.bits_.size()) writer.count -= block.spare_;
+        writer.flush();
+    }
+    if (block.last_) writer.count += 7, writer.flush();   // the bits that are left have a byte of their own
     pending_ = writer.bits, pending_count_ = writer.count;
     out_.resize(static_cast<size_t>(reinterpret_cast<char*>(writer.at) - out_.data()));
 }
 
 /// The bytes as they are, each part after its length and the complement of its length (RFC 1951, 3.2.4).
-void RunDeflater::add_stored(const uint8_t* bytes, size_t size, bool last) {
-    while (size > 0) {
-        const size_t part = std::min(size, largest_stored);
-        pending_ |= uint64_t{last && part == size ? 1U : 0U} << pending_count_;
+void DeflateStream::add_stored(std::string_view bytes, bool last) {
+    while (!bytes.empty()) {
+        const size_t part = std::min(bytes.size(), largest_stored);
+        pending_ |= uint64_t{last && part == bytes.size() ? 1U : 0U} << pending_count_;
         for (unsigned written = 0; written < pending_count_ + 3; written += 8) out_ += static_cast<char>(pending_ >> written);
         pending_ = pending_count_ = 0;
         for (const size_t length : {part, ~part}) out_ += {static_cast<char>(length), static_cast<char>(length >> 8)};
-        out_.append(reinterpret_cast<const char*>(bytes), part);
-        bytes += part, size -= part;
+        out_ += bytes.substr(0, part);
+        bytes.remove_prefix(part);
     }
 }
 

@@ -7,23 +7,39 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace render {
 
-class RunDeflater {
+/// A block, which refers to nothing before it: blocks can be made side by side, and are then put one after the other.
+class DeflatedBlock {
 public:
-    /// Appends to `out`. @param period  bytes of a pixel, 3 or 4
-    RunDeflater(std::string& out, std::size_t period) : out_(out), period_(period) {}
+    /// @param period  bytes of a pixel, 3 or 4; @param last  it ends the stream
+    DeflatedBlock(const std::uint8_t* bytes, std::size_t size, std::size_t period, bool last);
 
-    /// One block, which refers to nothing before it; at most 8 bytes, and 5 for every 64 kB, longer than what it holds.
-    /// The last one ends the stream.
-    void add_block(const std::uint8_t* bytes, std::size_t size, bool last);
+    /// Bytes that it adds to a stream, at most.
+    std::size_t largest_size() const { return bits_.size() + bits_.size() / 65535 * 5 + 16; }
 
 private:
-    void add_stored(const std::uint8_t* bytes, std::size_t size, bool last);
+    friend class DeflateStream;
+
+    std::string bits_;             // lowest first
+    unsigned spare_ = 0;           // of the bits of the last byte
+    bool last_, stored_ = false;   // stored: the bytes as they are
+};
+
+class DeflateStream {
+public:
+    /// Appends to `out`.
+    explicit DeflateStream(std::string& out) : out_(out) {}
+
+    /// At most 8 bytes, and 5 for every 64 kB, longer than what the block holds.
+    void add(const DeflatedBlock& block);
+
+private:
+    void add_stored(std::string_view bytes, bool last);
 
     std::string& out_;
-    std::size_t period_;
     std::uint64_t pending_ = 0;   // bits that do not fill a byte yet
     unsigned pending_count_ = 0;
 };

@@ -1,11 +1,14 @@
 #include "png/png.h"
 
 #include <libdeflate.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -31,14 +34,15 @@ void check_size(const Image& image, std::int64_t largest, const char* caller) {
 }
 
 bool is_opaque(const Image& image) {
-    constexpr std::size_t stretch = 4096;
-    for (std::size_t begin = 0; begin < image.pixels.size(); begin += stretch) {
-        const std::size_t end = std::min(begin + stretch, image.pixels.size());
+    constexpr std::size_t stretch = 1 << 16;
+    std::atomic<bool> opaque = true;
+    tbb::parallel_for(std::size_t{0}, (image.pixels.size() - 1) / stretch + 1, [&](std::size_t i) {
+        const std::size_t begin = i * stretch, end = std::min(begin + stretch, image.pixels.size());
         Byte common = 255;
-        for (std::size_t i = begin; i < end; ++i) common &= image.pixels[i].a;
-        if (common != 255) return false;
-    }
-    return true;
+        for (std::size_t k = begin; k < end; ++k) common &= image.pixels[k].a;
+        if (common != 255) opaque = false;
+    });
+    return opaque;
 }
 
 /// Three bytes a pixel. Writes one byte beyond.
@@ -95,48 +99,81 @@ void subtract_paeth(const Byte* row, const Byte* above, std::size_t size, std::s
     }
 }
 
-/// Rows of the picture on their way through the filter: this one and the one above, each with an empty pixel to its left.
+/// Rows of the picture on their way through the filter, from `y` on: this one and the one above, each with an empty pixel to its left.
 class RowFilter {
 public:
-    RowFilter(const Image& image, std::size_t channels)
-        : image_(image), channels_(channels), size_(channels * static_cast<std::size_t>(image.width)), row_(size_ + 8), above_(size_ + 8) {}
-
-    std::size_t line_size() const { return 1 + size_; }
+    RowFilter(const Image& image, std::size_t channels, int y)
+        : image_(image),
+          channels_(channels),
+          size_(channels * static_cast<std::size_t>(image.width)),
+          y_(y),
+          row_(size_ + 8),
+          above_(size_ + 8) {
+        if (y > 0) copy_row(y - 1, above_);
+    }
 
     /// The next row, after the number of the filter.
     void next(Byte* line) {
-        const Rgba* pixels = &image_.at(0, y_++);
-        Byte* row = row_.data() + 4;
-        if (channels_ == 4)
-            std::memcpy(row, pixels, size_);
-        else
-            copy_rgb(pixels, static_cast<std::size_t>(image_.width), row);
+        copy_row(y_++, row_);
         line[0] = 4;
-        subtract_paeth(row, above_.data() + 4, size_, channels_, line + 1);
+        subtract_paeth(row_.data() + 4, above_.data() + 4, size_, channels_, line + 1);
         std::swap(row_, above_);
     }
 
 private:
+    void copy_row(int y, std::vector<Byte>& row) const {
+        if (channels_ == 4)
+            std::memcpy(row.data() + 4, &image_.at(0, y), size_);
+        else
+            copy_rgb(&image_.at(0, y), static_cast<std::size_t>(image_.width), row.data() + 4);
+    }
+
     const Image& image_;
     std::size_t channels_, size_;
-    int y_ = 0;
+    int y_;
     std::vector<Byte> row_, above_;
 };
 
-/// The zlib stream (RFC 1950) of the filtered rows, some 256 kB a block.
+/// Some 256 kB of filtered rows.
+struct Band {
+    DeflatedBlock block;
+    std::uint32_t checksum;
+    std::size_t size;
+};
+
+Band band_of(const Image& image, std::size_t channels, int begin, int end) {
+    const std::size_t line = 1 + channels * static_cast<std::size_t>(image.width), size = line * static_cast<std::size_t>(end - begin);
+    std::vector<Byte> lines(size);
+    RowFilter filter(image, channels, begin);
+    for (std::size_t i = 0; i < size; i += line) filter.next(&lines[i]);
+    return {{lines.data(), size, channels, end == image.height}, libdeflate_adler32(1, lines.data(), size), size};
+}
+
+/// The checksum (RFC 1950, 8.2) of what has the checksum `first`, followed by `size` bytes that have `second`.
+std::uint32_t joined_checksum(std::uint32_t first, std::uint32_t second, std::size_t size) {
+    constexpr std::uint64_t base = 65521;
+    const std::uint64_t before = (first & 65535) + base - 1;   // the sum of bytes, with which each that follows adds to the sum of sums
+    const std::uint64_t sum = before + (second & 65535), sums = (first >> 16) + (second >> 16) + size % base * before;
+    return static_cast<std::uint32_t>(sums % base << 16 | sum % base);
+}
+
+/// The zlib stream (RFC 1950) of the filtered rows. Bands are made on all processors; the bytes do not depend on how many there are.
 void append_compressed(std::string& png, const Image& image, std::size_t channels) {
-    RowFilter filter(image, channels);
-    const std::size_t line = filter.line_size(), lines = static_cast<std::size_t>(image.height);
-    const std::size_t lines_in_block = std::min(lines, 1 + (std::size_t{1} << 18) / line);
-    std::vector<Byte> block(lines_in_block * line);
+    const std::size_t line = 1 + channels * static_cast<std::size_t>(image.width);
+    const int rows = static_cast<int>(1 + (std::size_t{1} << 18) / line), count = (image.height - 1) / rows + 1;
+    std::vector<std::optional<Band>> bands(static_cast<std::size_t>(count));
+    tbb::parallel_for(0, count, [&](int i) {
+        bands[static_cast<std::size_t>(i)] = band_of(image, channels, i * rows, std::min(image.height, (i + 1) * rows));
+    });
+    std::size_t most = png.size() + 64;   // and what stands around the blocks
+    for (const std::optional<Band>& band : bands) most += band->block.largest_size();
+    png.reserve(most);
     png += "\x78\x01";
-    RunDeflater deflater(png, channels);
+    DeflateStream stream(png);
     std::uint32_t checksum = 1;
-    for (std::size_t y = 0; y < lines; y += lines_in_block) {
-        const std::size_t count = std::min(lines_in_block, lines - y);
-        for (std::size_t i = 0; i < count; ++i) filter.next(&block[i * line]);
-        checksum = libdeflate_adler32(checksum, block.data(), count * line);
-        deflater.add_block(block.data(), count * line, y + count == lines);
+    for (const std::optional<Band>& band : bands) {
+        stream.add(band->block);
+        checksum = joined_checksum(checksum, band->checksum, band->size);
     }
     png += big_endian(checksum);
 }

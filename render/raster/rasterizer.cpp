@@ -14,6 +14,7 @@
 #include "raster/rasterizer.h"
 #include "raster/vectors-inl.h"
 #include "raster/wide_triangle.h"
+#include "rounding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
@@ -42,24 +43,24 @@ struct TileCorner {
 };
 
 struct TileCornerFetcher {
-    const std::int32_t* vertices;
+    const GridVertex* vertices;
     const std::int32_t* triangles;
-    IntVector across, up, depth, left, top;
+    std::size_t across, up, depth;
+    IntVector left, top;
 
     TileCornerFetcher(const ProjectedScene& projected, const SampleTile& tile)
-        : vertices(projected.vertices->at.data()),
+        : vertices(projected.vertices),
           triangles(&projected.scene.surface.triangles[0].x),
-          across(hn::Set(Ints(), projected.component[0])),
-          up(hn::Set(Ints(), projected.component[1])),
-          depth(hn::Set(Ints(), projected.component[2])),
+          across(index(projected.component[0])),
+          up(index(projected.component[1])),
+          depth(index(projected.component[2])),
           left(hn::Set(Ints(), projected.scene.width * half_pixel - tile.x() * subpixels)),
           top(hn::Set(Ints(), projected.scene.height * half_pixel - tile.y() * subpixels)) {}
     TileCorner corner(IntVector id, int k) const {
         const Ints d;
         const IntVector in_triangles = hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k));
-        const IntVector v = hn::ShiftLeft<2>(hn::GatherIndex(d, triangles, in_triangles));
-        return {hn::Add(left, hn::GatherIndex(d, vertices, hn::Add(v, across))), hn::Sub(top, hn::GatherIndex(d, vertices, hn::Add(v, up))),
-                hn::GatherIndex(d, vertices, hn::Add(v, depth))};
+        const GridVectors v = grid_vectors(vertices, hn::GatherIndex(d, triangles, in_triangles));
+        return {hn::Add(left, v.at[across]), hn::Sub(top, v.at[up]), v.at[depth]};
     }
 };
 
@@ -120,6 +121,26 @@ struct BlockSpan {
     }
 };
 
+/// Where no sample lies in the box of a triangle, told for boxes of one or two rows of samples and up to eight columns. Rows and columns
+/// repeat after two pixels: bit c of byte r is set where column c of row r has a sample.
+HWY_INLINE hn::Mask<Ints> holds_no_sample(const BlockSpan& columns, const BlockSpan& rows, const SamplePattern& pattern) {
+    const Ints d;
+    const hn::RebindToUnsigned<Ints> u;
+    const auto byte_of = [&](IntVector row) HWY_ATTR {
+        const auto upper = hn::Ne(hn::And(row, hn::Set(d, 4)), hn::Zero(d));
+        const IntVector four = hn::IfThenElse(upper, hn::Set(d, pattern.columns_of_rows[1]), hn::Set(d, pattern.columns_of_rows[0]));
+        const IntVector shift = hn::ShiftLeft<3>(hn::And(row, hn::Set(d, 3)));
+        return hn::And(hn::Shr(hn::BitCast(u, four), hn::BitCast(u, shift)), hn::Set(u, 255));
+    };
+    const auto some = hn::Or(byte_of(rows.first_line), byte_of(rows.last_line));
+    const auto from = hn::BitCast(u, hn::And(columns.first_line, hn::Set(d, 7)));
+    const IntVector wide = hn::Sub(columns.last_line, columns.first_line), high = hn::Sub(rows.last_line, rows.first_line);
+    const auto is_small = hn::And(hn::Lt(wide, hn::Set(d, 8)), hn::Lt(high, hn::Set(d, 2)));
+    const auto behind = hn::Shl(hn::Set(u, 2), hn::BitCast(u, hn::Min(hn::Max(wide, hn::Zero(d)), hn::Set(d, 7))));   // the first bit after
+    const auto seen = hn::And(hn::Shr(hn::Or(some, hn::ShiftLeft<8>(some)), from), hn::Sub(behind, hn::Set(u, 1)));
+    return hn::And(is_small, hn::Eq(hn::BitCast(d, seen), hn::Zero(d)));
+}
+
 /// Sets up the triangles in as many lanes as a vector has, from `lane` on.
 HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
                        SmallTriangles& result) {
@@ -148,7 +169,8 @@ HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, 
     hn::StoreU(slope(c), f, result.depth2.data() + lane);
 
     const auto misses_lines = hn::Or(hn::Gt(columns.first_line, columns.last_line), hn::Gt(rows.first_line, rows.last_line));
-    const auto is_unseen = hn::Or(misses_lines, hn::Eq(area, hn::Zero(d)));
+    const auto no_sample = hn::Or(misses_lines, holds_no_sample(columns, rows, tile.pattern()));
+    const auto is_unseen = hn::Or(no_sample, hn::Eq(area, hn::Zero(d)));
     const IntVector kind = hn::IfThenElse(is_unseen, hn::Set(d, SmallTriangles::unseen), hn::Set(d, SmallTriangles::small));
     hn::StoreU(hn::IfThenElse(hn::Or(is_far, is_large), hn::Set(d, SmallTriangles::wide), kind), d, result.kind.data() + lane);
 }

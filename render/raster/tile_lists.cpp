@@ -43,15 +43,12 @@ struct Boxes {
         hn::LoadInterleaved3(d, triangles, a, b, c);
         const IntVector count = hn::Set(d, static_cast<std::int32_t>(projected.scene.vertices.size())), minus_one = hn::Set(d, -1);
         is_known = hn::And(hn::Gt(hn::Min(a, hn::Min(b, c)), minus_one), hn::Lt(hn::Max(a, hn::Max(b, c)), count));
-        const auto* vertices = projected.vertices->at.data();
-        const auto place = [&](IntVector v) HWY_ATTR { return hn::ShiftLeft<2>(hn::IfThenElseZero(is_known, v)); };
-        const IntVector at_a = place(a), at_b = place(b), at_c = place(c);
+        const GridVectors pa = grid_vectors(projected.vertices, hn::IfThenElseZero(is_known, a)),
+                          pb = grid_vectors(projected.vertices, hn::IfThenElseZero(is_known, b)),
+                          pc = grid_vectors(projected.vertices, hn::IfThenElseZero(is_known, c));
         for (std::size_t k = 0; k < 3; ++k) {
-            const IntVector component = hn::Set(d, static_cast<std::int32_t>(k));
-            const IntVector pa = hn::GatherIndex(d, vertices, hn::Add(at_a, component));
-            const IntVector pb = hn::GatherIndex(d, vertices, hn::Add(at_b, component));
-            const IntVector pc = hn::GatherIndex(d, vertices, hn::Add(at_c, component));
-            low[k] = hn::Min(pa, hn::Min(pb, pc)), high[k] = hn::Max(pa, hn::Max(pb, pc));
+            low[k] = hn::Min(pa.at[k], hn::Min(pb.at[k], pc.at[k]));
+            high[k] = hn::Max(pa.at[k], hn::Max(pb.at[k], pc.at[k]));
         }
     }
 };

@@ -10,7 +10,9 @@
 
 #include <hwy/highway.h>
 
-#include "raster/sample_grid.h"
+#include <array>
+
+#include "scene/scene.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
@@ -21,6 +23,38 @@ using Ints = hn::CappedTag<std::int32_t, block_samples>;
 using Floats = hn::CappedTag<float, block_samples>;
 using IntVector = hn::Vec<Ints>;
 using FloatVector = hn::Vec<Floats>;
+
+/// Some vertices, component by component.
+struct GridVectors {
+    std::array<IntVector, 3> at;
+    IntVector normal;
+};
+
+/// Vertex ids[0], ids[4] …, one in every four lanes.
+template <class D>
+HWY_INLINE hn::Vec<D> every_fourth(D d, const GridVertex* vertices, const std::int32_t* ids) {
+    if constexpr (hn::MaxLanes(d) == 4) {
+        return hn::LoadU(d, vertices[*ids].at.data());
+    } else {
+        const hn::Half<D> half;
+        return hn::Combine(d, every_fourth(half, vertices, ids + hn::MaxLanes(d) / 2), every_fourth(half, vertices, ids));
+    }
+}
+
+/// Vertices from anywhere, loaded whole and turned round: gathering them component by component takes twice as long or more.
+HWY_INLINE GridVectors grid_vectors(const GridVertex* vertices, IntVector ids) {
+    const Ints d;
+    const hn::Repartition<std::int64_t, Ints> pairs;
+    alignas(64) std::array<std::int32_t, block_samples> id;
+    hn::Store(ids, d, id.data());
+    const IntVector v0 = every_fourth(d, vertices, id.data()), v1 = every_fourth(d, vertices, id.data() + 1),
+                    v2 = every_fourth(d, vertices, id.data() + 2), v3 = every_fourth(d, vertices, id.data() + 3);
+    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, v0, v1)), xy23 = hn::BitCast(pairs, hn::InterleaveLower(d, v2, v3));
+    const auto zn01 = hn::BitCast(pairs, hn::InterleaveUpper(d, v0, v1)), zn23 = hn::BitCast(pairs, hn::InterleaveUpper(d, v2, v3));
+    return {{hn::BitCast(d, hn::InterleaveLower(pairs, xy01, xy23)), hn::BitCast(d, hn::InterleaveUpper(pairs, xy01, xy23)),
+             hn::BitCast(d, hn::InterleaveLower(pairs, zn01, zn23))},
+            hn::BitCast(d, hn::InterleaveUpper(pairs, zn01, zn23))};
+}
 
 }   // namespace render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

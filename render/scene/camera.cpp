@@ -4,14 +4,15 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <stdexcept>
-#include <vector>
+
+#include "rounding.h"
 
 namespace render {
 
@@ -70,25 +71,66 @@ Bounds joined_bounds(std::size_t count, const BoundsOfPart& bounds) {
         [&](const auto& part, const Bounds& sum) { return joined(sum, bounds(part.begin(), part.end())); }, joined);
 }
 
-/// True when every vertex belongs to some triangle and all are finite, as is usual: then no triangle need be looked at.
-bool all_in_use(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
-    std::vector<std::uint8_t> used(positions.size(), 0);
-    for (const glm::ivec3& t : triangles)
+/// A box, and for each of its six sides a vertex that lies on it.
+struct Extremes {
+    Bounds box = nothing;
+    std::array<int, 6> vertex{};
+    bool all_finite = true;
+
+    void add(const Bounds& part, const std::array<int, 6>& at) {
         for (int k = 0; k < 3; ++k) {
-            if (static_cast<std::size_t>(t[k]) >= positions.size()) return false;
-            used[static_cast<std::size_t>(t[k])] = 1;
+            if (part.low[k] < box.low[k]) box.low[k] = part.low[k], vertex[index(k)] = at[index(k)];
+            if (part.high[k] > box.high[k]) box.high[k] = part.high[k], vertex[index(k + 3)] = at[index(k + 3)];
         }
-    return std::find(used.begin(), used.end(), 0) == used.end();
+    }
+};
+
+Extremes extremes_of(std::span<const glm::dvec3> positions) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<int>(0, static_cast<int>(positions.size()), 16384), Extremes{},
+        [&](const auto& part, Extremes sum) {
+            for (int v = part.begin(); v < part.end(); ++v) {
+                const glm::dvec3& p = positions[index(v)];
+                sum.add({p, p}, {v, v, v, v, v, v});
+                sum.all_finite &= is_finite(p);
+            }
+            return sum;
+        },
+        [](Extremes sum, const Extremes& other) {
+            sum.add(other.box, other.vertex);
+            sum.all_finite &= other.all_finite;
+            return sum;
+        });
+}
+
+/// Whether some triangle has each of these vertices, and none has one that is not among `count`.
+bool are_in_use(const std::array<int, 6>& vertices, std::span<const glm::ivec3> triangles, std::size_t count) {
+    struct Found {
+        std::array<int, 6> times{};
+        bool all_known = true;
+    };
+    const Found found = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, triangles.size(), 16384), Found{},
+        [&](const auto& part, Found sum) {
+            for (std::size_t i = part.begin(); i < part.end(); ++i)
+                for (int k = 0; k < 3; ++k) {
+                    const int v = triangles[i][k];
+                    sum.all_known &= static_cast<std::size_t>(v) < count;
+                    for (std::size_t j = 0; j < vertices.size(); ++j) sum.times[j] |= v == vertices[j] ? 1 : 0;
+                }
+            return sum;
+        },
+        [](Found sum, const Found& other) {
+            for (std::size_t j = 0; j < sum.times.size(); ++j) sum.times[j] |= other.times[j];
+            sum.all_known &= other.all_known;
+            return sum;
+        });
+    return found.all_known && std::ranges::count(found.times, 0) == 0;
 }
 
 }   // namespace
 
 Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
-    const auto of_positions = [&](std::size_t begin, std::size_t end) {
-        Bounds box = nothing;
-        for (std::size_t i = begin; i < end; ++i) box = joined(box, {positions[i], positions[i]});
-        return box;
-    };
     const auto of_triangles = [&](std::size_t begin, std::size_t end) {
         Bounds box = nothing;
         for (std::size_t i = begin; i < end; ++i) {
@@ -100,9 +142,10 @@ Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ive
         }
         return box;
     };
-    const bool finite = std::all_of(positions.begin(), positions.end(), is_finite);
-    const Bounds box = finite && all_in_use(positions, triangles) ? joined_bounds(positions.size(), of_positions)
-                                                                  : joined_bounds(triangles.size(), of_triangles);
+    const Extremes all = extremes_of(positions);
+    // As is usual; then no triangle's corners need be looked at.
+    const bool is_of_all = all.all_finite && are_in_use(all.vertex, triangles, positions.size());
+    const Bounds box = is_of_all ? all.box : joined_bounds(triangles.size(), of_triangles);
     return box.low.x <= box.high.x ? box : Bounds{};
 }
 

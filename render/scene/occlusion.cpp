@@ -89,6 +89,9 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace render {
@@ -137,9 +140,12 @@ HeightField::HeightField(int width, int height)
       height_(height),
       reach_(2 + static_cast<int>(reach_share * std::min(width, height))),
       pitch_(width + 2 * reach_ + 16),
-      heights_(static_cast<std::size_t>(pitch_ * (height + 2 * reach_)), nothing) {}
+      heights_(static_cast<std::size_t>(pitch_ * (height + 2 * reach_))) {
+    tbb::parallel_for(tbb::blocked_range<float*>(heights_.data(), heights_.data() + heights_.size(), 1 << 17),
+                      [](const auto& part) { std::fill(part.begin(), part.end(), nothing); });
+}
 
-void HeightField::clear() { std::fill(heights_.begin(), heights_.end(), nothing); }
+void HeightField::clear(int x, int y, int count) { std::fill_n(heights_.begin() + (y + reach_) * pitch_ + reach_ + x, count, nothing); }
 
 void HeightField::set(int x, int y, std::span<const float> heights) {
     float* row = heights_.data() + (y + reach_) * pitch_ + reach_ + x;

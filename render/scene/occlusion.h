@@ -5,7 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
+
+#include "scene/large_array.h"
 
 namespace render {
 
@@ -24,7 +25,8 @@ public:
 
     HeightField(int width, int height);
 
-    void clear();
+    /// A stretch of a row shows nothing.
+    void clear(int x, int y, int count);
     /// @param heights  −∞ where a pixel shows nothing
     void set(int x, int y, std::span<const float> heights);
     /// @param x, y  may lie up to reach() outside of the picture
@@ -41,7 +43,7 @@ public:
 private:
     int width_, height_, reach_;
     std::ptrdiff_t pitch_;
-    std::vector<float> heights_;
+    LargeArray<float> heights_;
 };
 
 /// Where pixels look for what hides the sky; the same places round all of them.

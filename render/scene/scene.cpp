@@ -53,7 +53,7 @@ glm::vec3 face_normal(const glm::ivec3& t, const Surface& surface, const Frame& 
 }
 
 /// Corners lie anywhere in memory: asking for those of a triangle further on hides the wait.
-void prefetch_corners(const Surface& surface, std::size_t id, const std::vector<glm::vec4>& sums) {
+void prefetch_corners(const Surface& surface, std::size_t id, const LargeArray<glm::vec4>& sums) {
     static constexpr std::size_t ahead = 16;
     if (id + ahead >= surface.triangles.size()) return;
     const glm::ivec3& t = surface.triangles[id + ahead];
@@ -72,10 +72,10 @@ float sharpness_of(float length_of_mean) { return std::clamp((crease_begin - len
 /// order, so that the result does not depend on the number of threads.
 void set_normals(Scene& scene) {
     constexpr std::size_t halves = 2;
-    std::array<std::vector<glm::vec4>, halves> sums;   // of normals times areas, and of areas
+    std::array<LargeArray<glm::vec4>, halves> sums;   // of normals times areas, and of areas
     const std::size_t count = scene.surface.triangles.size();
     tbb::parallel_for(std::size_t{0}, halves, [&](std::size_t h) {
-        std::vector<glm::vec4>& sum = sums[h];
+        LargeArray<glm::vec4>& sum = sums[h];
         sum.assign(scene.vertices.size(), glm::vec4(0));
         for (std::size_t i = h * count / halves; i < (h + 1) * count / halves; ++i) {
             if (!scene.has_known_corners(static_cast<std::int32_t>(i))) continue;
@@ -101,7 +101,7 @@ int model_axis(const glm::dvec3& axis) {
     return -1;
 }
 
-bool any_far_off(const std::vector<GridVertex>& vertices) {
+bool any_far_off(const LargeArray<GridVertex>& vertices) {
     std::atomic<bool> any = false;
     in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
         const auto is_far = [](const GridVertex& v) { return v.at[0] == GridVertex::far_off; };
@@ -137,6 +137,7 @@ Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
     in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0};
     });
+    has_far_off = any_far_off(vertices);
     if (options.shading) set_normals(*this);
     map_positions.resize(surface.values.size());
     in_parts(map_positions.size(), [&](std::size_t begin, std::size_t end) {
@@ -147,7 +148,7 @@ Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
 ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
     : scene(seen), axes(along), component{model_axis(axes.across), model_axis(axes.up), model_axis(axes.depth)} {
     vertices = scene.vertices.data();
-    has_far_off = any_far_off(scene.vertices);
+    has_far_off = scene.has_far_off;
     if (component[0] >= 0 && component[1] >= 0 && component[2] >= 0) return;
     component = {0, 1, 2};
     turned.resize(scene.vertices.size());

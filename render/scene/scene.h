@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
-#include <vector>
 
 #include "draw_mesh.h"
 #include "raster/sample_grid.h"
+#include "scene/large_array.h"
 #include "scene/projection.h"
 
 namespace render {
@@ -46,8 +46,9 @@ struct Scene {
     const Surface& surface;
     Frame frame;
     int width, height;
-    std::vector<GridVertex> vertices;   // along the axes of the model
-    std::vector<float> map_positions;   // place in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
+    LargeArray<GridVertex> vertices;   // along the axes of the model
+    bool has_far_off = false;          // some vertex is
+    LargeArray<float> map_positions;   // place in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
 
     Scene(const Surface& surface, const Frame& frame, const DrawOptions& options);
 
@@ -65,7 +66,7 @@ struct ProjectedScene {
     const Scene& scene;
     Axes axes;
     std::array<int, 3> component;           // of GridVertex::at that lies across, up, in depth
-    std::vector<GridVertex> turned;         // along `axes`, where those are not the model's own
+    LargeArray<GridVertex> turned;          // along `axes`, where those are not the model's own
     const GridVertex* vertices = nullptr;   // `turned` or those of the scene
     bool has_far_off = false;               // some vertex is
 

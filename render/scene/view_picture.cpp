@@ -18,12 +18,6 @@ ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, op
     if (options.occlusion) layers.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
 }
 
-void ViewBuffers::clear() {
-    heights.clear();
-    openness.clear();
-    std::fill(layers.begin(), layers.end(), Layer{});
-}
-
 ViewPicture::ViewPicture(const DrawOptions& options, const Placement& placement, bool has_values, ViewBuffers* buffers)
     : with_occlusion_(options.occlusion),
       occlusion_strength_(has_values ? occlusion_on_values : occlusion_on_plain),
@@ -55,6 +49,15 @@ void ViewPicture::add(const SampleTile& tile, int block_row, const Fragments& fr
             resolve(row_colors, background_, {&image_.at(left, row(top + y)), row_colors.size()});
     }
     if (buffers_ != nullptr) set_heights(tile, block_row);
+}
+
+void ViewPicture::leave_empty(int left, int top, int rows) {
+    if (buffers_ == nullptr) return;
+    const int columns = std::min(tile_side, image_.width - left);
+    for (int y = top; y < std::min(top + rows, image_.height); ++y) {
+        if (with_occlusion_) std::ranges::fill(layers(column(left, columns), row(y), columns), Layer{});
+        buffers_->heights.clear(column(left, columns), row(y), columns);
+    }
 }
 
 void ViewPicture::set_heights(const SampleTile& tile, int block_row) {

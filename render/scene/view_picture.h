@@ -15,11 +15,10 @@ namespace render {
 
 /// What a view needs besides its picture, with occlusion or marks: large, so the next view takes it over.
 struct ViewBuffers {
-    HeightField heights, openness;
-    std::vector<Layer> layers;   // one a pixel, with occlusion
+    HeightField heights, openness;   // where a picture shows nothing, openness may be that of the view before: it counts for nothing
+    LargeArray<Layer> layers;        // one a pixel, with occlusion
 
     ViewBuffers(const DrawOptions& options);
-    void clear();
 };
 
 class ViewPicture {
@@ -29,6 +28,9 @@ public:
 
     /// Averages the shaded fragments of a row of blocks over their pixels. Tiles are independent: threads may add them at once.
     void add(const SampleTile& tile, int block_row, const Fragments& fragments);
+
+    /// Rows of a tile show nothing. Every row of every tile is either added or left empty: what the buffers hold of another view goes.
+    void leave_empty(int left, int top, int rows);
 
     /// Darkens what is occluded, where that is wanted.
     void finish();

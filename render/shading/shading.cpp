@@ -14,6 +14,7 @@
 #include "color/srgb.h"
 #include "raster/exact_triangle.h"
 #include "raster/vectors-inl.h"
+#include "rounding.h"
 #include "shading/shading.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -46,7 +47,7 @@ struct Corner {
 class CornerFetcher {
 public:
     CornerFetcher(const ProjectedScene& projected)
-        : vertices_(projected.vertices->at.data()),
+        : vertices_(projected.vertices),
           triangles_(&projected.scene.surface.triangles[0].x),
           map_positions_(projected.scene.map_positions.empty() ? nullptr : projected.scene.map_positions.data()),
           component_(projected.component) {}
@@ -54,15 +55,12 @@ public:
     Corner corner(IntVector id, int k) const {
         const Ints d;
         const IntVector v = hn::GatherIndex(d, triangles_, hn::Add(hn::Add(id, hn::ShiftLeft<1>(id)), hn::Set(d, k)));
-        const IntVector place = hn::ShiftLeft<2>(v);
-        const auto at = [&](int axis) HWY_ATTR {
-            return hn::ConvertTo(Floats(),
-                                 hn::GatherIndex(d, vertices_, hn::Add(place, hn::Set(d, component_[static_cast<std::size_t>(axis)]))));
-        };
-        const IntVector packed = hn::GatherIndex(d, vertices_, hn::Add(place, hn::Set(d, 3)));
+        const GridVectors vertex = grid_vectors(vertices_, v);
+        const auto at = [&](int axis) HWY_ATTR { return hn::ConvertTo(Floats(), vertex.at[index(component_[index(axis)])]); };
+        const IntVector packed = vertex.normal;
         const FloatMask has_normal = hn::RebindMask(Floats(), hn::Ne(packed, hn::Zero(d)));
         const auto normal = [&](int axis) HWY_ATTR {
-            const IntVector bits = hn::And(hn::ShiftRightSame(packed, 10 * component_[static_cast<std::size_t>(axis)]), hn::Set(d, 1023));
+            const IntVector bits = hn::And(hn::ShiftRightSame(packed, 10 * component_[index(axis)]), hn::Set(d, 1023));
             return hn::IfThenElseZero(has_normal, hn::Sub(hn::Mul(hn::ConvertTo(Floats(), bits), set(1.0F / 511)), set(1)));
         };
         const IntVector thirds = hn::And(hn::ShiftRight<30>(packed), hn::Set(d, 3));
@@ -74,7 +72,8 @@ public:
     }
 
 private:
-    const std::int32_t *vertices_, *triangles_;
+    const GridVertex* vertices_;
+    const std::int32_t* triangles_;
     const float* map_positions_;
     std::array<int, 3> component_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <stdexcept>
 
 #include "rounding.h"
@@ -70,7 +71,10 @@ Image compose(const ContactSheet& sheet) {
         const int place = static_cast<int>(place_of(sheet, i)), left = grid.left(place), top = grid.top(place);
         const Image& picture = sheet.pictures[i];
         const bool fits = picture.width == grid.cell_width && picture.height == grid.cell_height;
-        figure.pictures.push_back({fits ? picture : shrink(picture, grid.cell_width, grid.cell_height), left, top});
+        const auto shared =
+            fits ? std::shared_ptr<const Image>(std::shared_ptr<void>(), &picture)   // the sheet's, which outlives the figure
+                 : std::make_shared<const Image>(shrink(picture, grid.cell_width, grid.cell_height));
+        figure.pictures.push_back({shared, left, top});
         const std::string name = i < sheet.view_names.size() ? sheet.view_names[i] : "";
         if (grid.names > 0) figure.words.push_back({name, left, top + grid.cell_height, grid.cell_width, grid.names});
     }

@@ -32,7 +32,7 @@ SheetBody body_of(const FigureSheet& sheet) {
         body.width = std::max(body.width, right);
         body.height = std::max(body.height, bottom);
     };
-    for (const FigureSheet::Picture& p : sheet.pictures) reach(p.left + p.image.width, p.top + p.image.height);
+    for (const FigureSheet::Picture& p : sheet.pictures) reach(p.left + p.image->width, p.top + p.image->height);
     for (const FigureSheet::Words& w : sheet.words) reach(w.left + w.width, w.top + w.height);
     return body;
 }
@@ -62,7 +62,7 @@ ComposedFigure compose(const FigureSheet& sheet) {
     const TextStyle large{1.35 * em, inks.strong, Align::left, Weight::bold}, small{em, inks.soft};
     draw_text(composed.image, margin, margin + 1.05 * em, fit_text(sheet.title, body.width, large), large);
     draw_text(composed.image, margin, margin + title + 0.8 * em, fit_text(sheet.subtitle, body.width, small), small);
-    for (const FigureSheet::Picture& p : sheet.pictures) paste(composed.image, p.image, margin + p.left, top + p.top);
+    for (const FigureSheet::Picture& p : sheet.pictures) paste(composed.image, *p.image, margin + p.left, top + p.top);
     for (const FigureSheet::Words& words : sheet.words) draw_words(composed.image, words, margin, top, em, inks.strong);
     if (sheet.color_bar)
         draw_color_bar(composed.image, *sheet.color_bar, margin, top + body.height + legend_gap, body.width, em, inks.strong);

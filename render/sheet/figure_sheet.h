@@ -2,6 +2,7 @@
 /// A figure as one picture: a title, pictures and words in their places, a colour bar.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace render {
 /// Places are in pixels from the upper left corner of the body, which lies between title and colour bar.
 struct FigureSheet {
     struct Picture {
-        Image image;
+        std::shared_ptr<const Image> image;
         int left = 0, top = 0;
     };
     /// A line in the middle of a box or at its left; the name of one of the six views gets its tripod.

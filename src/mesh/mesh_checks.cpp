@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -81,17 +82,15 @@ public:
 
     PreparedMesh run() {
         drop_faces();
-        const Box box = bounding_box(mesh());
-        if (box.low == box.high) {
+        look_at_vertices();
+        if (counts().box_low == counts().box_high) {
             throw InputError({prepared_.file, 0}, "all vertices coincide (the bounding box is a point)",
                              "the export may have lost the coordinates");
         }
-        counts().box_low = box.low;
-        counts().box_high = box.high;
         orient();
         if (checks_ == Checks::all || !topology().oriented_manifold) prepared_.topology = with_edges(std::move(topology()), mesh());
         count_connections();
-        count_vertices();
+        warn_of(counts().vertices - counts().vertices_in_use, "isolated vertex ignored", "isolated vertices ignored");
         if (checks_ == Checks::all) {
             measure();
         } else {
@@ -197,10 +196,31 @@ private:
         warn_of(fans, "non-manifold vertex" + first, "non-manifold vertices" + first);
     }
 
-    void count_vertices() {
+    /// The box is that of bounding_box(), which goes by the corners of all triangles.
+    void look_at_vertices() {
+        struct InUse {
+            int count = 0;
+            Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+
+            void add(const InUse& part) {
+                count += part.count;
+                low = low.cwiseMin(part.low), high = high.cwiseMax(part.high);
+            }
+        };
+        const auto blocks = of_blocks(mesh().vertex_count(), [&](int begin, int end) {
+            InUse block;
+            for (int v = begin; v < end; ++v) {
+                const Vector3 x = mesh().X.row(v);
+                if (topology().vertex_faces.size(v) > 0) block.add({1, x, x});
+            }
+            return block;
+        });
+        InUse all;
+        for (const auto& block : blocks) all.add(block.value);
         counts().vertices = mesh().vertex_count();
-        for (int v = 0; v < mesh().vertex_count(); ++v) counts().vertices_in_use += topology().vertex_faces.size(v) > 0 ? 1 : 0;
-        warn_of(counts().vertices - counts().vertices_in_use, "isolated vertex ignored", "isolated vertices ignored");
+        counts().vertices_in_use = all.count;
+        counts().box_low = all.low;
+        counts().box_high = all.high;
     }
 
     /// Of the vertices in use, those with the coordinates of an earlier one.

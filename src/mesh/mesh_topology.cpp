@@ -1,6 +1,9 @@
 #include "mesh/mesh_topology.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -9,7 +12,6 @@
 #include "base/errors.h"
 #include "base/large_pages.h"
 #include "base/parallel.h"
-#include "mesh/disjoint_sets.h"
 #include "mesh/vertex_fans.h"
 
 namespace meshfolio {
@@ -76,19 +78,45 @@ void look_at_fans(const TriangleMesh& mesh, MeshTopology& topology) {
     topology.oriented_manifold = std::all_of(regular.begin(), regular.end(), [](const auto& block) { return block.value; });
 }
 
-/// Joins the corners of each triangle, and names the sets in the order of their first triangles.
+/// Joins the corners of each triangle on all processors, and names the sets in the order of their first triangles. Whatever the order of
+/// joining, the smallest member stands for its set in the end.
 void label_components(const TriangleMesh& mesh, MeshTopology& topology) {
-    DisjointSets sets(mesh.vertex_count());
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        sets.join(mesh.F(t, 0), mesh.F(t, 1));
-        sets.join(mesh.F(t, 1), mesh.F(t, 2));
+    std::vector<int> parent = large_vector<int>(at(mesh.vertex_count()));
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto parent_of = [&](int i) { return std::atomic_ref(parent[at(i)]); };
+    const auto find = [&](int i) {
+        for (int above = parent_of(i).load(std::memory_order_relaxed); above != i;) {
+            const int next = parent_of(above).load(std::memory_order_relaxed);
+            if (next != above) parent_of(i).store(next, std::memory_order_relaxed);   // a shorter way, whoever writes last
+            i = std::exchange(above, next);
+        }
+        return i;
+    };
+    const auto join = [&](int i, int j) {
+        if (parent_of(i).load(std::memory_order_relaxed) == parent_of(j).load(std::memory_order_relaxed)) return;
+        for (int a = find(i), b = find(j); a != b; a = find(a), b = find(b)) {
+            int larger = std::max(a, b);
+            if (parent_of(larger).compare_exchange_strong(larger, std::min(a, b), std::memory_order_relaxed)) return;
+        }
+    };
+    for_each_index(mesh.face_count(), [&](int t) {
+        join(mesh.F(t, 0), mesh.F(t, 1));
+        join(mesh.F(t, 1), mesh.F(t, 2));
+    });
+    topology.component = large_vector<int>(at(mesh.face_count()));
+    const int first = mesh.face_count() > 0 ? find(mesh.F(0, 0)) : 0;
+    const bool is_one = all_of_range(mesh.vertex_count(), [&](int v) { return find(v) == first || topology.vertex_faces.size(v) == 0; });
+    if (is_one && mesh.face_count() > 0) {
+        topology.component_count = 1;
+        return;
     }
-    std::vector<int> label(at(mesh.vertex_count()), -1);
-    topology.component.reserve(at(mesh.face_count()));
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        int& of_set = label[at(sets.find(mesh.F(t, 0)))];
+    for_each_index(mesh.face_count(), [&](int t) { topology.component[at(t)] = find(mesh.F(t, 0)); });
+    std::vector<int>& label = parent;   // of each smallest member, from now on
+    std::ranges::fill(label, -1);
+    for (int& of_face : topology.component) {
+        int& of_set = label[at(of_face)];
         if (of_set < 0) of_set = topology.component_count++;
-        topology.component.push_back(of_set);
+        of_face = of_set;
     }
 }
 
@@ -99,16 +127,30 @@ int count_where(const Items& items, Condition condition) {
 
 }   // namespace
 
+// Each half of the triangles is counted and placed by itself: what the first has of a row stands before what the second has.
 Incidence triangles_around(const TriangleMesh& mesh) {
+    constexpr int halves = 2;
+    std::array<std::vector<int>, halves> next;   // of each row
+    const auto for_each_corner = [&](int half, const auto& visit) {
+        const auto begin = static_cast<int>(std::int64_t{half} * mesh.face_count() / halves);
+        const auto end = static_cast<int>(std::int64_t{half + 1} * mesh.face_count() / halves);
+        std::vector<int>& of_row = next[at(half)];
+        for (int t = begin; t < end; ++t) {
+            for (int k = 0; k < 3; ++k) visit(of_row[at(mesh.F(t, k))], t);
+        }
+    };
+    tbb::parallel_for(0, halves, [&](int half) {
+        next[at(half)] = large_vector<int>(at(mesh.vertex_count()));
+        for_each_corner(half, [](int& count, int) { ++count; });
+    });
     Incidence around;
-    around.start.assign(at(mesh.vertex_count()) + 1, 0);
-    for (const int v : mesh.F.reshaped()) ++around.start[at(v) + 1];
-    std::partial_sum(around.start.begin(), around.start.end(), around.start.begin());
-    around.item = large_vector<int>(at(mesh.face_count()) * 3);
-    std::vector<int> next(around.start.begin(), around.start.end() - 1);
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        for (int k = 0; k < 3; ++k) around.item[at(next[at(mesh.F(t, k))]++)] = t;
+    around.start = large_vector<int>(at(mesh.vertex_count()) + 1);
+    for (int v = 0, sum = 0; v < mesh.vertex_count(); ++v) {
+        for (std::vector<int>& of_row : next) sum += std::exchange(of_row[at(v)], sum);
+        around.start[at(v) + 1] = sum;
     }
+    around.item = large_vector<int>(at(mesh.face_count()) * 3);
+    tbb::parallel_for(0, halves, [&](int half) { for_each_corner(half, [&](int& place, int t) { around.item[at(place++)] = t; }); });
     return around;
 }
 

@@ -133,6 +133,10 @@ struct EnclosedVolume {
         sum += volume;
         magnitude += std::abs(volume);
     }
+    void add(const EnclosedVolume& part) {
+        sum += part.sum;
+        magnitude += part.magnitude;
+    }
     bool negative_beyond_doubt() const { return sum < -1e-12 * magnitude; }
 };
 
@@ -182,11 +186,22 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         if (topology.on_boundary[at(v)] != 0) component_of(*topology.vertex_faces.begin(v)).closed = false;
     }
-    const auto volume_of = [&](int t) {
-        prefetch_corners(mesh, t);
-        return component_of(t).closed ? six_volumes(mesh, t, component_of(t).origin) : 0;
+    struct Part {   // successive triangles of one component
+        int component;
+        EnclosedVolume volume = {};
     };
-    in_order(mesh.face_count(), volume_of, [&](int t, double volume) { component_of(t).volume.add(volume); });
+    const auto blocks = of_blocks(mesh.face_count(), [&](int begin, int end) {
+        std::vector<Part> parts;
+        for (int t = begin; t < end; ++t) {
+            prefetch_corners(mesh, t);
+            if (parts.empty() || parts.back().component != topology.component[at(t)]) parts.push_back({topology.component[at(t)]});
+            if (component_of(t).closed) parts.back().volume.add(six_volumes(mesh, t, component_of(t).origin));
+        }
+        return parts;
+    });
+    for (const auto& block : blocks) {
+        for (const Part& part : block.value) components[at(part.component)].volume.add(part.volume);
+    }
 
     Orientation result;
     result.flip.assign(at(mesh.face_count()), 0);

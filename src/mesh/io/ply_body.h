@@ -119,6 +119,14 @@ public:
         at_ += bytes;
     }
 
+    /// The first of `count` rows of `size` bytes each, or null where there are not so many: for who reads them at once, and then goes on
+    /// with skip_rows().
+    const char* rows(long long count, std::size_t size) const {
+        return static_cast<std::size_t>(count) <= (bytes_.size() - at_) / size ? bytes_.data() + at_ : nullptr;
+    }
+    void skip_rows(long long count, std::size_t size) { at_ += static_cast<std::size_t>(count) * size; }
+    bool swapped() const { return swap_; }
+
     void end(WarningTally& warnings) const {
         if (at_ == bytes_.size()) return;
         const char* const message = "bytes after the last element ignored";

@@ -4,11 +4,14 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "base/at.h"
 #include "base/errors.h"
 #include "base/joined.h"
+#include "base/linux_only.h"
+#include "base/parallel.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/ply_body.h"
 #include "mesh/io/polygon_list.h"
@@ -22,7 +25,9 @@ template <class Body>
 class PlyReader {
 public:
     PlyReader(const PlyHeader& header, const PlyMeshParts& parts, Body body, const std::string& file)
-        : header_(header), parts_(parts), body_(std::move(body)), file_(file), X_(parts.vertices->count, 3) {}
+        : header_(header), parts_(parts), body_(std::move(body)), file_(file), X_(parts.vertices->count, 3) {
+        prefer_large_pages(X_.data(), static_cast<std::size_t>(X_.size()) * sizeof(double));
+    }
 
     LoadedMesh run(WarningTally warnings, Keep keep) {
         if (keep == Keep::attributes) make_columns();
@@ -38,7 +43,8 @@ public:
         body_.end(warnings);
         if (const std::string names = joined(not_kept(), ", "); keep == Keep::attributes && !names.empty())
             warnings.add(0, "properties that are not kept", "properties that are not kept", names);
-        LoadedMesh loaded = triangulated(polygons_, std::move(X_), file_, std::move(warnings));
+        LoadedMesh loaded = F_.rows() > 0 ? LoadedMesh{{std::move(X_), std::move(F_)}, file_, {}, warnings.warnings()}
+                                          : triangulated(polygons_, std::move(X_), file_, std::move(warnings));
         loaded.attributes.columns = std::move(columns_);
         return loaded;
     }
@@ -72,7 +78,83 @@ private:
         }
     }
 
+    /// Where the values of a row begin, if rows are of one length: lists are taken to have three items, which the reader has to check.
+    struct EvenRows {
+        std::vector<std::size_t> offset;   // of each property; that of a list is where its length stands
+        std::size_t size = 0;
+
+        explicit EvenRows(const PlyElement& element) {
+            for (const PlyProperty& p : element.properties) {
+                offset.push_back(size);
+                size += p.is_list ? size_of(p.count_type) + 3 * size_of(p.type) : size_of(p.type);
+            }
+        }
+    };
+
+    /// All vertices of a binary file at once. False where they are not of the usual kind, or one is refused: who reads them one by one
+    /// can say which.
+    bool read_even_vertices(const PlyElement& element) {
+        if constexpr (std::is_same_v<Body, BinaryBody>) {
+            const auto property = [&](std::size_t axis) -> const PlyProperty& { return element.properties[parts_.axis[axis]]; };
+            const bool has_lists = std::ranges::any_of(element.properties, &PlyProperty::is_list);
+            if (has_lists || !columns_.empty() || property(1).type != property(0).type || property(2).type != property(0).type)
+                return false;
+            const EvenRows even(element);
+            const char* const rows = body_.rows(element.count, even.size);
+            const bool read = rows != nullptr && with_zero_of(property(0).type, [&](auto zero) {
+                                  return all_of_range(static_cast<int>(element.count), [&](int i) {
+                                      bool good = true;
+                                      for (std::size_t k = 0; k < 3; ++k) {
+                                          const char* const raw = rows + at(i) * even.size + even.offset[parts_.axis[k]];
+                                          const auto x = static_cast<double>(value_at<decltype(zero)>(raw, body_.swapped()));
+                                          X_(i, static_cast<int>(k)) = x;
+                                          good &= std::abs(x) <= largest_coordinate;
+                                      }
+                                      return good;
+                                  });
+                              });
+            if (read) body_.skip_rows(element.count, even.size);
+            return read;
+        } else {
+            return false;
+        }
+    }
+
+    /// All faces of a binary file at once, where they are triangles, into F_.
+    bool read_even_triangles(const PlyElement& element) {
+        if constexpr (std::is_same_v<Body, BinaryBody>) {
+            const PlyProperty& list = element.properties[parts_.corners];
+            const EvenRows even(element);
+            const char* const rows = body_.rows(element.count, even.size);
+            if (rows == nullptr || std::ranges::count_if(element.properties, &PlyProperty::is_list) > 1 || element.count > most_triangles)
+                return false;
+            Faces F(element.count, 3);
+            prefer_large_pages(F.data(), static_cast<std::size_t>(F.size()) * sizeof(int));
+            const std::size_t length = size_of(list.count_type), first = even.offset[parts_.corners];
+            const bool read = with_zero_of(list.type, [&](auto zero) {
+                using Index = decltype(zero);
+                return all_of_range(static_cast<int>(element.count), [&](int i) {
+                    const char* const raw = rows + at(i) * even.size + first;
+                    bool good = with_zero_of(list.count_type, [&](auto n) { return value_at<decltype(n)>(raw, body_.swapped()) == 3; });
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const auto v = static_cast<long long>(value_at<Index>(raw + length + k * sizeof(Index), body_.swapped()));
+                        good &= v >= 0 && v < parts_.vertices->count;
+                        F(i, static_cast<int>(k)) = static_cast<int>(v);
+                    }
+                    return good;
+                });
+            });
+            if (!read) return false;
+            F_ = std::move(F);
+            body_.skip_rows(element.count, even.size);
+            return true;
+        } else {
+            return false;
+        }
+    }
+
     void read_vertices(const PlyElement& element) {
+        if (read_even_vertices(element)) return;
         for (long long i = 0; i < element.count; ++i) {
             body_.begin_row(element);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -100,6 +182,7 @@ private:
     }
 
     void read_faces(const PlyElement& element) {
+        if (read_even_triangles(element)) return;
         polygons_.reserve(static_cast<std::size_t>(element.count));
         for (long long i = 0; i < element.count; ++i) {
             body_.begin_row(element);
@@ -198,7 +281,8 @@ private:
     Body body_;
     const std::string& file_;
     Positions X_;
-    PolygonList polygons_;
+    Faces F_;                             // of a file that was read at once; else:
+    PolygonList polygons_;                // as they come
     std::vector<VertexColumn> columns_;   // those that are kept
     std::vector<int> column_of_;          // of each property of a vertex; −1: none
 };

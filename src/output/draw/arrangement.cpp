@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "sheet/view_label.h"
@@ -33,7 +34,8 @@ public:
             grid();
         for (std::size_t p = 0; p < panels_.size(); ++p)
             for (std::size_t i = 0; i < panels_[p].size(); ++i)
-                sheet_.pictures.push_back({std::move(panels_[p][i]), places_[p][i].first, places_[p][i].second});
+                sheet_.pictures.push_back(
+                    {std::make_shared<render::Image>(std::move(panels_[p][i])), places_[p][i].first, places_[p][i].second});
         return std::move(sheet_);
     }
 

@@ -199,8 +199,8 @@ void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const rende
             picture.view = i == 0 ? "" : std::string(directions[i - 1].name);
             picture.left = composed.left + placed.left;
             picture.top = composed.top + placed.top;
-            picture.width = placed.image.width;
-            picture.height = placed.image.height;
+            picture.width = placed.image->width;
+            picture.height = placed.image->height;
             const bool has_file = has_view_files(request, settings) && (i > 0 || !has_six_views(request));
             if (has_file) picture.file = view_file(request.panels[p], i == 0 ? render::three_quarter_view() : directions[i - 1]);
         }

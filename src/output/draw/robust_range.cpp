@@ -1,7 +1,15 @@
 #include "output/draw/robust_range.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+#include "base/large_pages.h"
 
 namespace meshfolio::output {
 
@@ -15,19 +23,48 @@ double percentile(const std::vector<double>& sorted, double q) {
     return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// At most 8192 of the sorted values, from the middles of as many equal parts: enough for a bin of 96 to be right within 1 %.
-std::vector<double> sample_of(const std::vector<double>& sorted) {
-    constexpr std::size_t most = 8192;
-    if (sorted.size() <= most) return sorted;
-    std::vector<double> sample(most);
-    for (std::size_t i = 0; i < most; ++i) sample[i] = sorted[(2 * i + 1) * sorted.size() / (2 * most)];
-    return sample;
+/// At most 8192 places, in the middles of as many equal parts: enough for a bin of 96 to be right within 1 %.
+std::vector<std::size_t> sample_places(std::size_t size) {
+    std::vector<std::size_t> places(std::min<std::size_t>(size, 8192));
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = (2 * i + 1) * size / (2 * places.size());
+    return places;
+}
+
+/// `values` as if they were sorted, at `places` (ascending) and where the percentiles lie: they are counted into equal parts of their
+/// range, of which those that hold such a place are sorted. Halves: the width may overflow.
+std::vector<double> sorted_at(std::vector<std::size_t> places, const std::vector<double>& values,
+                              std::initializer_list<double> percentiles) {
+    const std::size_t parts = std::min<std::size_t>(values.size() / 16 + 1, 65536);
+    const auto [low, high] = std::ranges::minmax(values);
+    const double half = high / 2 - low / 2, scale = half > 1e-290 ? static_cast<double>(parts - 1) / half : 0;
+    const auto part_of = [&, least = low](double v) { return static_cast<std::size_t>((v / 2 - least / 2) * scale); };
+    std::vector<std::size_t> end(parts + 1, 0);
+    for (const double v : values) ++end[part_of(v) + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<double> result = large_vector<double>(values.size());
+    for (const double v : values) result[end[part_of(v)]++] = v;
+
+    for (const double q : percentiles) {
+        const auto below = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1));
+        places.insert(places.end(), {below, below + 1});
+    }
+    std::ranges::sort(places);
+    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t p) {
+        const std::size_t begin = p == 0 ? 0 : end[p - 1];
+        const auto place = std::ranges::lower_bound(places, begin);
+        if (place != places.end() && *place < end[p])
+            std::sort(result.begin() + static_cast<std::ptrdiff_t>(begin), result.begin() + static_cast<std::ptrdiff_t>(end[p]));
+    });
+    return result;
 }
 
 }   // namespace
 
 std::vector<double> finite_values(const std::vector<Panel>& panels) {
     std::vector<double> values;
+    values.reserve(std::accumulate(panels.begin(), panels.end(), std::size_t{0}, [](std::size_t sum, const Panel& panel) {
+        return sum + static_cast<std::size_t>(panel.values.size());
+    }));
     for (const Panel& panel : panels) {
         std::copy_if(panel.values.begin(), panel.values.end(), std::back_inserter(values), [](double v) { return std::isfinite(v); });
     }
@@ -53,8 +90,9 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
                         double clip) {
     ColorRange range{std::move(colormap), 0, 0, std::move(quantity), std::move(unit), 0, 0};
     std::vector<double> values = finite_values(panels);
+    const std::vector<std::size_t> sample = sample_places(values.size());
     if (!values.empty()) {
-        std::sort(values.begin(), values.end());
+        values = sorted_at(sample, values, {clip, 0.5, 1 - clip});
         range.low = percentile(values, clip);
         range.high = percentile(values, 1 - clip);
     }
@@ -72,11 +110,12 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
         range.high = middle + 0.5 * floor;
     }
     if (!values.empty()) {
-        const auto below = std::lower_bound(values.begin(), values.end(), range.low) - values.begin();
-        const auto above = values.end() - std::upper_bound(values.begin(), values.end(), range.high);
-        range.clipped_below = static_cast<double>(below) / static_cast<double>(values.size());
-        range.clipped_above = static_cast<double>(above) / static_cast<double>(values.size());
-        range.sample = sample_of(values);
+        const auto share = [&](auto outside) {
+            return static_cast<double>(std::ranges::count_if(values, outside)) / static_cast<double>(values.size());
+        };
+        range.clipped_below = share([&](double v) { return v < range.low; });
+        range.clipped_above = share([&](double v) { return v > range.high; });
+        std::ranges::transform(sample, std::back_inserter(range.sample), [&](std::size_t place) { return values[place]; });
     }
     return range;
 }

@@ -37,7 +37,7 @@ Checks checks_for(const std::string& name) { return name == "h-uniform" ? Checks
 
 Field field_of(const PreparedMesh& mesh, const std::string& name) {
     if (name == "none" || name == "id") return {};
-    const double diagonal = bounding_box(mesh.mesh).diagonal();
+    const double diagonal = Box{mesh.preflight.box_low, mesh.preflight.box_high}.diagonal();
     if (name == "h-uniform") return {uniform_mean_curvature(mesh.mesh, mesh.topology), "½‖Δx‖, uniform", "length", true, 1e-9 * diagonal};
     for (const OperatorEntry& entry : operator_list()) {
         if (name != "h-" + std::string(entry.name)) continue;

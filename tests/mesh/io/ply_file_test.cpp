@@ -87,6 +87,26 @@ TEST(PlyFile, BinaryOfEveryTypeInBothOrders) {
     }
 }
 
+// Triangles are read at once, but not where some face is none.
+TEST(PlyFile, AFaceOfAnotherSizeMayStandAnywhere) {
+    for (const int quad : {0, 1, 2}) {
+        Bytes bytes(false);
+        for (const float x : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) bytes.add(x);
+        for (int face = 0; face < 3; ++face) {
+            bytes.add(static_cast<std::uint8_t>(face == quad ? 4 : 3));
+            for (int k = 0; k < (face == quad ? 4 : 3); ++k) bytes.add(k);
+        }
+        const LoadedMesh loaded = parse_ply(header(false,
+                                                   "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                                                   "element face 3\nproperty list uchar int vertex_indices\n") +
+                                                bytes.text(),
+                                            "m.ply");
+        ASSERT_EQ(loaded.mesh.face_count(), 4) << quad;
+        for (int t = 0; t < quad; ++t) EXPECT_EQ(loaded.mesh.F.row(t), Eigen::RowVector3i(0, 1, 2)) << quad;
+        EXPECT_EQ(warnings_of(loaded), "");
+    }
+}
+
 TEST(PlyFile, BinaryDoublesAreExact) {
     Bytes bytes(true);
     const std::vector<double> values{0.1, -1e-300, 1e7 + 1.0 / 64, 5e-324, 1, 2, 3, 4, 5.5};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -60,6 +61,21 @@ TEST(RobustRange, OneOutlierDoesNotMoveIt) {
     EXPECT_NEAR(range.high, 980, 1e-9);
     EXPECT_NEAR(range.clipped_below, 20.0 / 1001, 1e-12);
     EXPECT_NEAR(range.clipped_above, 20.0 / 1001, 1e-12);
+}
+
+// Only some of the values are put in order: they are those that a whole sort would put there, also where nearly all crowd together.
+TEST(RobustRange, ManyValuesAreTakenWhereASortPutsThem) {
+    for (const double power : {1.0, 9.0, 301.0}) {
+        Panel p = ramp(200'003);
+        p.values = (p.values.array() * 0.7).sin().sign() * (p.values.array() * 0.7).sin().abs().pow(power);
+        std::vector<double> sorted(p.values.begin(), p.values.end());
+        std::sort(sorted.begin(), sorted.end());
+        const ColorRange range = robust_range({p}, "viridis", "", "", 0, 0.01);
+        const double at = 0.01 * 200'002;
+        const auto below = static_cast<std::size_t>(at);
+        EXPECT_EQ(range.low, sorted[below] + (at - static_cast<double>(below)) * (sorted[below + 1] - sorted[below])) << power;
+        for (std::size_t i = 0; i < 8192; ++i) ASSERT_EQ(range.sample[i], sorted[(2 * i + 1) * 200'003 / 16384]) << power << ' ' << i;
+    }
 }
 
 TEST(RobustRange, DivergingIsSymmetricAboutZero) {

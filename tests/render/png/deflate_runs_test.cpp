@@ -19,9 +19,9 @@ using Bytes = std::vector<std::uint8_t>;
 /// `bytes` as a stream of blocks of `block` bytes each.
 std::string deflated(const Bytes& bytes, std::size_t period, std::size_t block) {
     std::string out;
-    render::RunDeflater deflater(out, period);
+    render::DeflateStream stream(out);
     for (std::size_t i = 0; i < bytes.size(); i += block)
-        deflater.add_block(&bytes[i], std::min(block, bytes.size() - i), i + block >= bytes.size());
+        stream.add({&bytes[i], std::min(block, bytes.size() - i), period, i + block >= bytes.size()});
     return out;
 }
 

@@ -57,6 +57,9 @@ TEST(Bounds, AreThoseOfTheTrianglesThatCanBeDrawn) {
     EXPECT_EQ(b.low, glm::dvec3(-1, 2, 3));
     EXPECT_EQ(b.high, glm::dvec3(4, 5, 6));
     EXPECT_EQ(render::bounds_of({}, {}).high, glm::dvec3(0));
+    mesh = render_tests::box({-1, 2, 3}, {4, 5, 6});
+    mesh.positions.push_back({0, 3, 7});   // finite, farther than all on one side, and in no triangle
+    EXPECT_EQ(render::bounds_of(mesh.positions, mesh.triangles).high, glm::dvec3(4, 5, 6));
 }
 
 TEST(FrameOf, TheLargestExtentFillsTheShorterSide) {

@@ -15,8 +15,8 @@ constexpr Rgba red{200, 0, 0, 255}, green{0, 200, 0, 255};
 
 FigureSheet two_pictures() {
     FigureSheet sheet{.title = "Title", .subtitle = "subtitle"};
-    sheet.pictures.push_back({Image(70, 50, red), 0, 0});
-    sheet.pictures.push_back({Image(30, 90, green), 100, 20});
+    sheet.pictures.push_back({std::make_shared<Image>(70, 50, red), 0, 0});
+    sheet.pictures.push_back({std::make_shared<Image>(30, 90, green), 100, 20});
     return sheet;
 }
 
