@@ -116,7 +116,7 @@ MESHFOLIO_BEFORE_LIBRARIES void (*const at_the_very_beginning)() = require_room_
 void prepare_process() {
 #ifdef __GLIBC__
     // Matrices of large meshes come and go by the hundred: their pages are kept instead of being fetched anew, and cleared, each time.
-    ::mallopt(M_MMAP_MAX, 0);
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);   // the most it takes
     ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
     end_with_parent();
