@@ -1,6 +1,7 @@
 #include "mesh/triangle_measures.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,8 +15,11 @@ namespace {
 /// Position of corner k of triangle t; k counts on from 2 to 0.
 inline Vector3 corner(const TriangleMesh& mesh, int t, int k) { return mesh.X.row(mesh.F(t, k % 3)); }
 
-/// |v| without squaring it: the components of a cross product are squares already, and would leave the range of a double.
-inline double length(const Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
+/// |v|, without squaring it where that would leave the range of a double: the components of a cross product are squares already.
+inline double length(const Vector3& v) {
+    const double squared = v.squaredNorm();
+    return squared > 1e-280 && squared < 1e300 ? std::sqrt(squared) : std::hypot(v.x(), v.y(), v.z());
+}
 
 inline Vector3 unit_or_zero(const Vector3& v) {
     const double norm = length(v);
@@ -49,11 +53,12 @@ Box bounding_box(const TriangleMesh& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
     const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
-        Box box = nothing;
+        std::array around{nothing, nothing, nothing};   // of each corner its own, so that none waits for another
         for (int t = begin; t < end; ++t) {
-            for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), box);
+            for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), around[static_cast<std::size_t>(k)]);
         }
-        return box;
+        return Box{around[0].low.cwiseMin(around[1].low).cwiseMin(around[2].low),
+                   around[0].high.cwiseMax(around[1].high).cwiseMax(around[2].high)};
     });
     Box box = nothing;
     for (const auto& block : boxes) {

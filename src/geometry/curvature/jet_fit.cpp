@@ -40,6 +40,9 @@ Eigen::Matrix3d frame_of(const Vector3& normal) {
 }
 
 class JetFitter {
+    using Table = Eigen::Matrix<double, Eigen::Dynamic, coefficients + 1>;
+    using Coefficients = Eigen::Matrix<double, coefficients, 1>;
+
 public:
     JetFitter(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals)
         : mesh_(mesh), topology_(topology), normals_(normals) {}
@@ -49,10 +52,13 @@ public:
         if (points_.size() < coefficients || !(normals_.row(v).squaredNorm() > 0)) return {};
         const double unit = read_points(v);
         if (!(unit > 0)) return {};
-        qr_.compute(monomials_);
-        qr_.setThreshold(determined_from);
-        if (qr_.rank() < coefficients) return {};
-        const Eigen::Matrix<double, coefficients, 1> a = qr_.solve(heights_);
+        Coefficients a;
+        if (!fitted(a)) {
+            qr_.compute(table_.leftCols<coefficients>());
+            qr_.setThreshold(determined_from);
+            if (qr_.rank() < coefficients) return {};
+            a = qr_.solve(table_.col(coefficients));
+        }
         const HK scaled = curvature_of_graph(a[1], a[2], 2 * a[3], a[4], 2 * a[5]);
         return {scaled.H / unit, scaled.K / (unit * unit)};
     }
@@ -70,13 +76,41 @@ private:
         const double unit = local_.leftCols<2>().rowwise().norm().maxCoeff();
         if (!(unit > 0)) return 0;
         local_ /= unit;
-        monomials_.resize(n, coefficients);
+        table_.resize(n, coefficients + 1);
         for (Eigen::Index i = 0; i < n; ++i) {
             const double x = local_(i, 0), y = local_(i, 1);
-            monomials_.row(i) << 1, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y;
+            table_.row(i) << 1, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y, local_(i, 2);
         }
-        heights_ = local_.col(2);
         return unit;
+    }
+
+    /// The fit without pivots, which takes a third of the time; false where it cannot be sure that pivots would find the points determined:
+    /// their smallest is no less than the smallest singular value, and that no less than 1/‖R⁻¹‖.
+    bool fitted(Coefficients& a) {
+        reduced_ = table_;
+        Eigen::Matrix<double, coefficients, coefficients> inverse;   // of R, upper triangle
+        const double largest = reduced_.leftCols<coefficients>().colwise().squaredNorm().maxCoeff();
+        for (int k = 0; k < coefficients; ++k) {
+            const Eigen::Index below = reduced_.rows() - k;
+            auto v = reduced_.col(k).tail(below);
+            const double norm = v.norm();
+            if (!(norm > 0)) return false;
+            const double r = v[0] > 0 ? -norm : norm, scale = 1 / (norm * (norm + std::abs(v[0])));   // 2/|v|²
+            v[0] -= r;
+            for (int j = k + 1; j <= coefficients; ++j) {
+                auto w = reduced_.col(j).tail(below);
+                w -= scale * v.dot(w) * v;
+            }
+            inverse(k, k) = 1 / r;
+            for (int i = 0; i < k; ++i)
+                inverse(i, k) = -inverse(k, k) * inverse.row(i).segment(i, k - i).dot(reduced_.col(k).segment(i, k - i));
+        }
+        double squares = 0;
+        for (int k = 0; k < coefficients; ++k) squares += inverse.col(k).head(k + 1).squaredNorm();
+        if (!(squares * largest * determined_from * determined_from < 1)) return false;
+        for (int i = 0; i < coefficients; ++i)
+            a[i] = inverse.row(i).tail(coefficients - i).dot(reduced_.col(coefficients).segment(i, coefficients - i));
+        return true;
     }
 
     const TriangleMesh& mesh_;
@@ -84,8 +118,7 @@ private:
     const Positions& normals_;
     std::vector<int> points_;
     Positions local_;
-    Eigen::Matrix<double, Eigen::Dynamic, coefficients> monomials_;
-    Vector heights_;
+    Table table_, reduced_;   // monomials of the points and their heights; the same as the fit leaves it
     Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, coefficients>> qr_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "geometry/measures/closest_point.h"
+#include "geometry/measures/shape_kernels.h"
 #include "geometry/measures/unit_pair.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/triangle_kind.h"
@@ -152,21 +153,13 @@ double vertex_rms(const Positions& a, const Positions& b) {
     return a.rows() > 0 ? std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())) : 0;
 }
 
-Vector shape_distances(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X) {
+Vector shape_distances(const TriangleMesh& clean, const Incidence& /*vertex_faces*/, const Positions& X) {
     if (clean.X.rows() != X.rows()) {
         throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
     }
-    Vector distances(X.rows());
-    for (int v = 0; v < clean.vertex_count(); ++v) {
-        const Vector3 x = X.row(v);
-        double nearest = (X.row(v) - clean.X.row(v)).squaredNorm();
-        for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
-            const auto corner = [&](int k) -> Vector3 { return clean.X.row(clean.F(*t, k)); };
-            nearest = std::min(nearest, squared_distance_to_triangle(x, corner(0), corner(1), corner(2), nearest));
-        }
-        distances[v] = std::sqrt(nearest);
-    }
-    return distances;
+    Vector nearest = (X - clean.X).rowwise().squaredNorm();
+    lower_to_shape(clean, X, nearest);
+    return nearest.cwiseSqrt();
 }
 
 double shape_rms(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X) {

@@ -121,16 +121,17 @@ void fill_columns(const Spokes& edges, SparseMatrix& C) {
 
 using Cotangent = double (TriangleShape::*)(std::size_t k) const;
 
-/// Cotangents of triangles given by `shape_of(t)`, and how many have no area.
+/// Cotangents of triangles given by `shape_of(t)`, and how many have no area. @param areas  of the triangles, if asked for
 template <class ShapeOf>
 CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int* without_area,
-                                  Cotangent cotangent = &TriangleShape::cotangent) {
+                                  Cotangent cotangent = &TriangleShape::cotangent, Vector* areas = nullptr) {
     CornerValues cotangents(triangles, 3);
     const auto degenerate_of_blocks = of_blocks(static_cast<int>(triangles), [&](int begin, int end) {
         int count = 0;
         for (int t = begin; t < end; ++t) {
             const TriangleShape triangle = shape_of(t);
             for (int k = 0; k < 3; ++k) cotangents(t, k) = (triangle.*cotangent)(static_cast<std::size_t>(k));
+            if (areas != nullptr) (*areas)[t] = triangle.area();
             count += triangle.degenerate() ? 1 : 0;
         }
         return count;
@@ -139,6 +140,29 @@ CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int*
     *without_area = 0;
     for (const auto& block : degenerate_of_blocks) *without_area += block.value;
     return cotangents;
+}
+
+/// A third of each triangle around. @param areas  of the triangles, in units of which `unit_area` is one [length²]
+Vector barycentric_areas(const TriangleMesh& mesh, const Vector& areas, double unit_area) {
+    Vector sums = Vector::Zero(mesh.vertex_count());
+    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
+        for (const int v : mesh.F.row(t)) sums[v] += areas[t] / 3;
+    }
+    return sums * unit_area;
+}
+
+/// Each triangle is measured once where its areas are not those of Voronoi cells.
+LaplaceBeltrami laplacian_of(const TriangleMesh& mesh, AreaForm form, Cotangent cotangent, const CotangentOptions& options) {
+    const double scale = unit_scale(mesh);
+    const auto shape_of = [&](int t) {
+        prefetch_corners(mesh, t);
+        return triangle_shape(mesh, t, scale);
+    };
+    const bool barycentric = form == AreaForm::barycentric;
+    Vector areas(barycentric ? mesh.F.rows() : 0);
+    const CornerValues cotangents = cotangents_of_shapes(mesh.F.rows(), shape_of, nullptr, cotangent, barycentric ? &areas : nullptr);
+    return {cotangent_stiffness(mesh.F, mesh.vertex_count(), cotangents, options),
+            barycentric ? barycentric_areas(mesh, areas, 1 / (scale * scale)) : vertex_areas(mesh, form)};
 }
 
 }   // namespace
@@ -174,14 +198,11 @@ SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerV
 }
 
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area, const CotangentOptions& options) {
-    return {cotangent_stiffness(mesh.F, mesh.vertex_count(), corner_cotangents(mesh), options), vertex_areas(mesh, area)};
+    return laplacian_of(mesh, area, &TriangleShape::cotangent, options);
 }
 
 LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area) {
-    const double scale = unit_scale(mesh);
-    const auto shape_of = [&](int t) { return triangle_shape(mesh, t, scale); };
-    const CornerValues cotangents = cotangents_of_shapes(mesh.F.rows(), shape_of, nullptr, &TriangleShape::floored_cotangent);
-    return {cotangent_stiffness(mesh.F, mesh.vertex_count(), cotangents), vertex_areas(mesh, area)};
+    return laplacian_of(mesh, area, &TriangleShape::floored_cotangent, {});
 }
 
 LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area,

@@ -28,8 +28,9 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
     options.method = result.method;
     options.parameter = value * plan.unit;
     options.steps = plan.steps;
+    TriangleMesh smoothed = input.clean;
     options.after_step = [&](int step, const Positions& X) {
-        const TriangleMesh smoothed = moved_to(input.clean, X);
+        smoothed.X = X;
         const SearchState state{.value = value,
                                 .step = step,
                                 .shape = shape_rms(input.clean, input.noisy.topology.vertex_faces, X),

@@ -38,13 +38,15 @@ public:
         : mesh_(subject.mesh()),
           topology_(topology),
           M_(subject.laplacian.M),
+          diagonal_(bounding_box(mesh_).diagonal()),
           component_(component_of_vertices()),
           volume_(component_sizes(mesh_, topology).volume),
+          all_closed_((volume_.array() > 0).all()),
           spread_(spreads(mesh_.X)) {}
 
     /// Of the component that has lost most; NaN once positions are no numbers.
     double kept(const Positions& X) const {
-        const Vector volume = component_sizes(moved_to(mesh_, X), topology_).volume, spread = spreads(X);
+        const Vector volume = volumes(X), spread = all_closed_ ? spread_ : spreads(X);
         double least = infinity;
         for (int c = 0; c < topology_.component_count; ++c)
             if (const bool closed = volume_[c] > 0; closed || spread_[c] > 0)
@@ -56,14 +58,31 @@ private:
     const TriangleMesh& mesh_;
     const MeshTopology& topology_;
     const Vector& M_;
+    double diagonal_;              // of the input's box
     std::vector<int> component_;   // of each vertex; −1: in no triangle
-    Vector volume_, spread_;
+    Vector volume_;
+    bool all_closed_;
+    Vector spread_;
 
     std::vector<int> component_of_vertices() const {
         std::vector<int> component(static_cast<std::size_t>(mesh_.vertex_count()), -1);
         for (int t = 0; t < mesh_.face_count(); ++t)
             for (const int v : mesh_.F.row(t)) component[static_cast<std::size_t>(v)] = topology_.component[static_cast<std::size_t>(t)];
         return component;
+    }
+
+    /// Each seen from a corner of its own; they mean something where it is closed.
+    Vector volumes(const Positions& X) const {
+        Vector six_volumes = Vector::Zero(topology_.component_count);
+        std::vector<int> seen_from(static_cast<std::size_t>(topology_.component_count), -1);
+        for (int t = 0; t < mesh_.face_count(); ++t) {
+            const int c = topology_.component[static_cast<std::size_t>(t)];
+            int& from = seen_from[static_cast<std::size_t>(c)];
+            if (from < 0) from = mesh_.F(t, 0);
+            const auto corner = [&](int k) -> Vector3 { return X.row(mesh_.F(t, k)) - X.row(from); };
+            six_volumes[c] += corner(0).dot(corner(1).cross(corner(2)));
+        }
+        return six_volumes / 6;
     }
 
     /// Σ M_v |x_v − c|² / Σ M_v, over the squared diagonal of the input's box, so that no size of a mesh overflows. M is the input's.
@@ -78,8 +97,7 @@ private:
             weight[c] += m;
             centroid.row(c) += m / weight[c] * (x - centroid.row(c));
         });
-        const double diagonal = bounding_box(mesh_).diagonal();
-        over_vertices([&](int c, double m, const auto& x) { sum[c] += m / weight[c] * ((x - centroid.row(c)) / diagonal).squaredNorm(); });
+        over_vertices([&](int c, double m, const auto& x) { sum[c] += m / weight[c] * ((x - centroid.row(c)) / diagonal_).squaredNorm(); });
         return sum;
     }
 };

@@ -117,8 +117,17 @@ SmoothingWay CostModel::implicit_way(double energy, int steps) const {
 
 SmoothingWay CostModel::implicit_way_within(double energy, double error) const {
     constexpr int most = 10000;
-    const int steps = first_count(most, [&](int s) { return implicit_way(energy, s).error <= error; });
-    return steps > most ? SmoothingWay{SmoothingScheme::implicit_euler} : implicit_way(energy, steps);
+    SmoothingWay found{SmoothingScheme::implicit_euler};
+    int low = 0, high = most + 1, steps = 1;   // too few, and enough
+    for (int tries = 1; high - low > 1; ++tries) {
+        const SmoothingWay way = implicit_way(energy, steps);
+        (way.error <= error ? high : low) = steps;
+        if (way.error <= error) found = way;
+        // Errors fall about as 1/steps, so that each says how many it takes. What does not is halved.
+        const double enough = std::ceil(steps * way.error / error);
+        steps = tries >= 8 ? low + std::max((high - low) / 2, 1) : enough < high ? std::max(static_cast<int>(enough), low + 1) : high - 1;
+    }
+    return found;
 }
 
 std::vector<std::string> implicit_way_names() {

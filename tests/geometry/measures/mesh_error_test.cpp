@@ -210,6 +210,25 @@ TEST(ShapeDistances, CountWhatLeavesTheSurfaceAlone) {
     EXPECT_THROW(shape_rms(mesh, around, noisy.topRows(3)), MeshError);
 }
 
+TEST(ShapeDistances, AreTheLeastOfThoseToTheTrianglesAround) {
+    TriangleMesh mesh = icosphere(2);
+    mesh.X.topRows(20).rightCols(1) *= 1e-7;   // needles
+    mesh.X.row(30) = mesh.X.row(31);           // and triangles without area
+    const Incidence around = triangles_around(mesh);
+    for (const double amount : {1e-9, 0.1, 1.0, 1e3, 1e12}) {   // above triangles, beside sides and corners, far beyond
+        const Positions X = with_gaussian_noise(mesh.X, Vector3::Constant(amount), 1);
+        const Vector distances = shape_distances(mesh, around, X);
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            double nearest = (X.row(v) - mesh.X.row(v)).squaredNorm();
+            for (const int* t = around.begin(v); t != around.end(v); ++t) {
+                const auto corner = [&](int k) -> Vector3 { return mesh.X.row(mesh.F(*t, k)); };
+                nearest = std::min(nearest, squared_distance_to_triangle(X.row(v), corner(0), corner(1), corner(2)));
+            }
+            EXPECT_EQ(distances[v], std::sqrt(nearest)) << "vertex " << v << ", noise " << amount;
+        }
+    }
+}
+
 TEST(MeanNormalAngle, IsThatOfCompareMeshes) {
     const TriangleMesh mesh = icosphere(2);
     const TriangleMesh noisy = moved_to(mesh, with_gaussian_noise(mesh.X, Vector3::Constant(0.03), 1));
