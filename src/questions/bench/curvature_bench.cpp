@@ -237,7 +237,7 @@ report::Check pentagon_check(const BenchRuns& runs) {
 
 std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
 
-std::vector<int> refinement_levels(bool quick) { return quick ? std::vector{3, 4, 5} : std::vector{2, 3, 4, 5, 6}; }
+std::vector<int> refinement_levels(bool quick) { return quick ? std::vector{3, 4, 5} : std::vector{2, 3, 4, 5}; }
 
 BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress) {
     return bench_runs(question_surfaces(), question_kinds, refinement_levels(settings.quick), settings.seed, progress);
