@@ -109,10 +109,10 @@ double pentagon_excess();
 /// That the finest icosphere stalls there.
 report::Check pentagon_check(const BenchRuns& runs);
 
-/// Of questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 41 000 vertices.
+/// Of questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
 inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered};
 std::vector<KnownSurface> question_surfaces();
-std::vector<int> refinement_levels(bool quick);   // coarse to fine: five, or three for a quick look
+std::vector<int> refinement_levels(bool quick);   // coarse to fine: four, or three for a quick look
 BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress);
 
 /// Of the ground-truth panel: all surfaces, four refinements of up to 17 000 vertices, or three for a quick look.

@@ -12,9 +12,9 @@ namespace {
 // 97,000, of q6 to 173,000), rounded. What took more than five seconds there is carried on from smaller meshes: q3 and prediction in full
 // settings are estimates. tests/bench/fit_costs.py prints better ones.
 constexpr std::array models_of_sections{
-    SectionModel{"q1", "bumpy_cube lilium sphere plane", {6.9, 2}, {1.5, 0.5, 0.8}, {40, 42}, {10, 42}},
+    SectionModel{"q1", "bumpy_cube lilium sphere plane", {1.7, 2}, {1.5, 0.5, 0.8}, {40, 42}, {10, 42}},
     SectionModel{"q2", "", {0.15, 0}, {0.04, 0}, {9, 0}, {1, 0}},
-    SectionModel{"q3", "lilium plane", {5.8, 1, 2.6}, {1.5, 0, 2.6}, {40, 42}, {9, 42}},
+    SectionModel{"q3", "lilium plane", {1.6, 1, 2.6}, {1.5, 0, 2.6}, {40, 42}, {9, 42}},
     SectionModel{"q4", "armadillo", {1.8, 22, 10}, {0.3, 7.6}, {42, 700}, {6, 400}},
     SectionModel{"q5", "cube plane_ns fandisk_ns", {0.3, 24, 0}, {0.05, 17.8}, {13, 250}, {6, 180}},
     SectionModel{"q6", "cube plane_ns fandisk_ns", {0.05, 25, 30}, {0.2, 8, 14}, {16, 300}, {6, 250}},
