@@ -142,7 +142,8 @@ ExitCode run_report(const ReportFlags& flags) {
         paper.look_up(document, figures, store.get(), folder);
         run_tasks(
             [&] {
-                if (settings.page.design == "report" && !options.viewer.empty()) options.labs = report_labs(results, meshes, settings);
+                if (settings.page.design == "report" && !options.viewer.empty())
+                    options.labs = report_labs(results, meshes, settings, store.get());
                 write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder);
             },
             [&] { pdf_note = paper.write(document, figures, store.get(), folder); },

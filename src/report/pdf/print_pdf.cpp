@@ -82,7 +82,7 @@ std::vector<std::string> chromium_arguments(const fs::path& scratch, const fs::p
                                        "--no-pdf-header-footer",
                                        "--print-to-pdf=" + pdf.string()};
     if (!sandbox) arguments.emplace_back("--no-sandbox");
-    arguments.push_back("file://" + url_path((scratch / "page.html").string()));
+    arguments.push_back("file://" + url_path((scratch / "page.html").string()) + "#print");   // templates/print_float.js
     return arguments;
 }
 

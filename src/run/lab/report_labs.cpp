@@ -8,8 +8,10 @@
 
 #include "base/parallel_tasks.h"
 #include "questions/core/section_tools.h"
+#include "report/words.h"
 #include "run/console.h"
 #include "run/lab/lab_mesh.h"
+#include "run/program_identity.h"
 
 namespace meshfolio::run {
 
@@ -39,6 +41,18 @@ std::string names_of(const LabJob& job) {
     return names;
 }
 
+/// Of everything that shapes the data; empty where the program does not know itself.
+std::string key_of(const std::string& names, const LibraryMesh& mesh, const LabJob& job, const ReportSettings& settings) {
+    if (program_identity().empty() || mesh.input.sha256.empty()) return "";
+    output::KeyMaker key;
+    key.add("laboratory").add(program_identity()).add(report::words_identity()).add(names).add(mesh.name).add(mesh.input.sha256);
+    for (const auto& [id, unused] : job.questions) {
+        key.add(id);
+        for (const std::string& word : identity_of(settings, id, false)) key.add(word);
+    }
+    return key.key();
+}
+
 using MeshPointer = std::shared_ptr<const LibraryMesh>;
 
 /// Null where there is none, which the section has said.
@@ -51,8 +65,8 @@ MeshPointer mesh_for(std::string_view id, std::string_view role, const MeshLibra
 
 }   // namespace
 
-std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results, const MeshLibrary& meshes,
-                                     const ReportSettings& settings) {
+std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results, const MeshLibrary& meshes, const ReportSettings& settings,
+                                     output::ResultCache* store) {
     const MeshLibrary sources = meshes.limited_to(largest_source);
     Wanted wanted;
     for (const auto& [id, role] : choices) {
@@ -69,10 +83,18 @@ std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results,
     std::vector<report::Lab> labs(jobs.size());
     for_each_task(jobs.size(), [&](std::size_t i) {
         const auto& [mesh, job] = *jobs[i].second;
+        const std::string key = store != nullptr ? key_of(jobs[i].first, *mesh, job, settings) : "";
         try {
+            if (auto stored = key.empty() ? std::nullopt : store->get(key)) {
+                labs[i] = {jobs[i].first, std::move(*stored)};
+                return;
+            }
             LabMesh lab = lab_mesh(mesh->mesh(), mesh->name, job.questions);
             lab.source_vertices = mesh->input.vertices;
             labs[i] = report::lab_of(jobs[i].first, bytes_of(lab));
+            if (!key.empty()) store->put(key, labs[i].data);
+        } catch (const OutputError&) {
+            // the cache is no part of the report
         } catch (const Error& error) {
             warn("no laboratory with " + mesh->name + ": " + error.what());
         }
