@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <optional>
-
 #include "base/errors.h"
+#include "geometry/dense_pairs.h"
 #include "geometry/linear/inertia.h"
 #include "geometry/linear/sparse_factor.h"
 #include "geometry/operators/vertices_with_mass.h"
@@ -27,14 +25,14 @@ public:
     void factor(const SparseMatrix& S, bool definite) override {
         DenseMatrix dense = S;
         if (error.size() > 0) dense += error;
-        eigen_.emplace(dense);
-        if (definite && !(eigen_->eigenvalues()[0] > 0)) throw SolverError("not positive definite");
+        eigen_ = dense_pairs(dense);
+        if (definite && !(eigen_.eigenvalues[0] > 0)) throw SolverError("not positive definite");
     }
-    int negative_pivots() override { return static_cast<int>((eigen_->eigenvalues().array() < 0).count()); }
-    long long nonzeros() override { return eigen_->eigenvectors().size(); }
+    int negative_pivots() override { return static_cast<int>((eigen_.eigenvalues.array() < 0).count()); }
+    long long nonzeros() override { return eigen_.eigenvectors.size(); }
     DenseMatrix solve(const DenseMatrix& B) override {
-        const DenseMatrix& Q = eigen_->eigenvectors();
-        return Q * eigen_->eigenvalues().cwiseInverse().asDiagonal() * (Q.transpose() * B);
+        const DenseMatrix& Q = eigen_.eigenvectors;
+        return Q * eigen_.eigenvalues.cwiseInverse().asDiagonal() * (Q.transpose() * B);
     }
     /// Without the `lost` pairs that come first in the next calls.
     InversePairs largest_of_inverse(int count, const DenseMatrix& known) override {
@@ -42,11 +40,11 @@ public:
         int kept = 0, passed = lost > 0 ? 1 : 0;
         lost = std::max(lost - 1, 0);
         for (Eigen::Index j = 0; kept < count; ++j) {
-            Vector y = eigen_->eigenvectors().col(j);
+            Vector y = eigen_.eigenvectors.col(j);
             y -= known * (known.transpose() * y);
             y -= pairs.Y.leftCols(kept) * (pairs.Y.leftCols(kept).transpose() * y);
             if (y.norm() < 1e-6 || passed-- > 0) continue;
-            pairs.theta[kept] = 1 / eigen_->eigenvalues()[j];
+            pairs.theta[kept] = 1 / eigen_.eigenvalues[j];
             pairs.Y.col(kept++) = y.normalized();
         }
         return pairs;
@@ -56,7 +54,7 @@ public:
     int lost = 0;
 
 private:
-    std::optional<Eigen::SelfAdjointEigenSolver<DenseMatrix>> eigen_;
+    DensePairs eigen_;
 };
 
 /// This process's own, or those of MPI, which can begin once.

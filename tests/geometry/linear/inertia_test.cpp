@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "base/errors.h"
+#include "geometry/dense_pairs.h"
 #include "geometry/linear/exact_inertia.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/solver_test_meshes.h"
@@ -97,9 +97,7 @@ std::vector<Pencil> pencils() {
     return all;
 }
 
-Vector eigenvalues_of(const SparseMatrix& A, const Vector& M) {
-    return Eigen::SelfAdjointEigenSolver<DenseMatrix>(DenseMatrix(symmetric_form(A, M)), Eigen::EigenvaluesOnly).eigenvalues();
-}
+Vector eigenvalues_of(const SparseMatrix& A, const Vector& M) { return dense_pairs(DenseMatrix(symmetric_form(A, M))).eigenvalues; }
 
 /// Shifts beside a few eigenvalues, from a distance down to rounding of the largest one.
 std::vector<double> shifts_of(const Vector& mu) {
@@ -176,18 +174,18 @@ TEST(Inertia, BetweenTwoNumbersItLooksForAShiftThatTells) {
 TEST(Inertia, NoCertificateProvesWhatIsNotSo) {
     int proved = 0, refuted = 0, undecided = 0, miscounted = 0;
     const auto try_one = [&](const Pencil& pencil, const DenseMatrix& A, const Vector& M, double sigma, int left_out) {
-        Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> all(A, DenseMatrix(M.asDiagonal()));
+        const DensePairs all = dense_pairs(A, M);
         const Inertia inertia = inertia_at(A.sparseView(), M, sigma);
         const int k = inertia.below;
         if (k < 2) return;
         Spectrum spectrum;
-        spectrum.eigenvalues = all.eigenvalues().head(k);
-        spectrum.eigenvectors = all.eigenvectors().leftCols(k);
+        spectrum.eigenvalues = all.eigenvalues.head(k);
+        spectrum.eigenvectors = all.eigenvectors.leftCols(k);
         if (left_out >= 0) {   // one of them missing, the next one instead
             if (k == A.rows()) return;
             const Eigen::Index rest = k - left_out;
-            spectrum.eigenvalues.tail(rest) = all.eigenvalues().segment(left_out + 1, rest);
-            spectrum.eigenvectors.rightCols(rest) = all.eigenvectors().middleCols(left_out + 1, rest);
+            spectrum.eigenvalues.tail(rest) = all.eigenvalues.segment(left_out + 1, rest);
+            spectrum.eigenvectors.rightCols(rest) = all.eigenvectors.middleCols(left_out + 1, rest);
         }
         spectrum.gap_middle = sigma;
         const SpectrumCertificate c = certify_spectrum(pencil.mesh, pencil.laplacian, spectrum);
@@ -197,8 +195,7 @@ TEST(Inertia, NoCertificateProvesWhatIsNotSo) {
         undecided += c.complete == Proof::undecided;
         if (c.complete == Proof::proved) {
             EXPECT_EQ(exact_inertia(A, M, c.shift - c.delta), c.found_below) << pencil.name << " " << c.shift;
-            for (int j = 0; j < c.found_below; ++j)
-                EXPECT_LT(std::abs(spectrum.eigenvalues[j] - all.eigenvalues()[j]), c.gap) << pencil.name;
+            for (int j = 0; j < c.found_below; ++j) EXPECT_LT(std::abs(spectrum.eigenvalues[j] - all.eigenvalues[j]), c.gap) << pencil.name;
         }
         if (c.complete == Proof::refuted) {
             EXPECT_NE(exact_inertia(A, M, c.shift), c.found_below) << pencil.name << " " << c.shift;

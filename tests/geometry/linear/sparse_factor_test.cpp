@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 
 #include "base/errors.h"
+#include "geometry/dense_pairs.h"
 #include "geometry/solver_test_meshes.h"
 
 using namespace meshfolio;
@@ -82,9 +82,7 @@ TEST(SparseFactor, ColumnsTogetherAreColumnsAlone) {
 // Sylvester's law of inertia.
 TEST(SparseFactor, NegativePivotsAreNegativeEigenvalues) {
     const LaplaceBeltrami laplacian = laplace_beltrami(irregular_sphere(2));
-    const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> dense(DenseMatrix(-laplacian.C), DenseMatrix(laplacian.M.asDiagonal()),
-                                                                      Eigen::EigenvaluesOnly);
-    const Vector& mu = dense.eigenvalues();
+    const Vector mu = dense_pairs(laplacian).eigenvalues;
     for (Eigen::Index k = 1; k < mu.size(); ++k) {
         if (mu[k] - mu[k - 1] < 1e-6 * mu[k]) continue;
         const double sigma = 0.5 * (mu[k - 1] + mu[k]);

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "base/errors.h"
+#include "geometry/dense_pairs.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/smoothing/stability_certificate.h"
@@ -19,10 +19,7 @@ namespace {
 
 using Evidence = Definiteness::Evidence;
 
-double dense_smallest(const LaplaceBeltrami& laplacian) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<DenseMatrix> dense(DenseMatrix(-laplacian.C), DenseMatrix(laplacian.M.asDiagonal()));
-    return dense.eigenvalues()[0];
-}
+double dense_smallest(const LaplaceBeltrami& laplacian) { return dense_pairs(laplacian).eigenvalues[0]; }
 
 /// A ring whose vertices are joined to their neighbours with weight 1 and to those next to them with −b. Masses m.
 LaplaceBeltrami ring_operator(int n, double b, double m) {
