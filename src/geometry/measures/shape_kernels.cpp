@@ -26,7 +26,7 @@ struct Three {
 };
 HWY_INLINE Three operator-(const Three& a, const Three& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
 HWY_INLINE Numbers Dot(const Three& a, const Three& b) {   // in the order of Eigen
-    return hn::Add(hn::Mul(a.x, b.x), hn::Add(hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)));
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 HWY_INLINE Numbers Minor(Numbers a, Numbers d, Numbers b, Numbers c) { return hn::Sub(hn::Mul(a, d), hn::Mul(b, c)); }
 HWY_INLINE Three Cross(const Three& a, const Three& b) {
