@@ -75,8 +75,6 @@ TEST(Notices, NameEveryLibraryThatIsLookedFor) {
     EXPECT_GT(count, 15u);
 }
 
-TEST(Notices, AreNamedInTheReadme) {
-    EXPECT_NE(read_file(source + "/README.md").find("src/submission/NOTICES.md"), std::string::npos);
-}
+TEST(Notices, AreNamedInTheReadme) { EXPECT_NE(read_file(source + "/README.md").find("src/submission/NOTICES.md"), std::string::npos); }
 
 }   // namespace meshfolio::submission

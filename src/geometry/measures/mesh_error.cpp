@@ -153,7 +153,7 @@ double vertex_rms(const Positions& a, const Positions& b) {
     return a.rows() > 0 ? std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())) : 0;
 }
 
-Vector shape_distances(const TriangleMesh& clean, const Incidence& /*vertex_faces*/, const Positions& X) {
+Vector shape_distances(const TriangleMesh& clean, const Positions& X) {
     if (clean.X.rows() != X.rows()) {
         throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
     }
@@ -162,8 +162,8 @@ Vector shape_distances(const TriangleMesh& clean, const Incidence& /*vertex_face
     return nearest.cwiseSqrt();
 }
 
-double shape_rms(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X) {
-    return X.rows() > 0 ? shape_distances(clean, vertex_faces, X).norm() / std::sqrt(static_cast<double>(X.rows())) : 0;
+double shape_rms(const TriangleMesh& clean, const Positions& X) {
+    return X.rows() > 0 ? shape_distances(clean, X).norm() / std::sqrt(static_cast<double>(X.rows())) : 0;
 }
 
 double mean_normal_angle(const Positions& a, const Positions& b) {
@@ -178,7 +178,7 @@ double mean_normal_angle(const Positions& a, const Positions& b) {
         sum += std::atan2(n.cross(m).norm(), n.dot(m));
         ++compared;
     }
-    return compared > 0 ? sum / compared : 0;
+    return compared > 0 ? sum / compared : std::numeric_limits<double>::quiet_NaN();
 }
 
 double smallest_angle(const TriangleMesh& mesh) {

@@ -33,12 +33,12 @@ double vertex_rms(const Positions& a, const Positions& b);
 
 /// Of each vertex of X the distance to the triangles that surround it on the clean mesh (to the clean vertex where there are none): 0 for
 /// whatever moves vertices within the surface, and near the distance to the surface as long as they stay near. [length]
-/// @param vertex_faces  of the clean mesh
-Vector shape_distances(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X);
+Vector shape_distances(const TriangleMesh& clean, const Positions& X);
 /// Their root mean square. [length]
-double shape_rms(const TriangleMesh& clean, const Incidence& vertex_faces, const Positions& X);
+double shape_rms(const TriangleMesh& clean, const Positions& X);
 
-/// Mean angle between the rows of a and b, unit normals; rows of zeros, which have no direction, are left out. [rad]
+/// Mean angle between the rows of a and b, unit normals; rows of zeros, which have no direction, are left out. NaN where no row is left,
+/// as of a mesh that has shrunk to a point. [rad]
 double mean_normal_angle(const Positions& a, const Positions& b);
 
 /// Smallest interior angle of all triangles. [rad]

@@ -33,7 +33,7 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
         smoothed.X = X;
         const SearchState state{.value = value,
                                 .step = step,
-                                .shape = shape_rms(input.clean, input.noisy.topology.vertex_faces, X),
+                                .shape = shape_rms(input.clean, X),
                                 .rms = vertex_rms(input.clean.X, X),
                                 .angle = mean_normal_angle(input.clean_normals, face_normals(smoothed)),
                                 .volume = signed_volume(smoothed)};
@@ -98,7 +98,7 @@ SearchResult search(const SearchInput& input, DenoisingMethod method, const Sear
     SearchResult result;
     result.method = method;
     result.X = input.noisy.mesh.X;
-    result.noisy.shape = shape_rms(input.clean, input.noisy.topology.vertex_faces, result.X);
+    result.noisy.shape = shape_rms(input.clean, result.X);
     result.noisy.rms = vertex_rms(input.clean.X, result.X);
     result.noisy.angle = mean_normal_angle(input.clean_normals, face_normals(input.noisy.mesh));
     result.noisy.volume = signed_volume(input.noisy.mesh);

@@ -11,7 +11,7 @@ void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseT
     const std::string base = id_of("methods", mesh.name(), trial.id());
     const auto coloured = [&](const Positions& X, const std::string& what, std::string label) {
         return panel_of(moved_to(subject.mesh, X), base + "_" + what, std::move(label),
-                        shape_distances(subject.mesh, subject.topology.vertex_faces, X) / subject.mean_edge);
+                        shape_distances(subject.mesh, X) / subject.mean_edge);
     };
     std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy")};
     std::vector<std::string> labels;

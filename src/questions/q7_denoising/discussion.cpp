@@ -165,7 +165,7 @@ report::Text going_on(const Grids& grids) {
         const NoisyTrial& trial = grid.pictured();
         if (!trial.improved()) continue;
         const TriangleMesh& clean = grid.clean->mesh();
-        const double after = shape_rms(clean, grid.clean->prepared->topology.vertex_faces, trial.over.X);
+        const double after = shape_rms(clean, trial.over.X);
         if (!(after > most * trial.found.by_shape.shape)) continue;
         most = after / trial.found.by_shape.shape;
         facts = facts_of(grid, trial);

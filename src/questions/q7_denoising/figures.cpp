@@ -23,9 +23,7 @@ std::string sigma_name(double relative) {
     return "sigma" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
 }
 
-Vector distances_of(const DenoisingGrid& grid, const Positions& X) {
-    return shape_distances(grid.clean->mesh(), grid.clean->prepared->topology.vertex_faces, X);
-}
+Vector distances_of(const DenoisingGrid& grid, const Positions& X) { return shape_distances(grid.clean->mesh(), X); }
 
 /// Noisy, nearest to the surface and smoothed on, coloured by the distance to the surface in σ. @param name  of its panels
 void add_states_of(output::FigureRequest& request, const DenoisingGrid& grid, const NoisyTrial& trial, const std::string& name) {

@@ -70,7 +70,7 @@ double rms_where(const Vector& distances, const std::vector<char>& flags, char f
 Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const TriangleMesh& smoothed) {
     const TriangleMesh& clean = grid.clean->mesh();
     Remains remains;
-    const Vector distances = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, smoothed.X);
+    const Vector distances = shape_distances(clean, smoothed.X);
     remains.features = {rms_where(distances, grid.on_feature, 1), rms_where(distances, grid.on_feature, 0)};
     remains.curved = {rms_where(distances, grid.curved, 1), rms_where(distances, grid.curved, 0)};
 
@@ -95,7 +95,7 @@ double gain_of(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t
     const TriangleMesh& clean = grid.clean->mesh();
     const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchState& best = trial.found.by_shape;
-    const auto error = [&](const Positions& X) { return shape_rms(clean, grid.clean->prepared->topology.vertex_faces, X); };
+    const auto error = [&](const Positions& X) { return shape_rms(clean, X); };
     return error(noisy.X) / error(smooth(noisy, smoothing_by(grid, best.value, best.step), solver).X);
 }
 
@@ -111,7 +111,7 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
     options.after_step = [&](int, const Positions& X) {
         residual.push_back((X - noisy.X).squaredNorm());
         along.push_back(z.cwiseProduct(X - noisy.X).sum());
-        shape.push_back(shape_rms(clean, topology.vertex_faces, X));
+        shape.push_back(shape_rms(clean, X));
         return true;
     };
     smooth(noisy, options, solver);
@@ -169,7 +169,7 @@ void try_other_noise(DenoisingGrid& grid, std::uint64_t seed) {
     const NoisyTrial& trial = grid.pictured();
     const TriangleMesh& clean = grid.clean->mesh();
     if (!trial.improved()) return;
-    const auto error = [&](const Positions& X) { return shape_rms(clean, grid.clean->prepared->topology.vertex_faces, X); };
+    const auto error = [&](const Positions& X) { return shape_rms(clean, X); };
     for (const NoiseKind kind : {NoiseKind::normal, NoiseKind::impulsive}) {
         const TriangleMesh noisy = moved_to(clean, with_noise(clean, kind, trial.sigma, seed));
         const Positions X = smooth(noisy, smoothing_by(grid, trial.found.by_shape.value, trial.found.by_shape.step)).X;
@@ -219,7 +219,7 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const Qu
     SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), grid.iterations);
     grid.without_noise = {0};
     options.after_step = [&](int, const Positions& X) {
-        grid.without_noise.push_back(shape_rms(clean, topology.vertex_faces, X));
+        grid.without_noise.push_back(shape_rms(clean, X));
         return true;
     };
     smooth(clean, options);
@@ -268,7 +268,7 @@ double DenoisingGrid::after_one(const NoisyTrial& trial) const {
 
 Vector drifts(const DenoisingGrid& grid, const Positions& X) {
     const TriangleMesh& clean = grid.clean->mesh();
-    const Vector distances = shape_distances(clean, grid.clean->prepared->topology.vertex_faces, X);
+    const Vector distances = shape_distances(clean, X);
     return ((X - clean.X).rowwise().squaredNorm().array() - distances.array().square()).max(0).sqrt();
 }
 

@@ -18,15 +18,6 @@ bool looks_at_noise(const Experiment& experiment) {
     return experiment.kind == ExperimentKind::denoising || experiment.kind == ExperimentKind::error_curve;
 }
 
-double mean_normal_angle(const Positions& a, const Positions& b) {
-    double sum = 0;
-    for (Eigen::Index f = 0; f < a.rows(); ++f) {
-        const Vector3 u = a.row(f), v = b.row(f);
-        sum += std::atan2(u.cross(v).norm(), u.dot(v));
-    }
-    return sum / static_cast<double>(a.rows());
-}
-
 ExperimentMesh measured(const OriginalMesh& original, std::shared_ptr<const LibraryMesh> used, const Experiment& experiment) {
     ExperimentMesh mesh;
     mesh.originals = {original};

@@ -71,8 +71,8 @@ double largest_factor(const LabMesh& lab, const LabSetting& setting) {
 }
 
 /// A state of the search, where it did not search: what is judged there.
-SearchState judged(const LabMesh& lab, const Positions& normals, const Incidence& vertex_faces, const Positions& X) {
-    return {.shape = shape_rms(lab.mesh, vertex_faces, X),
+SearchState judged(const LabMesh& lab, const Positions& normals, const Positions& X) {
+    return {.shape = shape_rms(lab.mesh, X),
             .rms = vertex_rms(lab.mesh.X, X),
             .angle = mean_normal_angle(normals, face_normals(moved_to(lab.mesh, X)))};
 }
@@ -82,10 +82,9 @@ LabReading reading_of(const LabMesh& lab, const LabSetting& setting, const Posit
                        rms_of(lab, setting, X), largest_factor(lab, setting)};
     if (setting.sigma == 0) return reading;
     const Positions normals = face_normals(lab.mesh);
-    const Incidence vertex_faces = triangles_around(lab.mesh);
     SearchResult result;
-    result.noisy = judged(lab, normals, vertex_faces, before);
-    result.by_shape = result.by_rms = result.by_angle = judged(lab, normals, vertex_faces, X);
+    result.noisy = judged(lab, normals, before);
+    result.by_shape = result.by_rms = result.by_angle = judged(lab, normals, X);
     for (const Measure& measure : measures) reading.gains.push_back((result.*measure.gain)());
     return reading;
 }

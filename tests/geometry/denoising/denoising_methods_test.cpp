@@ -83,14 +83,13 @@ TEST(DenoisingMethods, MoveAndTurnAndScaleWithTheMesh) {
 TEST(DenoisingMethods, LessenNoise) {
     const TriangleMesh clean = icosphere(3), spoilt = noisy(clean, 0.15);
     const Positions normals = face_normals(clean);
-    const Incidence around = triangles_around(clean);
     for (const DenoisingEntry& entry : denoising_list()) {
         const TriangleMesh better = denoised(entry.method, spoilt, entry.method == DenoisingMethod::taubin ? 20 : 5);
         EXPECT_LT(mean_normal_angle(normals, face_normals(better)), 0.6 * mean_normal_angle(normals, face_normals(spoilt))) << entry.name;
         const bool shrinks = entry.method == DenoisingMethod::explicit_flow || entry.method == DenoisingMethod::implicit_flow ||
                              entry.method == DenoisingMethod::rebuilt_flow;
         const bool inflates = entry.method == DenoisingMethod::conformal_flow;   // to the area of the noisy mesh
-        const double shape = shape_rms(clean, around, better.X) / shape_rms(clean, around, spoilt.X);
+        const double shape = shape_rms(clean, better.X) / shape_rms(clean, spoilt.X);
         EXPECT_TRUE(shrinks || inflates || shape < 0.75) << entry.name << " " << shape;
     }
 }

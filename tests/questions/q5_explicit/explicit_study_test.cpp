@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/linear/special_values.h"
 #include "mesh/mesh_topology.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
