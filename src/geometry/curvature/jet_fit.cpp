@@ -84,7 +84,7 @@ private:
         return unit;
     }
 
-    /// The fit without pivots, which takes a third of the time; false where it cannot be sure that pivots would find the points determined:
+    /// The fit without pivots, which Eigen makes slow; false where it cannot be sure that pivots would find the points determined:
     /// their smallest is no less than the smallest singular value, and that no less than 1/‖R⁻¹‖.
     bool fitted(Coefficients& a) {
         reduced_ = table_;
