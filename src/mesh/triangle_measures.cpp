@@ -15,10 +15,15 @@ namespace {
 /// Position of corner k of triangle t; k counts on from 2 to 0.
 inline Vector3 corner(const TriangleMesh& mesh, int t, int k) { return mesh.X.row(mesh.F(t, k % 3)); }
 
-/// |v|, without squaring it where that would leave the range of a double: the components of a cross product are squares already.
+/// |v|, by a power of two nearer to 1 where squares would leave the range of a double: the components of a cross product are squares
+/// already. Both ways give the same digits.
 inline double length(const Vector3& v) {
-    const double squared = v.squaredNorm();
-    return squared > 1e-280 && squared < 1e300 ? std::sqrt(squared) : std::hypot(v.x(), v.y(), v.z());
+    const double squared = v.squaredNorm(), largest = v.cwiseAbs().maxCoeff();
+    if (squared > 1e-280 && squared < 1e300) return std::sqrt(squared);
+    if (!(largest > 0 && std::isfinite(largest))) return v.cwiseAbs().sum();
+    const int exponent = std::ilogb(largest);
+    const Vector3 scaled = v.unaryExpr([&](double x) { return std::scalbn(x, -exponent); });
+    return std::scalbn(scaled.norm(), exponent);
 }
 
 inline Vector3 unit_or_zero(const Vector3& v) {

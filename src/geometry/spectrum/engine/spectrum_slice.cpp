@@ -41,7 +41,7 @@ auto with_nudges(double& sigma, const Try& attempt) {
 
 /// LDLᵀ is not pivoted: where σ makes some leading part nearly singular, pivots and rounding grow. Then σ is moved within its slice.
 LdltPanels factor_within(const SpectrumProblem& problem, const SliceGoal& goal, double& sigma) {
-    constexpr double harmless_growth = 1e4, moves[] = {0, 0.02, -0.02, 0.05, -0.05};
+    constexpr double harmless_growth = 1e3, moves[] = {0, 0.02, -0.02, 0.05, -0.05};
     double least_growth = infinity, best = goal.sigma;
     for (const double move : moves) {
         sigma = goal.sigma + move * (goal.high - goal.low);
