@@ -11,6 +11,7 @@
 namespace meshfolio {
 
 SparseFactor::SparseFactor(const SparseMatrix& A, bool definite) {
+    if (A.rows() != A.cols()) throw SolverError("LDLᵀ factorisation: the matrix is not square");
     const SparseMatrix whole = A.selfadjointView<Eigen::Lower>();
     const LdltAnalysis analysis(whole);
     panels_ = definite ? analysis.factor_definite(whole, true) : analysis.factor(whole, 0, true);

@@ -8,7 +8,7 @@ namespace meshfolio {
 
 class SparseFactor {
 public:
-    /// LDLᵀ of a symmetric matrix (lower triangle read), indefinite allowed as long as no pivot vanishes.
+    /// LDLᵀ of a symmetric matrix (lower triangle read, every diagonal entry stored), indefinite allowed as long as no pivot vanishes.
     /// @throws SolverError if a pivot is zero, within a few roundings of it, or not finite
     static SparseFactor ldlt(const SparseMatrix& A);
     /// The same with D > 0, Cholesky's factor.

@@ -1,5 +1,7 @@
 #include "questions/core/mesh_library.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -139,11 +141,12 @@ struct MeshLibrary::Shelf {
 
     using MeshPointer = std::shared_ptr<const LibraryMesh>;
 
-    /// Locked while decimating: several sections want the same copy.
+    /// Locked while decimating: several sections want the same copy. Isolated, or a thread that waits in a loop might begin a task that
+    /// locks.
     MeshPointer decimated_to(int vertices, const MeshPointer& mesh) {
         if (mesh->mesh().vertex_count() <= vertices) return mesh;
         const std::lock_guard lock(copies_mutex);
-        return copy(vertices, mesh);
+        return tbb::this_task_arena::isolate([&] { return copy(vertices, mesh); });
     }
 
     /// One of tens of thousands is made from the one of ten times as many, so that a large mesh is decimated once.
@@ -298,13 +301,13 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup,
 
 std::shared_ptr<const LibraryMesh> MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
     note(lookup);
-    // Held while reading: a mesh that two questions want is read once.
+    // Held while reading: a mesh that two questions want is read once. Isolated as in decimated_to().
     const std::lock_guard lock(shelf_->mutex);
     const Shelf::Key key(lookup, base);
     if (const auto it = shelf_->meshes.find(key); it != shelf_->meshes.end()) return it->second;
     if (const auto it = shelf_->unusable.find(key); it != shelf_->unusable.end()) std::rethrow_exception(it->second);
     try {
-        return shelf_->meshes[key] = read(lookup, base);
+        return shelf_->meshes[key] = tbb::this_task_arena::isolate([&] { return read(lookup, base); });
     } catch (const Error&) {
         shelf_->unusable[key] = std::current_exception();
         throw;

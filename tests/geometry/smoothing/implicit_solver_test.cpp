@@ -145,6 +145,27 @@ TEST(ImplicitSolver, TheFactorIsKeptForTheSameOperatorOnly) {
     EXPECT_EQ(smooth(other, options, solver).solver, LinearSolver::direct);
 }
 
+// The barycentre is kept, or the step is refused.
+TEST(ImplicitSolver, AStepWhoseRoundingReachesTheMassesIsRefused) {
+    const TriangleMesh mesh = irregular_sphere(3);
+    const OperatorWithMass whole = operator_with_mass(laplace_beltrami(mesh));
+    const auto barycentre = [&](const Positions& X) { return Vector3(X.transpose() * whole.M / whole.M.sum()); };
+    int refused = 0;
+    for (const double lambda : {1e3, 1e6, 1e9, 1e12, 1e15, 1e18, 1e21}) {
+        ImplicitSolver solver;
+        try {
+            solver.prepare(whole, lambda, mesh.X);
+        } catch (const SolverError&) {
+            ++refused;
+            continue;
+        }
+        EXPECT_LT((barycentre(solver.step(mesh.X)) - barycentre(mesh.X)).norm(), 1) << lambda;
+        EXPECT_LT(lambda, 1e15);
+    }
+    EXPECT_GE(refused, 3);
+    EXPECT_LE(refused, 5);
+}
+
 TEST(ImplicitSolver, ARebuiltOperatorIsAnalysedOnce) {
     SmoothingOptions options = implicit_options(0.01, 6);
     options.rebuild = true;
