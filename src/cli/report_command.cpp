@@ -11,6 +11,7 @@
 #include "mesh/mesh_topology.h"
 #include "output/draw/draw_figures.h"
 #include "output/publish/publish.h"
+#include "report/page/volumes.h"
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/cover.h"
@@ -63,22 +64,30 @@ report::Document document_of(const ReportSettings& settings, const std::vector<Q
     return document;
 }
 
-report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::vector<QuestionResult>& results,
-                                   const std::optional<Cover>& cover, const fs::path& folder, ProgressDisplay& display) {
-    std::vector<output::FigureRequest> requests;
-    for (const QuestionResult& result : results)
-        requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
-    if (cover && cover->request) requests.push_back(*cover->request);
+struct FigureRequests {
+    std::vector<output::FigureRequest> of_appendix, others;
+    std::size_t count() const { return of_appendix.size() + others.size(); }
+};
+
+FigureRequests requests_of(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover,
+                           const report::Document& document) {
+    const std::set<std::string> in_appendix = report::figures_in(document, report::Volume::appendix);
+    FigureRequests requests;
+    for (const QuestionResult& result : results) {
+        for (const output::FigureRequest& request : result.answer.figures)
+            (in_appendix.contains(request.id) ? requests.of_appendix : requests.others).push_back(request);
+    }
+    if (cover && cover->request) requests.others.push_back(*cover->request);
+    return requests;
+}
+
+output::DrawSettings draw_settings(const ReportSettings& settings) {
     output::DrawSettings draw;
     draw.width = settings.size.width;
     draw.height = settings.size.height;
     draw.view_files = settings.view_files;
     draw.sheets_only = settings.sheets_only;
-    display.step("drawing");
-    auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
-    display.milestone(std::to_string(requests.size()) + " figures drawn");
-    add_stored_figures(results, cover, figures);
-    return figures;
+    return draw;
 }
 
 /// Refuses what there is no memory for, and says what is planned where that was asked for or is less than usual.
@@ -121,7 +130,7 @@ ExitCode run_report(const ReportFlags& flags) {
 
     report::Document document;
     Published published;
-    std::string pdf_note;
+    std::vector<std::string> notes;
     {
         ProgressDisplay display(stderr_is_terminal(), plan.seconds());
         const Stopwatch whole;
@@ -134,25 +143,42 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"all questions", whole.seconds()});
         const Stopwatch drawing;
         const fs::path& folder = publication.folder();
-        report::DrawnFigures figures = drawn_figures(settings, results, cover, folder, display);
+        const FigureRequests requests = requests_of(results, cover, document);
+        display.step("drawing");
+        std::size_t drawn = 0;
+        const auto draw = [&](const std::vector<output::FigureRequest>& some) {
+            auto figures = output::draw_figures(some, folder, draw_settings(settings), [&](double fraction) {
+                const double done = static_cast<double>(drawn) + fraction * static_cast<double>(some.size());
+                display.advance(0.7 + 0.25 * done / static_cast<double>(requests.count()));
+            });
+            drawn += some.size();
+            return figures;
+        };
+        report::DrawnFigures figures = draw(requests.of_appendix);
+        add_stored_figures(results, cover, figures);
+        // The long appendix takes longest to print: that goes on while the other figures are drawn.
+        auto appendix = paper.begin(report::Volume::appendix, document, figures, store.get(), folder);
+        figures.merge(draw(requests.others));
+        display.milestone(std::to_string(requests.count()) + " figures drawn");
         document.timings.push_back({"drawing", drawing.seconds()});
         document.timings.push_back({"up to writing", whole.seconds()});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
-        paper.look_up(document, figures, store.get(), folder);
+        auto paper_copy = paper.begin(report::Volume::report, document, figures, store.get(), folder);
         run_tasks(
             [&] {
                 if (settings.page.design == "report" && !options.viewer.empty())
                     options.labs = report_labs(results, meshes, settings, store.get());
                 write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder);
             },
-            [&] { pdf_note = paper.write(document, figures, store.get(), folder); },
             [&] { write_file(folder / "src.txt", own_source().text()); });
+        notes = {paper_copy.get(), appendix.get()};
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
     }
-    return tell(published, {pdf_note, kept.note}, document);
+    notes.push_back(kept.note);
+    return tell(published, notes, document);
 }
 
 }   // namespace

@@ -79,11 +79,13 @@ ExitCode report_from_results(const ReportFlags& flags) {
     } catch (const std::logic_error& error) {   // a text refers to what is not there
         throw InputError({parts.front().file}, error.what(), "take a whole results.json");
     }
-    paper.look_up(whole.document, whole.figures, store.get(), publication.folder());
-    const std::string pdf_note = paper.write(whole.document, whole.figures, store.get(), publication.folder());
+    auto appendix = paper.begin(report::Volume::appendix, whole.document, whole.figures, store.get(), publication.folder());
+    std::vector<std::string> notes{
+        paper.begin(report::Volume::report, whole.document, whole.figures, store.get(), publication.folder()).get()};
+    notes.push_back(appendix.get());
     const Published published = publish_report(publication, whole.document, digests, settings, flags.junit);
     warn_of_missing(missing);
-    return tell(published, {pdf_note}, whole.document);
+    return tell(published, notes, whole.document);
 }
 
 }   // namespace meshfolio::run

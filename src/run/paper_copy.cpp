@@ -3,7 +3,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <future>
+#include <set>
+#include <utility>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
@@ -74,18 +75,13 @@ std::string printed(const report::Document& document, const report::DrawnFigures
     return report::print_pdf(job, engine, scratch.path());
 }
 
-}   // namespace
-
-PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates)
-    : templates_(templates), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
-
-/// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
-std::string PaperCopy::key_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
-                              const fs::path& folder) const {
+/// In the cache, of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
+std::string key_of(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
+                   report::Volume volume, const report::PdfEngine& engine, const fs::path& folder) {
     output::KeyMaker key;
-    key.add(report::pdf_file(volume)).add(program_identity()).add(engine_->program.string()).add(engine_->version);
+    key.add(report::pdf_file(volume)).add(program_identity()).add(engine.program.string()).add(engine.version);
     key.add(environment("SOURCE_DATE_EPOCH"));
-    for (const std::string& name : templates_.names()) key.add(name).add(templates_[name]);
+    for (const std::string& name : templates.names()) key.add(name).add(templates[name]);
     key.add(report::write_json(document, figures, {.timings = false}));
     for (const std::string& id : report::figures_in(document, volume)) {
         const auto drawn = figures.find(id);
@@ -94,49 +90,48 @@ std::string PaperCopy::key_of(report::Volume volume, const report::Document& doc
     return key.key();
 }
 
-void PaperCopy::look_up(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
-                        const fs::path& folder) {
-    if (!is_wanted() || store == nullptr || program_identity().empty()) return;
-    for (Copy& copy : copies_) {
-        copy.key = key_of(copy.volume, document, figures, folder);
-        copy.stored = store->get(copy.key);
-    }
-}
+}   // namespace
 
-std::string PaperCopy::pdf_of(const Copy& copy, const report::Document& document, const report::DrawnFigures& figures,
-                              output::ResultCache* store) const {
-    if (copy.stored) return *copy.stored;
-    std::string pdf = printed(document, figures, templates_, copy.volume, *engine_);
+PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates)
+    : templates_(templates), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
+
+std::string PaperCopy::pdf_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
+                              output::ResultCache* store, const fs::path& folder) const {
+    if (store == nullptr || program_identity().empty()) return printed(document, figures, templates_, volume, *engine_);
+    const std::string key = key_of(document, figures, templates_, volume, *engine_, folder);
+    if (std::optional<std::string> stored = store->get(key)) return std::move(*stored);
+    std::string pdf = printed(document, figures, templates_, volume, *engine_);
     try {
-        if (!copy.key.empty()) store->put(copy.key, pdf);
+        store->put(key, pdf);
     } catch (const OutputError&) {
         // the cache is no part of the report
     }
     return pdf;
 }
 
-std::string PaperCopy::write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
-                             const fs::path& folder) const {
-    if (!is_wanted()) return "";
-    std::array<std::string, 2> warnings;
-    const auto write_copy = [&](std::size_t i) {
-        const std::string name = report::pdf_file(copies_[i].volume);
-        std::string pdf;
-        try {
-            pdf = pdf_of(copies_[i], document, figures, store);
-        } catch (const Error& error) {
-            const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
-            if (required_) throw EngineError(error.what(), remedy);
-            warnings[i] = "there is no " + name + ": " + error.what() + "; " + remedy;
-            return;
-        }
-        write_file(folder / name, pdf);
-    };
+std::future<std::string> PaperCopy::begin(report::Volume volume, report::Document document, report::DrawnFigures figures,
+                                          output::ResultCache* store, fs::path folder) const {
+    if (!is_wanted()) return std::async(std::launch::deferred, [] { return std::string(); });
+    if (volume == report::Volume::appendix) {   // that others are drawn by now must not change its key
+        const std::set<std::string> own = report::figures_in(document, volume);
+        std::erase_if(figures, [&](const auto& figure) { return !own.contains(figure.first); });
+    }
     // A thread that waits for the browser is none of those that compute.
-    auto appendix = std::async(std::launch::async, write_copy, 1);
-    write_copy(0);
-    appendix.get();
-    return warnings[0].empty() ? warnings[1] : warnings[0];
+    return std::async(
+        std::launch::async,
+        [this, volume, document = std::move(document), figures = std::move(figures), store, folder = std::move(folder)]() -> std::string {
+            const std::string name = report::pdf_file(volume);
+            std::string pdf;
+            try {
+                pdf = pdf_of(volume, document, figures, store, folder);
+            } catch (const Error& error) {
+                const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
+                if (required_) throw EngineError(error.what(), remedy);
+                return "there is no " + name + ": " + error.what() + "; " + remedy;
+            }
+            write_file(folder / name, pdf);
+            return "";
+        });
 }
 
 }   // namespace meshfolio::run

@@ -3,8 +3,8 @@
 /// printed.
 #pragma once
 
-#include <array>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 
@@ -22,31 +22,19 @@ public:
 
     bool is_wanted() const { return engine_.has_value(); }
 
-    /// Looks into the cache whether an earlier run printed the same from the sheets in `folder`.
-    void look_up(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
-                 const std::filesystem::path& folder);
-    /// Writes the PDF of both volumes into `folder`, and what was printed into the cache.
-    /// @return what to warn of, else empty
-    /// @throws EngineError if the engine does not deliver what is required; OutputError
-    std::string write(const report::Document& document, const report::DrawnFigures& figures, output::ResultCache* store,
-                      const std::filesystem::path& folder) const;
+    /// Begins to print the PDF of a volume into `folder`, beside whatever else is computed. The templates and `store` must outlive it.
+    /// @param figures  those of the volume, or more; of the report all, for results.json is attached to it
+    /// @return what to warn of, else empty; throws EngineError if the engine does not deliver what is required, and OutputError
+    std::future<std::string> begin(report::Volume volume, report::Document document, report::DrawnFigures figures,
+                                   output::ResultCache* store, std::filesystem::path folder) const;
 
 private:
-    struct Copy {
-        report::Volume volume;
-        std::string key = {};                     // in the cache; empty: not asked
-        std::optional<std::string> stored = {};   // bytes that the cache had
-    };
-
     const report::Templates& templates_;
     bool required_;
     std::optional<report::PdfEngine> engine_;
-    std::array<Copy, 2> copies_{{{report::Volume::report}, {report::Volume::appendix}}};
 
-    std::string key_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
-                       const std::filesystem::path& folder) const;
-    std::string pdf_of(const Copy& copy, const report::Document& document, const report::DrawnFigures& figures,
-                       output::ResultCache* store) const;
+    std::string pdf_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
+                       output::ResultCache* store, const std::filesystem::path& folder) const;
 };
 
 }   // namespace meshfolio::run
