@@ -101,7 +101,7 @@ BenchMesh with_truth(TriangleMesh mesh, const KnownSurface& surface, int edges_f
 
 std::string_view name_of(MeshKind kind) {
     constexpr std::array<std::string_view, 5> names{"regular", "jittered", "random", "noisy", "anisotropic"};
-    return names[static_cast<std::size_t>(kind)];
+    return names[kind];
 }
 
 const SparseMatrix& BenchMesh::C() const {
@@ -132,7 +132,7 @@ Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, doubl
     for (int i = 0; i < mesh.vertex_count(); ++i) {
         Vector3 step;
         for (double& s : step) s = amount * edge[i] * (2 * random.uniform() - 1);
-        if (!topology.on_boundary[static_cast<std::size_t>(i)]) X.row(i) = projected(X.row(i).transpose() + step);
+        if (!topology.on_boundary[i]) X.row(i) = projected(X.row(i).transpose() + step);
     }
     return X;
 }

@@ -5,9 +5,7 @@
 #include <any>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "geometry/linear/sparse_types.h"
 #include "mesh/mesh_topology.h"

@@ -2,11 +2,6 @@
 /// The cotangent operator against the uniform one, on a mesh and on an irregular flat square.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "questions/bench/curvature_subject.h"
 
 namespace meshfolio {

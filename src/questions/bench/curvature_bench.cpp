@@ -1,17 +1,13 @@
 #include "questions/bench/curvature_bench.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
 
-#include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/measures/mesh_laws.h"
 #include "mesh/triangle_measures.h"
@@ -32,7 +28,7 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
     EstimateError error;
     double squared = 0, scale_squared = 0, largest_scale = 0;
     for (Eigen::Index i = 0; i < estimate.size(); ++i) {
-        if (!b.measured[static_cast<std::size_t>(i)]) continue;
+        if (!b.measured[i]) continue;
         scale_squared += b.areas[i] * scale[i] * scale[i];
         largest_scale = std::max(largest_scale, std::abs(scale[i]));
         if (!std::isfinite(estimate[i])) {
@@ -231,8 +227,8 @@ double pentagon_excess() { return 3 / std::tan(54 * pi / 180) / (2 * std::sin(72
 
 report::Check pentagon_check(const BenchRuns& runs) {
     const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::regular).finest();
-    return report::check_near(curvature_words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
-                              0.25 * sphere.mean_edge * sphere.mean_edge, curvature_words.line("check.pentagon.note"));
+    return check_near(curvature_words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
+                      0.25 * sphere.mean_edge * sphere.mean_edge, curvature_words.line("check.pentagon.note"));
 }
 
 std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }

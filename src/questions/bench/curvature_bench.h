@@ -3,16 +3,10 @@
 /// and the claims are views of it.
 #pragma once
 
-#include <cmath>
-#include <map>
 #include <ranges>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "questions/bench/estimators.h"
-#include "questions/core/chapter.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 

@@ -1,11 +1,7 @@
 #include "questions/bench/curvature_subject.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include "base/number_text.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/known_surfaces.h"
@@ -104,7 +100,7 @@ double rank_correlation(const Vector& a, const Vector& b) {
             while (to < order.size() && values[order[to]] == values[order[from]]) ++to;
             for (std::size_t i = from; i < to; ++i) of_vertex[order[i]] = 0.5 * double(from + to) - 0.5 * double(n);
         }
-        for (Eigen::Index i = 0; i < n; ++i) ranks[i] = of_vertex[both[static_cast<std::size_t>(i)]];
+        for (Eigen::Index i = 0; i < n; ++i) ranks[i] = of_vertex[both[i]];
         return ranks;
     };
     const Vector ra = ranks_of(a), rb = ranks_of(b);
@@ -178,7 +174,7 @@ UndefinedVertices undefined_vertices(const CurvatureSubject& subject) {
     for (int i = 0; i < subject.mesh().vertex_count(); ++i) {
         const bool isolated = subject.topology().neighbours.size(i) == 0;
         if (isolated || subject.inside(i)) continue;
-        (subject.topology().nonmanifold[static_cast<std::size_t>(i)] ? vertices.nonmanifold : vertices.boundary) += 1;
+        (subject.topology().nonmanifold[i] ? vertices.nonmanifold : vertices.boundary) += 1;
     }
     return vertices;
 }

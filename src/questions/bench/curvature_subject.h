@@ -2,15 +2,6 @@
 /// What the questions on curvature share: the meshes they look at, and their colours.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "output/draw/figure_request.h"
-#include "questions/core/mesh_library.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio {

@@ -1,18 +1,13 @@
 #include "questions/bench/ellipsoid_study.h"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/known_surfaces.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 

@@ -5,9 +5,6 @@
 
 #include <array>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "geometry/operators/vertex_areas.h"
 #include "questions/bench/bench_mesh.h"

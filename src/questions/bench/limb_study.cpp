@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "geometry/measures/local_thickness.h"
 #include "questions/bench/spectral_uses.h"
 

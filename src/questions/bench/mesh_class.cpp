@@ -62,7 +62,7 @@ std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology&
     std::vector<char> on_feature(static_cast<std::size_t>(mesh.vertex_count()), 0);
     for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
         if (edge.degrees <= feature_angle) continue;
-        on_feature[static_cast<std::size_t>(edge.a)] = on_feature[static_cast<std::size_t>(edge.b)] = 1;
+        on_feature[edge.a] = on_feature[edge.b] = 1;
     }
     return on_feature;
 }
@@ -89,7 +89,7 @@ static double median_of(std::vector<double>& values) {
 
 std::string_view title_of(MeshClass kind) {
     static constexpr std::array<std::string_view, 4> titles{"flat", "smooth", "sharp-edged", "rough or coarse"};
-    return titles[static_cast<std::size_t>(kind)];
+    return titles[kind];
 }
 
 MeshClass MeshCharacter::kind() const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "geometry/linear/special_values.h"
@@ -32,7 +31,7 @@ DiagramPoint circumcentre(DiagramPoint p, DiagramPoint q) {
 
 /// The dot products of the two edges that leave the vertex, and those that leave the first and the second corner.
 std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
-    const DiagramPoint p = ring.corners[static_cast<std::size_t>(t)], q = ring.corners[static_cast<std::size_t>(t) + 1];
+    const DiagramPoint p = ring.corners[t], q = ring.corners[static_cast<std::size_t>(t) + 1];
     const double pq = dot_product(p, q);
     return {pq, squared_length(p) - pq, squared_length(q) - pq};
 }
@@ -41,7 +40,7 @@ std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
 double most_obtuse(const FlatRing& ring) {
     double most = 0;
     for (int t = 0; t < ring.triangles(); ++t) {
-        const DiagramPoint p = ring.corners[static_cast<std::size_t>(t)], q = ring.corners[static_cast<std::size_t>(t) + 1];
+        const DiagramPoint p = ring.corners[t], q = ring.corners[static_cast<std::size_t>(t) + 1];
         const double pp = squared_length(p), qq = squared_length(q), third = squared_length({q[0] - p[0], q[1] - p[1]});
         const auto [at_vertex, at_p, at_q] = corner_dots(ring, t);
         most = std::max({most, -at_vertex / std::sqrt(pp * qq), -at_p / std::sqrt(pp * third), -at_q / std::sqrt(qq * third)});
@@ -69,7 +68,7 @@ SampleRing ring_in_a_plane(int obtuse_triangles, double (*measure)(const FlatRin
         jittered(sample.mesh, sample.topology, ring_jitter, ring_seed, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
     double most = -1;   // some ring has so many: 100 are tried
     for (int v = 0; v < sample.mesh.vertex_count(); ++v) {
-        if (sample.topology.on_boundary[static_cast<std::size_t>(v)]) continue;
+        if (sample.topology.on_boundary[v]) continue;
         const FlatRing ring = flat_ring(sample.mesh, sample.topology, v);
         int obtuse = 0;
         for (int t = 0; t < ring.triangles(); ++t) obtuse += is_obtuse(ring, t) ? 1 : 0;
@@ -115,7 +114,7 @@ FlatRing flat_ring(const TriangleMesh& mesh, const MeshTopology& topology, int v
 bool is_obtuse(const FlatRing& ring, int t) { return std::ranges::min(corner_dots(ring, t)) < 0; }
 
 std::vector<DiagramPoint> cell_in_triangle(const FlatRing& ring, int t, AreaForm form) {
-    const DiagramPoint p = ring.corners[static_cast<std::size_t>(t)], q = ring.corners[static_cast<std::size_t>(t) + 1];
+    const DiagramPoint p = ring.corners[t], q = ring.corners[static_cast<std::size_t>(t) + 1];
     const DiagramPoint before = between({0, 0}, p), behind = between({0, 0}, q);
     if (form == AreaForm::barycentric) return {{0, 0}, before, {(p[0] + q[0]) / 3, (p[1] + q[1]) / 3}, behind};
     if (form == AreaForm::voronoi || !is_obtuse(ring, t)) return {{0, 0}, before, circumcentre(p, q), behind};

@@ -1,19 +1,12 @@
 #include "questions/bench/smoothing_study.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/component_size.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/smoothing/implicit_solver.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio {
 
@@ -67,7 +60,7 @@ private:
     std::vector<int> component_of_vertices() const {
         std::vector<int> component(static_cast<std::size_t>(mesh_.vertex_count()), -1);
         for (int t = 0; t < mesh_.face_count(); ++t)
-            for (const int v : mesh_.F.row(t)) component[static_cast<std::size_t>(v)] = topology_.component[static_cast<std::size_t>(t)];
+            for (const int v : mesh_.F.row(t)) component[v] = topology_.component[t];
         return component;
     }
 
@@ -76,8 +69,8 @@ private:
         Vector six_volumes = Vector::Zero(topology_.component_count);
         std::vector<int> seen_from(static_cast<std::size_t>(topology_.component_count), -1);
         for (int t = 0; t < mesh_.face_count(); ++t) {
-            const int c = topology_.component[static_cast<std::size_t>(t)];
-            int& from = seen_from[static_cast<std::size_t>(c)];
+            const int c = topology_.component[t];
+            int& from = seen_from[c];
             if (from < 0) from = mesh_.F(t, 0);
             const auto corner = [&](int k) -> Vector3 { return X.row(mesh_.F(t, k)) - X.row(from); };
             six_volumes[c] += corner(0).dot(corner(1).cross(corner(2)));
@@ -91,7 +84,7 @@ private:
         Positions centroid = Positions::Zero(topology_.component_count, 3);
         const auto over_vertices = [&](auto visit) {
             for (int v = 0; v < mesh_.vertex_count(); ++v)
-                if (const int c = component_[static_cast<std::size_t>(v)]; c >= 0 && M_[v] > 0) visit(c, M_[v], X.row(v));
+                if (const int c = component_[v]; c >= 0 && M_[v] > 0) visit(c, M_[v], X.row(v));
         };
         over_vertices([&](int c, double m, const auto& x) {
             weight[c] += m;
@@ -127,8 +120,8 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
     ImplicitSolver solver;
     solver.prepare(whole, subject.critical, subject.mesh().X);
     std::vector<int> row(static_cast<std::size_t>(whole.all_vertices), -1), order;
-    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[static_cast<std::size_t>(whole.vertex[i])] = static_cast<int>(i);
-    for (const int v : solver.vertex()) order.push_back(row[static_cast<std::size_t>(v)]);
+    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[whole.vertex[i]] = static_cast<int>(i);
+    for (const int v : solver.vertex()) order.push_back(row[v]);
     return factor_operations(whole.A, order);
 }
 
@@ -201,9 +194,9 @@ report::Check energy_check(std::string name, const SmoothingRun& run) {
         beyond = step - rounding;
     }
     if (run.result.blew_up) rise = INFINITY;
-    report::Check check = report::check_at_most(std::move(name), 0, rise, rounding);
+    report::Check check = check_at_most(std::move(name), 0, rise, rounding);
     if (!check.passed() || rounding <= seen) return check;
-    return report::undecided(std::move(check), smoothing_words.line("check.energy.undecided"));
+    return undecided(std::move(check), smoothing_words.line("check.energy.undecided"));
 }
 
 std::vector<int> peaks_of(const Vector& mode) {
@@ -231,10 +224,6 @@ std::string share_left(double share) { return share < 1e-12 ? smoothing_words.li
 
 std::string in_limits(const SmoothingSubject& subject, double lambda) { return plain_text(lambda / subject.critical, 3); }
 
-std::string at_step(const SmoothingSubject& subject, double lambda) {
-    return smoothing_words.line("at_step", "limits"_a = in_limits(subject, lambda));
-}
-
 bool fits_a_frame(const SmoothingSubject& subject, const Positions& X) { return boxes_wide(subject, X) <= 2; }
 
 output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label) {
@@ -250,13 +239,6 @@ output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& 
 
 output::ColorRange curvature_range(const std::vector<output::Panel>& inputs) {
     return output::robust_range(inputs, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
-}
-
-void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure) {
-    figure.panels.insert(figure.panels.begin(),
-                         panel_of(*subject.source, std::move(before), "before", curvature_colours(subject, subject.mesh().X)));
-    figure.range = curvature_range({figure.panels.front()});
-    add_figure(answer, std::move(figure));
 }
 
 std::vector<std::shared_ptr<const LibraryMesh>> laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings,

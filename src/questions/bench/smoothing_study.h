@@ -2,20 +2,12 @@
 /// One smoothing run and what is measured along the way; shared by the questions on smoothing.
 #pragma once
 
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "geometry/linear/factor_operations.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
 #include "geometry/spectrum/stability.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
-#include "questions/core/six_view_figure.h"
-#include "report/document.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
@@ -108,8 +100,6 @@ std::string share_left(double share);
 
 /// λ over λ_crit for people: "0.5".
 std::string in_limits(const SmoothingSubject& subject, double lambda);
-/// "at 0.5 λ_crit".
-std::string at_step(const SmoothingSubject& subject, double lambda);
 /// λ for file names: "lambda0.0123".
 std::string step_name(double lambda);
 
@@ -123,8 +113,5 @@ output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& 
 
 /// The colours of curvature_colours() that show these inputs: an unstable result has curvatures of any size.
 output::ColorRange curvature_range(const std::vector<output::Panel>& inputs);
-
-/// Puts the input, as panel `before`, in front of the panels and adds the figure. The colour range is the input's.
-void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure);
 
 }   // namespace meshfolio

@@ -1,15 +1,10 @@
 #include "questions/bench/spectral_study.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <functional>
 #include <numeric>
 
-#include "geometry/linear/special_values.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio {
 

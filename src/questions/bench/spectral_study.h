@@ -2,16 +2,10 @@
 /// What question 4 measures: a mesh rebuilt from its k smoothest eigenvectors, and the error for every k.
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "geometry/measures/mesh_error.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/spectrum_certificate.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 

@@ -1,16 +1,10 @@
 #include "questions/bench/spectral_uses.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/errors.h"
 #include "geometry/linear/sparse_factor.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio {
 

@@ -1,11 +1,8 @@
 // Certificates: spectra proved complete where rounding lets them, operators held against identities, and faults planted to show that
 // these checks can fail.
-#include <algorithm>
 
 #include "geometry/curvature/curvature.h"
 #include "questions/certificates/parts.h"
-#include "questions/core/study_list.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::certificates {
 
@@ -30,15 +27,14 @@ void add_checks(report::Section& section, const std::vector<Certified>& meshes, 
         append_checks(section, operator_checks(mesh.mesh(), mesh.laplacian, on, mesh.without_area));
         append_checks(section, surface_checks(mesh.mesh(), mesh.angle_deficits, mesh.claims(), on));
     }
-    for (const FaultTrial& trial : trials) section.checks.push_back(check_of(trial));
+    for (const FaultTrial& trial : trials) add(section, check_of(trial));
 }
 
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("certificates")};
     report::Section& section = answer.section;
-    section = section_of("certificates");
     const auto sources = meshes_for(library, settings, {"armadillo", "cube", "bumpy_cube", "fandisk", "lilium"}, section);
     const auto meshes = studies_of(sources, "certificates", settings, progress, section, certified);
     progress("planted faults");

@@ -1,12 +1,11 @@
 #include "questions/certificates/parts.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
 
 namespace {
 
 report::Text about_spectra(const std::vector<Certified>& meshes) {
-    std::vector<std::string> proved, refuted, open;
+    Names proved, refuted, open;
     for (const Certified& mesh : meshes) {
         const Proof verdict = mesh.certificate.verdict();
         (verdict == Proof::proved ? proved : verdict == Proof::refuted ? refuted : open).push_back(mesh.name());
@@ -19,7 +18,7 @@ report::Text about_spectra(const std::vector<Certified>& meshes) {
 }
 
 report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen& specimen) {
-    std::vector<std::string> missed;
+    Names missed;
     int alone = 0;
     for (const FaultTrial& trial : trials) {
         if (!trial.caught()) missed.push_back("“" + trial.fault + "”");
@@ -38,8 +37,7 @@ report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen&
 void add_discussion(report::Section& section, const std::vector<Certified>& meshes, const std::vector<FaultTrial>& trials,
                     const Specimen& specimen) {
     add_words(section, words, "discussion");
-    add_paragraph(section, about_spectra(meshes));
-    add_paragraph(section, about_faults(trials, specimen));
+    add_paragraphs(section, {about_spectra(meshes), about_faults(trials, specimen)});
 }
 
 }   // namespace meshfolio::certificates

@@ -2,12 +2,8 @@
 /// The parts of the certificates.
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "questions/certificates/planted_faults.h"
-#include "questions/core/chapter.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
 

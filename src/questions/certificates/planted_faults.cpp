@@ -1,25 +1,14 @@
-#include "questions/certificates/planted_faults.h"
-
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
-#include <utility>
 
-#include "base/errors.h"
-#include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/stability_certificate.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/certificates/parts.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
-
-using report::check_near;
 
 namespace {
 
@@ -29,9 +18,9 @@ report::Check claimed_count_check(const Specimen& s) try {
     const Inertia inertia = eigenvalues_below(s.laplacian, s.complete_shift);
     const report::Check check = check_near(law::claimed_count.name(), s.modes_known, inertia.below, 0);
     const double gap = (s.spectrum.eigenvalues.array() - s.complete_shift).abs().minCoeff();
-    return inertia.delta < gap ? check : report::undecided(check, cannot_be_proved(inertia.delta, gap));
+    return inertia.delta < gap ? check : undecided(check, cannot_be_proved(inertia.delta, gap));
 } catch (const SolverError&) {
-    return report::undecided(check_near(law::claimed_count.name(), s.modes_known, undefined, 0), words.line("pivot_lost"));
+    return undecided(check_near(law::claimed_count.name(), s.modes_known, undefined, 0), words.line("pivot_lost"));
 }
 
 /// Half way between the last two values of one mode more than is kept.

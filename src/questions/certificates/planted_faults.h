@@ -4,8 +4,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "questions/bench/law_checks.h"
 
@@ -47,8 +45,8 @@ std::vector<PlantedFault> planted_faults();
 /// What the checks said with a fault.
 struct FaultTrial {
     std::string fault;
-    report::Check sound, faulty;             // the named check, without and with it; undecided is not caught
-    std::vector<std::string> also_seen_by;   // names of other checks that passed without it and fail with it
+    report::Check sound, faulty;   // the named check, without and with it; undecided is not caught
+    Names also_seen_by;            // names of other checks that passed without it and fail with it
     bool caught() const { return sound.passed() && faulty.failed(); }
 };
 /// @param sound_checks  checks_of(specimen)

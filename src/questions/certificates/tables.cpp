@@ -1,10 +1,5 @@
-#include <cmath>
-
-#include "base/number_text.h"
 #include "geometry/measures/mesh_laws.h"
 #include "questions/certificates/parts.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 
 namespace meshfolio::certificates {
 

@@ -42,7 +42,7 @@ report::Check ledger_check(const std::vector<JudgedClaim>& judged) {
                                                      : Verdict::refuted;
         return again != j.decision.verdict;
     };
-    return report::check_near(words.line("check.followed"), 0, double(std::ranges::count_if(judged, differs)), 0);
+    return check_near(words.line("check.followed"), 0, double(std::ranges::count_if(judged, differs)), 0);
 }
 
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
@@ -52,9 +52,8 @@ report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("claims")};
     report::Section& section = answer.section;
-    section = section_of("claims");
     ClaimBench bench(library, settings);
     std::vector<JudgedClaim> ledger;
     for (const Claim& claim : claim_list()) {
@@ -72,7 +71,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "every_claim");
     add(section, ledger_entries(ledger));
     add_discussion(section, ledger);
-    section.checks.push_back(ledger_check(ledger));
+    add(section, ledger_check(ledger));
 
     section.parameters = {{"rules", words.line("parameter.rules")}, {"noise", words.line("parameter.noise", "seed"_a = settings.seed)}};
     section.extent = report::plain(ledger_summary(ledger));

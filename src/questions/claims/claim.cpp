@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "base/errors.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
@@ -37,7 +36,7 @@ std::string with_unit_of(const Rule& rule, const std::string& number) {
 
 /// "27.3 % (random triangles) and …".
 std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>& chosen) {
-    std::vector<std::string> values;
+    Names values;
     for (const std::size_t i : chosen) {
         const auto& [condition, value] = judged.measurement.cases[i];
         values.push_back(with_unit(value, judged.claim->rule) + " (" + condition + ")");
@@ -47,7 +46,7 @@ std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>&
 
 std::string_view key_of(Verdict verdict) {
     static constexpr std::array<std::string_view, 4> keys{"holds", "conditional", "refuted", "undecidable"};
-    return keys[static_cast<std::size_t>(verdict)];
+    return keys[verdict];
 }
 
 Measurement unmeasured(const Error& error) { return {.undecidable = words.line("unmeasured", "why"_a = error.what())}; }
@@ -89,7 +88,7 @@ std::string word_of(Verdict verdict) { return words.line("verdict." + std::strin
 
 std::string_view symbol_of(Verdict verdict) {
     static constexpr std::array<std::string_view, 4> symbols{"✓", "◐", "✗", "?"};
-    return symbols[static_cast<std::size_t>(verdict)];
+    return symbols[verdict];
 }
 
 std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " " + word_of(verdict); }

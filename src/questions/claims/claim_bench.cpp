@@ -1,6 +1,3 @@
-#include "questions/claims/claim_bench.h"
-
-#include "base/errors.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -33,7 +30,7 @@ bool has_negative_weights(const SparseMatrix& C) {
 std::string key_of_lacking(Property property) {
     static constexpr std::array keys{
         "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};
-    return std::string("lacks.") + keys[static_cast<std::size_t>(property)];
+    return std::string("lacks.") + keys[property];
 }
 
 /// What a run or a noisy run is made with.
@@ -64,7 +61,7 @@ const ReportMesh& ClaimBench::mesh(std::string_view name) {
 }
 
 std::string ClaimBench::called(const MeshNames& names) {
-    std::vector<std::string> called;
+    Names called;
     for (const std::string_view name : names) called.push_back(mesh(name).called());
     return listed(called);
 }
@@ -119,7 +116,7 @@ bool ClaimBench::has(std::string_view name, Property property) {
 
 Measurable ClaimBench::measurable(const About& about) {
     Measurable result;
-    std::vector<std::string> reasons;
+    Names reasons;
     const auto refuse = [&](const std::string& reason) {
         if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
     };
@@ -235,8 +232,8 @@ std::vector<report::Input> ClaimBench::inputs() const {
     return inputs;
 }
 
-std::vector<std::string> ClaimBench::warnings() const {
-    std::vector<std::string> warnings;
+Names ClaimBench::warnings() const {
+    Names warnings;
     for (const auto& [name, found] : meshes_) {
         report::Section section;
         enter_input(*found.mesh, section);

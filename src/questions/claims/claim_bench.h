@@ -2,13 +2,7 @@
 /// What claims are measured with. Meshes, operators, runs and spectra are computed once and shared.
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <vector>
 
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "questions/bench/cotangent_study.h"
@@ -16,7 +10,6 @@
 #include "questions/bench/smoothing_study.h"
 #include "questions/bench/spectral_study.h"
 #include "questions/claims/claim.h"
-#include "questions/core/chapter.h"
 #include "questions/core/stand_ins.h"
 
 namespace meshfolio::claims {
@@ -93,7 +86,7 @@ public:
 
     /// The meshes measured so far, as inputs, and what is wrong with them.
     std::vector<report::Input> inputs() const;
-    std::vector<std::string> warnings() const;
+    Names warnings() const;
 
     std::vector<report::Plot> plots;   // that claims refer to, in the order they were made
 

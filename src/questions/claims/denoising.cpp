@@ -1,7 +1,4 @@
 // Claims about denoising by diffusion, on meshes whose clean form is known, and about how much noise it takes.
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "geometry/operators/vertices_with_mass.h"
 #include "mesh/triangle_measures.h"
@@ -39,7 +36,7 @@ bool has_minimum(const std::vector<double>& errors) { return best_of(errors) + 1
 
 report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
     report::Plot plot{.id = "claims_noise", .x_label = "iteration", .y_label = "rms error [% of the box diagonal]"};
-    std::vector<std::string> minima;
+    Names minima;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         report::Series series{.name = sigma_text(bench, bunny_sigmas[i])};
         for (std::size_t t = 0; t < curves[i].size(); ++t) {
@@ -47,7 +44,7 @@ report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
             series.y.push_back(100 * curves[i][t] / bench.subject("bunny").diagonal);
         }
         const int best = best_of(curves[i]);
-        plot.markers.push_back({double(best), series.y[static_cast<std::size_t>(best)],
+        plot.markers.push_back({double(best), series.y[best],
                                 words.line(has_minimum(curves[i]) ? "plot.noise.minimum" : "plot.noise.falling", "iteration"_a = best)});
         minima.push_back(std::to_string(best));
         plot.series.push_back(std::move(series));
@@ -132,7 +129,7 @@ double edges_over_rest(ClaimBench& bench, std::string_view name) {
     const std::vector<char> on_edge = feature_vertices(clean, source.prepared->topology);
     std::array<double, 2> squares{}, counts{};
     for (Eigen::Index v = 0; v < X.rows(); ++v) {
-        const std::size_t kind = on_edge[static_cast<std::size_t>(v)] != 0 ? 1 : 0;
+        const std::size_t kind = on_edge[v] != 0 ? 1 : 0;
         squares[kind] += (X.row(v) - clean.X.row(v)).squaredNorm();
         ++counts[kind];
     }
@@ -227,7 +224,7 @@ Measurement low_noise_works(ClaimBench& bench, const MeshNames& meshes) {
 
 Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m;
-    std::vector<std::string> gains;
+    Names gains;
     for (const std::string_view name : meshes) {
         const Sweep sweep = step_sweep(bench, name, 20);
         m.cases.push_back({bench.mesh(name).mesh->name, sweep.least() / bench.mesh(name).mesh->prepared->preflight.mean_edge});

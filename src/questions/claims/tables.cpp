@@ -1,5 +1,4 @@
 #include "questions/claims/parts.h"
-#include "questions/core/table.h"
 
 namespace meshfolio::claims {
 

@@ -19,8 +19,8 @@ namespace meshfolio {
 
 struct Answer {
     report::Section section;
-    std::vector<output::FigureRequest> figures;
-    std::vector<output::MeshOutput> meshes;
+    std::vector<output::FigureRequest> figures = {};
+    std::vector<output::MeshOutput> meshes = {};
 };
 
 /// Told as a question works; may throw to stop it.

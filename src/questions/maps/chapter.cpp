@@ -1,5 +1,4 @@
 // The section "maps": what smoothing does over the plane of steps and iterations.
-#include "base/number_text.h"
 #include "questions/bench/smoothing_study.h"
 #include "questions/maps/parts.h"
 
@@ -7,17 +6,14 @@ namespace meshfolio::maps {
 
 namespace {
 
-using report::check_near;
-
 void add_pictures(Answer& answer, const SmoothingMaps& maps) {
-    output::FigureRequest request;
-    request.id = id_of("maps", maps.name(), "places");
-    request.title = words.line("pictures.title", "mesh"_a = maps.name());
-    request.subtitle = "λ_crit = " + readable(maps.subject.critical, 4);
-    request.edges = maps.subject.mesh().face_count() < 5000;
-    request.layout = output::Layout::one_frame;
-    request.panels = {panel_of(*maps.subject.source, id_of("maps", maps.name(), "input"), "input",
-                               curvature_colours(maps.subject, maps.subject.mesh().X))};
+    output::FigureRequest request{.id = id_of("maps", maps.name(), "places"),
+                                  .title = words.line("pictures.title", "mesh"_a = maps.name()),
+                                  .subtitle = "λ_crit = " + readable(maps.subject.critical, 4),
+                                  .panels = {panel_of(*maps.subject.source, id_of("maps", maps.name(), "input"), "input",
+                                                      curvature_colours(maps.subject, maps.subject.mesh().X))},
+                                  .edges = maps.subject.mesh().face_count() < 5000,
+                                  .layout = output::Layout::one_frame};
     for (const MapPlace& place : maps.places) {
         const std::string label =
             words.line("pictures.panel", "letter"_a = place.letter, "scheme"_a = maps.map_of(place.scheme).name(),
@@ -26,8 +22,7 @@ void add_pictures(Answer& answer, const SmoothingMaps& maps) {
     }
     request.range = output::robust_range({request.panels.front()}, "diverging", words.line("pictures.quantity"), "", 0.02);
     const std::string caption = words.line("pictures.caption", "mesh"_a = maps.name(), "places"_a = words_of(maps.places));
-    add(answer.section, report::Figure{request.id, caption, caption});
-    answer.figures.push_back(std::move(request));
+    add_figure(answer, std::move(request), caption, caption);
 }
 
 void add_checks(report::Section& section, const SmoothingMaps& maps) {
@@ -49,17 +44,15 @@ void add_checks(report::Section& section, const SmoothingMaps& maps) {
     }
     append_checks(section, {check_near(name("check.explicit"), 0, below, 0), check_near(name("check.implicit"), 0, implicit, 0),
                             check_near(name("check.late"), 0, late, 0, words.line("check.late.note"))});
-    if (compared > 0) section.checks.push_back(check_near(name("check.early"), 0, early, 0));
-    section.checks.push_back(
-        check_near(name("check.factorisations"), 1, double(maps.implicit_map.factorisations) / double(maps.lambdas.size()), 0));
+    if (compared > 0) add(section, check_near(name("check.early"), 0, early, 0));
+    add(section, check_near(name("check.factorisations"), 1, double(maps.implicit_map.factorisations) / double(maps.lambdas.size()), 0));
 }
 
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("maps")};
     report::Section& section = answer.section;
-    section = section_of("maps");
     const auto meshes = laboratory_meshes(library, settings, section);
     add_words(section, words, "method");
 
@@ -76,7 +69,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const SmoothingMaps& maps : studies) add_checks(section, maps);
 
     const SmoothingMaps& first = studies.front();
-    std::vector<std::string> counts;
+    Names counts;
     for (const int t : first.iterations) counts.push_back(std::to_string(t));
     section.parameters = {{"iterations measured", {listed(counts), first.iterations}}, {"operator", words.line("parameter.operator")}};
     for (const SmoothingMaps& maps : studies) {

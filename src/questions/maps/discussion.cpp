@@ -1,9 +1,5 @@
 // What the planes of the section "maps" say.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {
@@ -62,7 +58,7 @@ report::Text about_equal_time(const SmoothingMaps& maps) {
 /// Where a best cell is, and what limits its worth: a run that was about to end, or a plane that ends there.
 std::string best_place(const SmoothingMaps& maps, const SchemeMap& map, std::size_t i) {
     const std::size_t step = maps.step_of(i), row = maps.row_of(i);
-    std::vector<std::string> caveats;
+    Names caveats;
     if (map.scheme == SmoothingScheme::explicit_euler && maps.relative(step) > 1)
         caveats.push_back(words.line(map.blow_up[step] > 0 ? "best.before_blow_up" : "best.beyond"));
     if (step == 0 || step + 1 == maps.lambdas.size() || row == 0 || row + 1 == maps.iterations.size())
@@ -131,7 +127,7 @@ std::string none_or(int count) { return count == 0 ? words.line("none") : std::t
 
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    add_paragraph(section, about_limit(studies));
+    add_paragraphs(section, {about_limit(studies)});
     for (const SmoothingMaps& maps : studies)
         add_paragraphs(section, {about_seed(maps), about_agreement(maps), about_equal_time(maps), about_best(maps), about_health(maps)});
 }

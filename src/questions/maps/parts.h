@@ -2,11 +2,6 @@
 /// Parts of the section "maps": what the planes of smoothing show.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
 #include "questions/maps/study.h"
 
 namespace meshfolio::maps {

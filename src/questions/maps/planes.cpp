@@ -1,10 +1,5 @@
 // The maps of the section "maps".
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/maps/parts.h"
 #include "report/svg/map_scale.h"
 
@@ -63,7 +58,7 @@ report::Map::Panel panel_of_scheme(const SmoothingMaps& maps, const SchemeMap& s
 
 /// "explicit from 0.1 to 3, implicit from 0.1 to 50" of what is defined.
 std::string ranges_of(const report::Map& map) {
-    std::vector<std::string> parts;
+    Names parts;
     for (const report::Map::Panel& panel : map.panels) {
         const ValueSummary s = summary_of_plane(panel.values);
         parts.push_back(words.line(s.count == 0       ? "map.range.nowhere"

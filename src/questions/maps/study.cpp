@@ -1,15 +1,8 @@
-#include "questions/maps/study.h"
-
-#include <algorithm>
-#include <cmath>
-
 #include "base/parallel_tasks.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {

@@ -2,14 +2,7 @@
 /// What the section "maps" measures: explicit and implicit smoothing over the plane of steps λ and iterations t.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio::maps {
 

@@ -1,9 +1,5 @@
 // Tables of the section "maps".
-#include <algorithm>
-#include <cmath>
 
-#include "geometry/linear/special_values.h"
-#include "questions/core/table.h"
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {

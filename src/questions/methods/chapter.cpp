@@ -1,21 +1,12 @@
 // The denoising laboratory: kinds of noise, levels and methods against each other, each method at its best within the same budget.
-#include <algorithm>
-#include <cmath>
-#include <map>
 
-#include "base/number_text.h"
 #include "geometry/denoising/component_size.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
 
 namespace {
-
-using report::check_at_most;
-using report::check_near;
 
 void add_method(report::Section& section, const SearchBudget& budget) {
     add_words(section, words, "method");
@@ -96,15 +87,15 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     }
     append_checks(section,
                   {check_at_most(words.line("check.strength"), 5, strength, 0), check_near(words.line("check.budget"), 0, unspent, 0)});
-    if (any_volume) section.checks.push_back(check_at_most(words.line("check.volume"), 0, volume, 1e-9));
-    section.checks.push_back(check_at_most(words.line("check.area"), 0, area, 1e-9));
+    if (any_volume) add(section, check_at_most(words.line("check.volume"), 0, volume, 1e-9));
+    add(section, check_at_most(words.line("check.area"), 0, area, 1e-9));
 }
 
 report::Text answer_of(const DenoisingLaboratory& laboratory) {
-    std::map<int, std::vector<std::string>> won;   // classes, by the method that is best on them
+    std::map<int, Names> won;   // classes, by the method that is best on them
     for (const ClassResult& c : class_results(laboratory))
         if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
-    std::vector<std::string> winners;
+    Names winners;
     for (const auto& [method, classes] : won)
         winners.push_back(
             words.line("answer.winner", "method"_a = method_title(static_cast<std::size_t>(method)), "classes"_a = listed(classes)));
@@ -114,9 +105,8 @@ report::Text answer_of(const DenoisingLaboratory& laboratory) {
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("methods")};
     report::Section& section = answer.section;
-    section = section_of("methods");
     const DenoisingLaboratory laboratory = laboratory_of(library, settings, progress, section);
     add_method(section, laboratory.budget);
 

@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -83,7 +76,7 @@ struct Those {
     std::size_t count = 1;
 };
 Those those_with(const NoiseTrial& trial, double gain) {
-    std::vector<std::string> titles;
+    Names titles;
     for (const SearchResult& r : trial.results)
         if (r.gain() >= gain) titles.push_back(method_title(r));
     if (titles.empty()) return {words.line("limits.none")};
@@ -156,7 +149,7 @@ report::Text about_kinds(const DenoisingTrials& mesh) {
 /// What 20 % of the box leaves.
 report::Text about_box_level(const DenoisingLaboratory& laboratory) {
     std::vector<double> gains, angles;
-    std::vector<std::string> helpless;
+    Names helpless;
     for (const auto& [mesh, trial] : all_trials(laboratory)) {
         if (!trial.s1_level) continue;
         const SearchResult* best = winner(trial, &SearchResult::gain);
@@ -203,7 +196,7 @@ report::Text about_volumes(const DenoisingLaboratory& laboratory) {
 }
 
 report::Text about_failures(const DenoisingLaboratory& laboratory) {
-    std::vector<std::string> told;
+    Names told;
     for (std::size_t i = 0; i < denoising_list().size(); ++i) {
         int failed = 0;
         for (const auto& [mesh, trial] : all_trials(laboratory)) failed += trial.results[i].failed;
@@ -213,7 +206,7 @@ report::Text about_failures(const DenoisingLaboratory& laboratory) {
 }
 
 report::Text about_patches(const DenoisingLaboratory& laboratory) {
-    std::vector<std::string> told;
+    Names told;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         const DenoisingSubject& s = mesh.subject;
         if (s.is_patch())
@@ -227,7 +220,7 @@ report::Text about_patches(const DenoisingLaboratory& laboratory) {
 
 void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory) {
     add_words(section, words, "discussion");
-    for (const ClassResult& c : class_results(laboratory)) add_paragraph(section, about_winner(c));
+    for (const ClassResult& c : class_results(laboratory)) add_paragraphs(section, {about_winner(c)});
     add_paragraphs(section, {about_winners(laboratory), about_places(laboratory)});
     for (const DenoisingTrials& mesh : laboratory.meshes) add_paragraphs(section, {about_limits(mesh), about_kinds(mesh)});
     add_paragraphs(section, {about_spoilt_triangles(laboratory), about_box_level(laboratory), about_volumes(laboratory),

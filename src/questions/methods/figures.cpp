@@ -1,7 +1,4 @@
-#include "base/number_text.h"
 #include "geometry/measures/mesh_error.h"
-#include "questions/core/six_view_figure.h"
-#include "questions/core/study_list.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -14,27 +11,24 @@ void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseT
                         shape_distances(subject.mesh, X) / subject.mean_edge);
     };
     std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy")};
-    std::vector<std::string> labels;
+    Names labels;
     for (const SearchResult& result : trial.results) {
         if (!result.defined) continue;
         labels.push_back(method_title(result) + ", gain " + readable(result.gain(), 2));
         panels.push_back(coloured(result.X, std::string(denoising_entry(result.method).name), labels.back()));
     }
-    output::FigureRequest request;
-    request.id = base;
-    request.title = words.line("figure.title", "mesh"_a = mesh.name());
-    request.subtitle = words.line("figure.subtitle", "noise"_a = trial.title());
-    request.layout = output::Layout::one_frame;
-    request.range = output::robust_range(panels, "pale", words.line("figure.quantity"), "mean edges", 0.01);
+    output::FigureRequest request{.id = base,
+                                  .title = words.line("figure.title", "mesh"_a = mesh.name()),
+                                  .subtitle = words.line("figure.subtitle", "noise"_a = trial.title()),
+                                  .range = output::robust_range(panels, "pale", words.line("figure.quantity"), "mean edges", 0.01),
+                                  .layout = output::Layout::one_frame};
     request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
-    request.panels = {panel_of(subject.mesh, base + "_clean", "clean")};
-    request.panels.insert(request.panels.end(), panels.begin(), panels.end());
+    panels.insert(panels.begin(), panel_of(subject.mesh, base + "_clean", "clean"));
+    request.panels = std::move(panels);
     const std::string name = subject.is_patch() ? words.line("figure.patch", "mesh"_a = mesh.name()) : mesh.name();
     const double error = trial.results.front().noisy.shape / subject.mean_edge;
-    add(answer.section,
-        report::Figure{base, words.line("figure.caption", "mesh"_a = name, "noise"_a = trial.title()),
-                       words.line("figure.alt", "mesh"_a = mesh.name(), "error"_a = readable(error, 2), "methods"_a = in_a_row(labels))});
-    answer.figures.push_back(std::move(request));
+    add_figure(answer, std::move(request), words.line("figure.caption", "mesh"_a = name, "noise"_a = trial.title()),
+               words.line("figure.alt", "mesh"_a = mesh.name(), "error"_a = readable(error, 2), "methods"_a = joined(labels)));
 }
 
 }   // namespace meshfolio::methods

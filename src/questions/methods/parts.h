@@ -2,12 +2,6 @@
 /// The parts of the denoising laboratory.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "geometry/linear/special_values.h"
-#include "questions/core/chapter.h"
-#include "questions/core/section_tools.h"
 #include "questions/methods/study.h"
 
 namespace meshfolio::methods {
@@ -34,12 +28,5 @@ void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseT
 
 /// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory);
-
-/// "a; b; c"
-inline std::string in_a_row(const std::vector<std::string>& told) {
-    std::string row;
-    for (const std::string& each : told) row += (row.empty() ? "" : "; ") + each;
-    return row;
-}
 
 }   // namespace meshfolio::methods

@@ -1,15 +1,8 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
-#include "base/errors.h"
-#include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/surface_patch.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -75,7 +68,7 @@ void spoil(const DenoisingSubject& subject, std::uint64_t seed, NoiseTrial& tria
 int index_of_largest(const std::vector<double>& values) {
     int best = -1;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isfinite(values[i]) && (best < 0 || values[i] > values[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
+        if (std::isfinite(values[i]) && (best < 0 || values[i] > values[best])) best = static_cast<int>(i);
     }
     return best;
 }

@@ -2,15 +2,10 @@
 /// What the section "methods" measures: kinds of noise × levels × methods on meshes, each method at its best within one budget of steps.
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "mesh/vertex_noise.h"
 #include "questions/bench/denoising_search.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::methods {
 
@@ -61,7 +56,7 @@ struct DenoisingTrials {
     int pictured = 0;                 // of trials: Gaussian, of the middle of its levels
 
     const std::string& name() const { return subject.name; }
-    const NoiseTrial& pictured_trial() const { return trials[static_cast<std::size_t>(pictured)]; }
+    const NoiseTrial& pictured_trial() const { return trials[pictured]; }
     /// Trials of a kind, the level of S1 aside, ascending.
     std::vector<const NoiseTrial*> of_kind(NoiseKind kind) const;
 };
@@ -90,7 +85,7 @@ NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain
 /// Meshes of one class, and the geometric means of each method's gains over all trials on them.
 struct ClassResult {
     std::string title;   // "sharp-edged, closed"
-    std::vector<std::string> meshes;
+    Names meshes;
     int trials = 0;
     std::vector<double> gain, angle_gain;   // one a method; NaN where it is not defined on all of them
     int best() const;                       // method with the largest gain; −1 where no noise changed the shape

@@ -1,9 +1,5 @@
 // Tables and the plot of the denoising laboratory.
-#include <cmath>
 
-#include "base/number_text.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -123,7 +119,7 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
                       .y_label = words.line("gain_plot.y"),
                       .log_x = true,
                       .log_y = true};
-    std::vector<std::string> ends;
+    Names ends;
     for (int i = 0; i < int(denoising_list().size()); ++i) {
         const DenoisingMethod method = denoising_list()[i].method;
         const bool filter = filters_normals(method);
@@ -141,7 +137,7 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
         ends.push_back(series.name + " " + readable(series.y.front()) + " to " + readable(series.y.back()));
         plot.series.push_back(std::move(series));
     }
-    plot.alt = words.line("gain_plot.alt", "caption"_a = plot.caption, "gains"_a = in_a_row(ends));
+    plot.alt = words.line("gain_plot.alt", "caption"_a = plot.caption, "gains"_a = joined(ends));
     return plot;
 }
 

@@ -1,16 +1,11 @@
 // The section "modes": explicit and implicit smoothing, one eigenmode at a time.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
 #include "questions/bench/smoothing_study.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
 
 namespace {
-
-using report::check_at_most;
 
 void add_timings(report::Section& section, const ModeStudy& study) {
     for (const TriedWay& run : study.tried)
@@ -33,11 +28,10 @@ void add_checks(report::Section& section, const ModeStudy& study) {
         energy = std::max(energy, std::abs(run.energy / run.way.energy - 1));
         ++runs;
     }
-    section.checks.push_back(
+    add(section,
         check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()), law_tolerance, damping));
-    if (gaps > 0) section.checks.push_back(check_at_most(words.line("check.gap", "mesh"_a = study.name()), 1e-6, gap));
-    if (runs > 0)
-        section.checks.push_back(check_at_most(words.line("check.energy", "runs"_a = runs, "mesh"_a = study.name()), 1e-6, energy));
+    if (gaps > 0) add(section, check_at_most(words.line("check.gap", "mesh"_a = study.name()), 1e-6, gap));
+    if (runs > 0) add(section, check_at_most(words.line("check.energy", "runs"_a = runs, "mesh"_a = study.name()), 1e-6, energy));
 }
 
 report::Text answer_of(const ModeStudy& study) {
@@ -50,9 +44,8 @@ report::Text answer_of(const ModeStudy& study) {
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("modes")};
     report::Section& section = answer.section;
-    section = section_of("modes");
     const auto meshes = laboratory_meshes(library, settings, section);
     add_words(section, words, "method");
 
@@ -75,7 +68,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.parameters = {{"operator", words.line("parameter.operator")},
                           {words.line("parameter.step"), {"0.95 λ_crit", 0.95, "λ_crit"}},
                           {words.line("parameter.lanczos"), lanczos_steps(settings)}};
-    std::vector<std::string> damped;
+    Names damped;
     for (const ModeStudy& study : studies)
         damped.push_back(
             words.line(damped.empty() ? "extent.modes" : "extent.more", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()));

@@ -1,9 +1,5 @@
 #include "questions/modes/costs.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
@@ -130,8 +126,8 @@ SmoothingWay CostModel::implicit_way_within(double energy, double error) const {
     return found;
 }
 
-std::vector<std::string> implicit_way_names() {
-    std::vector<std::string> names;
+Names implicit_way_names() {
+    Names names;
     for (const int steps : implicit_steps) names.push_back(words.line("way.steps", "steps"_a = steps));
     names.push_back(words.line("way.accurate", "error"_a = readable_percent(implicit_accuracy, 1)));
     names.push_back(words.line("way.matched"));

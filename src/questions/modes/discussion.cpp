@@ -1,9 +1,5 @@
 // What the numbers of the section "modes" say.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
@@ -61,7 +57,7 @@ std::string where_cheaper(const ModeStudy& study, std::size_t which) {
 }
 
 report::Text about_costs(const ModeStudy& study) {
-    std::vector<std::string> ways;
+    Names ways;
     for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
         ways.push_back(words.line("cheaper.way", "steps"_a = implicit_steps[which], "where"_a = where_cheaper(study, which)));
     const SmoothingTarget& last = study.curve.back();
@@ -119,9 +115,9 @@ report::Text rule(const Studies& studies) {
 
 void add_discussion(report::Section& section, const Studies& studies) {
     add_words(section, words, "discussion");
-    add_paragraph(section, about_laws(studies));
+    add_paragraphs(section, {about_laws(studies)});
     for (const ModeStudy& study : studies) add_paragraphs(section, {about_gap(study), about_costs(study)});
-    add_paragraph(section, rule(studies));
+    add_paragraphs(section, {rule(studies)});
 }
 
 }   // namespace meshfolio::modes

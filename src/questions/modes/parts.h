@@ -2,11 +2,6 @@
 /// Parts of the section "modes".
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
 #include "questions/modes/study.h"
 
 namespace meshfolio::modes {

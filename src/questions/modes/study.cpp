@@ -1,15 +1,11 @@
 #include "questions/modes/study.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::modes {
 

@@ -3,13 +3,7 @@
 /// smoothness costs either way.
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/settings.h"
 #include "questions/modes/costs.h"
 
 namespace meshfolio::modes {

@@ -1,10 +1,5 @@
 // Tables and plots of the section "modes".
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/table.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
@@ -118,7 +113,7 @@ report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme) {
                       .x_label = words.line("factors.x"),
                       .y_label = words.line("factors.y"),
                       .log_y = true};
-    std::vector<std::string> shares;
+    Names shares;
     for (const ModeDamping& d : study.dampings) {
         if (d.scheme != scheme) continue;
         plot.series.push_back(law_line(study, d));
@@ -145,7 +140,7 @@ report::Table gap_table(const Studies& studies) {
 
 report::Plot cost_plot(const ModeStudy& study) {
     report::Plot plot = target_plot(study, "operations", study.crossings.size(), operations_of);
-    std::vector<std::string> crossings;
+    Names crossings;
     for (std::size_t which = 0; which < study.crossings.size(); ++which) {
         if (study.cheaper_nowhere(which)) continue;
         const SmoothingTarget& at = *study.crossings[which];

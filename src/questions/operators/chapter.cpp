@@ -1,22 +1,15 @@
 // The operator laboratory: what each way of building the Laplacian keeps and what it gives up.
-#include <algorithm>
-#include <cmath>
 
 #include "geometry/measures/mesh_laws.h"
 #include "questions/bench/law_checks.h"
-#include "questions/core/study_list.h"
 #include "questions/operators/parts.h"
 
 namespace meshfolio::operators {
 
 namespace {
 
-using report::check_at_least;
-using report::check_at_most;
-using report::check_near;
-
 void add_mesh_checks(report::Section& section, const LaboratoryMesh& lab) {
-    const auto add_check = [&](report::Check check) { section.checks.push_back(std::move(check)); };
+    const auto add_check = [&](report::Check check) { add(section, std::move(check)); };
     const auto name = [&](const char* key) { return words.line(key, "mesh"_a = lab.name()); };
     double asymmetry = 0;
     for (const OperatorTrial& trial : lab.trials) asymmetry = std::max(asymmetry, trial.scores.asymmetry);
@@ -27,19 +20,18 @@ void add_mesh_checks(report::Section& section, const LaboratoryMesh& lab) {
         const report::Check check = check_near(
             words.line("check.semidefinite", "operator"_a = operator_entry(kind).name, "mesh"_a = lab.name()), 0, negative.below, 0);
         const bool decided = semidefinite(negative) != Proof::undecided;
-        add_check(decided ? check : report::undecided(check, cannot_be_proved(negative.delta, -negative.sigma)));
+        add_check(decided ? check : undecided(check, cannot_be_proved(negative.delta, -negative.sigma)));
     }
     const OperatorScores& tufted = lab.trial(OperatorKind::tufted).scores;
     add_check(check_near(name("check.tufted"), 0, tufted.negative_inside + tufted.negative_boundary, 0));
     const auto if_defined = [](report::Check check) {
-        return std::isnan(check.measured) ? report::undecided(std::move(check), words.line("check.without_mass")) : check;
+        return std::isnan(check.measured) ? undecided(std::move(check), words.line("check.without_mass")) : check;
     };
     const auto critical_ratio = [&](OperatorKind kind) { return lab.trial(kind).critical_ratio; };
     add_check(if_defined(check_near(name("check.without_half"), 0.5, critical_ratio(OperatorKind::cotan_no_half), 1e-9)));
     const report::Check rippa = if_defined(check_at_least(name("check.rippa"), 1, critical_ratio(OperatorKind::idt_original_mass), 1e-9));
     const int without_area = lab.subject.source->prepared->preflight.zero_area_faces;
-    add_check(without_area > 0 && rippa.failed() ? report::undecided(rippa, words.line("check.without_area", "faces"_a = without_area))
-                                                 : rippa);
+    add_check(without_area > 0 && rippa.failed() ? undecided(rippa, words.line("check.without_area", "faces"_a = without_area)) : rippa);
     if (lab.oriented_manifold) add_check(check_near(name("check.delaunay"), 0, lab.trial(OperatorKind::idt).scores.negative_inside, 0));
 }
 
@@ -49,9 +41,9 @@ void add_known_checks(report::Section& section, const KnownTrials& trials) {
     };
     const auto name = [](const char* key, OperatorKind kind) { return words.line(key, "operator"_a = operator_entry(kind).name); };
     for (const OperatorKind kind : {OperatorKind::cotan, OperatorKind::idt, OperatorKind::idt_original_mass})
-        section.checks.push_back(check_at_most(name("check.precise", kind), 0, plane_of(kind), 1e-10));
+        add(section, check_at_most(name("check.precise", kind), 0, plane_of(kind), 1e-10));
     for (const OperatorKind kind : {OperatorKind::clamped, OperatorKind::edge_normalised})
-        section.checks.push_back(check_at_least(name("check.lost", kind), 1e-3, plane_of(kind)));
+        add(section, check_at_least(name("check.lost", kind), 1e-3, plane_of(kind)));
 }
 
 void add_method(report::Section& section) {
@@ -60,7 +52,7 @@ void add_method(report::Section& section) {
     for (const OperatorEntry& entry : operator_list())
         list.items.push_back(report::text(report::code(std::string(entry.name)), ": ", std::string(entry.description)));
     add(section, std::move(list));
-    std::vector<std::string> others;
+    Names others;
     for (const LaboratoryOperator& tried : laboratory_operators())
         if (tried.area != AreaForm::barycentric) others.push_back(quoted(tried.title()));
     add_words(section, words, "method.others", "others"_a = listed(others));
@@ -80,9 +72,8 @@ LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& sett
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("operators")};
     report::Section& section = answer.section;
-    section = section_of("operators");
     const LibraryMeshes meshes = meshes_of(library, settings, section);
     add_method(section);
 

@@ -2,10 +2,6 @@
 /// The parts of the operator laboratory.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/core/chapter.h"
 #include "questions/operators/study.h"
 
 namespace meshfolio::operators {

@@ -1,9 +1,5 @@
 // Tables and the figure of the operator laboratory.
-#include <cmath>
 
-#include "base/number_text.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/operators/parts.h"
 
 namespace meshfolio::operators {
@@ -48,27 +44,25 @@ report::Table known_table(const KnownTrials& trials) {
 
 void add_figure_of(Answer& answer, const LaboratoryMesh& lab) {
     const CurvatureSubject& s = lab.subject;
-    output::FigureRequest request;
-    request.id = id_of("operators", lab.name(), "h");
-    request.title = words.line("figure.title");
-    request.subtitle = words.line("figure.subtitle", "file"_a = s.source->input.file, "vertices"_a = s.mesh().vertex_count());
-    request.layout = output::Layout::multiples;
-    std::string told;
+    output::FigureRequest request{
+        .id = id_of("operators", lab.name(), "h"),
+        .title = words.line("figure.title"),
+        .subtitle = words.line("figure.subtitle", "file"_a = s.source->input.file, "vertices"_a = s.mesh().vertex_count()),
+        .layout = output::Layout::multiples};
+    Names told;
     for (const OperatorTrial& t : lab.trials) {
         const std::string title = t.made_by.title();
-        request.panels.push_back({id_of("operators", lab.name(), t.made_by.id()), title,
-                                  std::shared_ptr<const TriangleMesh>(s.source->prepared, &s.mesh()), s.mean_edge * t.H});
-        told += (told.empty() ? "" : "; ") + (std::isfinite(t.H_change) ? words.line("figure.alt.operator", "operator"_a = title,
-                                                                                     "change"_a = readable_percent(t.H_change))
-                                                                        : title);
+        request.panels.push_back(panel_of(*s.source, id_of("operators", lab.name(), t.made_by.id()), title, s.mean_edge * t.H));
+        told.push_back(std::isfinite(t.H_change)
+                           ? words.line("figure.alt.operator", "operator"_a = title, "change"_a = readable_percent(t.H_change))
+                           : title);
     }
     const auto range = output::robust_range({request.panels.front()}, "diverging", "H × mean edge", "", 0.01, 0.03);
     request.range = range_for(range, request.panels);
-    add(answer.section, report::Figure{request.id,
-                                       words.line("figure.caption", "mesh"_a = lab.name(), "mean_edge"_a = readable(s.mean_edge),
-                                                  "undefined"_a = undefined_words(s)),
-                                       words.line("figure.alt", "mesh"_a = lab.name(), "operators"_a = told)});
-    answer.figures.push_back(std::move(request));
+    add_figure(
+        answer, std::move(request),
+        words.line("figure.caption", "mesh"_a = lab.name(), "mean_edge"_a = readable(s.mean_edge), "undefined"_a = undefined_words(s)),
+        words.line("figure.alt", "mesh"_a = lab.name(), "operators"_a = joined(told)));
 }
 
 }   // namespace meshfolio::operators

@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/study_list.h"
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {
@@ -29,7 +22,7 @@ struct Range {
 };
 
 std::string best_iterations(const PredictionStudy& study) {
-    std::vector<std::string> expected, measured;
+    Names expected, measured;
     for (const NoiseLevelStudy& level : study.levels) {
         expected.push_back(std::to_string(level.of(FlowOperator::clean).formula().best()));
         measured.push_back(std::to_string(level.of(FlowOperator::clean).measured.best()));

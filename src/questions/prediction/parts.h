@@ -2,12 +2,6 @@
 /// The parts of the chapter on predicted denoising.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/bench/sentences.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/prediction/study.h"
 
 namespace meshfolio::prediction {

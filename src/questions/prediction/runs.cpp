@@ -84,7 +84,7 @@ RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run) {
     RunErrors errors{Vector(length), Vector(length), Vector(length)};
     const auto vertices = static_cast<double>(flow.clean.X.rows());
     for (Eigen::Index t = 0; t < length; ++t) {
-        const Positions off = run[static_cast<std::size_t>(t)] - flow.clean.X;
+        const Positions off = run[t] - flow.clean.X;
         const Vector squares = off.rowwise().squaredNorm();
         errors.vertices[t] = squares.sum() / vertices;
         errors.mass[t] = flow.whole.M.dot(squares(flow.whole.vertex)) / flow.whole.M.sum();

@@ -1,7 +1,3 @@
-#include "questions/prediction/study.h"
-
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "mesh/triangle_measures.h"
@@ -33,7 +29,7 @@ template <class Choose>
 RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& results, int seeds, Choose choose) {
     RuleOutcome outcome{std::string(name), {}, {}};
     for (int s = 0; s < seeds; ++s) {
-        const Vector& error = results[static_cast<std::size_t>(s)].errors.vertices;
+        const Vector& error = results[s].errors.vertices;
         const int t = choose(static_cast<std::size_t>(s));
         outcome.chosen.push_back(t);
         outcome.regret.push_back(error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0);
@@ -42,16 +38,16 @@ RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& r
 }
 
 void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, int seeds, int numbers) {
-    const auto& runs = results.of[static_cast<std::size_t>(study.kind)];
+    const auto& runs = results.of[study.kind];
     study.rule_seeds = seeds;
     study.divergence = study.divergence_held = Vector::Zero(study.measured.square.size());
     for (int s = 0; s < seeds; ++s) {
-        const SeedResult& result = runs[static_cast<std::size_t>(s)];
+        const SeedResult& result = runs[s];
         study.divergence += result.risk.divergence / (double(seeds) * numbers);
         if (study.kind == FlowOperator::noisy) study.divergence_held += result.held_fixed / (double(seeds) * numbers);
     }
     PredictedCurve stein{std::string(by_stein), Vector::Zero(study.measured.square.size())};
-    for (int s = 0; s < seeds; ++s) stein.square += runs[static_cast<std::size_t>(s)].risk.risk(sigma) * (3.0 / numbers / seeds);
+    for (int s = 0; s < seeds; ++s) stein.square += runs[s].risk.risk(sigma) * (3.0 / numbers / seeds);
     study.predictions.push_back(std::move(stein));
 
     const auto add = [&](std::string_view name, auto choose) { study.rules.push_back(rule_outcome(name, runs, seeds, choose)); };
@@ -83,7 +79,7 @@ OperatorStudy operator_study(FlowOperator kind, const LevelResults& results, Pre
     OperatorStudy study;
     study.kind = kind;
     std::vector<RunErrors> errors;
-    for (const SeedResult& result : results.of[static_cast<std::size_t>(kind)]) {
+    for (const SeedResult& result : results.of[kind]) {
         errors.push_back(result.errors);
         study.collapsed += result.collapsed ? 1 : 0;
     }
@@ -186,7 +182,7 @@ PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, cons
         level.sigma_edges = level.sigma / study.mean_edge;
         enter_estimates(level, results[l].estimates);
         for (const FlowOperator kind : all_operators) {
-            const int steps = results[l].iterations[static_cast<std::size_t>(kind)];
+            const int steps = results[l].iterations[kind];
             OperatorStudy& operated = level.of(kind);
             operated = operator_study(kind, results[l], formula(study.prediction, level.sigma, steps));
             if (kind == FlowOperator::clean) continue;

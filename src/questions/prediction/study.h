@@ -3,16 +3,8 @@
 /// and rules that choose the iteration without the clean mesh.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "geometry/denoising/denoising_prediction.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "questions/core/section_tools.h"
 #include "questions/prediction/runs.h"
 
 namespace meshfolio::prediction {
@@ -72,8 +64,8 @@ struct NoiseLevelStudy {
     std::vector<double> sigma_ratio;   // σ̂/σ, one a seed the rules were tried on; empty where no patch could be fitted
     double kept = 0;                   // share of the patches whose residuals noise explains, mean
 
-    const OperatorStudy& of(FlowOperator kind) const { return operators[static_cast<std::size_t>(kind)]; }
-    OperatorStudy& of(FlowOperator kind) { return operators[static_cast<std::size_t>(kind)]; }
+    const OperatorStudy& of(FlowOperator kind) const { return operators[kind]; }
+    OperatorStudy& of(FlowOperator kind) { return operators[kind]; }
     int iterations(FlowOperator kind) const { return of(kind).measured.iterations(); }
     double mean_sigma_ratio() const;
 };

@@ -1,10 +1,5 @@
 // Tables and plots of predicted denoising.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/study_list.h"
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {

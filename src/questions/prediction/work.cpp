@@ -1,10 +1,7 @@
 #include "questions/prediction/work.h"
 
-#include <algorithm>
-
 #include "base/parallel_tasks.h"
 #include "mesh/vertex_noise.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::prediction {
 

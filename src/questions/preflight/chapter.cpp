@@ -1,19 +1,12 @@
 // Preflight: what each mesh of the report is, what is wrong with it, which questions that affects and what was done.
-#include <algorithm>
 #include <set>
 
-#include "base/errors.h"
 #include "questions/bench/law_checks.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
 #include "questions/preflight/parts.h"
 
 namespace meshfolio::preflight {
 
 namespace {
-
-using report::check_at_most;
-using report::check_near;
 
 /// The meshes of the settings, else the user's own, else one a role; each once. One that cannot be read is told and left out: the
 /// question that needs it fails by itself.
@@ -29,7 +22,7 @@ LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSetting
             meshes.push_back(mesh);
         } catch (const InputError& error) {
             section.warnings.push_back(error.what());
-            section.checks.push_back(check_near(words.line("check.usable", "role"_a = role.role), 1, 0, 0, error.what()));
+            add(section, check_near(words.line("check.usable", "role"_a = role.role), 1, 0, 0, error.what()));
         }
     }
     return meshes;
@@ -40,14 +33,12 @@ void add_checks(report::Section& section, const Inspected& mesh) {
     const PreparedMesh& prepared = *mesh.source->prepared;
     const Preflight& p = mesh.counts();
     if (p.manifold())
-        section.checks.push_back(
-            check_at_most(law::gauss_bonnet.name(on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
-    if (p.manifold() && p.orientable)
-        section.checks.push_back(check_near(law::half_edges.name(on), 0, repeated_half_edges(prepared.mesh.F), 0));
+        add(section, check_at_most(law::gauss_bonnet.name(on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
+    if (p.manifold() && p.orientable) add(section, check_near(law::half_edges.name(on), 0, repeated_half_edges(prepared.mesh.F), 0));
     constexpr double larger = 0x1p20, smaller = 0x1p-20;
-    section.checks.push_back(check_at_most(words.line("check.moved", "mesh"_a = mesh.name()), 1e-12,
-                                           std::max(change_when_moved(prepared, larger), change_when_moved(prepared, smaller)), 0,
-                                           words.line("check.moved.note")));
+    add(section, check_at_most(words.line("check.moved", "mesh"_a = mesh.name()), 1e-12,
+                               std::max(change_when_moved(prepared, larger), change_when_moved(prepared, smaller)), 0,
+                               words.line("check.moved.note")));
 }
 
 report::Text answer_of(const std::vector<Inspected>& meshes) {
@@ -79,9 +70,8 @@ std::vector<Occurrence> found_of(std::vector<Occurrence> occurrences) {
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("preflight")};
     report::Section& section = answer.section;
-    section = section_of("preflight");
     std::vector<Inspected> meshes;
     for (const auto& source : meshes_of_report(library, settings, section)) {
         progress("preflight of " + source->name);

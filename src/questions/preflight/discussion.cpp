@@ -1,9 +1,5 @@
-#include <algorithm>
 #include <set>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/section_tools.h"
 #include "questions/preflight/parts.h"
 
 namespace meshfolio::preflight {
@@ -13,7 +9,7 @@ namespace {
 constexpr double thin_below = 10;   // [°]
 
 report::Text about_meshes(const std::vector<Inspected>& meshes) {
-    std::vector<std::string> clean, repaired, open;
+    Names clean, repaired, open;
     for (const Inspected& mesh : meshes) {
         const Preflight& p = mesh.counts();
         if (defects_of(mesh.facts).empty()) clean.push_back(mesh.name());
@@ -33,10 +29,10 @@ report::Text about_meshes(const std::vector<Inspected>& meshes) {
 }
 
 /// What was found and is still there, open boundaries and further components apart: "needle faces (lily 2)".
-std::vector<std::string> kept_of(const std::vector<Occurrence>& found) {
+Names kept_of(const std::vector<Occurrence>& found) {
     static const std::set<std::string_view> told_elsewhere = {"dropped_degenerate_faces", "dropped_duplicate_faces", "flipped_faces",
                                                               "inside_out_components",    "boundary_loops",          "further_components"};
-    std::vector<std::string> kept;
+    Names kept;
     for (const Occurrence& o : found)
         if (!told_elsewhere.contains(o.defect->key)) kept.push_back(o.defect->name() + " (" + o.where + ")");
     return kept;
@@ -55,10 +51,9 @@ report::Text about_smallest_angle(const std::vector<Inspected>& meshes) {
 
 void add_discussion(report::Section& section, const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found) {
     add_words(section, words, "discussion");
-    add_paragraph(section, about_meshes(meshes));
-    if (const std::vector<std::string> kept = kept_of(found); !kept.empty())
-        add_paragraph(section, words.say("kept", "defects"_a = listed(kept)));
-    add_paragraph(section, about_smallest_angle(meshes));
+    add_paragraphs(section, {about_meshes(meshes)});
+    if (const Names kept = kept_of(found); !kept.empty()) add_paragraphs(section, {words.say("kept", "defects"_a = listed(kept))});
+    add_paragraphs(section, {about_smallest_angle(meshes)});
 }
 
 }   // namespace meshfolio::preflight

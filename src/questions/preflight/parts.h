@@ -2,12 +2,8 @@
 /// The parts of the preflight.
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "geometry/measures/mesh_laws.h"
-#include "questions/core/chapter.h"
+#include "questions/core/section_tools.h"
 #include "questions/preflight/defects.h"
 
 namespace meshfolio::preflight {

@@ -1,6 +1,3 @@
-#include "geometry/linear/special_values.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/preflight/parts.h"
 
 namespace meshfolio::preflight {

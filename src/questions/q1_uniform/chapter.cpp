@@ -1,35 +1,26 @@
 // Question 1: mean curvature from the uniform Laplacian, Gaussian curvature from the angle deficit.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
-#include "questions/core/chapter.h"
-#include "questions/core/section_tools.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
 
 namespace {
 
-using report::check_at_most;
-using report::check_near;
-
 void add_checks(report::Section& section, const AngleSums& sums, const std::vector<FlatMesh>& flat, const BenchRuns& runs) {
     for (const AngleSum& s : sums)
-        if (s.applies)
-            section.checks.push_back(check_near(words.line("check.gauss_bonnet", "mesh"_a = s.mesh), s.euler, s.measured, s.tolerance()));
+        if (s.applies) add(section, check_near(words.line("check.gauss_bonnet", "mesh"_a = s.mesh), s.euler, s.measured, s.tolerance()));
     for (const FlatMesh& f : flat) {
         const CurvatureSubject& s = f.curvature->subject;
         if (s.interior == 0) continue;
         const std::string note = words.line("check.flat.note");
-        section.checks.push_back(check_at_most(words.line("check.flat.normal_part", "mesh"_a = s.name()), 0, f.normal_part, 1e-6, note));
-        section.checks.push_back(check_at_most(words.line("check.flat.deficit", "mesh"_a = s.name()), 0, f.deficit, 1e-5, note));
+        add(section, check_at_most(words.line("check.flat.normal_part", "mesh"_a = s.name()), 0, f.normal_part, 1e-6, note));
+        add(section, check_at_most(words.line("check.flat.deficit", "mesh"_a = s.name()), 0, f.deficit, 1e-5, note));
     }
     const Order of_K = run_on(runs, "torus", MeshKind::regular).errors(deficit_K).order();
-    section.checks.push_back(check_near(words.line("check.order"), 2, of_K.exponent, 0.2));
+    add(section, check_near(words.line("check.order"), 2, of_K.exponent, 0.2));
     for (const MeshKind kind : question_kinds) {
         const double error = run_on(runs, "sphere", kind).finest().error("H.uniform_n").linf;
-        section.checks.push_back(
+        add(section,
             check_at_most(words.line("check.sphere", "triangulation"_a = name_of(kind)), 0, error, 1e-9, words.line("check.sphere.note")));
     }
 }
@@ -50,12 +41,11 @@ double euler_gap(const AngleSums& sums) {
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q1")};
     report::Section& section = answer.section;
-    section = section_of("q1");
     const auto sources = meshes_for(library, settings, {"bumpy_cube", "lilium", "sphere", "plane"}, section);
     Meshes meshes;
-    std::vector<std::string> names;
+    Names names;
     for (const auto& source : sources) {
         progress("uniform curvature of " + source->name);
         meshes.push_back(curvature_of(source));
@@ -69,7 +59,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         if (c.subject.plane_normal) flat.push_back(flat_mesh(c));
 
     section.answer = answer_of(runs);
-    add_paragraph(section, lead_of(runs, drifting));
+    add_paragraphs(section, {lead_of(runs, drifting)});
     add_words(section, words, "method.laplacian");
     add(section, ring_diagram());
     add_words(section, words, "method.deficit");

@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/one_ring.h"
@@ -88,7 +84,7 @@ Diagram::Panel deficit_panel() {
         const DiagramPoint &p = first[t], &q = first[t + 1];
         panel.paths.push_back(report::angle_arc({0, 0}, p, q, 0.25 * shortest, Style::thin));
         // On the line that halves the angle, before the side that ends it.
-        const double halving = 2 * length(p) * length(q) * std::cos(ring.angles[static_cast<std::size_t>(t)] / 2) / (length(p) + length(q));
+        const double halving = 2 * length(p) * length(q) * std::cos(ring.angles[t] / 2) / (length(p) + length(q));
         const DiagramPoint at = report::inside_angle({0, 0}, p, q, 0.65 * halving);
         panel.labels.push_back({.x = at[0], .y = at[1], .words = text(math("θ_" + std::to_string(t + 1))), .side = Side::centre});
     }

@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "base/number_text.h"
-#include "output/draw/figure_request.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
@@ -123,7 +119,7 @@ report::Text K_picture(const MeshCurvature& c) {
 
 /// Caps outside and saddles between them: what several meshes show alike is said once.
 struct Caps {
-    std::vector<std::string> negative, outer;
+    Names negative, outer;
 
     /// Does the mesh show them?
     bool take(const MeshCurvature& c) {
@@ -142,7 +138,7 @@ report::Text about_K_picture(const Findings& found) {
     for (const MeshCurvature& c : found.meshes)
         if (!c.subject.plane_normal && !caps.take(c)) go_on(others, K_picture(c));
     if (!caps.outer.empty()) go_on(t, words.say("k.caps", "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
-    report::extend(t, others);
+    go_on(t, others);
     for (const FlatMesh& f : found.flat)
         if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
     return t;
@@ -178,7 +174,7 @@ report::Text about_errors(const BenchRuns& runs, const BenchRuns& panel) {
 
 /// The area form with the smallest error of K on each jittered surface.
 report::Text about_areas(const BenchRuns& runs) {
-    std::vector<std::string> told;
+    Names told;
     std::set<AreaForm> winners;
     for (const BenchRun& run : of_kind(runs, MeshKind::jittered)) {
         const auto error = [&](AreaForm form) { return run.finest().error(K_with(form)).l2; };
@@ -242,21 +238,21 @@ report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drift
 }
 
 void add_discussion(report::Section& section, const Findings& found) {
-    add_paragraph(section, about_H_picture(found));
-    if (found.drifting) add_paragraph(section, about_tangential_picture(*found.drifting, found.meshes));
-    add_paragraph(section, about_K_picture(found));
-    add_paragraph(section, about_errors(found.runs, found.panel));
+    add_paragraphs(section, {about_H_picture(found)});
+    if (found.drifting) add_paragraphs(section, {about_tangential_picture(*found.drifting, found.meshes)});
+    add_paragraphs(section, {about_K_picture(found), about_errors(found.runs, found.panel)});
     report::Text choice = about_areas(found.runs);
     go_on(choice, about_gauss_bonnet(found.sums));
-    add_paragraph(section, choice);
+    add_paragraphs(section, {choice});
 }
 
 void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& flat) {
     for (const FlatMesh& f : flat)
         if (f.boundary_vertices > 0)
-            add_paragraph(section, words.say("flat.boundary", "mesh"_a = f.curvature->subject.name(), "vertices"_a = f.boundary_vertices,
-                                             "length"_a = readable(f.boundary_length, 2), "K"_a = readable(f.boundary_K, 3),
-                                             "largest_turning"_a = readable(f.largest_turning, 3), "turning"_a = readable(f.turning, 4)));
+            add_paragraphs(section,
+                           {words.say("flat.boundary", "mesh"_a = f.curvature->subject.name(), "vertices"_a = f.boundary_vertices,
+                                      "length"_a = readable(f.boundary_length, 2), "K"_a = readable(f.boundary_K, 3),
+                                      "largest_turning"_a = readable(f.largest_turning, 3), "turning"_a = readable(f.turning, 4))});
 }
 
 }   // namespace meshfolio::q1_uniform

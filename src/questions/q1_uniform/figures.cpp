@@ -1,5 +1,3 @@
-#include "base/number_text.h"
-#include "questions/core/six_view_figure.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
@@ -38,7 +36,7 @@ output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
 /// Irregular vertices that the text reads are too small, or too faint, to be found without rings. Where there are many, none has one.
 /// @return a space and a sentence that says which meshes have rings, or nothing where none has
 std::string mark_irregular_vertices(std::vector<output::Panel>& panels, const Meshes& meshes) {
-    std::vector<std::string> ringed;
+    Names ringed;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const IrregularVertices odd = irregular_vertices(meshes[i]);
         if (!odd.ringed()) continue;
@@ -55,25 +53,24 @@ void add_figures(Answer& answer, const Meshes& meshes) {
     UndefinedVertices masked;
     for (const MeshCurvature& c : meshes) masked += undefined_vertices(c.subject);
     for (const Shown& quantity : shown) {
-        SixViewFigure figure{.id = "q1_" + quantity.key, .title = words.line(quantity.title)};
+        output::FigureRequest figure{.id = "q1_" + quantity.key,
+                                     .title = words.line(quantity.title),
+                                     .range = relative_range(words.line(quantity.quantity)),
+                                     .frame_panel = -1,
+                                     .turnable = quantity.key == "h",
+                                     .view_files = true};
         for (const MeshCurvature& c : meshes) figure.panels.push_back(panel_of(quantity, c));
-        figure.caption = words.line(quantity.caption);
-        if (quantity.key == "k") figure.caption += mark_irregular_vertices(figure.panels, meshes);
-        figure.caption += undefined_words(masked);
-        figure.range = relative_range(words.line(quantity.quantity));
-        figure.frame_panel = -1;
-        figure.turnable = quantity.key == "h";
-        figure.view_files = true;
-        add_figure(answer, std::move(figure));
+        const std::string marked = quantity.key == "k" ? mark_irregular_vertices(figure.panels, meshes) : "";
+        add_figure(answer, std::move(figure), words.line(quantity.caption) + marked + undefined_words(masked));
     }
 }
 
 void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap) {
-    SixViewFigure figure{.id = "q1_tangential",
-                         .title = words.line("tangential.title"),
-                         .frame_panel = -1,
-                         .turnable = true,
-                         .layout = output::Layout::multiples};
+    output::FigureRequest figure{.id = "q1_tangential",
+                                 .title = words.line("tangential.title"),
+                                 .frame_panel = -1,
+                                 .layout = output::Layout::multiples,
+                                 .turnable = true};
     UndefinedVertices masked;
     for (const MeshCurvature& c : meshes) {
         if (c.subject.plane_normal || summary_of(c.H).count == 0) continue;
@@ -82,10 +79,9 @@ void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::stri
         figure.panels.push_back(relative_panel(c.subject, "q1_" + c.subject.name() + "_tangential", label, part.shares, 1));
         masked += undefined_vertices(c.subject);
     }
-    figure.caption = words.line("tangential.caption", "undefined"_a = undefined_words(masked));
     figure.range =
         range_for({.colormap = colormap, .low = 0, .high = 100, .quantity = words.line("tangential.quantity"), .unit = "%"}, figure.panels);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("tangential.caption", "undefined"_a = undefined_words(masked)));
 }
 
 }   // namespace meshfolio::q1_uniform

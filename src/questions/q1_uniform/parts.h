@@ -2,13 +2,7 @@
 /// The parts of question 1.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "questions/bench/sentences.h"
 #include "questions/q1_uniform/study.h"
-#include "report/document.h"
 
 namespace meshfolio::q1_uniform {
 

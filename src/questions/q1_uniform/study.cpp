@@ -1,9 +1,6 @@
 #include "questions/q1_uniform/study.h"
 
-#include <utility>
-
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_laws.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/operators/uniform_laplacian.h"
@@ -155,7 +152,7 @@ std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const
 FlatMesh flat_mesh(const MeshCurvature& c) {
     const CurvatureSubject& s = c.subject;
     const auto inside = [&](int i) { return s.inside(i); };
-    const auto boundary = [&](int i) { return s.topology().on_boundary[static_cast<std::size_t>(i)] != 0; };
+    const auto boundary = [&](int i) { return s.topology().on_boundary[i] != 0; };
     const Vector lengths = 0.5 / s.mean_edge * s.uniform.rowwise().norm();
     FlatMesh f;
     f.curvature = &c;

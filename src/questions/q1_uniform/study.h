@@ -2,12 +2,7 @@
 /// What question 1 measures: uniform H and angle-deficit K on the meshes it is given, and how far jitter worsens them.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "questions/bench/curvature_bench.h"
 #include "questions/bench/curvature_subject.h"

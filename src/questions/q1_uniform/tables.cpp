@@ -1,7 +1,3 @@
-#include <algorithm>
-
-#include "geometry/linear/special_values.h"
-#include "questions/core/table.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {

@@ -1,17 +1,10 @@
 // Question 2: first and second fundamental form of the ellipsoid, and the normal curvature at (a, 0, 0).
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
-#include "questions/core/chapter.h"
 #include "questions/q2_ellipsoid/parts.h"
 
 namespace meshfolio::q2_ellipsoid {
 
 namespace {
-
-using report::check_at_most;
-using report::check_near;
 
 void check_tip(report::Section& section, const Tip& tip) {
     const auto [a, b, c] = tip.ellipsoid;
@@ -62,9 +55,8 @@ int total_points(const Oracles& oracles) {
 }
 
 Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q2")};
     report::Section& section = answer.section;
-    section = section_of("q2");
     progress("fundamental forms of the ellipsoid");
     const std::vector<Tip> tips{tip_of(flat_ellipsoid), tip_of(tall_ellipsoid)};
     const Tip& tip = tips.front();
@@ -74,7 +66,7 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     const DiscreteTips discrete = discrete_tips(flat_ellipsoid, settings.quick);
 
     section.answer = words.say("answer");
-    add_paragraph(section, lead_of(tip));
+    add_paragraphs(section, {lead_of(tip)});
     add_words(section, words, "method");
     add(section, angle_diagram(tip));
     add_words(section, words, "method.tip");

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/core/diagram_names.h"
 #include "questions/q2_ellipsoid/parts.h"
 

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/bench/sentences.h"
 #include "questions/q2_ellipsoid/parts.h"
 
 namespace meshfolio::q2_ellipsoid {
@@ -89,18 +83,15 @@ report::Text lead_of(const Tip& tip) {
 }
 
 void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete) {
-    add_paragraph(section, about_tip(tip));
-    add_paragraph(section, about_readings(tip));
-    add_paragraph(section, about_sign(tip));
+    add_paragraphs(section, {about_tip(tip), about_readings(tip), about_sign(tip)});
     report::Text trusted = about_oracles(oracles);
     go_on(trusted, about_poles(tip.ellipsoid, pole));
     go_on(trusted, about_meshes(discrete));
-    add_paragraph(section, trusted);
+    add_paragraphs(section, {trusted});
 }
 
 void add_remarks(report::Section& section, const Tip& other, const Tip& tip) {
-    add_paragraph(section, about_tip(other));
-    add_paragraph(section, about_mistakes(tip));
+    add_paragraphs(section, {about_tip(other), about_mistakes(tip)});
 }
 
 }   // namespace meshfolio::q2_ellipsoid

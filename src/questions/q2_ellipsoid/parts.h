@@ -2,12 +2,7 @@
 /// The parts of question 2.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "questions/bench/ellipsoid_study.h"
-#include "questions/core/section_tools.h"
-#include "report/document.h"
 
 namespace meshfolio::q2_ellipsoid {
 

@@ -1,8 +1,3 @@
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/table.h"
 #include "questions/q2_ellipsoid/parts.h"
 
 namespace meshfolio::q2_ellipsoid {

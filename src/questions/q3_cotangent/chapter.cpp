@@ -1,31 +1,24 @@
 // Question 3: mean curvature from the cotangent Laplace–Beltrami operator, beside that of the uniform Laplacian.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
-#include "questions/core/chapter.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
 
 namespace {
 
-using report::check_at_most;
-using report::check_near;
-
 void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest& plane, const Comparisons& meshes) {
     for (const AreaForm form : area_forms) {
         const Order order = run_on(runs, "torus", MeshKind::regular).errors(H_with(form)).order();
-        section.checks.push_back(check_near(words.line("check.order", "areas"_a = area_name(form)), 2, order.exponent, 0.2));
+        add(section, check_near(words.line("check.order", "areas"_a = area_name(form)), 2, order.exponent, 0.2));
     }
-    section.checks.push_back(pentagon_check(runs));
-    section.checks.push_back(check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
+    add(section, pentagon_check(runs));
+    add(section, check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
     for (const CotangentComparison& c : meshes) {
         if (!c.subject.plane_normal || c.subject.interior == 0) continue;
         const report::Check flat =
             check_at_most(words.line("check.flat", "mesh"_a = c.subject.name()), 0, c.precision, 1e-5, words.line("check.flat.note"));
         const bool has_area = c.subject.source->prepared->preflight.zero_area_faces == 0;
-        section.checks.push_back(has_area || !flat.failed() ? flat : report::undecided(flat, words.line("check.flat.without_area")));
+        add(section, has_area || !flat.failed() ? flat : undecided(flat, words.line("check.flat.without_area")));
     }
 }
 
@@ -61,26 +54,25 @@ void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchR
     report::Section& section = answer.section;
     add_words(section, words, "trust");
     const std::vector<IndicatorTrial> trials = indicator_trials(runs, settings);
-    add_paragraph(section, about_trials(trials));
+    add_paragraphs(section, {about_trials(trials)});
     add(section, indicator_table(trials));
     for (const CotangentComparison& c : meshes) {
         const Disagreement d = disagreement_with_jet(c);
         if (!std::isfinite(d.rms) || d.rms == 0) continue;   // flat, or nothing inside: no H to doubt
         add_disagreement_figure(answer, c, d, settings.colormap);
-        add_paragraph(section, about_disagreement(c, d));
+        add_paragraphs(section, {about_disagreement(c, d)});
     }
     const IndicatorTrial& random = trials.back();
-    section.checks.push_back(
+    add(section,
         check_near(words.line("check.indicator", "mesh"_a = random.mesh), 1, random.indicator.indicated / random.indicator.actual, 0.05));
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q3")};
     report::Section& section = answer.section;
-    section = section_of("q3");
     const auto sources = meshes_for(library, settings, {"lilium", "plane"}, section);
     Comparisons meshes;
-    std::vector<std::string> names;
+    Names names;
     for (const auto& source : sources) {
         progress("cotangent curvature of " + source->name);
         meshes.push_back(compare_operators(source));
@@ -91,7 +83,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const BenchRuns panel = panel_runs(settings.seed, settings.quick, progress);
 
     section.answer = answer_of(runs);
-    add_paragraph(section, lead_of(runs, plane, panel));
+    add_paragraphs(section, {lead_of(runs, plane, panel)});
     add_words(section, words, "method");
     add(section, weight_diagram());
     add_words(section, words, "results");

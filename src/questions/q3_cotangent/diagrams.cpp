@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "questions/bench/one_ring.h"
 #include "questions/core/diagram_names.h"
 #include "questions/q3_cotangent/parts.h"
@@ -30,7 +25,7 @@ void add_arrow(Diagram::Panel& panel, DiagramPoint from, DiagramPoint to) {
 DiagramPoint ring_mean(const FlatRing& ring) {
     DiagramPoint mean{0, 0};
     for (int t = 0; t < ring.triangles(); ++t)
-        for (const std::size_t axis : {0u, 1u}) mean[axis] += ring.corners[static_cast<std::size_t>(t)][axis] / ring.triangles();
+        for (const std::size_t axis : {0u, 1u}) mean[axis] += ring.corners[t][axis] / ring.triangles();
     return mean;
 }
 
@@ -99,8 +94,7 @@ Diagram weight_diagram() {
     const FlatRing ring = flat_ring(sample.mesh, sample.topology, sample.vertex);
     const DiagramPoint mean = ring_mean(ring);
     double edge = 0;
-    for (int t = 0; t < ring.triangles(); ++t)
-        edge += std::hypot(ring.corners[static_cast<std::size_t>(t)][0], ring.corners[static_cast<std::size_t>(t)][1]) / ring.triangles();
+    for (int t = 0; t < ring.triangles(); ++t) edge += std::hypot(ring.corners[t][0], ring.corners[t][1]) / ring.triangles();
     const std::string drift = readable_percent(std::hypot(mean[0], mean[1]) / edge, 2);
     return {.id = "q3_weights",
             .caption = words.line("diagram.caption", "drift"_a = drift),

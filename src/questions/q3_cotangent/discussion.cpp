@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/bench/one_ring.h"
 #include "questions/q3_cotangent/parts.h"
 
@@ -176,7 +172,7 @@ report::Text about_panel(const BenchRuns& panel) {
         lost.insert(run.kind);
         least = std::min(least, uniform_error(run));
     }
-    std::vector<std::string> kinds;
+    Names kinds;
     for (const MeshKind kind : lost) kinds.emplace_back(name_of(kind));
     const auto error = [&](const std::string& key) { return readable_percent(on_random_points(panel, key), 2); };
     const auto better = std::ranges::count_if(panel, wins);
@@ -227,20 +223,18 @@ report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchR
 
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel) {
-    for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? flat_picture(c) : curved_picture(c));
-    add_paragraph(section, about_square(plane));
-    add_paragraph(section, about_errors(runs));
-    add_paragraph(section, about_panel(panel));
+    for (const CotangentComparison& c : meshes) add_paragraphs(section, {c.subject.plane_normal ? flat_picture(c) : curved_picture(c)});
+    add_paragraphs(section, {about_square(plane), about_errors(runs), about_panel(panel)});
     report::Text clamping = about_clamping(plane, runs);
     for (const CotangentComparison& c : meshes)
         if (!c.subject.plane_normal && summary_of(c.difference).count > 0) go_on(clamping, about_negative_weights(c));
-    add_paragraph(section, clamping);
+    add_paragraphs(section, {clamping});
 }
 
 void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs) {
-    add_paragraph(section, about_sphere(run_on(runs, "sphere", MeshKind::regular)));
+    add_paragraphs(section, {about_sphere(run_on(runs, "sphere", MeshKind::regular))});
     for (const CotangentComparison& c : meshes)
-        if (!c.subject.source->prepared->preflight.closed()) add_paragraph(section, about_boundary(c));
+        if (!c.subject.source->prepared->preflight.closed()) add_paragraphs(section, {about_boundary(c)});
 }
 
 }   // namespace meshfolio::q3_cotangent

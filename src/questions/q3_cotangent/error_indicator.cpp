@@ -1,7 +1,5 @@
 #include "questions/q3_cotangent/parts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "geometry/curvature/jet_fit.h"

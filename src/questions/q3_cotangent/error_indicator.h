@@ -2,9 +2,6 @@
 /// How far the cotangent estimate of H is from that of a degree-3 jet: an indicator of its error where no closed form is known.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/curvature_bench.h"
 

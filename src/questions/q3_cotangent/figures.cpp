@@ -1,7 +1,3 @@
-#include <cmath>
-
-#include "base/number_text.h"
-#include "questions/core/six_view_figure.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
@@ -13,7 +9,12 @@ double cotangent_range(const CotangentComparison& c) {
 }
 
 void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
-    SixViewFigure figure{.id = "q3_h", .title = words.line("comparison.title"), .frame_panel = -1, .turnable = true, .view_files = true};
+    output::FigureRequest figure{.id = "q3_h",
+                                 .title = words.line("comparison.title"),
+                                 .range = relative_range(words.line("comparison.quantity")),
+                                 .frame_panel = -1,
+                                 .turnable = true,
+                                 .view_files = true};
     UndefinedVertices masked;
     for (const CotangentComparison& c : meshes) {
         const CurvatureSubject& s = c.subject;
@@ -28,18 +29,13 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
         add("comparison.cotangent", "comparison.cotangent.zero", "cotangent", c.cotangent);
         masked += undefined_vertices(s);
     }
-    figure.caption = words.line("comparison.caption", "undefined"_a = undefined_words(masked));
-    figure.range = relative_range(words.line("comparison.quantity"));
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("comparison.caption", "undefined"_a = undefined_words(masked)));
 }
 
 /// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap) {
-    SixViewFigure figure{.id = "q3_h_irregular_plane",
-                         .title = words.line("plane.title"),
-                         .caption = words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count()),
-                         .edges = true,
-                         .layout = output::Layout::multiples};
+    output::FigureRequest figure{
+        .id = "q3_h_irregular_plane", .title = words.line("plane.title"), .edges = true, .layout = output::Layout::multiples};
     const auto show = [&](const std::string& name, const Vector& H, double most) {
         figure.panels.push_back(panel_of(plane.mesh, "q3_" + name + "_irregular_plane",
                                          words.line("plane." + name, "most"_a = readable(most, 2)), H.cwiseAbs()));
@@ -48,19 +44,18 @@ void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string&
     show("cotangent", plane.cotangent_H, plane.cotangent);
     show("clamped", plane.clamped_H, plane.clamped);
     figure.range = range_from_zero(figure.panels, colormap, "|H| × mean edge", 0.01);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count()));
 }
 
 void add_disagreement_figure(Answer& answer, const CotangentComparison& c, const Disagreement& d, const std::string& colormap) {
     const CurvatureSubject& s = c.subject;
     const std::string id = "q3_" + s.name() + "_disagreement";
-    SixViewFigure figure{.id = id,
-                         .title = words.line("disagreement.title"),
-                         .subtitle = subtitle_of(*s.source),
-                         .caption = words.line("disagreement.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)),
-                         .panels = {panel_of(*s.source, id, s.name(), s.mean_edge * d.size)}};
+    output::FigureRequest figure{.id = id,
+                                 .title = words.line("disagreement.title"),
+                                 .subtitle = subtitle_of(*s.source),
+                                 .panels = {panel_of(*s.source, id, s.name(), s.mean_edge * d.size)}};
     figure.range = range_from_zero(figure.panels, colormap, words.line("disagreement.quantity"), 0.001);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("disagreement.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)));
 }
 
 }   // namespace meshfolio::q3_cotangent

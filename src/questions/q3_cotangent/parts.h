@@ -2,14 +2,9 @@
 /// The parts of question 3.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/curvature_bench.h"
-#include "questions/bench/sentences.h"
 #include "questions/q3_cotangent/error_indicator.h"
-#include "report/document.h"
 
 namespace meshfolio::q3_cotangent {
 

@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <iterator>
 
-#include "geometry/linear/special_values.h"
-#include "questions/core/table.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {

@@ -1,9 +1,6 @@
 // Question 4: meshes rebuilt from the k smoothest eigenvectors of the cotangent Laplace–Beltrami operator.
-#include <algorithm>
 
 #include "questions/bench/law_checks.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/value_lists.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {
@@ -12,7 +9,7 @@ namespace {
 
 void add_checks(report::Section& section, const SpectralStudy& study) {
     const auto of_diagonal = [&](const char* key, double length, double tolerance = 1e-9) {
-        section.checks.push_back(report::check_at_most(words.line(key, "mesh"_a = study.name()), 0, length / study.diagonal, tolerance));
+        add(section, check_at_most(words.line(key, "mesh"_a = study.name()), 0, length / study.diagonal, tolerance));
     };
     const int needles = study.source->prepared->preflight.needle_faces + study.source->prepared->preflight.zero_area_faces;
     append_checks(section, spectrum_checks(study.certificate, " on " + study.name(),
@@ -24,7 +21,7 @@ void add_checks(report::Section& section, const SpectralStudy& study) {
 
 /// The rebuilt meshes, written out. @return their k: "5, 15 and 60"
 report::Parameter add_meshes(Answer& answer, const SpectralStudy& study) {
-    std::vector<std::string> counts;
+    Names counts;
     std::vector<int> numbers;
     for (const Reconstruction& r : study.reconstructions) {
         numbers.push_back(r.k);
@@ -39,7 +36,7 @@ report::Parameter add_meshes(Answer& answer, const SpectralStudy& study) {
 /// How far it was done, and with which settings.
 void add_record(Answer& answer, const std::vector<Subject>& subjects) {
     report::Section& section = answer.section;
-    std::vector<std::string> done;
+    Names done;
     for (const Subject& subject : subjects) {
         const SpectralStudy& study = subject.study;
         const report::Parameter counts = add_meshes(answer, study);
@@ -82,9 +79,8 @@ void add_appendix(Answer& answer, const std::vector<Subject>& subjects) {
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q4")};
     report::Section& section = answer.section;
-    section = section_of("q4");
     const auto meshes = meshes_for(library, settings, {"armadillo"}, section);
     const auto subjects = studies_of(meshes, "eigenpairs", settings, progress, section, subject_of);
     section.answer = answer_in_short(subjects);

@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
-#include "geometry/linear/special_values.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/section_tools.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {
@@ -105,7 +98,7 @@ report::Text single_vertices(const SpectralStudy& study) {
 /// The k for the errors that are told, and the first that no k computed reaches.
 report::Text targets(const SpectralStudy& study) {
     std::vector<int> counts;
-    std::vector<std::string> steps;
+    Names steps;
     std::string beyond;
     for (const double share : target_shares) {
         const int k = smallest_k_below(study, share);
@@ -177,7 +170,7 @@ report::Text what_modes_look_like(const SpectralStudy& study) {
 
 report::Text answer_in_short(const std::vector<Subject>& subjects) {
     const SpectralStudy& study = subjects.front().study;
-    std::vector<std::string> errors;
+    Names errors;
     for (const Reconstruction* r : told_reconstructions(study))
         if (!is_exact(study, r->k))
             errors.push_back(words.line(errors.empty() ? "answer.first" : "answer.next", "k"_a = r->k,

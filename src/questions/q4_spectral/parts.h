@@ -2,14 +2,7 @@
 /// The parts of question 4.
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
-#include "base/number_text.h"
 #include "questions/bench/spectral_uses.h"
-#include "questions/core/chapter.h"
-#include "questions/core/study_list.h"
 
 namespace meshfolio::q4_spectral {
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "geometry/linear/special_values.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {

@@ -1,20 +1,12 @@
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/one_ring.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
 
 namespace {
-
-using Names = std::vector<std::string>;
 
 // ---- how large may it be
 

@@ -2,8 +2,6 @@
 /// The parts of question 5.
 #pragma once
 
-#include <vector>
-
 #include "questions/q5_explicit/study.h"
 
 namespace meshfolio::q5_explicit {

@@ -1,13 +1,8 @@
 #include "questions/q5_explicit/study.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::q5_explicit {
 

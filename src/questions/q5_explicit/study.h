@@ -2,13 +2,7 @@
 /// What question 5 measures: explicit smoothing with steps below and beyond its limit.
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio::q5_explicit {
 

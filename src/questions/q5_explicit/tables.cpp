@@ -1,11 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
@@ -138,7 +130,7 @@ report::Table sweep_table(const ExplicitStudy& study) {
 report::Plot energy_plot(const ExplicitStudy& study) {
     report::Plot plot{
         .id = id_of("q5", study.name(), "energy"), .x_label = "iteration", .y_label = words.line("energy.axis"), .log_y = true};
-    std::vector<std::string> cut;
+    Names cut;
     for (const SmoothingRun* run : shown_runs(study)) {
         plot.series.push_back(energy_series(study, *run));
         if (plot.series.back().y.size() < run->energy.size()) cut.push_back(in_limits(study.subject, run->lambda));

@@ -1,19 +1,11 @@
 // The answer to question 6, and what it rests on: the prices of the two schemes, and how smooth both leave a mesh.
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <set>
 
-#include "base/number_text.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
 
 namespace {
-
-using Names = std::vector<std::string>;
 
 /// Which scheme is cheaper for what is recommended.
 report::Text price_of_recommended(const Studies& studies) {

@@ -1,34 +1,26 @@
 // Question 6: implicit (backward Euler) smoothing after Desbrun et al. 1999, eq. 9, beside the explicit method.
-#include <algorithm>
 
-#include "questions/core/chapter.h"
-#include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
 
 namespace {
 
-using report::check_at_most;
-using report::check_near;
-
 void add_checks(report::Section& section, const ImplicitStudy& study) {
     const report::Fact mesh = "mesh"_a = study.name();
-    section.checks.push_back(
-        check_near(words.line("check.damping", "modes"_a = study.damped_modes, mesh), 1, 1 + study.worst_damping, 1e-6));
+    add(section, check_near(words.line("check.damping", "modes"_a = study.damped_modes, mesh), 1, 1 + study.worst_damping, 1e-6));
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
         const report::Fact limits = "limits"_a = in_limits(study.subject, study.lambdas[l]);
-        section.checks.push_back(energy_check(words.line("check.energy", limits, mesh), study.implicit_runs[l]));
+        add(section, energy_check(words.line("check.energy", limits, mesh), study.implicit_runs[l]));
     }
-    section.checks.push_back(check_at_most(words.line("check.huge_step", mesh), 1, study.huge_step_energy, 0));
+    add(section, check_at_most(words.line("check.huge_step", mesh), 1, study.huge_step_energy, 0));
 }
 
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q6")};
     report::Section& section = answer.section;
-    section = section_of("q6");
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns"}, section);
     const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study);
     section.answer = answer_of(studies);
@@ -59,7 +51,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
 
     const ImplicitStudy& last = studies.back();
-    std::vector<std::string> times;
+    Names times;
     for (const int t : last.iterations) times.push_back(std::to_string(t));
     section.parameters = {{"iterations", {listed(times), last.iterations}}, {"operator", smoothing_words.line("parameter.operator")}};
     section.extent =

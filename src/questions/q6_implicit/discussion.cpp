@@ -1,13 +1,6 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <set>
 
-#include "base/number_text.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
@@ -56,7 +49,7 @@ double excess_of(const SmoothingSubject& subject, const Positions& X, const std:
     double sums[2] = {0, 0};
     int counts[2] = {0, 0};
     for (Eigen::Index v = 0; v < X.rows(); ++v) {
-        const int flag = flags[static_cast<std::size_t>(v)] != 0 ? 1 : 0;
+        const int flag = flags[v] != 0 ? 1 : 0;
         sums[flag] += (X.row(v) - subject.mesh().X.row(v)).squaredNorm();
         ++counts[flag];
     }
@@ -89,7 +82,7 @@ double share_pulled_inside(const ImplicitStudy& study, const Positions& X) {
     const Vector before = curvature_colours(study.subject, mesh.X), after = curvature_colours(study.subject, X);
     int convex = 0, inside = 0;
     for (Eigen::Index v = 0; v < before.size(); ++v) {
-        if (sharp[static_cast<std::size_t>(v)] == 0 || !(before[v] > 0)) continue;
+        if (sharp[v] == 0 || !(before[v] > 0)) continue;
         ++convex;
         inside += after[v] < 0 ? 1 : 0;
     }
@@ -180,14 +173,14 @@ report::Text too_much(const ImplicitStudy& study) {
 
 /// Where the explicit runs end at the smallest step that blew up: "6 (cube and plane)".
 report::Text explicit_ends(const Studies& studies) {
-    std::map<std::string, std::map<int, std::vector<std::string>>> ended;   // by step and iteration
+    std::map<std::string, std::map<int, Names>> ended;   // by step and iteration
     for (const ImplicitStudy& study : studies)
         if (const std::optional<std::size_t> blown = study.first_blown())
             ended[in_limits(study.subject, study.lambdas[*blown])][study.explicit_runs[*blown].result.blow_up_iteration].push_back(
                 study.name());
     report::Text told;
     for (const auto& [limits, iterations] : ended) {
-        std::vector<std::string> ends;
+        Names ends;
         for (const auto& [iteration, meshes] : iterations)
             ends.push_back(words.line("beyond.end", "iteration"_a = iteration, "meshes"_a = listed(meshes)));
         told = paragraph_of({told, words.say("beyond", "limits"_a = limits, "ends"_a = listed(ends))});

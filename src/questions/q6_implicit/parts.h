@@ -2,8 +2,6 @@
 /// The parts of question 6.
 #pragma once
 
-#include <vector>
-
 #include "questions/q6_implicit/study.h"
 
 namespace meshfolio::q6_implicit {

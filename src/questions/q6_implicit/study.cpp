@@ -1,15 +1,11 @@
 #include "questions/q6_implicit/study.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <limits>
 
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::q6_implicit {
 
@@ -27,7 +23,7 @@ SmoothingCell implicit_cell(const ImplicitStudy& study, std::size_t l, int t, co
     cell.lambda = study.lambdas[l];
     cell.iterations = t;
     cell.implicit_X = X;
-    cell.implicit_energy = run.energy[static_cast<std::size_t>(t)];
+    cell.implicit_energy = run.energy[t];
     cell.kept = *std::min_element(run.size.begin(), run.size.begin() + t + 1);
     const bool closed = study.is_closed();
     if (cell.collapsed()) {   // a point to rounding: neither its volume nor its normals mean anything
@@ -45,7 +41,7 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
     const SmoothingRun& explicit_run = study.explicit_runs[l];
     if (const Positions* X = kept(explicit_run, t)) {
         cell.explicit_X = *X;
-        cell.explicit_energy = explicit_run.energy[static_cast<std::size_t>(cell.iterations)];
+        cell.explicit_energy = explicit_run.energy[cell.iterations];
     } else {
         cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
     }
@@ -99,7 +95,7 @@ std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, Implic
     for (const SmoothingRun& run : study.implicit_runs) {
         const int keeping = iterations_keeping_size(run);
         steps.push_back(keeping < 0 ? run.iterations : keeping);
-        energy.push_back(steps.back() > 0 ? run.energy[static_cast<std::size_t>(steps.back())] : INFINITY);
+        energy.push_back(steps.back() > 0 ? run.energy[steps.back()] : INFINITY);
     }
     const double enough = 1.01 * std::ranges::min(energy);
     std::optional<std::size_t> best;
@@ -188,7 +184,7 @@ int ImplicitStudy::explicit_steps_to(double energy) const {
 }
 
 double ImplicitStudy::price(std::size_t l, int t) const {
-    const int steps = explicit_steps_to(implicit_runs[l].energy[static_cast<std::size_t>(t)]);
+    const int steps = explicit_steps_to(implicit_runs[l].energy[t]);
     if (steps == 0 || !prices.counted()) return NAN;
     return steps * prices.explicit_step / (t * prices.implicit_step + prices.factorisation);
 }

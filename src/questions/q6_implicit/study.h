@@ -2,14 +2,7 @@
 /// What question 6 measures: implicit beside explicit smoothing over a grid of steps and iterations, and what both cost.
 #pragma once
 
-#include <cmath>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio::q6_implicit {
 

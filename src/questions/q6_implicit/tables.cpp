@@ -1,10 +1,5 @@
-#include <algorithm>
-#include <optional>
 #include <set>
 
-#include "base/number_text.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {

@@ -1,17 +1,8 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
 
 namespace {
-
-using Names = std::vector<std::string>;
 
 /// That the noise in mean edges does not tell the cases that are halved from the others; that it does stands in the answer.
 report::Text noise_in_mean_edges(const Grids& grids) {

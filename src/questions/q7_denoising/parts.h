@@ -2,10 +2,6 @@
 /// The parts of question 7.
 #pragma once
 
-#include <vector>
-
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/q7_denoising/study.h"
 
 namespace meshfolio::q7_denoising {
@@ -24,7 +20,7 @@ inline constexpr auto distance_colours = "pale";
 /// The verdicts by a measure, of the cases that have it: noise within a plane changes neither surface nor normals.
 struct Count {
     int works = 0, helps = 0, fails = 0;
-    std::vector<std::string> shrinking;   // of those that fail, the cases whose gain cost too much volume
+    Names shrinking;   // of those that fail, the cases whose gain cost too much volume
 
     int cases() const { return works + helps + fails; }
 };

@@ -1,19 +1,14 @@
 #include "questions/q7_denoising/study.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/denoising_prediction.h"
 #include "geometry/denoising/noise_level.h"
 #include "geometry/denoising/risk_estimate.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::q7_denoising {
 
@@ -60,7 +55,7 @@ double rms_where(const Vector& distances, const std::vector<char>& flags, char f
     double sum = 0;
     int count = 0;
     for (Eigen::Index v = 0; v < distances.size(); ++v) {
-        if (flags[static_cast<std::size_t>(v)] != flag) continue;
+        if (flags[v] != flag) continue;
         sum += distances[v] * distances[v];
         ++count;
     }
@@ -77,8 +72,7 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     const Positions found = face_normals(smoothed);
     std::vector<int> at_features, others;
     for (int f = 0; f < clean.face_count(); ++f) {
-        const bool at_feature =
-            std::ranges::any_of(clean.F.row(f), [&](int v) { return grid.on_feature[static_cast<std::size_t>(v)] != 0; });
+        const bool at_feature = std::ranges::any_of(clean.F.row(f), [&](int v) { return grid.on_feature[v] != 0; });
         (at_feature ? at_features : others).push_back(f);
     }
     const auto angle_of = [&](const std::vector<int>& faces) {
@@ -117,7 +111,7 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
     smooth(noisy, options, solver);
     options.after_step = [&](int t, const Positions& X) {
         if (static_cast<std::size_t>(t) == along.size()) return false;   // the first run ended earlier
-        divergence.push_back((z.cwiseProduct(X - noisy.X).sum() - along[static_cast<std::size_t>(t)]) / amount);
+        divergence.push_back((z.cwiseProduct(X - noisy.X).sum() - along[t]) / amount);
         return true;
     };
     smooth(moved_to(noisy, noisy.X + amount * z), options, solver);
@@ -126,7 +120,7 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
         return Eigen::Map<Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
     };
     const int best = RiskEstimate{vector(residual), vector(divergence), divergence[0]}.best(sigma);
-    return {best, shape[0] / shape[static_cast<std::size_t>(best)], shape[0] / std::ranges::min(shape)};
+    return {best, shape[0] / shape[best], shape[0] / std::ranges::min(shape)};
 }
 
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {

@@ -2,15 +2,8 @@
 /// What question 7 measures: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "questions/bench/denoising_search.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::q7_denoising {
 

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
@@ -160,7 +154,7 @@ report::Plot error_plot(const DenoisingGrid& grid) {
     for (const NoisyTrial& trial : grid.trials) {
         report::Series series = error_series(grid, trial);
         const auto least = std::ranges::min_element(series.y);
-        const double x = series.x[static_cast<std::size_t>(least - series.y.begin())];
+        const double x = series.x[least - series.y.begin()];
         plot.markers.push_back({x, *least, words.line("errors.minimum", "best"_a = std::lround(x))});
         plot.series.push_back(std::move(series));
     }

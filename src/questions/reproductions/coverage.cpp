@@ -1,9 +1,5 @@
 // Which row of the requirements is answered where.
-#include <algorithm>
-#include <array>
-#include <map>
 
-#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {

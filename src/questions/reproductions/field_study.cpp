@@ -1,14 +1,9 @@
 #include "questions/reproductions/field_study.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::reproductions {
 

@@ -2,11 +2,8 @@
 /// Experiments of earlier reports that look at one mesh at a time: curvatures, and meshes rebuilt from eigenvectors.
 #pragma once
 
-#include <vector>
-
 #include "geometry/measures/mesh_error.h"
 #include "geometry/spectrum/laplace_spectrum.h"
-#include "questions/core/section_tools.h"
 #include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {

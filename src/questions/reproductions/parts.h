@@ -2,11 +2,6 @@
 /// The blocks of the section "reproductions": what each kind of experiment shows. Private to the section.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/core/chapter.h"
-#include "questions/core/six_view_figure.h"
 #include "questions/reproductions/field_study.h"
 #include "questions/reproductions/study.h"
 
@@ -62,7 +57,7 @@ std::string sentence_case(std::string words);
 /// How the id of what is coloured so ends: "h_cotan".
 std::string key_of(ExperimentColour colour);
 /// A figure on this mesh, with the mesh itself as its first panel.
-SixViewFigure figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel);
+output::FigureRequest figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel);
 /// The range of a figure, from these panels alone; nothing when there are no values.
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels);
 

@@ -1,11 +1,6 @@
 // Smoothing experiments of earlier reports: pictures, table and what was found.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
@@ -39,8 +34,8 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     const Experiment& e = r.experiment;
     const ExperimentMesh& mesh = done.meshes[m];
     const ExperimentColour colour = e.colours.front();
-    SixViewFigure figure = figure_on(r, mesh, "before");
-    std::vector<std::string> gone, shrunk;   // out of the picture with their first step; too small to be seen in it
+    output::FigureRequest figure = figure_on(r, mesh, "before");
+    Names gone, shrunk;   // out of the picture with their first step; too small to be seen in it
     for (const ExperimentRun& run : done.runs) {
         if (run.mesh != m) continue;
         if (run.run.in_view_iteration == 0 && run.run.result.blew_up) {
@@ -61,11 +56,11 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
         }
     }
     figure.range = range_of(r, colour, {figure.panels.front()});
-    figure.caption = words.line("smoothed.caption", "file"_a = figure.subtitle);
-    if (figure.range) figure.caption += " " + words.line("smoothed.caption.colours", "quantity"_a = figure.range->quantity);
-    if (!gone.empty()) figure.caption += " " + words.line("smoothed.caption.gone", "runs"_a = listed(gone));
-    if (!shrunk.empty()) figure.caption += " " + words.line("smoothed.caption.shrunk", "runs"_a = listed(shrunk));
-    add_figure(r.answer, std::move(figure));
+    std::string caption = words.line("smoothed.caption", "file"_a = figure.subtitle);
+    if (figure.range) caption += " " + words.line("smoothed.caption.colours", "quantity"_a = figure.range->quantity);
+    if (!gone.empty()) caption += " " + words.line("smoothed.caption.gone", "runs"_a = listed(gone));
+    if (!shrunk.empty()) caption += " " + words.line("smoothed.caption.shrunk", "runs"_a = listed(shrunk));
+    add_figure(r.answer, std::move(figure), std::move(caption));
 }
 
 /// A row of the table: a run at one of the experiment's iterations.
@@ -249,7 +244,7 @@ void add_checks(const Reproduction& r, const SmoothingExperiment& done) {
         if (!law) continue;
         const std::string name = words.line("check.energy", "method"_a = name_of(run.method), "share"_a = plain_text(run.share(), 3),
                                             "mesh"_a = done.meshes[run.mesh].name(), "where"_a = r.where());
-        r.section().checks.push_back(energy_check(name, run.run));
+        add(r.section(), energy_check(name, run.run));
     }
 }
 
@@ -259,7 +254,7 @@ void add_smoothing_reproduction(const Reproduction& r, const SmoothingExperiment
     add_opening(r, done.meshes);
     for (std::size_t m = 0; m < done.meshes.size(); ++m) add_figure_of(r, done, m);
     add(r.section(), run_table(r, done));
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraph(r.section(), found_on(r, done, m));
+    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraphs(r.section(), {found_on(r, done, m)});
     add_checks(r, done);
 }
 

@@ -1,8 +1,6 @@
 #include "questions/reproductions/study.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "mesh/triangle_measures.h"
@@ -74,7 +72,7 @@ NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, Noi
     options.iterations = experiment.iterations.back();
     options.after_step = [&](int iteration, const Positions& X) {
         run.rms.push_back(vertex_rms(clean.X, X));
-        if (run.rms.back() < run.rms[static_cast<std::size_t>(run.best)]) {
+        if (run.rms.back() < run.rms[run.best]) {
             run.best = iteration;
             run.best_X = X;
         }

@@ -2,15 +2,8 @@
 /// Experiments of earlier reports done again: the meshes they are done on here, their parameters carried over, and what was measured.
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "mesh/triangle_mesh.h"
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/experiment.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio::reproductions {
 
@@ -95,7 +88,7 @@ struct NoisyRun {
     bool blew_up = false;
     int blow_up_iteration = 0;
 
-    double gain() const { return rms.front() / rms[static_cast<std::size_t>(best)]; }
+    double gain() const { return rms.front() / rms[best]; }
 };
 
 struct NoisyExperiment {

@@ -1,7 +1,3 @@
-#include <algorithm>
-
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
 #include "questions/reproductions/parts.h"
 #include "report/brief_number.h"
 
@@ -15,7 +11,7 @@ std::string original_words(const OriginalMesh& original) {
 }
 
 std::string mesh_words(const ExperimentMesh& mesh) {
-    std::vector<std::string> originals;
+    Names originals;
     for (const OriginalMesh& original : mesh.originals) originals.push_back(original_words(original));
     return words.line(mesh.stand_in ? "mesh.stand_in" : "mesh.itself", "file"_a = mesh.used->input.file,
                       "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(originals));
@@ -42,7 +38,8 @@ report::Text carried_words(const Experiment& experiment, const ExperimentMesh& m
 
 void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshes) {
     const Experiment& e = r.experiment;
-    add_heading(r.section(), words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name));
+    add(r.section(),
+        report::Heading{words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name)});
     report::BulletList list;
     if (!e.said.empty()) list.items.push_back(words.say("opening.said", "said"_a = e.said));
     std::string here;
@@ -57,7 +54,7 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
 std::string Reproduction::where() const { return experiment.from + ", " + rows_text(experiment.rows); }
 
 std::string rows_text(const std::vector<int>& rows) {
-    std::vector<std::string> numbers;
+    Names numbers;
     for (const int row : rows) numbers.push_back(std::to_string(row));
     return words.line("rows", "count"_a = rows.size(), "rows"_a = listed(numbers));
 }
@@ -108,7 +105,7 @@ std::string key_of(ExperimentColour colour) {
     return key;
 }
 
-SixViewFigure figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel) {
+output::FigureRequest figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel) {
     const std::string id = r.id_of(mesh.name());
     return {.id = id,
             .title = r.experiment.from + ": " + r.experiment.name,

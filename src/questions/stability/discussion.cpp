@@ -1,8 +1,5 @@
 // What the numbers of the section "stability" say.
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
@@ -155,8 +152,8 @@ report::Text answer_of(const Studies& studies) {
 
 void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow) {
     add_words(section, words, "discussion");
-    add_paragraph(section, what_is_proved(studies));
-    for (const StabilityStudy& study : studies) add_paragraph(section, where_and_why(study));
+    add_paragraphs(section, {what_is_proved(studies)});
+    for (const StabilityStudy& study : studies) add_paragraphs(section, {where_and_why(study)});
     add_paragraphs(section, {on_both_sides(studies), about_uniform(studies), about_fixed(flow), about_adaptive(flow), about_frozen(flow)});
 }
 

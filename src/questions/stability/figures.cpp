@@ -1,9 +1,6 @@
 #include <Eigen/Geometry>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/six_view_figure.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
@@ -29,15 +26,14 @@ void add_multiples(Answer& answer, output::FigureRequest request, const std::str
     request.range->high = 1;
     request.range->clipped_below = request.range->clipped_above = 0;
     request.layout = output::Layout::multiples;
-    add(answer.section, report::Figure{request.id, caption, caption});
-    answer.figures.push_back(std::move(request));
+    add_figure(answer, std::move(request), caption, caption);
 }
 
 }   // namespace
 
 Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings) {
     std::vector<bool> within(static_cast<std::size_t>(mesh.vertex_count()));
-    const auto is_within = [&](int v) { return within[static_cast<std::size_t>(v)]; };
+    const auto is_within = [&](int v) { return within[v]; };
     std::vector<int> front{vertex}, faces;
     is_within(vertex) = true;
     for (int ring = 1; ring <= rings; ++ring) {
@@ -62,13 +58,11 @@ Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topolo
 
 void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const std::string& colormap) {
     constexpr int rings = 4;
-    output::FigureRequest whole, near;
-    whole.id = "stability_top_modes";
-    whole.title = words.line("top_modes.title");
-    near.id = "stability_close_ups";
-    near.title = words.line("close_ups.title");
-    near.subtitle = words.line("close_ups.subtitle", "rings"_a = rings);
-    near.edges = true;
+    output::FigureRequest whole{.id = "stability_top_modes", .title = words.line("top_modes.title")};
+    output::FigureRequest near{.id = "stability_close_ups",
+                               .title = words.line("close_ups.title"),
+                               .subtitle = words.line("close_ups.subtitle", "rings"_a = rings),
+                               .edges = true};
     std::string caption = words.line("close_ups.caption");
     for (const StabilityStudy& study : studies) {
         const LimitingVertex& v = study.limiting;

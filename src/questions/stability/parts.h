@@ -2,12 +2,6 @@
 /// The parts of the section "stability".
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/core/chapter.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
 #include "questions/stability/study.h"
 
 namespace meshfolio::stability {

@@ -1,13 +1,9 @@
 #include "questions/stability/study.h"
 
-#include <algorithm>
-
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::stability {
 
@@ -55,7 +51,7 @@ LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMe
     const OperatorWithMass whole = operator_with_mass(laplacian);
     LimitingVertex limiting{vertex, laplacian.M[vertex] / summary_of(whole.M).median,
                             -laplacian.C.coeff(vertex, vertex) / summary_of(whole.A.diagonal()).median,
-                            source.prepared->topology.on_boundary[static_cast<std::size_t>(vertex)] != 0, pi};
+                            source.prepared->topology.on_boundary[vertex] != 0, pi};
     const CornerValues angles = corner_angles(mesh);
     for (int t = 0; t < mesh.face_count(); ++t) {
         if ((mesh.F.row(t).array() == vertex).any()) limiting.smallest_angle = std::min(limiting.smallest_angle, angles.row(t).minCoeff());

@@ -3,17 +3,10 @@
 /// the operator is rebuilt.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/smoothing/mode_growth.h"
 #include "geometry/smoothing/stability_certificate.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::stability {
 

@@ -1,8 +1,5 @@
 // Tables and plots of the section "stability".
-#include <algorithm>
 
-#include "base/number_text.h"
-#include "questions/core/table.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
@@ -40,7 +37,7 @@ report::Series curve(const std::string& name, const std::string& step, const Mod
     const int stride = std::max(2, growth.steps() / 15);
     for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride) {
         series.x.push_back(t);
-        series.y.push_back(measured ? growth.factor[static_cast<std::size_t>(t)] : growth.predicted(t));
+        series.y.push_back(measured ? growth.factor[t] : growth.predicted(t));
     }
     return series;
 }

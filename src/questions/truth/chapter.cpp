@@ -1,6 +1,4 @@
 // The chapter "Ground truth": the panel of all estimators on surfaces where the curvature is known.
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
 #include "questions/truth/parts.h"
 
 namespace meshfolio::truth {

@@ -1,12 +1,7 @@
 // What the ground-truth panel must show, as named checks.
-#include "questions/core/section_tools.h"
 #include "questions/truth/parts.h"
 
 namespace meshfolio::truth {
-
-using report::check_at_least;
-using report::check_at_most;
-using report::check_near;
 
 namespace {
 

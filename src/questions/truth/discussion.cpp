@@ -1,5 +1,3 @@
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
 #include "questions/truth/parts.h"
 
 namespace meshfolio::truth {
@@ -13,9 +11,9 @@ std::string error_of(const GroundTruth& truth, std::string_view surface, MeshKin
 
 /// On which surfaces H from the cotangent formula converges on random points, one kind of area after the other.
 std::string convergence_on_random_points(const GroundTruth& truth) {
-    std::vector<std::string> where;
+    Names where;
     for (const AreaForm form : area_forms) {
-        std::vector<std::string> surfaces;
+        Names surfaces;
         for (const BenchRun& run : of_kind(truth.runs, MeshKind::random))
             if (run.errors(H_with(form)).order().converges()) surfaces.push_back(run.surface);
         if (!surfaces.empty()) where.push_back(words.line("random.with", "areas"_a = area_name(form), "surfaces"_a = listed(surfaces)));
@@ -42,20 +40,19 @@ void add_discussion(report::Section& section, const GroundTruth& truth) {
     using enum MeshKind;
     add_words(section, words, "discussion");
     const auto told = [&](const char* surface, MeshKind kind, const char* key) { return error_of(truth, surface, kind, key); };
-    add_paragraph(section, words.say("regular", "mixed"_a = told("torus", regular, "H.mixed"), "K"_a = told("torus", regular, "K.mixed"),
-                                     "uniform"_a = told("torus", regular, "H.uniform")));
+    add_paragraphs(section, {words.say("regular", "mixed"_a = told("torus", regular, "H.mixed"), "K"_a = told("torus", regular, "K.mixed"),
+                                       "uniform"_a = told("torus", regular, "H.uniform"))});
     const ErrorHistory linf = truth.run("ellipsoid", regular).errors("H.mixed", &EstimateError::linf);
     const double pentagons = truth.run("sphere", regular).finest().error("H.barycentric").linf;
-    add_paragraph(section, words.say("literally_regular", "mixed"_a = told("ellipsoid", regular, "H.mixed"),
-                                     "linf"_a = readable_percent(linf.last(), 2), "band"_a = told("ellipsoid band", regular, "H.mixed"),
-                                     "pentagons"_a = readable_percent(pentagons, 3)));
-    add_paragraph(section,
-                  words.say("random", "converging"_a = convergence_on_random_points(truth),
-                            "barycentric"_a = told("ellipsoid", random, "H.barycentric"), "mixed"_a = told("ellipsoid", random, "H.mixed"),
-                            "along_normal"_a = told("ellipsoid", random, "H.mixed_n"), "K"_a = told("ellipsoid", random, "K.mixed")));
-    add_paragraph(section, about_other_estimators(truth));
-    add_paragraph(section,
-                  words.say("noisy", "mixed"_a = told("ellipsoid", noisy, "H.mixed"), "jet"_a = told("ellipsoid", noisy, "H.jet")));
+    add_paragraphs(
+        section,
+        {words.say("literally_regular", "mixed"_a = told("ellipsoid", regular, "H.mixed"), "linf"_a = readable_percent(linf.last(), 2),
+                   "band"_a = told("ellipsoid band", regular, "H.mixed"), "pentagons"_a = readable_percent(pentagons, 3)),
+         words.say("random", "converging"_a = convergence_on_random_points(truth),
+                   "barycentric"_a = told("ellipsoid", random, "H.barycentric"), "mixed"_a = told("ellipsoid", random, "H.mixed"),
+                   "along_normal"_a = told("ellipsoid", random, "H.mixed_n"), "K"_a = told("ellipsoid", random, "K.mixed")),
+         about_other_estimators(truth),
+         words.say("noisy", "mixed"_a = told("ellipsoid", noisy, "H.mixed"), "jet"_a = told("ellipsoid", noisy, "H.jet"))});
 }
 
 }   // namespace meshfolio::truth

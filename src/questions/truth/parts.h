@@ -2,11 +2,7 @@
 /// The parts of the chapter "truth", which `meshfolio verify` writes too.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "questions/bench/curvature_bench.h"
-#include "report/document.h"
 
 namespace meshfolio::truth {
 

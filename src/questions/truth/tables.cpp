@@ -1,8 +1,3 @@
-#include <algorithm>
-
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/truth/parts.h"
 
 namespace meshfolio::truth {
@@ -50,7 +45,7 @@ struct Measured {
 }   // namespace
 
 report::Table overview(const GroundTruth& truth) {
-    std::vector<std::string> surfaces;
+    Names surfaces;
     for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) surfaces.push_back(run.surface);
     auto behaviours = table_of_estimators("truth_overview", words.line("overview", "surfaces"_a = listed(surfaces)));
     for (const MeshKind kind : panel_kinds)
@@ -76,7 +71,7 @@ report::Table order_table(const GroundTruth& truth, MeshKind kind) {
 }
 
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity) {
-    static const std::vector<std::string> shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
+    static const Names shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
     const BenchRun& run = truth.run("ellipsoid", kind);
     const std::string caption = words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind));
     report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);
