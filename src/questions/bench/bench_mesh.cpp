@@ -101,7 +101,7 @@ BenchMesh with_truth(TriangleMesh mesh, const KnownSurface& surface, int edges_f
 
 std::string_view name_of(MeshKind kind) {
     constexpr std::array<std::string_view, 5> names{"regular", "jittered", "random", "noisy", "anisotropic"};
-    return names[kind];
+    return names[int(kind)];
 }
 
 const SparseMatrix& BenchMesh::C() const {

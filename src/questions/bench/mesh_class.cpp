@@ -67,6 +67,16 @@ std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology&
     return on_feature;
 }
 
+FlaggedMeans flagged_means(const Vector& values, const std::vector<char>& flags) {
+    double sums[2] = {0, 0};
+    int counts[2] = {0, 0};
+    for (Eigen::Index v = 0; v < values.size(); ++v) {
+        sums[flags[v] != 0] += values[v];
+        ++counts[flags[v] != 0];
+    }
+    return {sums[1] / counts[1], sums[0] / counts[0], counts[1], counts[0]};
+}
+
 int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
     int vertex = mesh.face_count() > 0 ? mesh.F(0, 0) : 0;
     double sharpest = 0;
@@ -89,7 +99,7 @@ static double median_of(std::vector<double>& values) {
 
 std::string_view title_of(MeshClass kind) {
     static constexpr std::array<std::string_view, 4> titles{"flat", "smooth", "sharp-edged", "rough or coarse"};
-    return titles[kind];
+    return titles[int(kind)];
 }
 
 MeshClass MeshCharacter::kind() const {

@@ -14,6 +14,13 @@ inline constexpr double feature_angle = 40;   // two faces that meet at more mak
 /// n flags: vertices of feature edges.
 std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology);
 
+/// Means of n values where a flag is set, and elsewhere; NaN over no vertex.
+struct FlaggedMeans {
+    double there, elsewhere;
+    int count, others;   // vertices
+};
+FlaggedMeans flagged_means(const Vector& values, const std::vector<char>& flags);
+
 /// The vertex of the sharpest edge (the first of equals), or the first in use where no two faces meet.
 int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology);
 

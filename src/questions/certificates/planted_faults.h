@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "questions/bench/law_checks.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
 

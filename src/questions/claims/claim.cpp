@@ -46,7 +46,7 @@ std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>&
 
 std::string_view key_of(Verdict verdict) {
     static constexpr std::array<std::string_view, 4> keys{"holds", "conditional", "refuted", "undecidable"};
-    return keys[verdict];
+    return keys[int(verdict)];
 }
 
 Measurement unmeasured(const Error& error) { return {.undecidable = words.line("unmeasured", "why"_a = error.what())}; }
@@ -88,7 +88,7 @@ std::string word_of(Verdict verdict) { return words.line("verdict." + std::strin
 
 std::string_view symbol_of(Verdict verdict) {
     static constexpr std::array<std::string_view, 4> symbols{"✓", "◐", "✗", "?"};
-    return symbols[verdict];
+    return symbols[int(verdict)];
 }
 
 std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " " + word_of(verdict); }

@@ -30,7 +30,7 @@ bool has_negative_weights(const SparseMatrix& C) {
 std::string key_of_lacking(Property property) {
     static constexpr std::array keys{
         "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};
-    return std::string("lacks.") + keys[property];
+    return std::string("lacks.") + keys[int(property)];
 }
 
 /// What a run or a noisy run is made with.

@@ -39,18 +39,16 @@ report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
     Names minima;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         report::Series series{.name = sigma_text(bench, bunny_sigmas[i])};
-        for (std::size_t t = 0; t < curves[i].size(); ++t) {
-            series.x.push_back(double(t));
-            series.y.push_back(100 * curves[i][t] / bench.subject("bunny").diagonal);
-        }
+        for (std::size_t t = 0; t < curves[i].size(); ++t)
+            add_point(series, double(t), 100 * curves[i][t] / bench.subject("bunny").diagonal);
         const int best = best_of(curves[i]);
         plot.markers.push_back({double(best), series.y[best],
                                 words.line(has_minimum(curves[i]) ? "plot.noise.minimum" : "plot.noise.falling", "iteration"_a = best)});
         minima.push_back(std::to_string(best));
         plot.series.push_back(std::move(series));
     }
-    plot.caption = plot.alt = words.line(bench.is_itself("bunny") ? "plot.noise" : "plot.noise.elsewhere", "minima"_a = listed(minima),
-                                         "mesh"_a = bench.mesh("bunny").mesh->name);
+    plot.caption = words.line(bench.is_itself("bunny") ? "plot.noise" : "plot.noise.elsewhere", "minima"_a = listed(minima),
+                              "mesh"_a = bench.mesh("bunny").mesh->name);
     return plot;
 }
 
@@ -127,13 +125,8 @@ double edges_over_rest(ClaimBench& bench, std::string_view name) {
     key.iterations = best_of(bench.denoised(name, key));
     const Positions X = smooth(noisy_mesh(bench, name, key), {.scheme = key.scheme, .lambda = key.lambda, .iterations = key.iterations}).X;
     const std::vector<char> on_edge = feature_vertices(clean, source.prepared->topology);
-    std::array<double, 2> squares{}, counts{};
-    for (Eigen::Index v = 0; v < X.rows(); ++v) {
-        const std::size_t kind = on_edge[v] != 0 ? 1 : 0;
-        squares[kind] += (X.row(v) - clean.X.row(v)).squaredNorm();
-        ++counts[kind];
-    }
-    return std::sqrt(squares[1] / counts[1] / (squares[0] / counts[0]));
+    const FlaggedMeans squares = flagged_means((X - clean.X).rowwise().squaredNorm(), on_edge);
+    return std::sqrt(squares.there / squares.elsewhere);
 }
 
 Measurement better_where_flat(ClaimBench& bench, const MeshNames& meshes) {

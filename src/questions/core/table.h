@@ -19,7 +19,7 @@
 
 namespace meshfolio {
 
-inline constexpr auto smallest = report::Column::Best::smallest, largest = report::Column::Best::largest;
+using Best = report::Column::Best;
 
 namespace detail {
 inline report::Cell cell(report::Cell cell) { return cell; }

@@ -36,10 +36,11 @@ report::Table score_table(const LaboratoryMesh& lab) {
 report::Table known_table(const KnownTrials& trials) {
     return table("operators_known", words.line("known"), trials)
         .column("operator", [](auto& t) { return t.made_by.title(); })
-        .column("H of the flat square", {.unit = "1 / mean edge", .digits = 2, .best = smallest}, [](auto& t) { return cell_of(t.plane); })
-        .column("H of the sphere off by", {.unit = "%", .best = smallest}, [](auto& t) { return cell_of(100 * t.H_error[0]); })
-        .column("H of the ellipsoid off by", {.unit = "%", .best = smallest}, [](auto& t) { return cell_of(100 * t.H_error[1]); })
-        .column("eigenvalues off by", {.unit = "%", .best = smallest}, [](auto& t) { return cell_of(100 * t.eigenvalue_error); });
+        .column("H of the flat square", {.unit = "1 / mean edge", .digits = 2, .best = Best::smallest},
+                [](auto& t) { return cell_of(t.plane); })
+        .column("H of the sphere off by", {.unit = "%", .best = Best::smallest}, [](auto& t) { return cell_of(100 * t.H_error[0]); })
+        .column("H of the ellipsoid off by", {.unit = "%", .best = Best::smallest}, [](auto& t) { return cell_of(100 * t.H_error[1]); })
+        .column("eigenvalues off by", {.unit = "%", .best = Best::smallest}, [](auto& t) { return cell_of(100 * t.eigenvalue_error); });
 }
 
 void add_figure_of(Answer& answer, const LaboratoryMesh& lab) {

@@ -38,7 +38,7 @@ RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& r
 }
 
 void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, int seeds, int numbers) {
-    const auto& runs = results.of[study.kind];
+    const auto& runs = results.of[int(study.kind)];
     study.rule_seeds = seeds;
     study.divergence = study.divergence_held = Vector::Zero(study.measured.square.size());
     for (int s = 0; s < seeds; ++s) {
@@ -79,7 +79,7 @@ OperatorStudy operator_study(FlowOperator kind, const LevelResults& results, Pre
     OperatorStudy study;
     study.kind = kind;
     std::vector<RunErrors> errors;
-    for (const SeedResult& result : results.of[kind]) {
+    for (const SeedResult& result : results.of[int(kind)]) {
         errors.push_back(result.errors);
         study.collapsed += result.collapsed ? 1 : 0;
     }
@@ -182,7 +182,7 @@ PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, cons
         level.sigma_edges = level.sigma / study.mean_edge;
         enter_estimates(level, results[l].estimates);
         for (const FlowOperator kind : all_operators) {
-            const int steps = results[l].iterations[kind];
+            const int steps = results[l].iterations[int(kind)];
             OperatorStudy& operated = level.of(kind);
             operated = operator_study(kind, results[l], formula(study.prediction, level.sigma, steps));
             if (kind == FlowOperator::clean) continue;

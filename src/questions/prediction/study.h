@@ -64,8 +64,8 @@ struct NoiseLevelStudy {
     std::vector<double> sigma_ratio;   // σ̂/σ, one a seed the rules were tried on; empty where no patch could be fitted
     double kept = 0;                   // share of the patches whose residuals noise explains, mean
 
-    const OperatorStudy& of(FlowOperator kind) const { return operators[kind]; }
-    OperatorStudy& of(FlowOperator kind) { return operators[kind]; }
+    const OperatorStudy& of(FlowOperator kind) const { return operators[int(kind)]; }
+    OperatorStudy& of(FlowOperator kind) { return operators[int(kind)]; }
     int iterations(FlowOperator kind) const { return of(kind).measured.iterations(); }
     double mean_sigma_ratio() const;
 };

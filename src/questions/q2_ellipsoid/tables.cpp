@@ -138,9 +138,9 @@ report::Table discrete_table(const Tip& exact, const DiscreteTips& tips) {
         .column("mean edge", {.unit = "length"}, [](auto& row) { return row.part.mean_edge; })
         .column("vertex to tip", {.unit = "length", .digits = 2}, [](auto& row) { return row.part.distance; })
         .column("H", {.unit = "1/length", .digits = 5}, [](auto& row) { return row.part.H; })
-        .column("error of H", {.unit = "%", .best = smallest}, [](auto& row) { return 100 * row.part.H_error; })
+        .column("error of H", {.unit = "%", .best = Best::smallest}, [](auto& row) { return 100 * row.part.H_error; })
         .column("K", {.unit = "1/length²", .digits = 5}, [](auto& row) { return row.part.K; })
-        .column("error of K", {.unit = "%", .best = smallest}, [](auto& row) { return 100 * row.part.K_error; });
+        .column("error of K", {.unit = "%", .best = Best::smallest}, [](auto& row) { return 100 * row.part.K_error; });
 }
 
 }   // namespace meshfolio::q2_ellipsoid

@@ -13,20 +13,14 @@ namespace {
 /// What holds the top mode: the whole triangulation, a region, or a single spot.
 enum class Extent { spot, region, whole };
 
-int vertices_of(const ExplicitStudy& study) { return study.subject.source->prepared->preflight.vertices_in_use; }
-
 Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
-    const int vertices = vertices_of(study);
-    if (support < 10 && support < 0.1 * vertices) return Extent::spot;
-    return support < 0.1 * vertices ? Extent::region : Extent::whole;
+    if (support >= 0.1 * study.subject.source->prepared->preflight.vertices_in_use) return Extent::whole;
+    return support < 10 ? Extent::spot : Extent::region;
 }
 
 report::Text places(const Studies& studies, Extent extent, const char* key) {
-    Names names;
-    for (const ExplicitStudy& study : studies)
-        if (extent_of_top_mode(study) == extent) names.push_back(study.name());
-    return said_of(names, words, key);
+    return said_of(names_where(studies, [=](const ExplicitStudy& study) { return extent_of_top_mode(study) == extent; }), words, key);
 }
 
 /// Which vertex sets the limit, of the first mesh where a few do and its figure rings them.
@@ -175,18 +169,16 @@ report::Text effect_of(const ExplicitStudy& study) {
 }   // namespace
 
 report::Text when_to_stop(const Studies& studies) {
-    Names none, smoother;
+    const Names none = names_where(studies, [](const ExplicitStudy& study) { return !study.recommended; });
+    Names smoother;
     report::Text effects;
     for (const ExplicitStudy& study : studies) {
-        if (!study.recommended) {
-            none.push_back(study.name());
-            continue;
-        }
+        if (!study.recommended) continue;
         const Recommendation& best = *study.recommended;
         if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before)
             smoother.push_back(words.line("stop.roughness.mesh", "mesh"_a = study.name(), "before"_a = readable(best.roughness_before, 2),
                                           "after"_a = readable(best.roughness_after, 2)));
-        effects = paragraph_of({effects, effect_of(study)});
+        go_on(effects, effect_of(study));
     }
     report::Text stop;
     if (none.size() < studies.size())
@@ -274,8 +266,7 @@ report::Text where_it_shows(const StudyPointers& beyond) {
         if (extent_of_top_mode(*study) == Extent::whole)
             whole.push_back(study->name());
         else
-            spots = paragraph_of(
-                {spots, words.say("beyond.one_place", "mesh"_a = study->name(), "figure"_a = id_of("q5", study->name(), "frames"))});
+            go_on(spots, words.say("beyond.one_place", "mesh"_a = study->name(), "figure"_a = id_of("q5", study->name(), "frames")));
     }
     return paragraph_of({said_of(whole, words, "beyond.everywhere"), spots});
 }
@@ -301,9 +292,7 @@ StudyPointers tried_beyond(const Studies& studies) {
 
 report::Text too_large(const Studies& studies) {
     const StudyPointers beyond = tried_beyond(studies);
-    Names within;
-    for (const ExplicitStudy& study : studies)
-        if (study.first_beyond() == study.runs.size()) within.push_back(study.name());
+    const Names within = names_where(studies, [](const ExplicitStudy& study) { return study.first_beyond() == study.runs.size(); });
     report::Text growth, turned;
     if (!beyond.empty()) {
         const ExplicitStudy& telling_one = telling(studies);

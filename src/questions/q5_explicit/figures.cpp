@@ -47,9 +47,8 @@ std::string on_sharp_edges(const Studies& studies) {
 
 /// Likewise where a few vertices set the limit.
 std::string on_rings(const Studies& studies) {
-    Names ringed;
-    for (const ExplicitStudy& study : studies)
-        if (study.recommended && !limiting_spot(study).empty()) ringed.push_back(study.name());
+    const Names ringed =
+        names_where(studies, [](const ExplicitStudy& study) { return study.recommended && !limiting_spot(study).empty(); });
     return ringed.empty() ? "" : " " + words.line("figure.ring", "meshes"_a = listed(ringed));
 }
 

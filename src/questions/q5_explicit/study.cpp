@@ -17,14 +17,8 @@ UniformLimit uniform_limit(const LibraryMesh& mesh) {
 
 /// rms displacement of the flagged vertices over that of the others; 0 where there are none, or the others stay.
 double moved_ratio(const Positions& before, const Positions& after, const std::vector<char>& flagged) {
-    const Vector squares = (after - before).rowwise().squaredNorm();
-    double sum[2] = {0, 0}, count[2] = {0, 0};
-    for (std::size_t v = 0; v < flagged.size(); ++v) {
-        sum[flagged[v] != 0] += squares[static_cast<Eigen::Index>(v)];
-        ++count[flagged[v] != 0];
-    }
-    if (count[0] == 0 || count[1] == 0 || !(sum[0] > 0)) return 0;
-    return std::sqrt(sum[1] / count[1] / (sum[0] / count[0]));
+    const FlaggedMeans squares = flagged_means((after - before).rowwise().squaredNorm(), flagged);
+    return squares.count > 0 && squares.elsewhere > 0 ? std::sqrt(squares.there / squares.elsewhere) : 0;
 }
 
 /// What it does to the surface.

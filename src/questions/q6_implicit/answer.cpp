@@ -61,9 +61,8 @@ report::Text roundness(const Studies& studies) {
         if (study.roughness > rough || !study.cost || !study.cost->reached()) continue;
         const SmoothingCost& cost = *study.cost;
         if (!(cost.roughness > 1.1 * study.roughness + 0.01)) continue;
-        told = paragraph_of(
-            {told, words.say("quality.round", "mesh"_a = study.name(), "input"_a = readable(study.roughness, 2),
-                             "implicit"_a = readable(cost.roughness, 2), "explicit"_a = readable(cost.explicit_roughness, 2))});
+        go_on(told, words.say("quality.round", "mesh"_a = study.name(), "input"_a = readable(study.roughness, 2),
+                              "implicit"_a = readable(cost.roughness, 2), "explicit"_a = readable(cost.explicit_roughness, 2)));
     }
     return told;
 }
@@ -101,14 +100,11 @@ report::Text answer_of(const Studies& studies) {
 
 /// What is recommended: "λt = 0.91 h̄² on plane".
 report::Text summary_of(const Studies& studies) {
-    Names told, none;
-    for (const ImplicitStudy& study : studies) {
-        const double h = study.subject.mean_edge;
+    Names told;
+    for (const ImplicitStudy& study : studies)
         if (const SmoothingCell* good = study.good())
-            told.push_back(words.line("recommended.mesh", "mesh"_a = study.name(), "time"_a = readable(good->time() / (h * h), 2)));
-        else
-            none.push_back(study.name());
-    }
+            told.push_back(words.line("recommended.mesh", "mesh"_a = study.name(), "time"_a = readable(in_edges(study, good->time()), 2)));
+    const Names none = names_where(studies, [](const ImplicitStudy& study) { return !study.good(); });
     return paragraph_of({said_of(told, words, "recommended"), said_of(none, words, "recommended.none")});
 }
 
@@ -118,8 +114,8 @@ report::Text quality_of(const Studies& studies) {
     for (const ImplicitStudy& study : studies) {
         const std::string key = smoothness_key(study);
         if (key.empty()) continue;
-        told = paragraph_of({told, words.say("quality." + key, "mesh"_a = study.name(), "implicit"_a = readable(study.cost->roughness, 2),
-                                             "explicit"_a = readable(study.cost->explicit_roughness, 2))});
+        go_on(told, words.say("quality." + key, "mesh"_a = study.name(), "implicit"_a = readable(study.cost->roughness, 2),
+                              "explicit"_a = readable(study.cost->explicit_roughness, 2)));
     }
     if (!told.empty()) told = paragraph_of({words.say("quality"), told});
     return paragraph_of({told, roundness(studies)});
@@ -133,9 +129,8 @@ report::Text verdict_of(const Studies& studies) {
     const auto none_is = [&](const char* key) {
         return std::ranges::none_of(studies, [&](const ImplicitStudy& study) { return smoothness_key(study) == key; });
     };
-    Names cheaper, dearer;
-    for (const ImplicitStudy& study : studies)
-        if (study.cost && !std::isnan(study.cost->ratio)) (study.cost->ratio < 1 ? cheaper : dearer).push_back(study.name());
+    const Names cheaper = names_where(studies, [](const ImplicitStudy& study) { return study.cost && study.cost->ratio < 1; });
+    const Names dearer = names_where(studies, [](const ImplicitStudy& study) { return study.cost && study.cost->ratio >= 1; });
     const std::string key = price == "cheaper"  ? none_is("rougher") ? "explicit.smooth" : "explicit"
                             : price == "dearer" ? none_is("smoother") ? "implicit.smooth" : "implicit"
                                                 : price;

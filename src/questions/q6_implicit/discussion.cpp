@@ -46,14 +46,9 @@ report::Text agreement(const Gaps& gaps) {
 
 /// How many times as far as the others these vertices moved; NaN where all are alike, or more than half are of them.
 double excess_of(const SmoothingSubject& subject, const Positions& X, const std::vector<char>& flags) {
-    double sums[2] = {0, 0};
-    int counts[2] = {0, 0};
-    for (Eigen::Index v = 0; v < X.rows(); ++v) {
-        const int flag = flags[v] != 0 ? 1 : 0;
-        sums[flag] += (X.row(v) - subject.mesh().X.row(v)).squaredNorm();
-        ++counts[flag];
-    }
-    return counts[1] > 0 && counts[1] <= counts[0] && sums[0] > 0 ? std::sqrt(sums[1] / counts[1] / (sums[0] / counts[0])) : NAN;
+    const FlaggedMeans squares = flagged_means((X - subject.mesh().X).rowwise().squaredNorm(), flags);
+    const bool few = squares.count > 0 && squares.count <= squares.others;
+    return few && squares.elsewhere > 0 ? std::sqrt(squares.there / squares.elsewhere) : NAN;
 }
 
 /// Where the recommended result has moved most: at the boundary, at sharp edges, or nowhere in particular.
@@ -183,7 +178,7 @@ report::Text explicit_ends(const Studies& studies) {
         Names ends;
         for (const auto& [iteration, meshes] : iterations)
             ends.push_back(words.line("beyond.end", "iteration"_a = iteration, "meshes"_a = listed(meshes)));
-        told = paragraph_of({told, words.say("beyond", "limits"_a = limits, "ends"_a = listed(ends))});
+        go_on(told, words.say("beyond", "limits"_a = limits, "ends"_a = listed(ends)));
     }
     return told;
 }

@@ -77,17 +77,14 @@ report::Plot gap_plot(const Studies& studies) {
     report::Plot plot{.id = "q6_gaps", .x_label = "iteration t", .y_label = words.line("gaps.axis"), .log_x = true, .log_y = true};
     for (const ImplicitStudy& study : studies) {
         report::Series series{.name = study.name(), .style = report::Series::Style::line_and_points};
-        for (const SchemeGap& gap : study.gaps()) {
-            series.x.push_back(gap.iterations);
-            series.y.push_back(100 * gap.share);
-        }
+        for (const SchemeGap& gap : study.gaps()) add_point(series, gap.iterations, 100 * gap.share);
         if (series.x.empty()) continue;
         limits.insert(in_limits(study.subject, study.lambdas[*study.within_limit()]));
         plot.series.push_back(std::move(series));
     }
     if (plot.series.size() > most_together)
         for (report::Series& series : plot.series) series.panel = series.name;
-    plot.caption = plot.alt = words.line("gaps", "limits"_a = listed({limits.begin(), limits.end()}));
+    plot.caption = words.line("gaps", "limits"_a = listed({limits.begin(), limits.end()}));
     return plot;
 }
 

@@ -259,9 +259,8 @@ report::Text cannot(const Grids& grids) {
 
 /// Meshes whose edges cannot be looked at, and why.
 report::Text no_edges(const Grids& grids) {
-    Names smooth, coarse;
-    for (const DenoisingGrid& grid : grids)
-        if (!grid.has_features()) (grid.feature_vertices == 0 ? smooth : coarse).push_back(grid.name());
+    const Names smooth = names_where(grids, [](const DenoisingGrid& grid) { return grid.feature_vertices == 0; });
+    const Names coarse = names_where(grids, [](const DenoisingGrid& grid) { return grid.feature_vertices > 0 && !grid.has_features(); });
     return paragraph_of({said_of(smooth, words, "features.none"), said_of(coarse, words, "features.coarse")});
 }
 
@@ -287,7 +286,7 @@ report::Text explanation_of(const Grids& grids) {
 report::Text reading_of(const Grids& grids) {
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
     report::Text seen = words.say(improved ? "reading" : "reading.noise");
-    for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
+    for (const DenoisingGrid& grid : grids) go_on(seen, reading(grid));
     return paragraph_of({seen, extremes(grids), going_on(grids)});
 }
 

@@ -51,23 +51,17 @@ std::vector<char> most_curved(const TriangleMesh& mesh, const MeshTopology& topo
     return flags;
 }
 
-double rms_where(const Vector& distances, const std::vector<char>& flags, char flag) {
-    double sum = 0;
-    int count = 0;
-    for (Eigen::Index v = 0; v < distances.size(); ++v) {
-        if (flags[v] != flag) continue;
-        sum += distances[v] * distances[v];
-        ++count;
-    }
-    return count > 0 ? std::sqrt(sum / count) : std::nan("");
+Uneven rms_by(const Vector& distances, const std::vector<char>& flags) {
+    const FlaggedMeans squares = flagged_means(distances.cwiseAbs2(), flags);
+    return {std::sqrt(squares.there), std::sqrt(squares.elsewhere)};
 }
 
 Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const TriangleMesh& smoothed) {
     const TriangleMesh& clean = grid.clean->mesh();
     Remains remains;
     const Vector distances = shape_distances(clean, smoothed.X);
-    remains.features = {rms_where(distances, grid.on_feature, 1), rms_where(distances, grid.on_feature, 0)};
-    remains.curved = {rms_where(distances, grid.curved, 1), rms_where(distances, grid.curved, 0)};
+    remains.features = rms_by(distances, grid.on_feature);
+    remains.curved = rms_by(distances, grid.curved);
 
     const Positions found = face_normals(smoothed);
     std::vector<int> at_features, others;

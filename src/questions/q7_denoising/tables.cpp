@@ -30,8 +30,7 @@ report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) 
     std::size_t apart = 0;   // the last place where it is
     for (const SearchState& state : trial.states) {
         if (state.value != grid.middle_lambda()) continue;
-        series.x.push_back(state.step);
-        series.y.push_back(100 / grid.diagonal * state.shape);
+        add_point(series, state.step, 100 / grid.diagonal * state.shape);
         const auto t = static_cast<std::size_t>(state.step);
         if (t >= grid.without_noise.size() || std::abs(state.shape / grid.without_noise[t] - 1) > joined) apart = series.x.size() - 1;
     }
@@ -143,10 +142,8 @@ report::Table remains_table(const Grids& grids) {
 }
 
 report::Plot error_plot(const DenoisingGrid& grid) {
-    const std::string caption = words.line("errors", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2));
     report::Plot plot{.id = id_of("q7", grid.name(), "error_versus_iteration"),
-                      .caption = caption,
-                      .alt = caption,
+                      .caption = words.line("errors", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2)),
                       .x_label = "iteration t",
                       .y_label = words.line("errors.axis"),
                       .log_x = true,
@@ -159,21 +156,16 @@ report::Plot error_plot(const DenoisingGrid& grid) {
         plot.series.push_back(std::move(series));
     }
     report::Series clean{.name = "without noise", .style = report::Series::Style::dashed};
-    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) {
-        clean.x.push_back(static_cast<double>(t));
-        clean.y.push_back(100 / grid.diagonal * grid.without_noise[t]);
-    }
+    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) add_point(clean, double(t), 100 / grid.diagonal * grid.without_noise[t]);
     plot.series.push_back(std::move(clean));
     return plot;
 }
 
 report::Map gain_map(const DenoisingGrid& grid) {
-    const std::string caption = words.line("gains", "mesh"_a = grid.name());
     const double gained = std::fmax(1, surface_gain(leading_in(grid)));
     const double largest = std::exp2(std::max(1.0, std::ceil(std::log2(gained))));   // a power of two: no gain is beyond the scale
     report::Map map{.id = id_of("q7", grid.name(), "gains"),
-                    .caption = caption,
-                    .alt = caption,
+                    .caption = words.line("gains", "mesh"_a = grid.name()),
                     .x_label = "iteration t",
                     .y_label = "λ [h̄²]",
                     .value_label = words.line("gains.axis"),
