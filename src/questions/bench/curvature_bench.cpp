@@ -128,10 +128,6 @@ std::string trend(const ErrorHistory& history) {
                                 "order"_a = words_of(order));
 }
 
-std::string error_and_order(const ErrorHistory& history) {
-    return curvature_words.line("error_and_order", "error"_a = readable_percent(history.last(), 2), "order"_a = words_of(history.order()));
-}
-
 std::string grade(double relative_error) {
     return curvature_words.line(relative_error < 0.01   ? "grade.good"
                                 : relative_error < 0.05 ? "grade.fair"
@@ -232,6 +228,27 @@ report::Check pentagon_check(const BenchRuns& runs) {
 }
 
 std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
+
+report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
+                              const std::array<std::pair<std::string, std::string_view>, 2>& estimators) {
+    report::Plot plot = error_plot(std::move(id), words.line("convergence"), words.line("convergence.alt"));
+    for (const KnownSurface& surface : question_surfaces()) {
+        for (int color = 0; color < std::ssize(estimators); ++color) {
+            const auto& [estimator, key] = estimators[color];
+            for (const MeshKind kind : question_kinds) {
+                using enum report::Series::Style;
+                const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
+                const std::string name = words.line(key, "triangulation"_a = name_of(kind));
+                report::Series& series =
+                    plot.series.emplace_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
+                series.color = color;
+                series.panel = surface.name;
+                plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
+            }
+        }
+    }
+    return plot;
+}
 
 std::vector<int> refinement_levels(bool quick) { return quick ? std::vector{3, 4, 5} : std::vector{2, 3, 4, 5}; }
 

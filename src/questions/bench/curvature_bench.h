@@ -42,8 +42,6 @@ struct ErrorHistory {
 };
 /// "falls from 3.1 % to 0.05 % (order 1.98 ± 0.01)", "goes from 14.6 % to …", "grows from … to …".
 std::string trend(const ErrorHistory& history);
-/// "27.6 % (order 0.03 ± 0.01)": of the finest mesh.
-std::string error_and_order(const ErrorHistory& history);
 /// "good" below 1 %, "fair" below 5 %, "rough" below 20 %, "useless" beyond.
 std::string grade(double relative_error);
 /// An empty log–log plot of relative L2 errors over the mean edge, and a series for it.
@@ -106,6 +104,9 @@ report::Check pentagon_check(const BenchRuns& runs);
 /// Of questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
 inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered};
 std::vector<KnownSurface> question_surfaces();
+/// L2 errors of two estimators, given with the messages that name their curves: a panel a surface, jittered meshes dashed.
+report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
+                              const std::array<std::pair<std::string, std::string_view>, 2>& estimators);
 std::vector<int> refinement_levels(bool quick);   // coarse to fine: four, or three for a quick look
 BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress);
 

@@ -6,9 +6,10 @@
 
 #include "geometry/linear/special_values.h"
 #include "geometry/operators/triangle_shape.h"
+#include "geometry/operators/uniform_laplacian.h"
 #include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
 #include "questions/bench/bench_mesh.h"
-#include "questions/bench/tangential_share.h"
 
 namespace meshfolio {
 
@@ -17,6 +18,7 @@ namespace {
 using report::DiagramPoint;
 
 constexpr double ring_jitter = 0.25, sphere_jitter = 0.45;   // the latter for a drift that is seen
+constexpr double no_drift = 1e-9;                            // ‖Δx‖ below this part of the ring's edges is rounding
 constexpr std::uint64_t ring_seed = 1;                       // the diagrams are of one ring, whatever the seed of the run
 
 DiagramPoint between(DiagramPoint p, DiagramPoint q) { return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}; }
@@ -138,6 +140,22 @@ double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topol
         for (std::size_t k = 0; k < 3; ++k) smallest = std::min(smallest, shape.angle(k));
     }
     return smallest;
+}
+
+Vector tangential_shares(const TriangleMesh& mesh, const MeshTopology& topology) {
+    TriangleMesh centred = mesh;
+    centred.X.rowwise() -= bounding_box(mesh).centre().transpose();   // far-away coordinates cost no digits
+    const Positions drift = uniform_laplacian(topology) * centred.X;
+    const Vector edge = mean_squared_ring_edge(centred, topology).cwiseSqrt();
+    const Positions normals = vertex_normals(centred);
+    Vector shares = Vector::Constant(mesh.vertex_count(), undefined);
+    for (int i = 0; i < mesh.vertex_count(); ++i) {
+        const auto v = static_cast<std::size_t>(i);
+        if (topology.neighbours.size(i) == 0 || topology.on_boundary[v] || topology.nonmanifold[v]) continue;
+        const double length = drift.row(i).norm(), along_normal = drift.row(i).dot(normals.row(i));
+        shares[i] = length > no_drift * edge[i] ? std::clamp(1 - along_normal * along_normal / (length * length), 0.0, 1.0) : 0;
+    }
+    return shares;
 }
 
 SampleRing ring_on_a_sphere() {

@@ -36,6 +36,11 @@ bool is_obtuse(const FlatRing& ring, int t);
 /// The smallest angle of the triangles around a vertex, at whatever corner [rad].
 double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topology, int vertex);
 
+/// Returns how much of the uniform Laplacian of the positions lies along the surface, where it is no curvature: 1 − (Δx · n)²/‖Δx‖² with
+/// the area-weighted vertex normal n. n values from 0 to 1; 0 where Δx is rounding, as on a symmetric flat ring; NaN on the boundary and
+/// where the mesh is not manifold.
+Vector tangential_shares(const TriangleMesh& mesh, const MeshTopology& topology);
+
 // Rings that diagrams draw, of meshes made for them.
 
 struct SampleRing {

@@ -127,9 +127,8 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
 
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples) {
     std::vector<double> steps = settings.lambda;
-    if (steps.empty()) {
+    if (steps.empty())
         for (const double multiple : multiples) steps.push_back(multiple * critical);
-    }
     return each_once(steps);
 }
 
@@ -220,6 +219,12 @@ Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
 }
 
+double largest_product(const Smoothed& run) {
+    double largest = 0;
+    for (const StepStability& step : run.steps) largest = std::max(largest, step.top);
+    return largest;
+}
+
 std::string share_left(double share) { return share < 1e-12 ? smoothing_words.line("left.nothing") : readable_percent(share, 2); }
 
 std::string in_limits(const SmoothingSubject& subject, double lambda) { return plain_text(lambda / subject.critical, 3); }
@@ -241,8 +246,7 @@ output::ColorRange curvature_range(const std::vector<output::Panel>& inputs) {
     return output::robust_range(inputs, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
 }
 
-std::vector<std::shared_ptr<const LibraryMesh>> laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings,
-                                                                  report::Section& section) {
+LibraryMeshes laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     if (settings.laboratory) return meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
     if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
     return meshes_for(library, settings, {"cube", "plane_ns"}, section);

@@ -44,8 +44,7 @@ std::vector<double> steps_of(const QuestionSettings& settings, double critical, 
 /// As meshes_for(), for sections that look at smoothing itself: cube, noisy plane, noisy fandisk and armadillo in the laboratory, of them
 /// what fits its budget in a report.
 /// @throws InputError if one is missing or unusable
-std::vector<std::shared_ptr<const LibraryMesh>> laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings,
-                                                                  report::Section& section);
+LibraryMeshes laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section);
 
 struct SmoothingRun {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
@@ -94,6 +93,9 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
 /// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
 /// figures are coloured by. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
+
+/// Largest λμ_max of a monitored run; NaN values are left out.
+double largest_product(const Smoothed& run);
 
 /// What is left of a size: "93 %"; "less than 10⁻¹²" where it is rounding.
 std::string share_left(double share);

@@ -21,16 +21,8 @@ struct Crossing {
     double product = 0;
 };
 Crossing crossing_when_rebuilt(ClaimBench& bench, std::string_view name, double lambda, int most) {
-    Crossing crossing;
-    SmoothingOptions options;
-    options.lambda = lambda;
-    options.iterations = most;
-    options.rebuild = options.monitor = true;
-    options.after_step = [](int, const Positions&) { return true; };
-    const Smoothed flow = smooth(bench.mesh(name).mesh->mesh(), options);
-    for (const StepStability& step : flow.steps) crossing.product = std::max(crossing.product, step.top);
-    crossing.step = flow.crossing_iteration;
-    return crossing;
+    const Smoothed flow = smooth(bench.mesh(name).mesh->mesh(), {.lambda = lambda, .iterations = most, .rebuild = true, .monitor = true});
+    return {flow.crossing_iteration, largest_product(flow)};
 }
 
 Measurement bunny_zigzag(ClaimBench& bench, const MeshNames&) {
@@ -129,17 +121,15 @@ Measurement largest_stable_is_best(ClaimBench& bench, const MeshNames& meshes) {
         const double start = roughness(s, s.mesh().X);
         for (const int t : {10, 100}) {
             report::Series series{.name = s.name(), .style = report::Series::Style::line_and_points, .panel = counted(t, "iteration")};
-            for (const double share : {0.25, 0.5, 0.75, 0.9, 0.99}) {
-                series.x.push_back(share);
-                series.y.push_back(roughness(s, bench.run(name, {explicit_euler, share * s.critical, t}).X) / start);
-            }
+            for (const double share : {0.25, 0.5, 0.75, 0.9, 0.99})
+                add_point(series, share, roughness(s, bench.run(name, {explicit_euler, share * s.critical, t}).X) / start);
             m.cases.push_back({series.name + ", " + series.panel, series.y.back() / std::ranges::min(series.y)});
             plot.series.push_back(std::move(series));
         }
     }
     const bool falls =
         std::ranges::all_of(plot.series, [](const report::Series& s) { return std::ranges::is_sorted(s.y, std::ranges::greater()); });
-    plot.caption = plot.alt = words.line(falls ? "plot.steps.falls" : "plot.steps.rises");
+    plot.caption = words.line(falls ? "plot.steps.falls" : "plot.steps.rises");
     bench.plots.push_back(std::move(plot));
     return m;
 }
@@ -156,10 +146,8 @@ Measurement collapses_to_a_line(ClaimBench& bench, const MeshNames& meshes) {
     for (const std::string_view name : meshes) {
         const SmoothingSubject& s = bench.subject(name);
         for (const double share : {1.5, 4.0}) {
-            SmoothingOptions options;
-            options.lambda = share * s.critical;
-            options.iterations = 100;
-            options.blow_up_at = 1e100;   // the claim is about the final shape: do not stop early
+            // The claim is about the final shape: the run must not stop early.
+            const SmoothingOptions options{.lambda = share * s.critical, .iterations = 100, .blow_up_at = 1e100};
             m.cases.push_back({s.name() + ", " + plain_text(share) + " λ_crit", 100 * second_extent(smooth(s.mesh(), options).X)});
         }
     }

@@ -100,9 +100,7 @@ Measurement non_linear_solver(ClaimBench& bench, const MeshNames&) {
 int explicit_steps_to(ClaimBench& bench, std::string_view name, double share) {
     const SmoothingSubject& s = bench.subject(name);
     int steps = 0;
-    SmoothingOptions options;
-    options.lambda = 0.95 * s.critical;
-    options.iterations = 3000;
+    SmoothingOptions options{.lambda = 0.95 * s.critical, .iterations = 3000};
     options.after_step = [&](int iteration, const Positions& X) {
         // The energy costs as much as a step, so it is computed every tenth.
         if (iteration % 10 == 0 && dirichlet_energy(s.laplacian.C, X) <= share * s.initial_energy) steps = iteration;

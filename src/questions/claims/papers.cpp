@@ -60,12 +60,8 @@ Measurement taubin_keeps_volume(ClaimBench& bench, const MeshNames& meshes) {
     double shrunk = 0;
     for (const std::string_view name : meshes) {
         const LibraryMesh& source = *bench.mesh(name).mesh;
-        SmoothingOptions options;
-        options.scheme = taubin;
-        options.laplacian = OperatorKind::uniform;
-        options.lambda = taubin_lambda;
-        options.taubin_mu = taubin_mu;
-        options.iterations = 50;
+        const SmoothingOptions options{
+            .scheme = taubin, .laplacian = OperatorKind::uniform, .lambda = taubin_lambda, .taubin_mu = taubin_mu, .iterations = 50};
         const double before = signed_volume(source.mesh());
         const auto lost = [&](const Positions& X) { return 1 - signed_volume(moved_to(source.mesh(), X)) / before; };
         m.cases.push_back({source.name + ", 50 double steps", 100 * lost(smooth(source.mesh(), options).X)});

@@ -48,11 +48,9 @@ Measurement errors_at(ClaimBench& bench, const MeshNames& meshes, int k) {
 Measurement near_original(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m = errors_at(bench, meshes, 150);
     const SpectralStudy& first = bench.spectrum(meshes.front());
-    const std::string caption = words.line("plot.modes", "error"_a = readable(m.cases.front().value, 2),
-                                           "modes"_a = std::min(150, first.modes()), "mesh"_a = first.name());
     report::Plot plot{.id = "claims_modes",
-                      .caption = caption,
-                      .alt = caption,
+                      .caption = words.line("plot.modes", "error"_a = readable(m.cases.front().value, 2),
+                                            "modes"_a = std::min(150, first.modes()), "mesh"_a = first.name()),
                       .x_label = "number of modes k",
                       .y_label = "rms error [% of the box diagonal]",
                       .log_x = true,
@@ -61,10 +59,7 @@ Measurement near_original(ClaimBench& bench, const MeshNames& meshes) {
     for (const std::string_view name : meshes) {
         const SpectralStudy& study = bench.spectrum(name);
         report::Series series{.name = study.name()};
-        for (int k = 1; k <= study.modes(); ++k) {
-            series.x.push_back(k);
-            series.y.push_back(error_at(study, k));
-        }
+        for (int k = 1; k <= study.modes(); ++k) add_point(series, k, error_at(study, k));
         plot.series.push_back(std::move(series));
     }
     m.figure = plot.id;

@@ -16,8 +16,7 @@ report::Text about_limit(const Studies& studies) {
         words.say(found.sharp() ? "limit.sharp" : "limit", "mesh"_a = studies.front().name(), "within"_a = found.within,
                   "within_lost"_a = none_or(found.within_lost), "beyond"_a = found.beyond, "beyond_lost"_a = none_or(found.beyond_lost),
                   "implicit"_a = found.within + found.beyond, "implicit_lost"_a = none_or(found.implicit_lost));
-    if (found.beyond_lost > 0)
-        report::extend(t, " ", words.say(found.off < 0.5 ? "limit.met" : "limit.missed", "off"_a = std::lround(found.off)));
+    if (found.beyond_lost > 0) go_on(t, words.say(found.off < 0.5 ? "limit.met" : "limit.missed", "off"_a = std::lround(found.off)));
     return t;
 }
 
@@ -98,11 +97,9 @@ report::Text about_turned(const SmoothingMaps& maps, const SchemeMap& map) {
 report::Text about_health(const SmoothingMaps& maps) {
     double least = infinity;
     for (const double size : maps.implicit_map.size) least = std::min(least, size);   // NaN is left out
-    report::Text t = about_turned(maps, maps.explicit_map);
-    report::extend(t, " ", about_turned(maps, maps.implicit_map), " ",
-                   words.say(maps.closed ? "kept.volume" : "kept.area",
-                             "least"_a = least < 1e-6 ? words.line("nothing") : readable_percent(least, 2)));
-    return t;
+    return paragraph_of({about_turned(maps, maps.explicit_map), about_turned(maps, maps.implicit_map),
+                         words.say(maps.closed ? "kept.volume" : "kept.area",
+                                   "least"_a = least < 1e-6 ? words.line("nothing") : readable_percent(least, 2))});
 }
 
 }   // namespace

@@ -24,19 +24,16 @@ report::Series predicted_line(const SmoothingMaps& maps, const GrowingModes& mod
     const double first = 1.005, last = maps.relative(maps.lambdas.size() - 1);
     constexpr int points = 120;
     for (int i = 0; i <= points && last > first; ++i) {
-        line.x.push_back(first * std::pow(last / first, double(i) / points));
-        line.y.push_back(modes.blow_up(line.x.back() * maps.subject.critical));
+        const double step = first * std::pow(last / first, double(i) / points);
+        add_point(line, step, modes.blow_up(step * maps.subject.critical));
     }
     return line;
 }
 
 report::Series measured_points(const SmoothingMaps& maps) {
     report::Series points{.name = words.line("map.measured"), .style = Style::points};
-    for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
-        if (maps.explicit_map.blow_up[step] == 0) continue;
-        points.x.push_back(maps.relative(step));
-        points.y.push_back(maps.explicit_map.blow_up[step]);
-    }
+    for (std::size_t step = 0; step < maps.lambdas.size(); ++step)
+        if (maps.explicit_map.blow_up[step] > 0) add_point(points, maps.relative(step), maps.explicit_map.blow_up[step]);
     return points;
 }
 
@@ -49,10 +46,9 @@ report::Map::Panel panel_of_scheme(const SmoothingMaps& maps, const SchemeMap& s
         if (maps.all) panel.lines.push_back(predicted_line(maps, *maps.all, words.line("map.all"), Style::line));
         panel.lines.push_back(measured_points(maps));
     }
-    for (const MapPlace& place : maps.places) {
+    for (const MapPlace& place : maps.places)
         if (place.scheme == scheme.scheme)
             panel.markers.push_back({maps.relative(place.step), double(maps.iterations[place.row]), place.letter});
-    }
     return panel;
 }
 
@@ -118,29 +114,22 @@ report::Map error_map(const SmoothingMaps& maps) {
     return map;
 }
 
-report::Map size_map(const SmoothingMaps& maps) {
-    report::Map map = plane_of(maps, "size", maps.closed ? "volume" : "area", &SchemeMap::size, 1);
-    map.colours = report::Map::Colours::diverging;
-    map.middle = 1;
-    map.range = report::Map::Range{0, 2};
-    return map;
-}
-
-report::Map inverted_map(const SmoothingMaps& maps) {
-    report::Map map = plane_of(maps, "inverted", "inverted", &SchemeMap::inverted, 100);
-    map.range = report::Map::Range{0, 50};
-    return map;
-}
-
 }   // namespace
 
 std::string words_of(const std::vector<MapPlace>& places) {
-    std::string told;
-    for (const MapPlace& place : places)
-        told += (told.empty() ? "" : " ") + words.line("place", "letter"_a = place.letter, "why"_a = place.why);
-    return told;
+    Names told;
+    for (const MapPlace& place : places) told.push_back(words.line("place", "letter"_a = place.letter, "why"_a = place.why));
+    return joined(told, " ");
 }
 
-std::vector<report::Map> maps_of(const SmoothingMaps& maps) { return {error_map(maps), size_map(maps), inverted_map(maps)}; }
+std::vector<report::Map> maps_of(const SmoothingMaps& maps) {
+    report::Map size = plane_of(maps, "size", maps.closed ? "volume" : "area", &SchemeMap::size, 1);
+    size.colours = report::Map::Colours::diverging;
+    size.middle = 1;
+    size.range = report::Map::Range{0, 2};
+    report::Map inverted = plane_of(maps, "inverted", "inverted", &SchemeMap::inverted, 100);
+    inverted.range = report::Map::Range{0, 50};
+    return {error_map(maps), std::move(size), std::move(inverted)};
+}
 
 }   // namespace meshfolio::maps

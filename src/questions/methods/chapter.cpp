@@ -49,16 +49,9 @@ DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSett
 /// Standard deviation of Σ|displacement|²/(3σ²n) about its mean 1: √2 over the root of the effective number of squares.
 double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) {
     const double n = mesh.subject.mesh.vertex_count();
-    switch (trial.kind) {
-        case NoiseKind::gaussian:
-            return std::sqrt(2 / (3 * n));
-        case NoiseKind::impulsive:
-            return std::sqrt(2 / (3 * std::max(1.0, std::round(impulsive_share * n))));
-        case NoiseKind::normal:
-        case NoiseKind::box:   // as if one axis had it all
-            break;
-    }
-    return std::sqrt(2 / n);
+    if (trial.kind == NoiseKind::gaussian) return std::sqrt(2 / (3 * n));
+    if (trial.kind == NoiseKind::impulsive) return std::sqrt(2 / (3 * std::max(1.0, std::round(impulsive_share * n))));
+    return std::sqrt(2 / n);   // box: as if one axis had it all
 }
 
 /// Has a component of the result a volume of the other sign than the noise left it? Noise as large as a component turns it inside out, and

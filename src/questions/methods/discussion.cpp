@@ -45,14 +45,14 @@ report::Text about_winners(const DenoisingLaboratory& laboratory) {
     report::Text t;
     const auto count = [&](const char* key, const Tally& tally) {
         if (tally.trials == 0) return;
-        report::extend(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials), " ");
+        go_on(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials));
     };
     count("filters.sharp", sharp);
     count(sharp.trials > 0 ? "filters.other" : "filters.other_alone", other);
     const char* verdict = 3 * differ > compared ? "agreement.rare" : differ > 0 ? "agreement.frequent" : "agreement.always";
     if (compared > 0)
-        report::extend(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
-                                    "verdict"_a = words.line(verdict)));
+        go_on(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
+                           "verdict"_a = words.line(verdict)));
     return t;
 }
 
@@ -160,12 +160,11 @@ report::Text about_box_level(const DenoisingLaboratory& laboratory) {
         gains.push_back(best->gain());
         angles.push_back(degrees * best->difference.mean_normal_angle);
     }
-    report::Text t;
-    if (!helpless.empty()) report::extend(t, words.say("box.nothing", "meshes"_a = listed(helpless)), " ");
+    report::Text t = said_of(helpless, words, "box.nothing");
     if (!gains.empty())
-        report::extend(t, words.say("box", "gain"_a = range_of(gains, [](double x) { return readable(x, 2); }),
-                                    "angle"_a = range_of(angles, [](double x) { return readable(x, 2) + "°"; }),
-                                    "mesh"_a = laboratory.meshes.front().name()));
+        go_on(t, words.say("box", "gain"_a = range_of(gains, [](double x) { return readable(x, 2); }),
+                           "angle"_a = range_of(angles, [](double x) { return readable(x, 2) + "°"; }),
+                           "mesh"_a = laboratory.meshes.front().name()));
     return t;
 }
 
@@ -188,9 +187,8 @@ report::Text about_volumes(const DenoisingLaboratory& laboratory) {
             if (most == nullptr || kept > most->difference.volume_ratio) most = &r;
         }
         if (least == nullptr) continue;
-        report::extend(t, t.empty() ? "" : " ",
-                       words.say("volumes.mesh", "mesh"_a = mesh.name(), "least_method"_a = method_title(*least),
-                                 "least"_a = share_kept(*least), "most_method"_a = method_title(*most), "most"_a = share_kept(*most)));
+        go_on(t, words.say("volumes.mesh", "mesh"_a = mesh.name(), "least_method"_a = method_title(*least), "least"_a = share_kept(*least),
+                           "most_method"_a = method_title(*most), "most"_a = share_kept(*most)));
     }
     return t;
 }

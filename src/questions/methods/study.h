@@ -34,11 +34,11 @@ struct NoiseTrial {
     double edges = 0;        // σ of with_noise() [mean edges of the clean mesh]
     double sigma = 0;        // [length]
     bool s1_level = false;   // 20 % of every extent of the bounding box
-    Positions noisy;
-    MeshDifference spoilt;           // of the noisy mesh from the clean one
+    Positions noisy = {};
+    MeshDifference spoilt = {};      // of the noisy mesh from the clean one
     double mean_edge = 0;            // of the noisy mesh [length]
     double largest_eigenvalue = 0;   // of its operator [1/length²]
-    std::vector<SearchResult> results;
+    std::vector<SearchResult> results = {};
 
     std::string title() const;   // "Gaussian, 0.3 mean edges"
     std::string id() const;      // "gaussian0300", thousandths of a mean edge; "box_level20"

@@ -129,10 +129,7 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
             .color = i,   // as on the other meshes, also where a method before it has no gain
             .pattern = i,
             .panel = words.line(filter || method == DenoisingMethod::conformal_flow ? "gain_plot.others" : "gain_plot.laplacian")};
-        for (const NoiseTrial* trial : mesh.of_kind(NoiseKind::gaussian)) {
-            series.x.push_back(trial->edges);
-            series.y.push_back(trial->results[i].gain());
-        }
+        for (const NoiseTrial* trial : mesh.of_kind(NoiseKind::gaussian)) add_point(series, trial->edges, trial->results[i].gain());
         if (!std::isfinite(series.y.front())) continue;
         ends.push_back(series.name + " " + readable(series.y.front()) + " to " + readable(series.y.back()));
         plot.series.push_back(std::move(series));

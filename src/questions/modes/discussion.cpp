@@ -42,10 +42,9 @@ report::Text about_gap(const ModeStudy& study) {
     report::Text t = words.say("same", "mesh"_a = study.name(), "step"_a = readable(largest->lambda / study.subject.critical, 2),
                                "steps"_a = largest->steps, "gap"_a = readable_percent(largest->measured, 2),
                                "share"_a = readable_percent(largest->measured / largest->motion, 2));
-    report::extend(t, " ", seen_in_a_picture(largest->measured), " ");
+    go_on(t, seen_in_a_picture(largest->measured));
     if (compared > 0)
-        report::extend(t,
-                       words.say("same.predicted", "worst"_a = readable(worst, 1), "first_order"_a = readable_percent(worst_leading, 2)));
+        go_on(t, words.say("same.predicted", "worst"_a = readable(worst, 1), "first_order"_a = readable_percent(worst_leading, 2)));
     return t;
 }
 
@@ -66,14 +65,11 @@ report::Text about_costs(const ModeStudy& study) {
     report::Text t = words.say("cheaper", "mesh"_a = study.name(), "step"_a = readable(study.implicit_step / study.explicit_step, 2),
                                "factorisation"_a = readable(study.factor.factorisation / study.explicit_step, 2), "least"_a = least,
                                "ways"_a = listed(ways));
-    report::extend(
-        t, " ",
-        words.say(
-            "not_the_same", "least"_a = least, "one"_a = error(last.implicit_ways.front()),
-            "explicit"_a = last.explicit_way.steps > 0 ? words.line("not_the_same.explicit", "error"_a = error(last.explicit_way)) : ""),
-        " ",
-        words.say("true_enough", "accuracy"_a = readable_percent(implicit_accuracy, 1), "accurate"_a = where_cheaper(study, accurate),
-                  "matched"_a = where_cheaper(study, matched)));
+    const std::string explicitly =
+        last.explicit_way.steps > 0 ? words.line("not_the_same.explicit", "error"_a = error(last.explicit_way)) : "";
+    go_on(t, words.say("not_the_same", "least"_a = least, "one"_a = error(last.implicit_ways.front()), "explicit"_a = explicitly));
+    go_on(t, words.say("true_enough", "accuracy"_a = readable_percent(implicit_accuracy, 1), "accurate"_a = where_cheaper(study, accurate),
+                       "matched"_a = where_cheaper(study, matched)));
     return t;
 }
 

@@ -20,8 +20,8 @@ report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
     report::Series line{.name = words.line("factors.law"), .panel = relative_step(study, damping.lambda)};
     constexpr int points = 240;
     for (int i = 0; i <= points; ++i) {
-        line.x.push_back(double(i) / points);
-        line.y.push_back(visible(damping.law(line.x.back() * study.subject.top.value)));
+        const double share = double(i) / points;
+        add_point(line, share, visible(damping.law(share * study.subject.top.value)));
     }
     return line;
 }
@@ -32,8 +32,7 @@ report::Series measured_points(const ModeStudy& study, const ModeDamping& dampin
     const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
     for (Eigen::Index k = 0; k < shown; ++k) {
         const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
-        points.x.push_back(study.eigenvalues[i] / study.subject.top.value);
-        points.y.push_back(visible(damping.measured[i]));
+        add_point(points, study.eigenvalues[i] / study.subject.top.value, visible(damping.measured[i]));
     }
     return points;
 }
@@ -54,10 +53,7 @@ report::Plot target_plot(const ModeStudy& study, const std::string& key, std::si
         const std::string title =
             implicit_ways > std::size(implicit_steps) ? words.line(panel == 0 ? "targets.steps" : "targets.error") : "";
         report::Series series{.name = name, .panel = title};
-        for (const SmoothingTarget& target : study.curve) {
-            series.x.push_back(100 * target.energy);
-            series.y.push_back(value(way_of(target)));
-        }
+        for (const SmoothingTarget& target : study.curve) add_point(series, 100 * target.energy, value(way_of(target)));
         plot.series.push_back(std::move(series));
     };
     for (std::size_t which = 0; which < implicit_ways; ++which) {

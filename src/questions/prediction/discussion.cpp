@@ -41,11 +41,12 @@ report::Text about_foreseen_error(const Studies& studies) {
         errors = std::max(errors, standard_distance(study, level).larger());
         regret = std::max(regret, clean.regret_of_formula);
     }
-    std::string iterations;
-    for (const PredictionStudy& study : studies) iterations += (iterations.empty() ? "" : ", ") + best_iterations(study);
+    Names iterations;
+    for (const PredictionStudy& study : studies) iterations.push_back(best_iterations(study));
     const double most = std::max(off, off_by_area);
-    report::Text t = words.say(most < 0.1 ? "foreseen" : "foreseen.off", "off"_a = readable_percent(most, 2),
-                               "errors"_a = readable(errors, 2), "seeds"_a = studies.front().seeds, "iterations"_a = iterations);
+    report::Text t =
+        words.say(most < 0.1 ? "foreseen" : "foreseen.off", "off"_a = readable_percent(most, 2), "errors"_a = readable(errors, 2),
+                  "seeds"_a = studies.front().seeds, "iterations"_a = joined(iterations, ", "));
     go_on(t, regret < 5e-5 ? words.say("foreseen.no_loss") : words.say("foreseen.loss", "regret"_a = readable_percent(regret, 2)));
     return t;
 }
@@ -139,9 +140,9 @@ report::Text about_rebuilt_operator(const Studies& studies) {
         ++cases;
         better += rebuilt.measured.square.minCoeff() < own.measured.square.minCoeff() * (1 - 1e-9) ? 1 : 0;
     }
-    return report::text(words.say("rebuilt", "formula"_a = reach_of(studies, FlowOperator::rebuilt, by_formula),
-                                  "derivative"_a = reach_of(studies, FlowOperator::rebuilt, by_derivative)),
-                        " ", cases > 0 ? words.say("rebuilt.better", "better"_a = better, "cases"_a = cases) : report::Text());
+    return paragraph_of({words.say("rebuilt", "formula"_a = reach_of(studies, FlowOperator::rebuilt, by_formula),
+                                   "derivative"_a = reach_of(studies, FlowOperator::rebuilt, by_derivative)),
+                         cases > 0 ? words.say("rebuilt.better", "better"_a = better, "cases"_a = cases) : report::Text()});
 }
 
 /// How good σ̂ is, and where it is too large.

@@ -23,29 +23,18 @@ double percentile(std::vector<double> values, double share) {
 struct MeanAndError {
     Vector mean, error;
 };
-template <class Of>
-MeanAndError mean_over(const std::vector<RunErrors>& runs, Of of) {
+MeanAndError mean_over(const std::vector<RunErrors>& runs, Vector RunErrors::*error) {
     const auto count = static_cast<double>(runs.size());
-    Vector sum = Vector::Zero(of(runs.front()).size()), squares = sum;
-    for (const RunErrors& run : runs) sum += of(run);
+    Vector sum = Vector::Zero((runs.front().*error).size()), squares = sum;
+    for (const RunErrors& run : runs) sum += run.*error;
     const Vector mean = sum / count;
-    for (const RunErrors& run : runs) squares += (of(run) - mean).cwiseAbs2();
+    for (const RunErrors& run : runs) squares += (run.*error - mean).cwiseAbs2();
     return {mean, runs.size() > 1 ? Vector((squares / (count * (count - 1))).cwiseSqrt()) : Vector::Zero(mean.size())};
 }
 
 }   // namespace
 
-std::string name_of(FlowOperator kind) {
-    switch (kind) {
-        case FlowOperator::clean:
-            return "clean";
-        case FlowOperator::noisy:
-            return "noisy";
-        case FlowOperator::rebuilt:
-            break;
-    }
-    return "rebuilt";
-}
+std::string name_of(FlowOperator kind) { return kind == FlowOperator::clean ? "clean" : kind == FlowOperator::noisy ? "noisy" : "rebuilt"; }
 
 DenoisingFlow::DenoisingFlow(TriangleMesh mesh, double step)
     : clean(std::move(mesh)), whole(operator_with_mass(laplace_beltrami(clean))), normals(vertex_normals(clean)), lambda(step) {}
@@ -59,11 +48,10 @@ Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Pos
             for (int t = 0; t < iterations; ++t) run.push_back(solvers.clean.step(run.back()));
             return run;
         }
-        SmoothingOptions options;
-        options.scheme = SmoothingScheme::implicit_euler;
-        options.lambda = flow.lambda;
-        options.iterations = iterations;
-        options.rebuild = kind == FlowOperator::rebuilt;
+        SmoothingOptions options{.scheme = SmoothingScheme::implicit_euler,
+                                 .lambda = flow.lambda,
+                                 .iterations = iterations,
+                                 .rebuild = kind == FlowOperator::rebuilt};
         options.after_step = [&](int, const Positions& X) {
             run.push_back(X);
             return true;
@@ -97,16 +85,16 @@ int MeasuredCurve::best() const { return first_smallest(square); }
 
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs) {
     if (runs.empty()) throw MeshError("measured_curve: no runs");
-    MeasuredCurve curve;
-    curve.seeds = static_cast<int>(runs.size());
-    MeanAndError vertices = mean_over(runs, [](const RunErrors& run) -> const Vector& { return run.vertices; });
-    curve.square = std::move(vertices.mean);
-    curve.square_error = std::move(vertices.error);
-    MeanAndError mass = mean_over(runs, [](const RunErrors& run) -> const Vector& { return run.mass; });
-    curve.mass = std::move(mass.mean);
-    curve.mass_error = std::move(mass.error);
-    curve.along = mean_over(runs, [](const RunErrors& run) -> const Vector& { return run.along; }).mean;
-    curve.low = curve.high = Vector(curve.square.size());
+    const MeanAndError vertices = mean_over(runs, &RunErrors::vertices), mass = mean_over(runs, &RunErrors::mass);
+    const Vector empty(vertices.mean.size());
+    MeasuredCurve curve{vertices.mean,
+                        vertices.error,
+                        mass.mean,
+                        mass.error,
+                        mean_over(runs, &RunErrors::along).mean,
+                        empty,
+                        empty,
+                        static_cast<int>(runs.size())};
     for (Eigen::Index t = 0; t < curve.square.size(); ++t) {
         std::vector<double> rms;
         for (const RunErrors& run : runs) rms.push_back(std::sqrt(run.vertices[t]));

@@ -69,13 +69,13 @@ auto regret_of(std::string_view name, double (RuleOutcome::*regret)() const = &R
 
 /// "on cube from all 602 modes, on lily from 18 probes"
 std::string how_predicted(const Studies& studies) {
-    std::string told;
+    Names told;
     for (const PredictionStudy& study : studies) {
         const DenoisingPrediction& p = study.prediction;
-        told += (told.empty() ? "" : ", ") + (p.modes > 0 ? words.line("clean.modes", "mesh"_a = study.name(), "modes"_a = p.modes)
-                                                          : words.line("clean.probes", "mesh"_a = study.name(), "probes"_a = p.probes));
+        told.push_back(
+            words.line(p.modes > 0 ? "clean.modes" : "clean.probes", "mesh"_a = study.name(), "modes"_a = p.modes, "probes"_a = p.probes));
     }
-    return told;
+    return joined(told, ", ");
 }
 
 std::string collapsed_runs(const Studies& studies) {
@@ -88,10 +88,8 @@ std::string collapsed_runs(const Studies& studies) {
 /// √ of the values in % of the box; a negative estimate leaves a gap, and so does what lies beyond `most`.
 report::Series root_series(std::string name, const Vector& square, Style style, double most = infinity) {
     report::Series series{.name = std::move(name), .style = style};
-    for (Eigen::Index t = 0; t < square.size(); ++t) {
-        series.x.push_back(static_cast<double>(t));
-        series.y.push_back(square[t] >= 0 && square[t] <= most ? 100 * std::sqrt(square[t]) : undefined);
-    }
+    for (Eigen::Index t = 0; t < square.size(); ++t)
+        add_point(series, double(t), square[t] >= 0 && square[t] <= most ? 100 * std::sqrt(square[t]) : undefined);
     return series;
 }
 
@@ -204,8 +202,7 @@ report::Plot clean_prediction_plot(const PredictionStudy& study) {
         if (!same) plot.markers.push_back(marker_at(formula.square, formula.best(), "expected t = "));
         off = std::max(off, deviation(formula, measured));
     }
-    plot.caption = plot.alt =
-        words.line("plot.clean", "mesh"_a = study.name(), "seeds"_a = study.seeds, "off"_a = readable_percent(off, 2));
+    plot.caption = words.line("plot.clean", "mesh"_a = study.name(), "seeds"_a = study.seeds, "off"_a = readable_percent(off, 2));
     return plot;
 }
 
@@ -219,12 +216,11 @@ report::Plot operator_prediction_plot(const PredictionStudy& study, FlowOperator
         plot.series.push_back(root_series(predicted.name, predicted.square, Style::dashed, 9 * own.measured.square.maxCoeff()));
     plot.markers = {marker_at(own.measured.square, own.measured.best(), "measured t = "),
                     marker_at(own.formula().square, own.formula().best(), "formula t = ")};
-    plot.caption = plot.alt =
-        words.line("plot.operator", "mesh"_a = study.name(),
-                   "operator"_a = words.line(kind == FlowOperator::noisy ? "plot.operator.noisy" : "plot.operator.rebuilt"),
-                   "sigma"_a = readable_percent(level.sigma, 2), "edges"_a = readable(level.sigma_edges, 2), "seeds"_a = study.seeds,
-                   "formula"_a = readable_percent(deviation(own.formula(), own.measured), 2), "closest"_a = own.closest().name,
-                   "off"_a = readable_percent(deviation(own.closest(), own.measured), 2));
+    plot.caption = words.line("plot.operator", "mesh"_a = study.name(),
+                              "operator"_a = words.line(kind == FlowOperator::noisy ? "plot.operator.noisy" : "plot.operator.rebuilt"),
+                              "sigma"_a = readable_percent(level.sigma, 2), "edges"_a = readable(level.sigma_edges, 2),
+                              "seeds"_a = study.seeds, "formula"_a = readable_percent(deviation(own.formula(), own.measured), 2),
+                              "closest"_a = own.closest().name, "off"_a = readable_percent(deviation(own.closest(), own.measured), 2));
     return plot;
 }
 

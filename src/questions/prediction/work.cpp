@@ -26,9 +26,8 @@ SeedResult seed_result(const Work& work, FlowOperator kind, const Positions& Y, 
     SeedResult result;
     Trajectory moved;
     const Positions direction = with_rule ? random_signs(Y.rows(), probe_seed) : Positions();
-    if (with_rule) {
+    if (with_rule)
         moved = kept_at_its_end(denoising_run(work.flow, kind, Y + work.difference * direction, iterations, solvers), iterations);
-    }
     Trajectory run = denoising_run(work.flow, kind, Y, iterations, solvers);
     result.collapsed = static_cast<int>(run.size()) <= iterations;
     run = kept_at_its_end(std::move(run), iterations);
@@ -95,9 +94,8 @@ std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<
     for_each_task(chains, [&](std::size_t chain) {
         FlowSolvers solvers;
         for (std::size_t l = 0; l < levels.size(); ++l) {
-            for (int seed = static_cast<int>(chain); seed < work.extent.seeds; seed += static_cast<int>(chains)) {
+            for (int seed = static_cast<int>(chain); seed < work.extent.seeds; seed += chains)
                 run_seed(work, levels[l], work.extent.levels[l], l, seed, solvers);
-            }
         }
     });
     return levels;

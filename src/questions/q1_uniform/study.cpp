@@ -6,7 +6,7 @@
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/triangle_measures.h"
-#include "questions/bench/tangential_share.h"
+#include "questions/bench/one_ring.h"
 
 namespace meshfolio::q1_uniform {
 

@@ -77,23 +77,7 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
 }
 
 report::Plot convergence_plot(const BenchRuns& runs) {
-    report::Plot plot = error_plot("q1_convergence", words.line("convergence"), words.line("convergence.alt"));
-    for (const KnownSurface& surface : question_surfaces()) {
-        int color = 0;
-        for (const auto& [estimator, key] : {std::pair{uniform_H, "convergence.h"}, std::pair{deficit_K, "convergence.k"}}) {
-            for (const MeshKind kind : question_kinds) {
-                using enum report::Series::Style;
-                const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
-                const std::string name = words.line(key, "triangulation"_a = name_of(kind));
-                plot.series.push_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
-                plot.series.back().color = color;
-                plot.series.back().panel = surface.name;
-                plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
-            }
-            ++color;
-        }
-    }
-    return plot;
+    return meshfolio::convergence_plot("q1_convergence", words, runs, {{{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}}});
 }
 
 }   // namespace meshfolio::q1_uniform

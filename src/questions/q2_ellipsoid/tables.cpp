@@ -33,10 +33,7 @@ void add_axes(Builder& table) {
 report::Series curve_of(const Ellipsoid& ellipsoid, double (*curvature)(const Ellipsoid&, double), std::string name,
                         report::Series::Style style) {
     report::Series series{.name = std::move(name), .style = style};
-    for (int i = 0; i <= 240; ++i) {
-        series.x.push_back(i / 120.0);
-        series.y.push_back(curvature(ellipsoid, i * pi / 120));
-    }
+    for (int i = 0; i <= 240; ++i) add_point(series, i / 120.0, curvature(ellipsoid, i * pi / 120));
     return series;
 }
 

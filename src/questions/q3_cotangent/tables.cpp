@@ -95,24 +95,8 @@ report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
 }
 
 report::Plot convergence_plot(const BenchRuns& runs) {
-    report::Plot plot = error_plot("q3_convergence", words.line("convergence"), words.line("convergence.alt"));
-    for (const KnownSurface& surface : question_surfaces()) {
-        int color = 0;
-        for (const std::string& estimator : {std::string("H.uniform"), H_with(areas_used)}) {
-            for (const MeshKind kind : question_kinds) {
-                using enum report::Series::Style;
-                const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
-                const std::string name = words.line(estimator == "H.uniform" ? "convergence.uniform" : "convergence.cotangent",
-                                                    "triangulation"_a = name_of(kind));
-                plot.series.push_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
-                plot.series.back().color = color;
-                plot.series.back().panel = surface.name;
-                plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
-            }
-            ++color;
-        }
-    }
-    return plot;
+    return meshfolio::convergence_plot("q3_convergence", words, runs,
+                                       {{{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}}});
 }
 
 }   // namespace meshfolio::q3_cotangent

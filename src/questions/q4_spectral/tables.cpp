@@ -14,11 +14,6 @@ auto of_box(const SpectralStudy& study, auto length_of) {
     };
 }
 
-void add_point(report::Series& series, double x, double y) {
-    series.x.push_back(x);
-    series.y.push_back(y);
-}
-
 }   // namespace
 
 report::Table error_table(const SpectralStudy& study) {

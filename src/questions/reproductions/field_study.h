@@ -14,9 +14,9 @@ struct ExperimentField {
     ExperimentColour colour = ExperimentColour::h_cotan;
     OperatorKind kind = OperatorKind::cotan;   // of h_cotan
     AreaForm area = AreaForm::barycentric;     // of h_cotan and gauss
-    Vector inside;                             // NaN on the boundary, where it is no curvature; times h̄, 1/h̄ or h̄²: dimensionless
-    Vector drawn;                              // the same formula applied on the boundary too, as the reports drew it
-    ValueSummary summary;                      // of `inside`
+    Vector inside = {};                        // NaN on the boundary, where it is no curvature; times h̄, 1/h̄ or h̄²: dimensionless
+    Vector drawn = {};                         // the same formula applied on the boundary too, as the reports drew it
+    ValueSummary summary = {};                 // of `inside`
     double positive = 0;                       // share of the values inside that are > 0
     double largest_inside = 0;                 // |value|
     double largest_boundary = 0;               // |drawn| on the boundary; NaN on a closed mesh

@@ -138,14 +138,12 @@ report::Table rebuilt_table(const Reproduction& r, const ReconstructionExperimen
 }
 
 report::Text rebuilt_found(const Reproduction& r, const ReconstructionExperiment& done, std::size_t m) {
-    std::string errors;
-    for (const RebuiltMesh& rebuilt : done.rebuilt) {
-        if (rebuilt.mesh != m) continue;
-        errors += (errors.empty() ? "" : "; ") + words.line("rebuilt.error",
-                                                            "error"_a = readable(100 * rebuilt.difference.rms / done.meshes[m].diagonal),
-                                                            "label"_a = rebuilt_label(r.experiment, rebuilt));
-    }
-    return words.say("rebuilt.found", "mesh"_a = done.meshes[m].name(), "errors"_a = errors);
+    Names errors;
+    for (const RebuiltMesh& rebuilt : done.rebuilt)
+        if (rebuilt.mesh == m)
+            errors.push_back(words.line("rebuilt.error", "error"_a = readable(100 * rebuilt.difference.rms / done.meshes[m].diagonal),
+                                        "label"_a = rebuilt_label(r.experiment, rebuilt)));
+    return words.say("rebuilt.found", "mesh"_a = done.meshes[m].name(), "errors"_a = joined(errors));
 }
 
 /// In the operator's own masses the error cannot grow with k.
@@ -188,17 +186,13 @@ void add_forms_reproduction(const Reproduction& r) {
     double largest = 0, smallest = INFINITY, at_largest = 0, at_smallest = 0;
     for (int i = 0; i <= steps; ++i) {
         const double theta = 2 * pi * i / steps, kappa = tip_curvature_by_angle(e, theta);
-        angle.x.push_back(theta);
-        angle.y.push_back(kappa);
-        parameters.x.push_back(theta);
-        parameters.y.push_back(tip_curvature_by_parameters(e, theta));
+        add_point(angle, theta, kappa);
+        add_point(parameters, theta, tip_curvature_by_parameters(e, theta));
         if (i < steps / 2 && kappa > largest) largest = kappa, at_largest = theta;
         if (i < steps / 2 && kappa < smallest) smallest = kappa, at_smallest = theta;
     }
-    const std::string caption = words.line("forms.caption", "axes"_a = axes_text(e));
     add(r.section(), report::Plot{.id = r.id_of("normal_curvature"),
-                                  .caption = caption,
-                                  .alt = caption,
+                                  .caption = words.line("forms.caption", "axes"_a = axes_text(e)),
                                   .x_label = "θ",
                                   .y_label = "normal curvature [1/length]",
                                   .series = {std::move(angle), std::move(parameters)},

@@ -55,9 +55,8 @@ const NoisyRun& shown_variant(const NoisyExperiment& done) {
     for (const NoisyRun& candidate : done.runs) {
         if (done.meshes[candidate.mesh].stand_in) continue;
         double gap = 0;
-        for (const NoisyRun& run : done.runs) {
+        for (const NoisyRun& run : done.runs)
             if (same_curve(run, candidate) && run.minimum_said > 0) gap += std::abs(run.best - run.minimum_said);
-        }
         if (gap >= least) continue;
         least = gap;
         nearest = &candidate;
@@ -89,19 +88,14 @@ report::Plot error_plot(const Reproduction& r, const NoisyExperiment& done, cons
     const std::string_view key = done.runs.size() <= e.noise.size() ? "error.caption"
                                  : mesh.stand_in                    ? "error.caption.first"
                                                                     : "error.caption.nearest";
-    const std::string caption = words.line(key, "mesh"_a = mesh.name(), "run"_a = run_label(e, chosen));
     report::Plot plot{.id = r.id_of(mesh.name() + "_error"),
-                      .caption = caption,
-                      .alt = caption,
+                      .caption = words.line(key, "mesh"_a = mesh.name(), "run"_a = run_label(e, chosen)),
                       .x_label = "iteration",
                       .y_label = "rms error [% of box diagonal]"};
     for (const NoisyRun& run : done.runs) {
         if (!same_curve(run, chosen)) continue;
         report::Series series{.name = "σ = " + noise_text(e, run.noise)};
-        for (std::size_t t = 0; t < run.rms.size(); ++t) {
-            series.x.push_back(double(t));
-            series.y.push_back(percent_of(done, run) * run.rms[t]);
-        }
+        for (std::size_t t = 0; t < run.rms.size(); ++t) add_point(series, double(t), percent_of(done, run) * run.rms[t]);
         plot.series.push_back(std::move(series));
         plot.markers.push_back(
             {double(run.best), percent_of(done, run) * rms_at(run, run.best), "smallest, t = " + std::to_string(run.best)});

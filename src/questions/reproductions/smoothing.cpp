@@ -123,9 +123,8 @@ using Runs = std::vector<const ExperimentRun*>;
 template <class Chosen>
 Runs runs_where(const SmoothingExperiment& done, std::size_t mesh, Chosen chosen) {
     Runs runs;
-    for (const ExperimentRun& run : done.runs) {
+    for (const ExperimentRun& run : done.runs)
         if (run.mesh == mesh && chosen(run)) runs.push_back(&run);
-    }
     return runs;
 }
 
@@ -164,9 +163,8 @@ void tell_runs(report::Text& text, const Runs& runs, std::string_view what) {
 /// Of runs beyond the limit that ended whole with less energy: how far the top mode, for which λμ_max = 2λ/λ_crit, grew in them.
 void tell_hidden_growth(report::Text& text, const Runs& beyond) {
     Runs hidden;
-    for (const ExperimentRun* run : beyond) {
+    for (const ExperimentRun* run : beyond)
         if (!run->run.result.blew_up && last_energy(*run) < 1) hidden.push_back(run);
-    }
     if (hidden.empty()) return;
     const auto growth = [](const ExperimentRun& run) { return std::pow(2 * run.share() - 1, run.run.result.iterations); };
     report::extend(text, words.say("runs.hidden_growth", "growth"_a = range_text(values_of(hidden, growth))), " ");
@@ -240,8 +238,7 @@ report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, st
 void add_checks(const Reproduction& r, const SmoothingExperiment& done) {
     for (const ExperimentRun& run : done.runs) {
         const bool decays = run.method.scheme == SmoothingScheme::implicit_euler || run.share() < 1;
-        const bool law = decays && !run.method.rebuild && run.method.scheme != SmoothingScheme::taubin;
-        if (!law) continue;
+        if (!decays || run.method.rebuild || run.method.scheme == SmoothingScheme::taubin) continue;
         const std::string name = words.line("check.energy", "method"_a = name_of(run.method), "share"_a = plain_text(run.share(), 3),
                                             "mesh"_a = done.meshes[run.mesh].name(), "where"_a = r.where());
         add(r.section(), energy_check(name, run.run));

@@ -43,17 +43,14 @@ void tell_apart(std::vector<ExperimentMesh>& meshes) {
 /// Calls `visit` with every combination of mesh, operator, area form, method and λ.
 template <class Visit>
 void for_each_combination(const Experiment& experiment, const std::vector<ExperimentMesh>& meshes, Visit visit) {
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-        for (const OperatorKind kind : experiment.operators) {
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+        for (const OperatorKind kind : experiment.operators)
             for (const AreaForm area : experiment.areas) {
                 const SmoothingSubject subject = smoothing_subject(meshes[m].used, kind, area);
                 ImplicitSolver solver;   // one symbolic analysis for all λ
-                for (const SmoothingMethod& method : experiment.methods) {
+                for (const SmoothingMethod& method : experiment.methods)
                     for (const double lambda : experiment.lambda) visit(m, subject, method, lambda, solver);
-                }
             }
-        }
-    }
 }
 
 NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, NoisyRun run, ImplicitSolver& solver) {
@@ -63,13 +60,12 @@ NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, Noi
     run.rms = {vertex_rms(clean.X, run.noisy->X)};
     run.best_X = run.noisy->X;
 
-    SmoothingOptions options;
-    options.scheme = run.method.scheme;
-    options.rebuild = run.method.rebuild;
-    options.laplacian = run.kind;
-    options.area = run.area;
-    options.lambda = run.lambda;
-    options.iterations = experiment.iterations.back();
+    SmoothingOptions options{.scheme = run.method.scheme,
+                             .laplacian = run.kind,
+                             .lambda = run.lambda,
+                             .iterations = experiment.iterations.back(),
+                             .rebuild = run.method.rebuild,
+                             .area = run.area};
     options.after_step = [&](int iteration, const Positions& X) {
         run.rms.push_back(vertex_rms(clean.X, X));
         if (run.rms.back() < run.rms[run.best]) {
@@ -121,14 +117,9 @@ Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, Op
 
 double lambda_on(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind, double lambda, double critical) {
     const OriginalMesh& original = mesh.originals.front();
-    switch (lambda_rule(experiment, mesh, kind)) {
-        case Carried::by_limit:
-            return lambda / original.lambda_crit * mesh.cotan_critical;
-        case Carried::by_edge:
-            return lambda * std::pow(mesh.mean_edge / original.mean_edge, 2);
-        case Carried::as_given:
-            break;
-    }
+    const Carried rule = lambda_rule(experiment, mesh, kind);
+    if (rule == Carried::by_limit) return lambda / original.lambda_crit * mesh.cotan_critical;
+    if (rule == Carried::by_edge) return lambda * std::pow(mesh.mean_edge / original.mean_edge, 2);
     return step_in_model_units(lambda, experiment.lambda_unit, critical, mesh.mean_edge);
 }
 
@@ -138,26 +129,15 @@ Carried noise_rule(const Experiment& experiment, const ExperimentMesh& mesh) {
 }
 
 Vector3 noise_on(const Experiment& experiment, const ExperimentMesh& mesh, double noise) {
-    switch (experiment.noise_unit) {
-        case NoiseUnit::box:
-            return noise * mesh.extent;
-        case NoiseUnit::diagonal:
-            return Vector3::Constant(noise * mesh.diagonal);
-        case NoiseUnit::edge:
-            return Vector3::Constant(noise * mesh.mean_edge);
-        case NoiseUnit::raw:
-            break;
-    }
+    if (experiment.noise_unit == NoiseUnit::box) return noise * mesh.extent;
+    if (experiment.noise_unit == NoiseUnit::diagonal) return Vector3::Constant(noise * mesh.diagonal);
+    if (experiment.noise_unit == NoiseUnit::edge) return Vector3::Constant(noise * mesh.mean_edge);
     const bool carried = noise_rule(experiment, mesh) == Carried::by_edge;
     return Vector3::Constant(carried ? noise / mesh.originals.front().mean_edge * mesh.mean_edge : noise);
 }
 
 UsableStep largest_usable_step(const SmoothingSubject& subject, int iterations) {
-    SmoothingOptions options;
-    options.laplacian = subject.kind;
-    options.area = subject.area;
-    options.iterations = iterations;
-    options.blow_up_at = out_of_bounds;
+    SmoothingOptions options{.laplacian = subject.kind, .iterations = iterations, .area = subject.area, .blow_up_at = out_of_bounds};
     const auto usable = [&](double lambda) {
         options.lambda = lambda;
         return !smooth(subject.mesh(), options).blew_up;
@@ -200,12 +180,7 @@ NoisyExperiment noisy_experiment(const MeshLibrary& library, const Experiment& e
         experiment, result.meshes,
         [&](std::size_t m, const SmoothingSubject& subject, const SmoothingMethod& method, double given, ImplicitSolver& solver) {
             for (std::size_t level = 0; level < experiment.noise.size(); ++level) {
-                NoisyRun run;
-                run.mesh = m;
-                run.method = method;
-                run.kind = subject.kind;
-                run.area = subject.area;
-                run.given = given;
+                NoisyRun run{.mesh = m, .method = method, .kind = subject.kind, .area = subject.area, .given = given};
                 run.lambda = lambda_on(experiment, result.meshes[m], subject.kind, given, subject.critical);
                 run.noise = experiment.noise[level];
                 run.minimum_said = experiment.minimum.empty() ? 0 : experiment.minimum[level];

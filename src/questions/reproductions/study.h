@@ -79,11 +79,11 @@ struct NoisyRun {
     double noise = 0;               // as the report has it
     Vector3 sigma{0, 0, 0};         // along each axis, on this mesh [length]
     int minimum_said = 0;           // where the report has the smallest error; 0: not said
-    std::shared_ptr<const TriangleMesh> noisy;
-    std::vector<double> rms;                  // after t = 0, 1, … iterations, against the clean mesh [length]
+    std::shared_ptr<const TriangleMesh> noisy = {};
+    std::vector<double> rms = {};             // after t = 0, 1, … iterations, against the clean mesh [length]
     int best = 0;                             // iteration with the smallest
-    Positions best_X;                         // there
-    std::vector<Positions> snapshots;         // at the experiment's iterations, as far as they were reached
+    Positions best_X = {};                    // there
+    std::vector<Positions> snapshots = {};    // at the experiment's iterations, as far as they were reached
     double noisy_angle = 0, last_angle = 0;   // mean angle of face normals to the clean ones, before and after [rad]
     bool blew_up = false;
     int blow_up_iteration = 0;

@@ -42,9 +42,9 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
         report::Heading{words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name)});
     report::BulletList list;
     if (!e.said.empty()) list.items.push_back(words.say("opening.said", "said"_a = e.said));
-    std::string here;
-    for (const ExperimentMesh& mesh : meshes) here += (here.empty() ? "" : "; ") + mesh_words(mesh);
-    if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = here));
+    Names here;
+    for (const ExperimentMesh& mesh : meshes) here.push_back(mesh_words(mesh));
+    if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = joined(here)));
     for (const ExperimentMesh& mesh : meshes)
         if (report::Text carried = carried_words(e, mesh); !carried.empty()) list.items.push_back(std::move(carried));
     if (!e.lost.empty()) list.items.push_back(words.say("opening.lost", "lost"_a = e.lost));
@@ -66,17 +66,9 @@ std::string given_text(const Experiment& experiment, double lambda) {
 
 std::string noise_text(const Experiment& experiment, double noise) {
     const std::string percent = chosen_text(100 * noise) + "\u202f%";
-    switch (experiment.noise_unit) {
-        case NoiseUnit::box:
-            return words.line("noise.box", "percent"_a = percent);
-        case NoiseUnit::diagonal:
-            return words.line("noise.diagonal", "percent"_a = percent);
-        case NoiseUnit::edge:
-            return chosen_text(noise) + " h̄";
-        case NoiseUnit::raw:
-            break;
-    }
-    return chosen_text(noise);
+    if (experiment.noise_unit == NoiseUnit::box) return words.line("noise.box", "percent"_a = percent);
+    if (experiment.noise_unit == NoiseUnit::diagonal) return words.line("noise.diagonal", "percent"_a = percent);
+    return chosen_text(noise) + (experiment.noise_unit == NoiseUnit::edge ? " h̄" : "");
 }
 
 std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaForm area, const SmoothingMethod& method) {

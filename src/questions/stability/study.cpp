@@ -24,16 +24,13 @@ OperatorLimit operator_limit(std::string name, OperatorKind kind, const LaplaceB
 /// The first triangle whose normal has turned by more than 90° from that given; −1 without any.
 int first_turned(const TriangleMesh& mesh, const Positions& normals) {
     const Positions now = face_normals(mesh);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         if (now.row(t).dot(normals.row(t)) < 0) return t;
-    }
     return -1;
 }
 
 WatchedRun watched_run(const TriangleMesh& mesh, SmoothingOptions options) {
-    WatchedRun watched;
-    watched.lambda = options.lambda;
-    watched.iterations = options.iterations;
+    WatchedRun watched{.run = {}, .lambda = options.lambda, .iterations = options.iterations};
     const Positions normals = face_normals(mesh);
     options.after_step = [&](int iteration, const Positions& X) {
         if (watched.turned_iteration > 0) return true;
@@ -53,9 +50,8 @@ LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMe
                             -laplacian.C.coeff(vertex, vertex) / summary_of(whole.A.diagonal()).median,
                             source.prepared->topology.on_boundary[vertex] != 0, pi};
     const CornerValues angles = corner_angles(mesh);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         if ((mesh.F.row(t).array() == vertex).any()) limiting.smallest_angle = std::min(limiting.smallest_angle, angles.row(t).minCoeff());
-    }
     return limiting;
 }
 
@@ -82,30 +78,15 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     flow.lambda = 0.5 * study.cotangent.critical();
     flow.share = 0.95;
     flow.iterations = settings.quick ? 20 : 50;
-    SmoothingOptions options;
-    options.lambda = flow.lambda;
-    options.iterations = flow.iterations;
-    options.rebuild = true;
-    options.monitor = true;
+    flow.beyond = 2;   // the top mode triples in each step
+    SmoothingOptions options{.lambda = flow.lambda, .iterations = flow.iterations, .rebuild = true, .monitor = true};
     flow.fixed = watched_run(study.mesh(), options);
     options.adaptive = flow.share;
     flow.adaptive = watched_run(study.mesh(), options);
-
-    flow.beyond = 2;   // the top mode triples in each step
-    options = {};
-    options.lambda = flow.beyond * study.cotangent.critical();
-    options.iterations = 100;
-    options.monitor = true;
-    flow.frozen = watched_run(study.mesh(), options);
+    flow.frozen = watched_run(study.mesh(), {.lambda = flow.beyond * study.cotangent.critical(), .iterations = 100, .monitor = true});
     return flow;
 }
 
 double over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
-
-double largest_product(const Smoothed& run) {
-    double largest = 0;
-    for (const StepStability& step : run.steps) largest = std::max(largest, step.top);
-    return largest;
-}
 
 }   // namespace meshfolio::stability

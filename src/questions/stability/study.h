@@ -74,7 +74,5 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
 
 /// What a mode has grown to over what the law says.
 double over_predicted(const ModeGrowth& growth);
-/// Largest λμ_max of a run; NaN values are left out.
-double largest_product(const Smoothed& run);
 
 }   // namespace meshfolio::stability

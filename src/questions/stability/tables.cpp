@@ -35,10 +35,8 @@ struct UnitRow {
 report::Series curve(const std::string& name, const std::string& step, const ModeGrowth& growth, bool measured, double first = 0) {
     report::Series series{.name = name, .style = measured ? Style::points : Style::dashed, .panel = step};
     const int stride = std::max(2, growth.steps() / 15);
-    for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride) {
-        series.x.push_back(t);
-        series.y.push_back(measured ? growth.factor[t] : growth.predicted(t));
-    }
+    for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride)
+        add_point(series, t, measured ? growth.factor[t] : growth.predicted(t));
     return series;
 }
 
@@ -163,13 +161,9 @@ report::Plot flow_plot(const RebuiltFlow& flow) {
         .x_label = "step",
         .y_label = words.line("flow.y"),
         .log_y = true};
-    plot.alt = plot.caption;
     for (const auto& [name, watched] : flow.runs()) {
-        plot.series.push_back({.name = name, .style = Style::line_and_points});
-        for (const StepStability& step : watched->run.steps) {
-            plot.series.back().x.push_back(double(plot.series.back().x.size() + 1));
-            plot.series.back().y.push_back(step.top);
-        }
+        report::Series& series = plot.series.emplace_back(report::Series{.name = name, .style = Style::line_and_points});
+        for (const StepStability& step : watched->run.steps) add_point(series, double(series.x.size() + 1), step.top);
     }
     plot.series.push_back({.name = "limit 2", .x = {1, double(flow.iterations)}, .y = {2, 2}, .style = Style::dashed});
     return plot;
