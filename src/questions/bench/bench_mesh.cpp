@@ -68,8 +68,7 @@ std::vector<char> away_from_boundary(const MeshTopology& topology, int edges) {
     for (int ring = 0; ring < edges; ++ring) {
         const std::vector<char> before = near;
         for (const Edge& edge : topology.edges) {
-            const auto a = static_cast<std::size_t>(edge.a), b = static_cast<std::size_t>(edge.b);
-            if (before[a] || before[b]) near[a] = near[b] = 1;
+            if (before[edge.a] || before[edge.b]) near[edge.a] = near[edge.b] = 1;
         }
     }
     for (char& flag : near) flag = flag ? 0 : 1;

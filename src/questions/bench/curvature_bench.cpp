@@ -47,12 +47,12 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
 /// Of the tenth of the vertices where `error` is largest, the share in the tenth where `indicator` is. Both without NaN.
 double share_found(const Vector& error, const Vector& indicator) {
     const auto n = error.size();
-    const std::size_t tenth = std::max<std::size_t>(1, static_cast<std::size_t>(n) / 10);
+    const std::size_t tenth = std::max<std::size_t>(1, n / 10);
     const auto worst = [&](const Vector& values) {
-        std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+        std::vector<Eigen::Index> order(n);
         std::iota(order.begin(), order.end(), 0);
         const auto larger = [&](Eigen::Index a, Eigen::Index b) { return values[a] != values[b] ? values[a] > values[b] : a < b; };
-        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(tenth), order.end(), larger);
+        std::partial_sort(order.begin(), order.begin() + tenth, order.end(), larger);
         order.resize(tenth);
         std::sort(order.begin(), order.end());
         return order;

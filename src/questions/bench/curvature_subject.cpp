@@ -16,8 +16,7 @@ constexpr double flat_within = 1e-6;
 }   // namespace
 
 bool CurvatureSubject::inside(int vertex) const {
-    const auto v = static_cast<std::size_t>(vertex);
-    return topology().neighbours.size(vertex) > 0 && !topology().on_boundary[v] && !topology().nonmanifold[v];
+    return topology().neighbours.size(vertex) > 0 && !topology().on_boundary[vertex] && !topology().nonmanifold[vertex];
 }
 
 // Each coordinate is off by up to half a step, so Δx, a mean of differences, by up to √3 steps.
@@ -73,7 +72,7 @@ double largest_magnitude(const Vector& values) {
 double roughness(const Vector& values, const MeshTopology& topology) {
     const auto ninth_decile = [](std::vector<double>& sizes) {
         if (sizes.empty()) return 0.0;
-        const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(9 * (sizes.size() - 1) / 10);
+        const auto at = sizes.begin() + 9 * (sizes.size() - 1) / 10;
         std::ranges::nth_element(sizes, at);
         return *at;
     };
@@ -145,7 +144,7 @@ SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector&
         if (std::isfinite(values[i])) order.push_back(i);
     std::ranges::stable_sort(order, {}, [&](int i) { return subject.centred.row(i).squaredNorm(); });
     const auto share = [&](std::size_t first, std::size_t last, auto chosen) {
-        const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first), end = order.begin() + static_cast<std::ptrdiff_t>(last);
+        const auto begin = order.begin() + first, end = order.begin() + last;
         return first < last ? double(std::count_if(begin, end, [&](int i) { return chosen(values[i]); })) / double(last - first) : 0;
     };
     const auto positive = [&](double v) { return v > pale; };

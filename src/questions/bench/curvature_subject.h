@@ -35,9 +35,8 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh);
 template <class Predicate>
 double largest_magnitude(const Vector& values, Predicate chosen) {
     double most = 0;
-    for (int i = 0; i < values.size(); ++i) {
+    for (int i = 0; i < values.size(); ++i)
         if (chosen(i) && std::isfinite(values[i])) most = std::max(most, std::abs(values[i]));
-    }
     return most;
 }
 double largest_magnitude(const Vector& values);

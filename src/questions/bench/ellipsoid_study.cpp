@@ -70,9 +70,8 @@ TriangleMesh tip_patch(const Ellipsoid& ellipsoid, int n) {
 std::vector<OracleErrors> all_oracle_errors(const QuestionSettings& settings) {
     NormalNumbers random(settings.seed);
     std::vector<OracleErrors> errors;
-    for (const Ellipsoid& e : {flat_ellipsoid, tall_ellipsoid, Ellipsoid{1, 1, 1}, Ellipsoid{1, 2, 3}, Ellipsoid{5, 1, 0.5}}) {
+    for (const Ellipsoid& e : {flat_ellipsoid, tall_ellipsoid, Ellipsoid{1, 1, 1}, Ellipsoid{1, 2, 3}, Ellipsoid{5, 1, 0.5}})
         errors.push_back(oracle_errors(e, settings.quick ? 50 : 200, random));
-    }
     return errors;
 }
 

@@ -59,7 +59,7 @@ std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology&
 }   // namespace
 
 std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
-    std::vector<char> on_feature(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    std::vector<char> on_feature(mesh.vertex_count(), 0);
     for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
         if (edge.degrees <= feature_angle) continue;
         on_feature[edge.a] = on_feature[edge.b] = 1;
@@ -92,7 +92,7 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
 /// The upper one of two; 0 of none. Reorders them.
 static double median_of(std::vector<double>& values) {
     if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    const auto middle = values.begin() + values.size() / 2;
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }

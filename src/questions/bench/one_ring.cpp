@@ -33,7 +33,7 @@ DiagramPoint circumcentre(DiagramPoint p, DiagramPoint q) {
 
 /// The dot products of the two edges that leave the vertex, and those that leave the first and the second corner.
 std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
-    const DiagramPoint p = ring.corners[t], q = ring.corners[static_cast<std::size_t>(t) + 1];
+    const DiagramPoint p = ring.corners[t], q = ring.corners[t + 1];
     const double pq = dot_product(p, q);
     return {pq, squared_length(p) - pq, squared_length(q) - pq};
 }
@@ -42,7 +42,7 @@ std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
 double most_obtuse(const FlatRing& ring) {
     double most = 0;
     for (int t = 0; t < ring.triangles(); ++t) {
-        const DiagramPoint p = ring.corners[t], q = ring.corners[static_cast<std::size_t>(t) + 1];
+        const DiagramPoint p = ring.corners[t], q = ring.corners[t + 1];
         const double pp = squared_length(p), qq = squared_length(q), third = squared_length({q[0] - p[0], q[1] - p[1]});
         const auto [at_vertex, at_p, at_q] = corner_dots(ring, t);
         most = std::max({most, -at_vertex / std::sqrt(pp * qq), -at_p / std::sqrt(pp * third), -at_q / std::sqrt(qq * third)});
@@ -116,7 +116,7 @@ FlatRing flat_ring(const TriangleMesh& mesh, const MeshTopology& topology, int v
 bool is_obtuse(const FlatRing& ring, int t) { return std::ranges::min(corner_dots(ring, t)) < 0; }
 
 std::vector<DiagramPoint> cell_in_triangle(const FlatRing& ring, int t, AreaForm form) {
-    const DiagramPoint p = ring.corners[t], q = ring.corners[static_cast<std::size_t>(t) + 1];
+    const DiagramPoint p = ring.corners[t], q = ring.corners[t + 1];
     const DiagramPoint before = between({0, 0}, p), behind = between({0, 0}, q);
     if (form == AreaForm::barycentric) return {{0, 0}, before, {(p[0] + q[0]) / 3, (p[1] + q[1]) / 3}, behind};
     if (form == AreaForm::voronoi || !is_obtuse(ring, t)) return {{0, 0}, before, circumcentre(p, q), behind};
@@ -150,8 +150,7 @@ Vector tangential_shares(const TriangleMesh& mesh, const MeshTopology& topology)
     const Positions normals = vertex_normals(centred);
     Vector shares = Vector::Constant(mesh.vertex_count(), undefined);
     for (int i = 0; i < mesh.vertex_count(); ++i) {
-        const auto v = static_cast<std::size_t>(i);
-        if (topology.neighbours.size(i) == 0 || topology.on_boundary[v] || topology.nonmanifold[v]) continue;
+        if (topology.neighbours.size(i) == 0 || topology.on_boundary[i] || topology.nonmanifold[i]) continue;
         const double length = drift.row(i).norm(), along_normal = drift.row(i).dot(normals.row(i));
         shares[i] = length > no_drift * edge[i] ? std::clamp(1 - along_normal * along_normal / (length * length), 0.0, 1.0) : 0;
     }

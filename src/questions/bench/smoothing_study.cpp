@@ -58,7 +58,7 @@ private:
     Vector spread_;
 
     std::vector<int> component_of_vertices() const {
-        std::vector<int> component(static_cast<std::size_t>(mesh_.vertex_count()), -1);
+        std::vector<int> component(mesh_.vertex_count(), -1);
         for (int t = 0; t < mesh_.face_count(); ++t)
             for (const int v : mesh_.F.row(t)) component[v] = topology_.component[t];
         return component;
@@ -67,7 +67,7 @@ private:
     /// Each seen from a corner of its own; they mean something where it is closed.
     Vector volumes(const Positions& X) const {
         Vector six_volumes = Vector::Zero(topology_.component_count);
-        std::vector<int> seen_from(static_cast<std::size_t>(topology_.component_count), -1);
+        std::vector<int> seen_from(topology_.component_count, -1);
         for (int t = 0; t < mesh_.face_count(); ++t) {
             const int c = topology_.component[t];
             int& from = seen_from[c];
@@ -106,9 +106,8 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
     subject.top = largest_eigenvalue(subject.laplacian);
     subject.bottom = definiteness(subject.laplacian, assembly_of(kind));
     subject.critical = largest_stable_step(subject.top);
-    if (kind == OperatorKind::cotan && subject.source->prepared->preflight.zero_area_faces > 0) {
+    if (kind == OperatorKind::cotan && subject.source->prepared->preflight.zero_area_faces > 0)
         subject.critical_floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(subject.mesh(), area)));
-    }
     subject.mean_edge = mean_edge_length(subject.mesh());
     subject.diagonal = bounding_box(subject.mesh()).diagonal();
     subject.initial_energy = dirichlet_energy(subject.laplacian.C, subject.mesh().X);
@@ -119,7 +118,7 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
     ImplicitSolver solver;
     solver.prepare(whole, subject.critical, subject.mesh().X);
-    std::vector<int> row(static_cast<std::size_t>(whole.all_vertices), -1), order;
+    std::vector<int> row(whole.all_vertices, -1), order;
     for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[whole.vertex[i]] = static_cast<int>(i);
     for (const int v : solver.vertex()) order.push_back(row[v]);
     return factor_operations(whole.A, order);

@@ -97,7 +97,7 @@ double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) 
     const Vector& M = study.laplacian.M;
     const Vector3 centroid = (X.transpose() * M) / M.sum();
     const Vector from_centre = (X.rowwise() - centroid.transpose()).rowwise().norm();
-    std::vector<int> order(static_cast<std::size_t>(X.rows()));
+    std::vector<int> order(X.rows());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, std::greater(), [&](int v) { return r.distance[v]; });
     const std::size_t worst = std::max<std::size_t>(1, order.size() / 20);

@@ -30,8 +30,4 @@ report::Table spectrum_table(const std::vector<Certified>& meshes);
 report::Table operator_table(const std::vector<Certified>& meshes);
 report::Table fault_table(const std::vector<FaultTrial>& trials);
 
-/// What is proved, and which faults were seen.
-void add_discussion(report::Section& section, const std::vector<Certified>& meshes, const std::vector<FaultTrial>& trials,
-                    const Specimen& specimen);
-
 }   // namespace meshfolio::certificates

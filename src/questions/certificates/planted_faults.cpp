@@ -37,7 +37,7 @@ Spectrum first_modes(const LaplaceBeltrami& laplacian, int k, double& sigma) {
 /// The corner whose cotangent is the median of all: neither a needle nor a right angle.
 std::pair<Eigen::Index, int> typical_corner(const CornerValues& cotangents) {
     std::vector<double> sorted(cotangents.data(), cotangents.data() + cotangents.size());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    const auto middle = sorted.begin() + sorted.size() / 2;
     std::nth_element(sorted.begin(), middle, sorted.end());
     Eigen::Index t = 0, k = 0;
     (cotangents.array() - *middle).abs().minCoeff(&t, &k);

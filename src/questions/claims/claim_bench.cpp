@@ -77,7 +77,7 @@ bool ClaimBench::has(std::string_view name, Property property) {
     const PreparedMesh& prepared = *mesh(name).mesh->prepared;
     if (property == flat || property == not_flat) return common_plane_normal(prepared.mesh).has_value() == (property == flat);
     if (property == closed) return prepared.preflight.closed();
-    if (property == clean_form_known) return clean_form(name).has_value();
+    if (property == clean_known) return clean_form(name).has_value();
     if (property == above_1500_vertices) return prepared.preflight.vertices_in_use > 1500;
     if (property == flat_with_edges) {
         const MeshCharacter character = mesh_character(prepared.mesh, prepared.topology);

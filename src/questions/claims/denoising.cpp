@@ -1,5 +1,4 @@
 // Claims about denoising by diffusion, on meshes whose clean form is known, and about how much noise it takes.
-
 #include "geometry/operators/vertices_with_mass.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -76,7 +75,7 @@ Measurement curves_meet(ClaimBench& bench, const MeshNames&) {
     const auto larger = [&](std::size_t t) { return 100 * (curves.back()[t] / curves.front()[t] - 1); };
     return {.cases = each(std::array{20, 45},
                           [&](int t) {
-                              return Case{counted(t, "iteration"), larger(static_cast<std::size_t>(t))};
+                              return Case{counted(t, "iteration"), larger(t)};
                           }),
             .remark = words.say("claims_s0_curves_meet.remark", "apart"_a = readable(larger(0)))};
 }

@@ -54,7 +54,7 @@ OperatorSweeps operator_sweeps(ClaimBench& bench) {
     return {sweep(OperatorKind::uniform, uniform), sweep(OperatorKind::cotan, cotangent), edge};
 }
 
-Measurement uniform_needs_larger(ClaimBench& bench, const MeshNames&) {
+Measurement uniform_larger(ClaimBench& bench, const MeshNames&) {
     const OperatorSweeps s = operator_sweeps(bench);
     const double uniform = s.uniform.best_step(), cotangent = s.cotangent.best_step();
     return {
@@ -62,7 +62,7 @@ Measurement uniform_needs_larger(ClaimBench& bench, const MeshNames&) {
         .remark = words.say("claims_s3_uniform_larger.remark", "uniform"_a = readable(uniform, 2), "cotangent"_a = readable(cotangent, 2))};
 }
 
-Measurement cotangent_denoises_better(ClaimBench& bench, const MeshNames&) {
+Measurement cotan_better(ClaimBench& bench, const MeshNames&) {
     const OperatorSweeps s = operator_sweeps(bench);
     const auto in_edges = [&](double length) { return readable(length / s.edge, 2); };
     return {.cases = {{words.line("claims_s3_cotangent_denoises.case"), s.cotangent.least() / s.uniform.least()}},
@@ -91,25 +91,20 @@ Measurement noise_needs_implicit(ClaimBench& bench, const MeshNames&) {
 }   // namespace
 
 extern const std::vector<Claim> fandisk_claims{
-    {"claims_s3_plane_step", "q5", {{"plane_ns"}, {clean_form_known}, its_kind}, {"over_best_step", "", at_most, 1.1}, plane_at_one},
-    {"claims_s3_fandisk_step",
-     "q5",
-     {{"fandisk_ns"}, {clean_form_known}, itself},
-     {"over_best_step", "", at_most, 1.1},
-     fandisk_at_half,
-     full},
+    {"claims_s3_plane_step", "q5", {{"plane_ns"}, {clean_known}, its_kind}, {"over_best_step", "", at_most, 1.1}, plane_at_one},
+    {"claims_s3_fandisk_step", "q5", {{"fandisk_ns"}, {clean_known}, itself}, {"over_best_step", "", at_most, 1.1}, fandisk_at_half, full},
     {"claims_s3_implicit_needed", "q7", {{"fandisk"}}, {"least_explicit", "", at_least, 1.1}, noise_needs_implicit, full},
     {"claims_s3_uniform_larger",
      "q7",
-     {{"fandisk_ns"}, {clean_form_known}, its_kind},
+     {{"fandisk_ns"}, {clean_known}, its_kind},
      {"best_uniform", "", at_least, 1.5},
-     uniform_needs_larger,
+     uniform_larger,
      full},
     {"claims_s3_cotangent_denoises",
      "q7",
-     {{"fandisk_ns"}, {clean_form_known}, its_kind},
+     {{"fandisk_ns"}, {clean_known}, its_kind},
      {"least_cotangent", "", at_most, 0.9},
-     cotangent_denoises_better,
+     cotan_better,
      full}};
 
 }   // namespace meshfolio::claims

@@ -37,9 +37,6 @@ inline std::string sampled(MeshKind kind, std::string_view surface) {
 /// "✓ holds".
 std::string shown(Verdict verdict);
 
-report::Table ledger_table(const std::vector<JudgedClaim>& judged);
-report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged);
-
 /// The rules applied again, case by case.
 report::Check ledger_check(const std::vector<JudgedClaim>& judged);
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged);

@@ -24,7 +24,7 @@ Measurement L_not_symmetric(ClaimBench& bench, const MeshNames&) {
     return {.cases = {{"L = M⁻¹C", asymmetry(L_of(bench.subject("bunny").laplacian))}}};
 }
 
-Measurement clamping_is_stable(ClaimBench& bench, const MeshNames& meshes) {
+Measurement clamped_limit(ClaimBench& bench, const MeshNames& meshes) {
     const auto gained = [&](std::string_view name) {
         const LibraryMesh& source = *bench.mesh(name).mesh;
         const double clamped = largest_stable_step(largest_eigenvalue(laplace_operator(source.mesh(), OperatorKind::clamped)));
@@ -121,7 +121,7 @@ extern const std::vector<Claim> spectral_claims{
      "q4",
      {{"armadillo", "lilium", "plane_ns"}, {negative_weights}},
      {"clamped_limit", "", at_least, 1.01},
-     clamping_is_stable,
+     clamped_limit,
      full},
     {"claims_s1_k150", "q4", {{"bunny", "cow"}, {above_1500_vertices}}, {"rebuilt", of_diagonal, at_most, 1}, near_original, full},
     {"claims_s1_more_modes", "q4", {{"cow"}, {above_1500_vertices}}, {"next_k", "", at_most, 0.95}, more_is_better, full},

@@ -31,21 +31,19 @@ void enter_input(const LibraryMesh& mesh, report::Section& section) {
     const auto same = [&](const report::Input& input) { return input.file == mesh.input.file && input.sha256 == mesh.input.sha256; };
     if (std::ranges::any_of(section.inputs, same)) return;
     section.inputs.push_back(mesh.input);
-    for (const MeshWarning& warning : mesh.prepared->warnings) {
+    for (const MeshWarning& warning : mesh.prepared->warnings)
         section.warnings.push_back(mesh.input.file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);
-    }
 }
 
 LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, std::initializer_list<std::string_view> roles,
                          report::Section& section) {
     LibraryMeshes meshes;
-    if (!settings.meshes.empty()) {
+    if (!settings.meshes.empty())
         for (const std::string& path : settings.meshes) meshes.push_back(library.file(path, settings.base));
-    } else if (library.has_own_meshes()) {
+    else if (library.has_own_meshes())
         meshes = library.own_meshes();
-    } else {
+    else
         for (const std::string_view role : roles) meshes.push_back(library.role(std::string(role)));
-    }
     for (const auto& mesh : meshes) enter_input(*mesh, section);
     return meshes;
 }

@@ -1,5 +1,4 @@
 // What the planes of the section "maps" say.
-
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {

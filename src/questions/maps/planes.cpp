@@ -1,5 +1,4 @@
 // The maps of the section "maps".
-
 #include "questions/maps/parts.h"
 #include "report/svg/map_scale.h"
 

@@ -1,5 +1,4 @@
 // Tables of the section "maps".
-
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {

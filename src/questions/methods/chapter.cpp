@@ -1,5 +1,4 @@
 // The denoising laboratory: kinds of noise, levels and methods against each other, each method at its best within the same budget.
-
 #include "geometry/denoising/component_size.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/methods/parts.h"
@@ -90,8 +89,7 @@ report::Text answer_of(const DenoisingLaboratory& laboratory) {
         if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
     Names winners;
     for (const auto& [method, classes] : won)
-        winners.push_back(
-            words.line("answer.winner", "method"_a = method_title(static_cast<std::size_t>(method)), "classes"_a = listed(classes)));
+        winners.push_back(words.line("answer.winner", "method"_a = method_title(method), "classes"_a = listed(classes)));
     return winners.empty() ? words.say("answer.none") : words.say("answer", "winners"_a = listed(winners));
 }
 

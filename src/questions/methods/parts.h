@@ -26,7 +26,6 @@ report::Plot gain_plot(const DenoisingTrials& mesh);
 /// Clean, noisy and every method at its best, one small picture each.
 void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseTrial& trial);
 
-/// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory);
 
 }   // namespace meshfolio::methods

@@ -1,5 +1,4 @@
 // What the numbers of the section "modes" say.
-
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {

@@ -103,9 +103,8 @@ double energy_of(const SmoothingSubject& subject, const Positions& X) {
 /// Largest over smallest eigenvalue that the coordinates have a part in.
 double spread_of(const SpectralMeasure& measure) {
     double least = infinity;
-    for (Eigen::Index i = 0; i < measure.nodes.size(); ++i) {
+    for (Eigen::Index i = 0; i < measure.nodes.size(); ++i)
         if (measure.weights[i] > 1e-20 * measure.weights.sum()) least = std::min(least, measure.nodes[i]);
-    }
     return measure.nodes.maxCoeff() / least;
 }
 
@@ -130,9 +129,8 @@ void study_costs(ModeStudy& study, bool quick) {
     study.explicit_step = model.explicit_step_operations();
     study.implicit_step = model.implicit_step_operations();
     const double least = model.least_energy(0.005), most = std::max(0.95, least);
-    for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02}) {
+    for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02})
         if (energy >= least) study.targets.push_back(smoothing_target(model, energy));
-    }
     if (study.targets.empty()) study.targets.push_back(smoothing_target(model, least));
     const int points = quick ? 6 : 20;
     for (int i = 0; i <= points; ++i) study.curve.push_back(smoothing_target(model, most * std::pow(least / most, double(i) / points)));
@@ -181,9 +179,8 @@ ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSe
     const std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {
-        for (const int count : counts) {
+        for (const int count : counts)
             if (count > 0) study.gaps.push_back(gap_of(study, lambda, count, solver));
-        }
     }
     study_costs(study, settings.quick);
     return study;

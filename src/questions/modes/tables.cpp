@@ -1,5 +1,4 @@
 // Tables and plots of the section "modes".
-
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {

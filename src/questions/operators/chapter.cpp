@@ -1,5 +1,4 @@
 // The operator laboratory: what each way of building the Laplacian keeps and what it gives up.
-
 #include "geometry/measures/mesh_laws.h"
 #include "questions/bench/law_checks.h"
 #include "questions/operators/parts.h"

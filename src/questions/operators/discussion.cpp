@@ -9,10 +9,9 @@ constexpr double precise_below = 1e-8;   // |H| × mean edge of the flat square
 
 report::Text about_precision(const KnownTrials& known) {
     Names lost;
-    for (const KnownTrial& t : known) {
+    for (const KnownTrial& t : known)
         if (t.plane >= precise_below)
             lost.push_back(words.line("precision.lost", "operator"_a = t.made_by.title(), "H"_a = readable(t.plane)));
-    }
     return words.say("precision", "kept"_a = known.size() - lost.size(), "all"_a = known.size(), "lost"_a = listed(lost));
 }
 

@@ -1,5 +1,4 @@
 // Tables and the figure of the operator laboratory.
-
 #include "questions/operators/parts.h"
 
 namespace meshfolio::operators {

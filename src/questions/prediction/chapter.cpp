@@ -1,5 +1,4 @@
 // Predicted denoising: the error foreseen, measured, and the iteration chosen without the clean mesh.
-
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {

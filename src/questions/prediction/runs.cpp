@@ -41,7 +41,7 @@ DenoisingFlow::DenoisingFlow(TriangleMesh mesh, double step)
 
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers) {
     Trajectory run{Y};
-    run.reserve(static_cast<std::size_t>(iterations) + 1);
+    run.reserve(iterations + 1);
     try {
         if (kind == FlowOperator::clean) {
             solvers.clean.prepare(flow.whole, flow.lambda, flow.clean.X);
@@ -63,7 +63,7 @@ Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Pos
 }
 
 Trajectory kept_at_its_end(Trajectory run, int iterations) {
-    run.resize(static_cast<std::size_t>(iterations) + 1, Positions(run.back()));
+    run.resize(iterations + 1, Positions(run.back()));
     return run;
 }
 

@@ -30,7 +30,7 @@ RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& r
     RuleOutcome outcome{std::string(name), {}, {}};
     for (int s = 0; s < seeds; ++s) {
         const Vector& error = results[s].errors.vertices;
-        const int t = choose(static_cast<std::size_t>(s));
+        const int t = choose(s);
         outcome.chosen.push_back(t);
         outcome.regret.push_back(error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0);
     }

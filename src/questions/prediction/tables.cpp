@@ -1,5 +1,4 @@
 // Tables and plots of predicted denoising.
-
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {

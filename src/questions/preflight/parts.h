@@ -36,7 +36,4 @@ report::Table geometry_table(const std::vector<Inspected>& meshes);
 report::Table defect_table(const std::vector<Occurrence>& found);
 report::Table search_table(const std::vector<Inspected>& meshes, const std::vector<Occurrence>& occurrences);
 
-/// What was found, what was changed, and which mesh has the smallest angle.
-void add_discussion(report::Section& section, const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found);
-
 }   // namespace meshfolio::preflight

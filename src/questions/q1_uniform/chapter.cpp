@@ -1,5 +1,4 @@
 // Question 1: mean curvature from the uniform Laplacian, Gaussian curvature from the angle deficit.
-
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
@@ -67,7 +66,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_figures(answer, meshes);
     if (drifting) add_tangential_figure(answer, meshes, settings.colormap);
     add(section, error_table(runs));
-    add_discussion(section, {meshes, runs, sums, flat, panel_runs(settings.seed, settings.quick, progress), drifting});
+    add_discussion(section, meshes, flat, runs, panel_runs(settings.seed, settings.quick, progress), sums, drifting);
     add_checks(section, sums, flat, runs);
 
     begin_appendix(section);

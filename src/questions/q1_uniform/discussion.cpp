@@ -58,12 +58,12 @@ report::Text curved_picture(const MeshCurvature& c) {
 /// Has the mesh a picture that is compared with that of cotangent H?
 bool is_compared(const MeshCurvature& c) { return !c.subject.plane_normal && summary_of(c.H).count >= fewest_to_read; }
 
-report::Text about_H_picture(const Findings& found) {
+report::Text about_H_picture(const Meshes& meshes, const std::vector<FlatMesh>& flat) {
     report::Text t = words.say("h.read");
-    if (std::ranges::any_of(found.meshes, is_compared)) go_on(t, words.say("h.reference"));
-    for (const MeshCurvature& c : found.meshes)
+    if (std::ranges::any_of(meshes, is_compared)) go_on(t, words.say("h.reference"));
+    for (const MeshCurvature& c : meshes)
         if (!c.subject.plane_normal) go_on(t, curved_picture(c));
-    for (const FlatMesh& f : found.flat) go_on(t, flat_picture(f));
+    for (const FlatMesh& f : flat) go_on(t, flat_picture(f));
     return t;
 }
 
@@ -132,14 +132,14 @@ struct Caps {
     }
 };
 
-report::Text about_K_picture(const Findings& found) {
+report::Text about_K_picture(const Meshes& meshes, const std::vector<FlatMesh>& flat) {
     report::Text t = words.say("k.read"), others;
     Caps caps;
-    for (const MeshCurvature& c : found.meshes)
+    for (const MeshCurvature& c : meshes)
         if (!c.subject.plane_normal && !caps.take(c)) go_on(others, K_picture(c));
     if (!caps.outer.empty()) go_on(t, words.say("k.caps", "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
     go_on(t, others);
-    for (const FlatMesh& f : found.flat)
+    for (const FlatMesh& f : flat)
         if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
     return t;
 }
@@ -237,13 +237,11 @@ report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drift
     return t;
 }
 
-void add_discussion(report::Section& section, const Findings& found) {
-    add_paragraphs(section, {about_H_picture(found)});
-    if (found.drifting) add_paragraphs(section, {about_tangential_picture(*found.drifting, found.meshes)});
-    add_paragraphs(section, {about_K_picture(found), about_errors(found.runs, found.panel)});
-    report::Text choice = about_areas(found.runs);
-    go_on(choice, about_gauss_bonnet(found.sums));
-    add_paragraphs(section, {choice});
+void add_discussion(report::Section& section, const Meshes& meshes, const std::vector<FlatMesh>& flat, const BenchRuns& runs,
+                    const BenchRuns& panel, const AngleSums& sums, const std::optional<Drifting>& drifting) {
+    add_paragraphs(section,
+                   {about_H_picture(meshes, flat), drifting ? about_tangential_picture(*drifting, meshes) : report::Text(),
+                    about_K_picture(meshes, flat), about_errors(runs, panel), paragraph_of({about_areas(runs), about_gauss_bonnet(sums)})});
 }
 
 void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& flat) {

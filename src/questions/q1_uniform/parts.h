@@ -20,7 +20,6 @@ double euler_gap(const AngleSums& sums);
 /// On the finest meshes together, the vertices whose area is ≤ 0.
 int without_K(const BenchRuns& runs, AreaForm form);
 
-// Tables and plots.
 report::Table statistics_table(const Meshes& meshes);
 report::Table error_table(const BenchRuns& runs);
 /// L∞ errors of K on the finest meshes, one row an area form.
@@ -43,18 +42,11 @@ struct Drifting {
 };
 std::optional<Drifting> most_drifting(const Meshes& meshes);
 
-// What the numbers and pictures say, in words that follow them.
-struct Findings {
-    const Meshes& meshes;
-    const BenchRuns& runs;
-    const AngleSums& sums;
-    const std::vector<FlatMesh>& flat;
-    const BenchRuns& panel;
-    const std::optional<Drifting>& drifting;
-};
 report::Text answer_of(const BenchRuns& runs);
 report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drifting);
-void add_discussion(report::Section& section, const Findings& found);
+/// @param panel  runs on all surfaces
+void add_discussion(report::Section& section, const Meshes& meshes, const std::vector<FlatMesh>& flat, const BenchRuns& runs,
+                    const BenchRuns& panel, const AngleSums& sums, const std::optional<Drifting>& drifting);
 /// What is said in the appendix: the boundary of flat meshes.
 void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& flat);
 

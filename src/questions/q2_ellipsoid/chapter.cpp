@@ -1,5 +1,4 @@
 // Question 2: first and second fundamental form of the ellipsoid, and the normal curvature at (a, 0, 0).
-
 #include "questions/q2_ellipsoid/parts.h"
 
 namespace meshfolio::q2_ellipsoid {

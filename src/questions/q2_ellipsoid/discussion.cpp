@@ -83,11 +83,8 @@ report::Text lead_of(const Tip& tip) {
 }
 
 void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete) {
-    add_paragraphs(section, {about_tip(tip), about_readings(tip), about_sign(tip)});
-    report::Text trusted = about_oracles(oracles);
-    go_on(trusted, about_poles(tip.ellipsoid, pole));
-    go_on(trusted, about_meshes(discrete));
-    add_paragraphs(section, {trusted});
+    add_paragraphs(section, {about_tip(tip), about_readings(tip), about_sign(tip),
+                             paragraph_of({about_oracles(oracles), about_poles(tip.ellipsoid, pole), about_meshes(discrete)})});
 }
 
 void add_remarks(report::Section& section, const Tip& other, const Tip& tip) {

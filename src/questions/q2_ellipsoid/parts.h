@@ -28,7 +28,6 @@ std::string direction_text(const Vector3& t);
 /// cos(π/2) = 6e-17 is 0.
 inline double without_rounding(double x) { return std::abs(x) < 1e-15 ? 0 : x; }
 
-// Tables and plots.
 report::Table forms_table(const Ellipsoid& ellipsoid);
 report::Table tip_table(const std::vector<Tip>& tips);
 report::Plot tip_plot(const Tip& tip, const std::string& id);
@@ -39,7 +38,6 @@ report::Table discrete_table(const Tip& exact, const DiscreteTips& tips);
 /// θ in the tangent plane, and the normal sections along y and z.
 report::Diagram angle_diagram(const Tip& tip);
 void add_ellipsoid_figure(Answer& answer, const Ellipsoid& ellipsoid, bool quick, const std::string& colormap);
-// What the numbers and pictures say, in words that follow them.
 report::Text lead_of(const Tip& tip);
 void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete);
 /// Of the other ellipsoid, and what is easily taken for the tip.

@@ -1,5 +1,4 @@
 // Question 3: mean curvature from the cotangent Laplace–Beltrami operator, beside that of the uniform Laplacian.
-
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {

@@ -33,7 +33,6 @@ struct IndicatorTrial {
 /// On the finest regular and jittered known surfaces, and on random points of an ellipsoid.
 std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings);
 
-// Figures.
 /// Where the colours of a mesh end: cotangent H sets them.
 double cotangent_range(const CotangentComparison& comparison);
 void add_comparison_figure(Answer& answer, const Comparisons& meshes);
@@ -41,7 +40,6 @@ void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string&
 void add_disagreement_figure(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement,
                              const std::string& colormap);
 
-// Tables and plots.
 report::Table difference_table(const Comparisons& meshes);
 report::Table variant_table(const Comparisons& meshes);
 /// Errors on the finest meshes in one norm, one row an estimator.
@@ -54,7 +52,6 @@ report::Diagram weight_diagram();
 
 /// What the indicator is worth, and where it doubts H on the meshes.
 void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchRuns& runs, const QuestionSettings& settings);
-// What the numbers and pictures say, in words that follow them.
 report::Text answer_of(const BenchRuns& runs);
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchRuns& panel);
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,

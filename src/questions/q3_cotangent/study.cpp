@@ -19,8 +19,7 @@ std::vector<double> descending_finite(const Vector& values) {
 }
 
 double sum_of_squares(const std::vector<double>& values, std::size_t first) {
-    return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first), 0.0,
-                           [](double sum, double v) { return sum + v * v; });
+    return std::accumulate(values.begin(), values.begin() + first, 0.0, [](double sum, double v) { return sum + v * v; });
 }
 
 }   // namespace

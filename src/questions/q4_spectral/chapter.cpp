@@ -1,5 +1,4 @@
 // Question 4: meshes rebuilt from the k smoothest eigenvectors of the cotangent Laplace–Beltrami operator.
-
 #include "questions/bench/law_checks.h"
 #include "questions/q4_spectral/parts.h"
 

@@ -43,14 +43,12 @@ inline std::string percent_of_box(const SpectralStudy& study, double length, int
     return readable_percent(length / study.diagonal, digits);
 }
 
-// Tables and plots.
 report::Table error_table(const SpectralStudy& study);
 report::Plot error_plot(const SpectralStudy& study);
 report::Table eigenvalue_table(const SpectralStudy& study);
 report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs);
 report::Table cost_table(const SpectralStudy& study, double factor_entries);
 
-// Figures.
 /// The original and the reconstructions that are told.
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study);
 /// Those between; nothing where there are none.
@@ -58,7 +56,6 @@ void add_further_figure(Answer& answer, const SpectralStudy& study);
 /// The modes that are drawn, with their nodal lines, from one view.
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);
 
-// What the numbers say.
 /// Does a larger k give better reconstructions? In one sentence.
 report::Text answer_in_short(const std::vector<Subject>& subjects);
 /// What follows it.

@@ -1,5 +1,4 @@
 // Question 5: explicit Laplacian smoothing, the step it allows, and what a larger one does.
-
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {

@@ -1,5 +1,4 @@
 // Question 6: implicit (backward Euler) smoothing after Desbrun et al. 1999, eq. 9, beside the explicit method.
-
 #include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
@@ -30,7 +29,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "results");
     const bool has_views = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
     const output::ColorRange colours = colours_of(studies);
-    const auto pictured = studies.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(3, studies.size()));
+    const auto pictured = studies.begin() + std::min<std::size_t>(3, studies.size());
     add_paragraphs(section, {rule_of(studies)});
     if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
     for (auto study = studies.begin(); study != studies.end(); ++study) {

@@ -13,7 +13,6 @@ using Studies = std::vector<ImplicitStudy>;
 /// "λ = 5 λ_crit, t = 10".
 std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell);
 
-// Figures.
 /// Of mean curvature on all inputs: every figure has these colours.
 output::ColorRange colours_of(const Studies& studies);
 /// Over λ × t, in the frame of the input: the input, explicit above implicit results, explicit until it blows up.
@@ -21,7 +20,6 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
 /// What is recommended of each mesh, from the six directions.
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours);
 
-// Tables and plots.
 report::Table grid_table(const ImplicitStudy& study);
 /// What is recommended, how smooth it is, and its price.
 report::Table cost_table(const Studies& studies);
@@ -30,7 +28,6 @@ report::Table price_table(const Studies& studies);
 /// The gap between the schemes over t, a curve a mesh; no curves where no λ is within the limit.
 report::Plot gap_plot(const Studies& studies);
 
-// What the numbers say, in words that follow them.
 /// The few sentences that stand first, in bold, and those behind them.
 report::Text answer_of(const Studies& studies);
 report::Text summary_of(const Studies& studies);

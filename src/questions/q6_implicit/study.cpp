@@ -147,7 +147,7 @@ SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good) {
     const auto run = std::ranges::find(study.lambdas, good.lambda);
     cost.roughness = roughness_of(study.subject, good.implicit_X);
     cost.explicit_steps = study.explicit_steps_to(good.implicit_energy);
-    cost.ratio = study.price(static_cast<std::size_t>(run - study.lambdas.begin()), good.iterations);
+    cost.ratio = study.price(run - study.lambdas.begin(), good.iterations);
     if (cost.reached()) cost.explicit_roughness = roughness_of(study.subject, explicit_run(study, cost.explicit_steps).X);
     return cost;
 }
@@ -157,7 +157,7 @@ SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good) {
 std::optional<std::size_t> ImplicitStudy::within_limit() const {
     const auto beyond = std::ranges::upper_bound(lambdas, subject.critical);
     if (beyond == lambdas.begin()) return {};
-    return static_cast<std::size_t>(beyond - lambdas.begin()) - 1;
+    return beyond - lambdas.begin() - 1;
 }
 
 std::vector<SchemeGap> ImplicitStudy::gaps() const {
@@ -175,7 +175,7 @@ std::vector<SchemeGap> ImplicitStudy::gaps() const {
 std::optional<std::size_t> ImplicitStudy::first_blown() const {
     const auto blown = std::ranges::find(explicit_runs, true, [](const SmoothingRun& run) { return run.result.blew_up; });
     if (blown == explicit_runs.end()) return {};
-    return static_cast<std::size_t>(blown - explicit_runs.begin());
+    return blown - explicit_runs.begin();
 }
 
 int ImplicitStudy::explicit_steps_to(double energy) const {
@@ -234,9 +234,8 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
             run_smoothing(study.subject, SmoothingScheme::implicit_euler, lambda, last, study.iterations, solver));
         study.explicit_runs.push_back(run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, last, study.iterations));
     }
-    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
+    for (std::size_t l = 0; l < study.lambdas.size(); ++l)
         for (std::size_t t = 0; t < study.iterations.size(); ++t) study.grid.push_back(cell_at(study, l, t));
-    }
     compare_equal_times(study);
     measure_damping(study);
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);

@@ -1,5 +1,4 @@
 // The answer to question 7, and the few sentences behind it.
-
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {

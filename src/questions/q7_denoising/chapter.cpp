@@ -1,5 +1,4 @@
 // Question 7: what Laplacian smoothing can do against noise, measured against the clean mesh.
-
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {

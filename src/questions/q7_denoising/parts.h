@@ -26,7 +26,6 @@ struct Count {
 };
 Count count_of(const Grids& grids, const Measure& measure);
 
-// Figures.
 /// The cases to look at: of each mesh its own, and of all the one with the least and the one with the largest gain.
 std::vector<Case> pictured_cases(const Grids& grids);
 /// Each of them clean, noisy, nearest to the clean surface, smoothed on. @return  its colours
@@ -46,7 +45,6 @@ const DenoisingGrid& hardest(const Grids& grids);
 const NoisyTrial& leading_in(const DenoisingGrid& grid);
 const NoisyTrial& hardest_in(const DenoisingGrid& grid);
 
-// Tables and plots.
 /// The gains of each noisy mesh.
 report::Table result_table(const Grids& grids);
 /// How often smoothing works, helps and fails by each measure.
@@ -60,7 +58,6 @@ report::Plot error_plot(const DenoisingGrid& grid);
 /// The gain over λ × t, one panel a level of noise.
 report::Map gain_map(const DenoisingGrid& grid);
 
-// What the numbers say, in words that follow them.
 /// The few sentences that stand first, in bold, and those behind them.
 report::Text answer_of(const Grids& grids);
 report::Text summary_of(const Grids& grids);

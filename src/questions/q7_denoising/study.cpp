@@ -41,11 +41,11 @@ private:
 /// The tenth of the vertices where the clean mesh is most curved; none where it is flat.
 std::vector<char> most_curved(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Vector H = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
-    std::vector<std::pair<double, std::size_t>> order;
+    std::vector<std::pair<double, Eigen::Index>> order;
     for (Eigen::Index v = 0; v < H.size(); ++v)
-        if (std::isfinite(H[v])) order.push_back({-std::abs(H[v]), static_cast<std::size_t>(v)});
+        if (std::isfinite(H[v])) order.push_back({-std::abs(H[v]), v});
     std::ranges::sort(order);
-    std::vector<char> flags(static_cast<std::size_t>(H.size()), 0);
+    std::vector<char> flags(H.size(), 0);
     if (order.empty() || -order.front().first * bounding_box(mesh).diagonal() < 1e-6) return flags;
     for (std::size_t i = 0; i < order.size() / 10; ++i) flags[order[i].second] = 1;
     return flags;
@@ -104,7 +104,7 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
     };
     smooth(noisy, options, solver);
     options.after_step = [&](int t, const Positions& X) {
-        if (static_cast<std::size_t>(t) == along.size()) return false;   // the first run ended earlier
+        if (t == std::ssize(along)) return false;   // the first run ended earlier
         divergence.push_back((z.cwiseProduct(X - noisy.X).sum() - along[t]) / amount);
         return true;
     };

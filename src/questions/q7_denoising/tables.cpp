@@ -27,15 +27,16 @@ report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) 
     constexpr double joined = 0.1;   // of the distance without noise
     report::Series series{
         .name = "σ = " + readable_percent(trial.relative, 2), .x = {0}, .y = {100 / grid.diagonal * trial.found.noisy.shape}};
-    std::size_t apart = 0;   // the last place where it is
+    std::ptrdiff_t apart = 0;   // the last place where it is
     for (const SearchState& state : trial.states) {
         if (state.value != grid.middle_lambda()) continue;
         add_point(series, state.step, 100 / grid.diagonal * state.shape);
-        const auto t = static_cast<std::size_t>(state.step);
-        if (t >= grid.without_noise.size() || std::abs(state.shape / grid.without_noise[t] - 1) > joined) apart = series.x.size() - 1;
+        const int t = state.step;
+        if (t >= std::ssize(grid.without_noise) || std::abs(state.shape / grid.without_noise[t] - 1) > joined)
+            apart = std::ssize(series.x) - 1;
     }
-    const auto least = std::ranges::min_element(series.y) - series.y.begin();
-    const std::size_t shown = std::min(std::max(apart, static_cast<std::size_t>(least)) + 2, series.x.size());
+    const std::ptrdiff_t least = std::ranges::min_element(series.y) - series.y.begin();
+    const std::ptrdiff_t shown = std::min(std::max(apart, least) + 2, std::ssize(series.x));
     series.x.resize(shown);
     series.y.resize(shown);
     return series;
@@ -182,8 +183,8 @@ report::Map gain_map(const DenoisingGrid& grid) {
         report::Map::Panel panel{"σ = " + readable_percent(trial.relative, 2),
                                  std::vector<double>(map.x.size() * map.y.size(), std::nan(""))};
         for (const SearchState& state : trial.states) {
-            const auto row = static_cast<std::size_t>(std::ranges::find(grid.lambdas, state.value) - grid.lambdas.begin());
-            panel.values[row * map.x.size() + static_cast<std::size_t>(state.step) - 1] = trial.found.noisy.shape / state.shape;
+            const auto row = std::ranges::find(grid.lambdas, state.value) - grid.lambdas.begin();
+            panel.values[row * grid.iterations + state.step - 1] = trial.found.noisy.shape / state.shape;
         }
         if (const SearchState& best = trial.found.by_shape; best.step > 0)
             panel.markers.push_back({static_cast<double>(best.step), best.value, "B"});

@@ -61,9 +61,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     add_words(section, words, "coverage.heading");
     add(section, coverage_table(settings.bundled_experiments, settings.experiments));
-    if (!settings.bundled_experiments.empty()) {
+    if (!settings.bundled_experiments.empty())
         add(section, check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));
-    }
     std::set<int> rows;
     std::set<std::string> reports;
     for (std::size_t i = 0; i < settings.experiments.size(); ++i) {

@@ -1,5 +1,4 @@
 // Which row of the requirements is answered where.
-
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {

@@ -48,12 +48,11 @@ Estimate estimate(const TriangleMesh& surface, const MeshTopology& topology, con
         e.inside = h * operator_mean_curvature(surface, topology, what.kind, laplacian);
         e.drawn = h * half_norms(laplacian, surface.X);
     }
-    for (Eigen::Index v = 0; v < e.inside.size(); ++v) {
+    for (Eigen::Index v = 0; v < e.inside.size(); ++v)
         if (std::isfinite(e.inside[v]))
             e.drawn[v] = e.inside[v];   // with its sign
         else if (std::isfinite(e.drawn[v]))
             e.largest_boundary = std::fmax(e.largest_boundary, std::abs(e.drawn[v]));
-    }
     return e;
 }
 

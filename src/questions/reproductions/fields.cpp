@@ -1,5 +1,4 @@
 // Experiments of earlier reports on curvature, the ellipsoid and reconstruction: pictures, tables and what was found.
-
 #include "geometry/curvature/fundamental_forms.h"
 #include "questions/bench/ellipsoid_study.h"
 #include "questions/reproductions/parts.h"

@@ -1,5 +1,4 @@
 // Smoothing experiments of earlier reports: pictures, table and what was found.
-
 #include "mesh/triangle_measures.h"
 #include "questions/reproductions/parts.h"
 
@@ -79,9 +78,8 @@ std::vector<Snapshot> snapshots_of(const SmoothingExperiment& done, const Experi
         for (std::size_t i = 0; i < e.iterations.size(); ++i) {
             Snapshot& row = rows.emplace_back(Snapshot{run, done.meshes[run.mesh], i, e.iterations[i]});
             if (i >= run.run.snapshots.size()) continue;
-            const auto t = static_cast<std::size_t>(row.iteration);
-            row.energy = run.run.energy[t];
-            if (!run.run.volume.empty()) row.volume = run.run.volume[t];
+            row.energy = run.run.energy[row.iteration];
+            if (!run.run.volume.empty()) row.volume = run.run.volume[row.iteration];
             row.moved = compare_meshes(row.mesh.mesh(), moved_to(row.mesh.mesh(), run.run.snapshots[i]));
         }
     }

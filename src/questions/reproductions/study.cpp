@@ -35,9 +35,8 @@ ExperimentMesh measured(const OriginalMesh& original, std::shared_ptr<const Libr
 /// Files of one name from several places, or a mesh and another's stand-in, get numbers.
 void tell_apart(std::vector<ExperimentMesh>& meshes) {
     std::set<std::string> taken;
-    for (ExperimentMesh& mesh : meshes) {
+    for (ExperimentMesh& mesh : meshes)
         for (int number = 2; !taken.insert(mesh.label).second; ++number) mesh.label = mesh.used->name + "_" + std::to_string(number);
-    }
 }
 
 /// Calls `visit` with every combination of mesh, operator, area form, method and λ.
@@ -98,11 +97,10 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
         const auto same = std::find_if(meshes.begin(), meshes.end(), [&](const ExperimentMesh& mesh) {
             return mesh.stand_in && used->input.stand_in && mesh.used->input.file == used->input.file;
         });
-        if (same != meshes.end()) {
+        if (same != meshes.end())
             same->originals.push_back(original);
-        } else {
+        else
             meshes.push_back(measured(original, used, experiment));
-        }
     }
     tell_apart(meshes);
     return meshes;

@@ -1,5 +1,4 @@
 // The section "stability": the limit of explicit smoothing proved, and what happens on both sides of it.
-
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {

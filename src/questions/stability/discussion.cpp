@@ -1,5 +1,4 @@
 // What the numbers of the section "stability" say.
-
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {

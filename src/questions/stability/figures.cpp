@@ -32,7 +32,7 @@ void add_multiples(Answer& answer, output::FigureRequest request, const std::str
 }   // namespace
 
 Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings) {
-    std::vector<bool> within(static_cast<std::size_t>(mesh.vertex_count()));
+    std::vector<bool> within(mesh.vertex_count());
     const auto is_within = [&](int v) { return within[v]; };
     std::vector<int> front{vertex}, faces;
     is_within(vertex) = true;

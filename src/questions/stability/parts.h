@@ -10,7 +10,6 @@ inline constexpr report::Words words("stability");
 
 using Studies = std::vector<StabilityStudy>;
 
-// Tables and plots.
 report::Table certificate_table(const Studies& studies);
 report::Table unit_table(const Studies& studies);
 report::Table growth_table(const Studies& studies);

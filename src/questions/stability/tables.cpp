@@ -1,5 +1,4 @@
 // Tables and plots of the section "stability".
-
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {

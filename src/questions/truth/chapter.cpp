@@ -22,6 +22,55 @@ report::Text answer_of(const GroundTruth& truth) {
                      "jet"_a = readable_percent(jet.last(), 2));
 }
 
+/// L2, on the finest mesh.
+std::string error_of(const GroundTruth& truth, std::string_view surface, MeshKind kind, std::string_view estimator) {
+    return readable_percent(truth.errors(surface, kind, estimator).last(), 2);
+}
+
+/// On which surfaces H from the cotangent formula converges on random points, one kind of area after the other.
+std::string convergence_on_random_points(const GroundTruth& truth) {
+    Names where;
+    for (const AreaForm form : area_forms) {
+        Names surfaces;
+        for (const BenchRun& run : of_kind(truth.runs, MeshKind::random))
+            if (run.errors(H_with(form)).order().converges()) surfaces.push_back(run.surface);
+        if (!surfaces.empty()) where.push_back(words.line("random.with", "areas"_a = area_name(form), "surfaces"_a = listed(surfaces)));
+    }
+    return words.line(where.empty() ? "random.nowhere" : "random.somewhere", "where"_a = listed(where));
+}
+
+report::Text about_other_estimators(const GroundTruth& truth) {
+    int converging = 0, runs = 0;
+    for (const BenchRun& run : truth.runs) {
+        if (run.kind == MeshKind::noisy) continue;
+        ++runs;
+        converging += run.errors("H.jet").order().converges() ? 1 : 0;
+    }
+    const auto told = [&](const char* key) { return error_of(truth, "ellipsoid", MeshKind::random, key); };
+    return words.say(converging == runs ? "other_estimators" : "other_estimators.partly", "converging"_a = converging, "runs"_a = runs,
+                     "H"_a = told("H.jet"), "K"_a = told("K.jet"), "exact"_a = told("H.corrected_exact"),
+                     "area"_a = told("H.corrected_area"));
+}
+
+void add_discussion(report::Section& section, const GroundTruth& truth) {
+    using enum MeshKind;
+    add_words(section, words, "discussion");
+    const auto told = [&](const char* surface, MeshKind kind, const char* key) { return error_of(truth, surface, kind, key); };
+    add_paragraphs(section, {words.say("regular", "mixed"_a = told("torus", regular, "H.mixed"), "K"_a = told("torus", regular, "K.mixed"),
+                                       "uniform"_a = told("torus", regular, "H.uniform"))});
+    const ErrorHistory linf = truth.run("ellipsoid", regular).errors("H.mixed", &EstimateError::linf);
+    const double pentagons = truth.run("sphere", regular).finest().error("H.barycentric").linf;
+    add_paragraphs(
+        section,
+        {words.say("literally_regular", "mixed"_a = told("ellipsoid", regular, "H.mixed"), "linf"_a = readable_percent(linf.last(), 2),
+                   "band"_a = told("ellipsoid band", regular, "H.mixed"), "pentagons"_a = readable_percent(pentagons, 3)),
+         words.say("random", "converging"_a = convergence_on_random_points(truth),
+                   "barycentric"_a = told("ellipsoid", random, "H.barycentric"), "mixed"_a = told("ellipsoid", random, "H.mixed"),
+                   "along_normal"_a = told("ellipsoid", random, "H.mixed_n"), "K"_a = told("ellipsoid", random, "K.mixed")),
+         about_other_estimators(truth),
+         words.say("noisy", "mixed"_a = told("ellipsoid", noisy, "H.mixed"), "jet"_a = told("ellipsoid", noisy, "H.jet"))});
+}
+
 }   // namespace
 
 GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress) {

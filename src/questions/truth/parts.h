@@ -26,8 +26,6 @@ std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);
 
 /// The whole section, checks included.
 report::Section ground_truth_section(const GroundTruth& truth);
-/// What the numbers say, in words that follow them.
-void add_discussion(report::Section& section, const GroundTruth& truth);
 
 // Tables and plots: one row an estimator.
 report::Table overview(const GroundTruth& truth);
