@@ -10,7 +10,6 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/measures/mesh_laws.h"
-#include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
@@ -65,9 +64,7 @@ double share_found(const Vector& error, const Vector& indicator) {
 
 ErrorIndicator indicator_on(const BenchMesh& b) {
     const Vector cotangent = estimator("H.barycentric").estimate(b), jet = estimator("H.jet").estimate(b);
-    std::vector<Eigen::Index> both;
-    for (Eigen::Index i = 0; i < b.H.size(); ++i)
-        if (std::isfinite(cotangent[i]) && std::isfinite(jet[i])) both.push_back(i);
+    const std::vector<int> both = where_finite(cotangent, jet);
     const Vector A = b.areas(both), H = b.H(both);
     const Vector error = (cotangent(both) - H).cwiseAbs(), indicated = (cotangent(both) - jet(both)).cwiseAbs();
     const double scale = A.dot(H.cwiseAbs2());
@@ -80,8 +77,7 @@ std::string with_decimals(double x, int decimals) {
     return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
 }
 
-/// What was measured before, by surface, kind, level and seed. The lock is held while measuring, so that another section waits instead of
-/// measuring the same.
+/// Caches levels by surface, kind, level and seed. Measuring holds the lock, so that another section waits instead of measuring the same.
 struct Known {
     std::mutex mutex;
     std::map<std::tuple<std::string, MeshKind, int, std::uint64_t>, BenchLevel> levels;
@@ -230,11 +226,11 @@ report::Check pentagon_check(const BenchRuns& runs) {
 std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
 
 report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
-                              const std::array<std::pair<std::string, std::string_view>, 2>& estimators) {
+                              std::initializer_list<std::pair<std::string_view, std::string_view>> estimators) {
     report::Plot plot = error_plot(std::move(id), words.line("convergence"), words.line("convergence.alt"));
     for (const KnownSurface& surface : question_surfaces()) {
-        for (int color = 0; color < std::ssize(estimators); ++color) {
-            const auto& [estimator, key] = estimators[color];
+        int color = 0;
+        for (const auto& [estimator, key] : estimators) {
             for (const MeshKind kind : question_kinds) {
                 using enum report::Series::Style;
                 const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
@@ -245,6 +241,7 @@ report::Plot convergence_plot(std::string id, const report::Words& words, const 
                 series.panel = surface.name;
                 plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
             }
+            ++color;
         }
     }
     return plot;

@@ -10,8 +10,8 @@
 
 namespace meshfolio {
 
-/// Errors relative to the root mean square (L2) and the largest magnitude (L∞) of the truth. Where the truth is 0 everywhere, √(2H² − K)
-/// stands for H and 2H² − K for K, of which the principal curvatures say the same.
+/// Errors relative to the root mean square (L2) and the largest magnitude (L∞) of the truth; where that is 0 everywhere, of √(2H² − K) for
+/// H and of 2H² − K for K.
 struct EstimateError {
     double l2 = 0, linf = 0;
     int undefined = 0;   // measured vertices without an estimate
@@ -95,8 +95,7 @@ inline auto of_kind(const BenchRuns& runs, MeshKind kind) {
 /// @throws std::logic_error if there is none
 const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind);
 
-/// Barycentric H of a flat regular pentagon cap over its true value, less 1: where L∞ on the icosphere stalls, at its twelve vertices of
-/// valence 5.
+/// Relative error of barycentric H at a flat regular pentagon: the L∞ error on the icosphere stalls there, at twelve vertices.
 double pentagon_excess();
 /// That the finest icosphere stalls there.
 report::Check pentagon_check(const BenchRuns& runs);
@@ -106,7 +105,7 @@ inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered
 std::vector<KnownSurface> question_surfaces();
 /// L2 errors of two estimators, given with the messages that name their curves: a panel a surface, jittered meshes dashed.
 report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
-                              const std::array<std::pair<std::string, std::string_view>, 2>& estimators);
+                              std::initializer_list<std::pair<std::string_view, std::string_view>> estimators);
 std::vector<int> refinement_levels(bool quick);   // coarse to fine: four, or three for a quick look
 BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress);
 

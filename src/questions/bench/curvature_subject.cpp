@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/known_surfaces.h"
 
 namespace meshfolio {
@@ -86,9 +85,7 @@ double roughness(const Vector& values, const MeshTopology& topology) {
 }
 
 double rank_correlation(const Vector& a, const Vector& b) {
-    std::vector<int> both;
-    for (int i = 0; i < a.size(); ++i)
-        if (std::isfinite(a[i]) && std::isfinite(b[i])) both.push_back(i);
+    const std::vector<int> both = where_finite(a, b);
     const auto n = static_cast<Eigen::Index>(both.size());
     // Ranks about their mean, ties sharing theirs.
     const auto ranks_of = [&](const Vector& values) {
@@ -139,9 +136,7 @@ std::string beyond_words(const Vector& values, double range) {
 }
 
 SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values, double pale) {
-    std::vector<int> order;
-    for (int i = 0; i < values.size(); ++i)
-        if (std::isfinite(values[i])) order.push_back(i);
+    std::vector<int> order = where_finite(values, values);
     std::ranges::stable_sort(order, {}, [&](int i) { return subject.centred.row(i).squaredNorm(); });
     const auto share = [&](std::size_t first, std::size_t last, auto chosen) {
         const auto begin = order.begin() + first, end = order.begin() + last;

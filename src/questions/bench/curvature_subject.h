@@ -41,12 +41,10 @@ double largest_magnitude(const Vector& values, Predicate chosen) {
 }
 double largest_magnitude(const Vector& values);
 
-/// 90th percentile of |difference| between the ends of edges over that of |value|, where both are finite: how rough a picture is, whatever
-/// single vertices do. 0 where the values are.
+/// Measures how rough a picture is: the 90th percentile of |difference| along edges over that of |value|, of finite values; 0 for zeros.
 double roughness(const Vector& values, const MeshTopology& topology);
 
-/// Spearman's: 1 where one field grows whenever the other does, 0 where neither tells anything of the other. Over the vertices where both
-/// are finite; 0 where one is constant.
+/// Spearman's rank correlation over the vertices where both are finite; 0 where one is constant.
 double rank_correlation(const Vector& a, const Vector& b);
 
 /// Values of a mesh in percent of ± `range`, as a panel that fits into one frame with meshes of any size: in the unit ball.
@@ -57,8 +55,7 @@ output::ColorRange relative_range(std::string quantity);
 double share_beyond(const Vector& values, double range);
 std::string beyond_words(const Vector& values, double range);
 
-/// Where a signed field is positive and negative, by how far vertices are from the centre of the box: shares of the vertices where it is
-/// finite. What is within ± `pale` is neither.
+/// Shares of the finite values that are above `pale` or below −`pale`, by the distance of the vertices from the box centre.
 struct SignsByDistance {
     double positive = 0, negative = 0;   // of all
     double outer_positive = 0;           // of the fifth that is farthest from the centre

@@ -5,7 +5,6 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/known_surfaces.h"
 

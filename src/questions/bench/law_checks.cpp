@@ -2,7 +2,6 @@
 
 #include "geometry/measures/mesh_laws.h"
 #include "geometry/smoothing/dirichlet_energy.h"
-#include "mesh/triangle_measures.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio {

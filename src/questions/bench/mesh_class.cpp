@@ -18,8 +18,8 @@ struct EdgeAngle {
     double degrees;
 };
 
-/// How far the faces at an edge are from going on straight, the worst of them with the best of the others: by their directions away from
-/// the edge, so that orientation does not count. A fin on a flat sheet: 90°. [°]
+/// Pairs each face at the edge with the one that continues it best, and returns the largest bend: 90° for a fin on a flat sheet [°]. Uses
+/// directions away from the edge, so that orientation does not count.
 double angle_of_fan(const TriangleMesh& mesh, const Edge& edge, const std::vector<int>& faces) {
     const Vector3 a = mesh.X.row(edge.a), along = (Vector3(mesh.X.row(edge.b)) - a).normalized();
     std::vector<Vector3> away;

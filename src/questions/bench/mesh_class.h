@@ -33,8 +33,8 @@ struct MeshCharacter {
     double largest_angle = 0;   // at any edge [°]
     bool open = false;          // has a boundary
 
-    /// flat: no two faces meet at 1°. smooth: less than a hundredth of the vertices lie on feature edges. sharp-edged: more do, but off
-    /// them faces meet at less than 10°, so that features stand out. rough: they do not, whether by noise or by coarse triangles.
+    /// flat: all angles < 1°. smooth: less than 1 % of the vertices on feature edges. sharp-edged: more, but the typical angle at other
+    /// edges is < 10°. rough: the others, by noise or by coarse triangles.
     MeshClass kind() const;
 };
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology);

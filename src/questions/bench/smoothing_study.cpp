@@ -5,7 +5,6 @@
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/smoothing/implicit_solver.h"
-#include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
 
 namespace meshfolio {
@@ -23,8 +22,8 @@ double boxes_wide(const SmoothingSubject& subject, const Positions& X) {
     return bounding_box(moved_to(subject.mesh(), X)).diagonal() / subject.diagonal;
 }
 
-/// How much of the size of each component is left: of its volume, or with a boundary of its spread, the mean squared distance from its
-/// centroid. A box would tell of the boundary alone, which gives way long before the sheet does.
+/// Measures what is left of each component's size: its volume, or with a boundary its mean squared distance from the centroid. A bounding
+/// box would follow the boundary alone, which shrinks long before the sheet.
 class SizeWatch {
 public:
     SizeWatch(const SmoothingSubject& subject, const MeshTopology& topology)

@@ -41,8 +41,7 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject);
 /// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples);
 
-/// As meshes_for(), for sections that look at smoothing itself: cube, noisy plane, noisy fandisk and armadillo in the laboratory, of them
-/// what fits its budget in a report.
+/// meshes_for() the sections on smoothing itself: four meshes in the laboratory, two in a report, one in a quick look.
 /// @throws InputError if one is missing or unusable
 LibraryMeshes laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section);
 
@@ -76,22 +75,20 @@ inline constexpr double size_to_keep = 0.95;
 /// Iterations of the run before less than `share` of the size is left; −1 when it never comes to that.
 int iterations_keeping_size(const SmoothingRun& run, double share = size_to_keep);
 
-/// That the energy never rises by more than rounding can have raised it, for a run in which no mode may grow. Undecided where rounding
-/// could hide a rise of 1e-9 of the energy of the input.
+/// Checks that the energy never rises beyond rounding. Undecided where rounding could hide a rise of 1e-9 of the input's energy.
 report::Check energy_check(std::string name, const SmoothingRun& run);
 
 /// The vertices where a mode is as large as anywhere, to a thousandth: on a symmetric mesh there are several.
 std::vector<int> peaks_of(const Vector& mode);
 
-/// How much `steps` explicit steps amplify the top mode, which starts a thousandth of a mean edge high (so that it can be measured even
-/// where symmetry leaves none of it in the input), against |1 − λμ_max|^steps.
+/// Amplification of the top mode by `steps` explicit steps, against |1 − λμ_max|^steps. The mode is added a thousandth of a mean edge high,
+/// because a symmetric input has none of it.
 struct Amplification {
     double predicted = 0, measured = 0;
 };
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
 
-/// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
-/// figures are coloured by. NaN where undefined.
+/// Cotangent mean curvature at X times the subject's mean edge: the colours of smoothing figures. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 
 /// Largest λμ_max of a monitored run; NaN values are left out.

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "geometry/spectrum/spectral_reconstruction.h"
-#include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 

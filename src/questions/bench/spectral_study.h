@@ -51,8 +51,7 @@ struct PowerLaw {
 };
 /// @param a, b  a < b
 PowerLaw power_law(const SpectralStudy& study, int a, int b);
-/// From the first k asked for on; not over the last modes of all, behind which nothing is left, nor over errors that are rounding. None
-/// where that leaves fewer than five k.
+/// Fits from the first k asked for to half of all modes, as far as errors are not rounding. None with fewer than five k.
 std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study);
 
 /// Share of the vertices that are farther from their places with `later` than with `earlier`, by more than rounding.

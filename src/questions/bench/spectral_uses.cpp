@@ -32,15 +32,6 @@ Spectrum modes_if_any(const LaplaceBeltrami& laplacian, int k) try {
     return {};
 }
 
-/// Vertices by ascending value; those without one are left out.
-std::vector<int> ascending(const Vector& values) {
-    std::vector<int> order;
-    for (int v = 0; v < values.size(); ++v)
-        if (std::isfinite(values[v])) order.push_back(v);
-    std::ranges::stable_sort(order, {}, [&](int v) { return values[v]; });
-    return order;
-}
-
 /// The first vertices of an order that hold `share` of its area.
 std::vector<int> first_share(const std::vector<int>& order, const Vector& M, double share) {
     double whole = 0, sum = 0;
@@ -109,7 +100,8 @@ LimbStudy limb_study(const SpectralStudy& study) {
     LimbStudy result;
     if (!study.source->prepared->preflight.closed()) return result;
     const Vector thickness = local_thickness(study.mesh());
-    std::vector<int> order = ascending(thickness);
+    std::vector<int> order = where_finite(thickness, thickness);
+    std::ranges::stable_sort(order, {}, [&](int v) { return thickness[v]; });
     std::erase_if(order, [&](int v) { return !(study.laplacian.M[v] > 0); });
     if (order.size() < 20) return result;
     const Vector& M = study.laplacian.M;

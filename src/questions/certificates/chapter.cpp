@@ -1,5 +1,4 @@
-// Certificates: spectra proved complete where rounding lets them, operators held against identities, and faults planted to show that
-// these checks can fail.
+// Certificates: spectra proved complete, operators checked by identities, and planted faults that these checks must find.
 #include "geometry/curvature/curvature.h"
 #include "questions/certificates/parts.h"
 

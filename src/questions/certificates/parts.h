@@ -3,7 +3,6 @@
 #pragma once
 
 #include "questions/certificates/planted_faults.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
 

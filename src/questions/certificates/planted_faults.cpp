@@ -5,7 +5,6 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/smoothing/stability_certificate.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
 #include "questions/certificates/parts.h"
 
 namespace meshfolio::certificates {

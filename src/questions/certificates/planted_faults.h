@@ -3,8 +3,6 @@
 /// nothing.
 #pragma once
 
-#include <functional>
-
 #include "questions/bench/law_checks.h"
 #include "questions/core/section_tools.h"
 

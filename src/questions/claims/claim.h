@@ -78,8 +78,8 @@ struct Measurement {
     std::string figure = {};        // id of the plot that shows it; empty: none
 };
 
-/// The verdict is a function of the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else on
-/// the condition of those that do. Cases without a finite value decide nothing.
+/// Follows from the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else conditional. Cases
+/// without a finite value decide nothing.
 struct Decision {
     Verdict verdict = Verdict::undecidable;
     std::vector<std::size_t> within, beyond;   // cases that satisfy the rule, and that do not

@@ -1,5 +1,4 @@
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/curvature_subject.h"
 #include "questions/bench/mesh_class.h"

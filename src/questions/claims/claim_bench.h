@@ -52,8 +52,8 @@ public:
     const ReportMesh& mesh(std::string_view name);
     /// "bunny and creature in place of cow.off": for texts.
     std::string called(const MeshNames& names);
-    /// Whether the named mesh itself is there, and no stand-in. A mesh with known measures is recognised by its counts, mean edge and
-    /// λ_crit, to 10⁻⁴; any other by the assignment's file in a data folder.
+    /// Whether the named mesh itself is there, and no stand-in: by its counts, mean edge and λ_crit to 10⁻⁴ where those are known, else by
+    /// the assignment's file in a data folder.
     bool is_itself(std::string_view name);
     bool has(std::string_view name, Property property);
     /// By the rule in claim.h.

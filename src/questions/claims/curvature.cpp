@@ -1,7 +1,6 @@
 // Claims about estimates of curvature, held against surfaces whose curvature is known, and about the ellipsoid.
 #include "geometry/curvature/fundamental_forms.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/ellipsoid_study.h"
 #include "questions/claims/parts.h"
 

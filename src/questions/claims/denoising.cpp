@@ -1,6 +1,5 @@
 // Claims about denoising by diffusion, on meshes whose clean form is known, and about how much noise it takes.
 #include "geometry/operators/vertices_with_mass.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/mesh_class.h"
 #include "questions/claims/parts.h"

@@ -1,7 +1,6 @@
 // Claims about explicit smoothing: which step is good, which is the largest stable one, and what lies beyond it.
 #include <Eigen/Dense>
 
-#include "mesh/triangle_measures.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {

@@ -1,6 +1,4 @@
-// Claims about smoothing the noisy plane and the noisy machine part of the assignment with the uniform operator, and with the cotangent
-// one.
-#include "mesh/triangle_measures.h"
+// Claims about smoothing the noisy plane and the noisy machine part with the uniform and with the cotangent operator.
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {

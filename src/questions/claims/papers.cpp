@@ -1,7 +1,6 @@
 // Claims of the papers that the methods come from.
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_laws.h"
-#include "mesh/triangle_measures.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {

@@ -143,7 +143,7 @@ struct MeshLibrary::Shelf {
 
     using MeshPointer = std::shared_ptr<const LibraryMesh>;
 
-    /// Locked while decimating: several sections want the same copy. Isolated, or a thread that waits in a loop might begin a task that
+    /// Holds the lock while decimating, for several sections want the same copy. Isolated, so that a waiting thread takes no task that
     /// locks.
     MeshPointer decimated_to(int vertices, const MeshPointer& mesh) {
         if (mesh->mesh().vertex_count() <= vertices) return mesh;

@@ -84,13 +84,25 @@ std::string id_of(const std::string& question, const std::string& mesh, const st
     return question + "_" + mesh + "_" + what;
 }
 
-ValueSummary summary_of(const Vector& values) {
+std::vector<double> sorted_finite(const Vector& values) {
     std::vector<double> finite;
     std::ranges::copy_if(values, std::back_inserter(finite), [](double v) { return std::isfinite(v); });
+    std::ranges::sort(finite);
+    return finite;
+}
+
+std::vector<int> where_finite(const Vector& a, const Vector& b) {
+    std::vector<int> both;
+    for (int v = 0; v < a.size(); ++v)
+        if (std::isfinite(a[v]) && std::isfinite(b[v])) both.push_back(v);
+    return both;
+}
+
+ValueSummary summary_of(const Vector& values) {
+    const std::vector<double> finite = sorted_finite(values);
     const auto n = finite.size();
     const int count = static_cast<int>(n), without = static_cast<int>(values.size()) - count;
     if (finite.empty()) return {undefined, undefined, undefined, undefined, undefined, count, without};
-    std::ranges::sort(finite);
     const Eigen::Map<const Vector> sorted(finite.data(), count);
     const double mean = sorted.mean(), deviation = std::sqrt((sorted.array() - mean).square().mean());
     return {finite.front(), finite.back(), mean, 0.5 * (finite[(n - 1) / 2] + finite[n / 2]), deviation, count, without};

@@ -16,10 +16,10 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
+#include "mesh/triangle_measures.h"
 #include "questions/core/chapter.h"
 #include "questions/core/figures.h"
 #include "questions/core/table.h"
-#include "questions/core/value_lists.h"
 #include "report/text.h"
 #include "report/words.h"
 
@@ -107,6 +107,31 @@ Names names_of(const std::vector<Study>& studies) {
 }
 
 // ---- numbers --------------------------------------------------------------------------------------------------------------
+
+/// Ascending, each value once: a step named twice in the settings is one run.
+template <class Number>
+std::vector<Number> each_once(std::vector<Number> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+/// The last of the settings' values, or the question's own where they have none.
+inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
+
+/// Largest rise from one value to the next; 0 where none rises.
+template <class Values>
+double largest_rise(const Values& values) {
+    double rise = 0;
+    for (auto value = values.begin(), end = values.end(); value != end && value + 1 != end; ++value)
+        rise = std::max(rise, value[1] - value[0]);
+    return rise;
+}
+
+/// The finite values, ascending.
+std::vector<double> sorted_finite(const Vector& values);
+/// The vertices where both fields are finite.
+std::vector<int> where_finite(const Vector& a, const Vector& b);
 
 /// Spread of the finite values.
 struct ValueSummary {

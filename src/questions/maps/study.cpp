@@ -2,7 +2,6 @@
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {

@@ -6,8 +6,7 @@
 
 namespace meshfolio::maps {
 
-/// One quantity over the plane, the row of the first iteration count first; NaN where the run had blown up, or where nothing is left of
-/// the surface to measure it on.
+/// One quantity over the plane, row by row of iteration counts; NaN where the run had blown up or nothing is left to measure.
 using PlaneValues = std::vector<double>;
 
 /// One scheme over the plane.
@@ -77,8 +76,8 @@ struct SmoothingMaps {
     std::optional<std::size_t> best(const SchemeMap& map) const;
 };
 
-/// Steps of the settings, else a logarithmic grid about the explicit limit, which falls between two of them; iteration counts up to the
-/// last of the settings, spaced alike. All λ of one scheme are run at the same time; the implicit ones share two symbolic analyses.
+/// Runs the steps of the settings, else a logarithmic grid with the explicit limit between two steps; iteration counts up to the last of
+/// the settings, spaced alike.
 SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 
 /// Two cells of one scheme with the same diffusion time λt, reached in many small steps and in few large ones.

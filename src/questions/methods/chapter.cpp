@@ -53,8 +53,7 @@ double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) 
     return std::sqrt(2 / n);   // box: as if one axis had it all
 }
 
-/// Has a component of the result a volume of the other sign than the noise left it? Noise as large as a component turns it inside out, and
-/// no scale takes it back.
+/// Whether smoothing changed the sign of a component's volume: noise as large as a component turns it inside out, and no scale undoes that.
 bool turned_inside_out(const DenoisingSubject& subject, const NoiseTrial& trial, const SearchResult& result) {
     const auto volumes = [&](const Positions& X) { return component_sizes(moved_to(subject.mesh, X), subject.topology).volume; };
     return (volumes(trial.noisy).array() * volumes(result.X).array() <= 0).any();

@@ -2,7 +2,6 @@
 #include "geometry/denoising/component_size.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/surface_patch.h"
-#include "mesh/triangle_measures.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {

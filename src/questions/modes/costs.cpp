@@ -6,8 +6,7 @@ namespace meshfolio::modes {
 
 namespace {
 
-/// Where the decreasing function f > 0 takes a value, for arguments > 0: bracketed from `guess`, then by false position in the logarithms
-/// (Illinois).
+/// Solves f(x) = value for x > 0 and decreasing f > 0: brackets from `guess`, then false position (Illinois) in the logarithms.
 template <class Function>
 double argument_of(Function f, double value, double guess) {
     const auto above = [&](double u) { return std::log(f(std::exp(u)) / value); };

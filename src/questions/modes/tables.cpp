@@ -39,8 +39,7 @@ report::Series measured_points(const ModeStudy& study, const ModeDamping& dampin
 double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
 double error_of(const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; }
 
-/// One value of the explicit way and of the first implicit ones over the energies of the curve. Those of a number of steps and those of an
-/// error, where they are there, have a panel each.
+/// Plots one value of the explicit and of the first implicit ways over energy; ways given by steps and by error have a panel each.
 report::Plot target_plot(const ModeStudy& study, const std::string& key, std::size_t implicit_ways, double (*value)(const SmoothingWay&)) {
     report::Plot plot{.id = id_of("modes", study.name(), key),
                       .caption = words.line(key, "mesh"_a = study.name()),

@@ -1,7 +1,6 @@
 #include "questions/operators/study.h"
 
 #include "geometry/operators/intrinsic_delaunay.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/estimators.h"
 

@@ -1,6 +1,5 @@
 #include <numeric>
 
-#include "mesh/triangle_measures.h"
 #include "questions/prediction/work.h"
 
 namespace meshfolio::prediction {
@@ -94,8 +93,8 @@ double mean_of(const std::vector<double>& values) {
     return values.empty() ? std::nan("") : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// In standard errors; where noise alone is left the spread of few runs may be small by chance, so it is not taken below that of 3n equal
-/// parts, of which every quadratic form of 3n normal numbers has at least the variance.
+/// Distance in standard errors. The spread of few runs may be small by chance, so it is at least that of a mean of 3n squared normal
+/// numbers, the least variance of any quadratic form of them.
 double distance(const ExpectedError& expected, double factor, double sigma, int vertices, const Vector& mean, const Vector& error,
                 int seeds, double rounding) {
     double farthest = 0;

@@ -87,15 +87,14 @@ struct PredictionStudy {
 };
 PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
 
-/// Largest distance between the formula and the measured mean of the clean mesh's operator, in standard errors of both and of rounding
-/// together; `factor` is what σ is multiplied by in the formula, which is wrong unless it is 1.
+/// Largest distance between formula and measured mean with the clean operator, in standard errors including rounding.
+/// @param factor  multiplies σ in the formula: a wrong one must be seen
 struct StandardDistance {
     double vertices = 0, mass = 0;
     double larger() const { return std::max(vertices, mass); }
 };
 StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor = 1);
-/// Largest deviation of the expected from the measured error weighted by area, relative to the measured one [1]; clean operator, over all
-/// iterations.
+/// Largest relative deviation of the expected from the measured area-weighted error, clean operator, over all iterations.
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
 
 /// Where the formula is farthest from what was measured: the mean squared error in shares of that of the noise, 3σ².

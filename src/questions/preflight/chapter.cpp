@@ -8,8 +8,7 @@ namespace meshfolio::preflight {
 
 namespace {
 
-/// The meshes of the settings, else the user's own, else one a role; each once. One that cannot be read is told and left out: the
-/// question that needs it fails by itself.
+/// Finds the meshes of the settings, else the user's own, else one a role, each once. An unreadable one becomes a failed check.
 LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
     LibraryMeshes meshes;

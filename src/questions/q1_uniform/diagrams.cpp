@@ -1,7 +1,6 @@
 #include <numeric>
 
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/one_ring.h"
 #include "questions/core/diagram_names.h"
 #include "questions/q1_uniform/parts.h"

@@ -33,8 +33,7 @@ output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
 }
 
-/// Irregular vertices that the text reads are too small, or too faint, to be found without rings. Where there are many, none has one.
-/// @return a space and a sentence that says which meshes have rings, or nothing where none has
+/// Rings the irregular vertices that the text speaks of. @return a space and a sentence that names these meshes, or nothing
 std::string mark_irregular_vertices(std::vector<output::Panel>& panels, const Meshes& meshes) {
     Names ringed;
     for (std::size_t i = 0; i < meshes.size(); ++i) {

@@ -5,7 +5,6 @@
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/operators/vertex_areas.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/one_ring.h"
 
 namespace meshfolio::q1_uniform {
@@ -14,10 +13,7 @@ namespace {
 
 /// 98th over 2nd percentile of the magnitudes; 0 where there is more than one sign, or none.
 double spread_of(const Vector& values) {
-    std::vector<double> sorted;
-    for (const double v : values)
-        if (std::isfinite(v)) sorted.push_back(v);
-    std::ranges::sort(sorted);
+    const std::vector<double> sorted = sorted_finite(values);
     if (sorted.empty() || !(sorted.front() * sorted.back() > 0)) return 0;
     const double low = sorted[sorted.size() / 50], high = sorted[sorted.size() - 1 - sorted.size() / 50];
     return std::max(high / low, low / high);
@@ -48,9 +44,7 @@ MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
 }
 
 Contrast contrast(const Vector& values, const Vector& by) {
-    std::vector<int> order;
-    for (int i = 0; i < values.size(); ++i)
-        if (std::isfinite(values[i]) && std::isfinite(by[i])) order.push_back(i);
+    std::vector<int> order = where_finite(values, by);
     if (order.size() < 8) return {undefined, undefined};
     std::ranges::stable_sort(order, {}, [&](int i) { return by[i]; });
     const auto median = [&](auto first, auto last) {

@@ -47,8 +47,7 @@ struct TangentialPart {
 };
 TangentialPart tangential_part(const MeshCurvature& c);
 
-/// Where a curved mesh is flat: |K| and |cotangent H| are within `flat_within` of their colour ranges. K is white there, and what colours
-/// there are in the picture of ½‖Δx‖ are drift.
+/// Where a curved mesh is flat: |K| and |cotangent H| are within `flat_within` of their colour ranges. Colours of ½‖Δx‖ are drift there.
 inline constexpr double flat_within = 0.1;
 struct FlatParts {
     int vertices = 0;
@@ -71,8 +70,8 @@ struct Picture {
 };
 Picture picture_of(const MeshCurvature& c);
 
-/// K at the vertices of valence other than six, where there are few of them: how far it is from the median at most, there and elsewhere,
-/// over the median; and there with Voronoi areas.
+/// K at the few vertices of valence other than six: its largest relative distance from the median, there, elsewhere, and with Voronoi
+/// areas.
 struct IrregularVertices {
     std::vector<int> vertices;
     double off = 0, off_elsewhere = 0, off_with_voronoi = 0;

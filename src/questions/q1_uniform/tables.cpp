@@ -77,7 +77,7 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
 }
 
 report::Plot convergence_plot(const BenchRuns& runs) {
-    return meshfolio::convergence_plot("q1_convergence", words, runs, {{{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}}});
+    return meshfolio::convergence_plot("q1_convergence", words, runs, {{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}});
 }
 
 }   // namespace meshfolio::q1_uniform

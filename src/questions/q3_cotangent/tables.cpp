@@ -96,7 +96,7 @@ report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
 
 report::Plot convergence_plot(const BenchRuns& runs) {
     return meshfolio::convergence_plot("q3_convergence", words, runs,
-                                       {{{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}}});
+                                       {{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}});
 }
 
 }   // namespace meshfolio::q3_cotangent

@@ -5,8 +5,7 @@ namespace meshfolio::q4_spectral {
 
 namespace {
 
-/// Colours of errors in % of the box diagonal: the same for every k and every mesh, so that all pictures can be compared. The end is
-/// never reached: under the darkest colours no form is seen.
+/// Range of the error colours [% of the box diagonal], the same in all pictures. Errors never reach the end, whose colour hides all form.
 constexpr double palest = 0.1, darkest = 100;
 
 output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {

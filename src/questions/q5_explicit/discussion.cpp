@@ -1,6 +1,5 @@
 #include <set>
 
-#include "mesh/triangle_measures.h"
 #include "questions/bench/one_ring.h"
 #include "questions/q5_explicit/parts.h"
 
@@ -65,25 +64,31 @@ report::Text how_large(const Studies& studies) {
 
 namespace {
 
-/// The largest stable step beyond half the limit that was tried; as many as there are: none.
-std::size_t largest_that_flips(const ExplicitStudy& study) {
-    const std::size_t i = study.first_beyond();
-    return i > 0 && !keeps_signs(study.subject, study.runs[i - 1].lambda) ? i - 1 : study.runs.size();
+/// The largest stable step beyond half the limit that was tried, beside the one recommended.
+struct Steps {
+    const ExplicitStudy& study;
+    std::size_t larger;   // run
+    const SmoothingRun &run, &half;
+};
+std::vector<Steps> larger_steps(const Studies& studies) {
+    std::vector<Steps> steps;
+    for (const ExplicitStudy& study : studies) {
+        const std::size_t beyond = study.first_beyond();
+        if (study.recommended && beyond > 0 && !keeps_signs(study.subject, study.runs[beyond - 1].lambda))
+            steps.push_back({study, beyond - 1, study.runs[beyond - 1], study.runs[study.recommended->run]});
+    }
+    return steps;
 }
 
 /// The energy that the larger and the smaller step leave at the same λt, on the mesh where they differ most.
-report::Text energy_at_equal_time(const Studies& studies, int larger_steps) {
+report::Text energy_at_equal_time(const Studies& studies, int larger_steps_taken) {
     const ExplicitStudy* most = nullptr;
     double gap = 0, of_larger = 0, of_smaller = 0;
-    for (const ExplicitStudy& study : studies) {
-        const std::size_t larger = largest_that_flips(study);
-        if (larger == study.runs.size() || !study.recommended) continue;
-        const SmoothingRun &run = study.runs[larger], &small = study.runs[study.recommended->run];
-        const auto t = static_cast<std::size_t>(larger_steps),
-                   u = static_cast<std::size_t>(std::lround(larger_steps * run.lambda / small.lambda));
-        if (t >= run.energy.size() || u >= small.energy.size()) continue;
-        if (const double here = run.energy[t] / small.energy[u] - 1; !most || std::abs(here) > std::abs(gap))
-            most = &study, gap = here, of_larger = run.energy[t], of_smaller = small.energy[u];
+    for (const auto& [study, larger, run, half] : larger_steps(studies)) {
+        const std::ptrdiff_t t = larger_steps_taken, u = std::lround(larger_steps_taken * run.lambda / half.lambda);
+        if (t >= std::ssize(run.energy) || u >= std::ssize(half.energy)) continue;
+        if (const double here = run.energy[t] / half.energy[u] - 1; !most || std::abs(here) > std::abs(gap))
+            most = &study, gap = here, of_larger = run.energy[t], of_smaller = half.energy[u];
     }
     if (most == nullptr) return {};
     return words.say(gap > 0.02 ? "good.flips.energy" : "good.flips.alike", "mesh"_a = most->name(), "larger"_a = share_left(of_larger),
@@ -104,15 +109,12 @@ report::Text why_half(const Studies& studies) {
     if (!any) return {};
     if (!all_keep_signs) return words.say("good.changes_signs");
     report::Text flips;
-    for (const ExplicitStudy& study : studies) {
-        const std::size_t larger = largest_that_flips(study);
-        if (larger == study.runs.size() || !study.recommended) continue;
-        const double small = study.runs[study.recommended->run].lambda;
-        const int steps = static_cast<int>(std::lround(20 * study.runs[larger].lambda / small));
-        flips = words.say("good.flips", "limits"_a = in_limits(study.subject, study.runs[larger].lambda),
+    if (const std::vector<Steps> steps = larger_steps(studies); !steps.empty()) {   // the same on all
+        const auto& [study, larger, run, half] = steps.front();
+        const long half_steps = std::lround(20 * run.lambda / half.lambda);
+        flips = words.say("good.flips", "limits"_a = in_limits(study.subject, run.lambda),
                           "left"_a = share_left(study.amplification[larger].measured),
-                          "small_left"_a = share_left(std::pow(std::abs(1 - small * study.subject.top.value), steps)));
-        break;   // the same on all
+                          "small_left"_a = share_left(std::pow(std::abs(1 - half.lambda * study.subject.top.value), half_steps)));
     }
     return paragraph_of({words.say("good.keeps_signs"), said_of(smaller, words, "good.smaller"), flips,
                          flips.empty() ? report::Text() : energy_at_equal_time(studies, 20)});
@@ -121,10 +123,7 @@ report::Text why_half(const Studies& studies) {
 /// What the larger step takes with the energy, on the first mesh where it shows.
 report::Text farther_along(const Studies& studies) {
     constexpr double seen = 0.02;
-    for (const ExplicitStudy& study : studies) {
-        const std::size_t larger = largest_that_flips(study);
-        if (larger == study.runs.size() || !study.recommended) continue;
-        const SmoothingRun &run = study.runs[larger], &half = study.runs[study.recommended->run];
+    for (const auto& [study, larger, run, half] : larger_steps(studies)) {
         if (half.energy.back() - run.energy.back() < seen || half.size.back() - run.size.back() < seen) continue;
         return words.say("good.farther", "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, run.lambda),
                          "iterations"_a = run.iterations, "energy"_a = share_left(run.energy.back()),

@@ -1,6 +1,5 @@
 #include <iterator>
 
-#include "mesh/triangle_measures.h"
 #include "output/draw/framing.h"
 #include "questions/bench/curvature_subject.h"
 #include "questions/q5_explicit/parts.h"

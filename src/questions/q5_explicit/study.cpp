@@ -1,7 +1,6 @@
 #include "questions/q5_explicit/study.h"
 
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/mesh_class.h"
 
 namespace meshfolio::q5_explicit {
@@ -76,8 +75,8 @@ std::optional<Recommendation> recommended(const ExplicitStudy& study) {
 
 // ---- frames
 
-/// Early ones, while a step far beyond the limit tears the mesh apart, and later ones, in which one just beyond it shows. The first is
-/// the last in which the largest step is still in the frame, spikes and all.
+/// Early iterations show a step far beyond the limit, later ones a step just beyond it. The first is the last with the largest step in
+/// view.
 std::vector<int> frame_times(const SmoothingSubject& subject, double largest_step, int iterations) {
     constexpr int second = 5;
     const int seen =

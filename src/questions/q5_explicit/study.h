@@ -11,8 +11,8 @@ struct UniformLimit {
     double critical = 0;   // 2/μ_max
 };
 
-/// The step to take, and when to stop: the largest in which no mode changes its sign, else the largest stable one, of those that leave 95 %
-/// of the size for one iteration at least; and as many iterations as do, up to ten times those of the other runs.
+/// The largest step that changes no mode's sign, else the largest stable one, with as many iterations as leave 95 % of the size (at most
+/// ten times those of the other runs).
 struct Recommendation {
     std::size_t run = 0;   // of the study, with all iterations
     SmoothingRun stopped;

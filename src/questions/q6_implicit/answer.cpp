@@ -140,8 +140,8 @@ report::Text verdict_of(const Studies& studies) {
          more && price != "dearer" ? words.say("verdict.more") : report::Text()});
 }
 
-/// What a step and a factorisation cost, and which λ can pay: as (1 − h)ᵏ ≤ 1/(1 + kh) for 0 ≤ h ≤ 1, no more than about 2λ/λ_crit explicit
-/// steps of half of λ_crit damp every mode as much as one implicit step.
+/// What a step and a factorisation cost, and which λ can pay: by (1 − h)ᵏ ≤ 1/(1 + kh), 2λ/λ_crit explicit steps of half of λ_crit damp
+/// every mode as much as one implicit step.
 report::Text price_of(const Studies& studies) {
     std::vector<double> factorisations, steps, least;
     for (const ImplicitStudy& study : studies) {

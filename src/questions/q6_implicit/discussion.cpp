@@ -123,10 +123,7 @@ report::Text too_large(const ImplicitStudy& study) {
 double speckles_of(const ImplicitStudy& study, const SmoothingCell& good) {
     const TriangleMesh mesh = moved_to(study.subject.mesh(), good.implicit_X);
     if (mesh_character(mesh, topology_of(study)).feature_share > 0) return 0;
-    std::vector<double> sizes;
-    for (const double H : curvature_colours(study.subject, good.implicit_X))
-        if (std::isfinite(H)) sizes.push_back(std::abs(H));
-    std::ranges::sort(sizes);
+    const std::vector<double> sizes = sorted_finite(curvature_colours(study.subject, good.implicit_X).cwiseAbs());
     if (sizes.size() < 100 || !(sizes[sizes.size() / 2] > 0)) return 0;
     return sizes[sizes.size() - sizes.size() / 100 - 1] / sizes[sizes.size() / 2];
 }

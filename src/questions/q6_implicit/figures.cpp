@@ -1,4 +1,3 @@
-#include "mesh/triangle_measures.h"
 #include "questions/bench/curvature_subject.h"
 #include "questions/q6_implicit/parts.h"
 

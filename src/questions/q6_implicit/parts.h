@@ -48,8 +48,8 @@ std::vector<double> prices(const Studies& studies);
 inline constexpr double rough = 5;
 /// "alike" within a fifth; else "dearer" or "cheaper", where explicit smoothing is so on all meshes, or "either".
 std::string price_key(const std::vector<double>& ratios);
-/// Whether explicit steps leave a rough mesh "smoother" or "rougher" than implicit ones at the energy that is recommended, or "alike", to a
-/// twentieth; "": the mesh was not rough.
+/// "smoother", "rougher" or (to 5 %) "alike": a rough mesh after explicit steps, beside implicit ones of equal energy; "": it was not
+/// rough.
 std::string smoothness_key(const ImplicitStudy& study);
 /// "0.25 to 4.0".
 std::string span_of(const std::vector<double>& values);

@@ -81,8 +81,7 @@ struct ImplicitStudy {
     std::vector<SchemeGap> gaps() const;
     /// Index of the smallest λ whose explicit run blew up.
     std::optional<std::size_t> first_blown() const;
-    /// The most smoothing that leaves 95 % of the size: of each λ as many steps as do; among those within 1 % of the least energy the one
-    /// with the fewest steps. Null: none.
+    /// The most smoothing that leaves 95 % of the size: within 1 % of the least energy, the one with the fewest steps. Null: none.
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
     /// Explicit steps of half of λ_crit to this share of the energy of the input; 0: none, or more than were tried.
     int explicit_steps_to(double energy) const;

@@ -1,5 +1,4 @@
 #include "geometry/measures/mesh_error.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/curvature_subject.h"
 #include "questions/q7_denoising/parts.h"
 

@@ -6,7 +6,6 @@
 #include "geometry/denoising/noise_level.h"
 #include "geometry/denoising/risk_estimate.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/mesh_class.h"
 

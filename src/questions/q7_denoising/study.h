@@ -111,11 +111,9 @@ DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const Que
 Vector drifts(const DenoisingGrid& grid, const Positions& X);
 Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 
-/// Of smoothing at the best by this measure: "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "–" (nothing to measure). A gain of
-/// 1.1 or more that costs more than 15 % of the volume is a failure too, "shrinks".
+/// "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the volume), "–" (no noise in it).
 std::string verdict_on(const NoisyTrial& trial, const Measure& measure = measures[0]);
-/// Is the best the least or the most smoothing tried in some respect? A smaller λ with t to spare is no such end: more steps of it do
-/// the same.
+/// Whether the best lies at an end of the grid. The smallest λ is no end while t can grow: more of its steps do the same.
 bool is_unended(const DenoisingGrid& grid, const SearchState& best);
 
 /// Is this verdict one of failure?

@@ -3,7 +3,6 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
-#include "mesh/triangle_measures.h"
 
 namespace meshfolio::reproductions {
 

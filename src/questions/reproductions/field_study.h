@@ -28,8 +28,8 @@ struct CurvatureExperiment {
 };
 CurvatureExperiment curvature_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
-/// What a picture of the mesh on other positions is coloured by: curvature as above (`drawn`, barycentric areas, cotangent weights for
-/// h_cotan) in mean edges of the mesh itself, or the distance to it [% of the box diagonal]; empty where it is not coloured.
+/// Colours of the mesh at X: curvature as `drawn` above, in mean edges of the mesh, or the distance to it [% of the box diagonal]; empty
+/// without a colour.
 Vector colours_of(const ExperimentMesh& mesh, ExperimentColour colour, const Positions& X);
 
 /// A mesh rebuilt from the smoothest k eigenvectors of one operator.

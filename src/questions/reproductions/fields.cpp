@@ -92,7 +92,7 @@ report::Text fields_found(const Reproduction& r, const CurvatureExperiment& done
     const ExperimentField* first_h = nullptr;
     for (const ExperimentField& field : done.fields) {
         if (field.mesh != m) continue;
-        report::extend(text, about_field(r, field, first_h), " ");
+        tell(text, about_field(r, field, first_h));
         if (field.colour == ExperimentColour::h_cotan && first_h == nullptr && field.summary.count > 0) first_h = &field;
     }
     return text;

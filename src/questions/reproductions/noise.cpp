@@ -47,8 +47,7 @@ void add_denoising_figure(const Reproduction& r, const NoisyExperiment& done, st
     add_figure(r.answer, figure, words.line("denoised.caption", "file"_a = figure.subtitle));
 }
 
-/// On the report's own mesh the runs over whose curves the minima lie nearest to the report's: the first run of the curve's levels. The
-/// report's iterations belong to the triangles of that mesh: on a stand-in they choose nothing, and the first variant is shown.
+/// The variant whose minima are nearest to the report's, by its first run. On a stand-in, whose triangles differ, the first variant.
 const NoisyRun& shown_variant(const NoisyExperiment& done) {
     const NoisyRun* nearest = &done.runs.front();
     double least = std::numeric_limits<double>::infinity();
@@ -191,7 +190,7 @@ void tell_minima(report::Text& text, const Reproduction& r, const NoisyExperimen
             previous = run.best;
         }
         const std::string_view key = minima.size() < 2 || !ascending ? "minima" : later ? "minima.later" : "minima.not_later";
-        report::extend(text, words.say(key, "run"_a = sentence_case(run_label(r.experiment, first)), "minima"_a = listed(minima)), " ");
+        tell(text, words.say(key, "run"_a = sentence_case(run_label(r.experiment, first)), "minima"_a = listed(minima)));
     }
 }
 

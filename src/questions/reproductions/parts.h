@@ -39,6 +39,8 @@ std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments);
 /// Heading and opening: what the report says, on which meshes this is done here, how parameters carry over, which are lost.
 void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshes);
 
+/// Appends a sentence and a space.
+inline void tell(report::Text& text, const report::Text& sentence) { report::extend(text, sentence, " "); }
 /// "row 20", "rows 7, 8 and 9".
 std::string rows_text(const std::vector<int>& rows);
 /// "1×10⁻⁷", "0.5 λ_crit", "0.02 h̄²": as the settings have it.

@@ -1,5 +1,4 @@
 // Smoothing experiments of earlier reports: pictures, table and what was found.
-#include "mesh/triangle_measures.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
@@ -151,11 +150,9 @@ void tell_runs(report::Text& text, const Runs& runs, std::string_view what) {
     Runs blown, whole;
     for (const ExperimentRun* run : runs) (run->run.result.blew_up ? blown : whole).push_back(run);
     const std::string_view key = blown.empty() ? "runs.whole" : whole.empty() ? "runs.blown" : "runs.both";
-    report::extend(text,
-                   words.say(key, "what"_a = words.line(what), "shares"_a = range_text(values_of(runs, share_of)), "whole"_a = whole.size(),
-                             "energies"_a = whole.empty() ? "" : range_text(values_of(whole, last_energy)), "blown"_a = blown.size(),
-                             "ends"_a = blown.empty() ? "" : ends_text(blown)),
-                   " ");
+    tell(text, words.say(key, "what"_a = words.line(what), "shares"_a = range_text(values_of(runs, share_of)), "whole"_a = whole.size(),
+                         "energies"_a = whole.empty() ? "" : range_text(values_of(whole, last_energy)), "blown"_a = blown.size(),
+                         "ends"_a = blown.empty() ? "" : ends_text(blown)));
 }
 
 /// Of runs beyond the limit that ended whole with less energy: how far the top mode, for which λμ_max = 2λ/λ_crit, grew in them.
@@ -165,7 +162,7 @@ void tell_hidden_growth(report::Text& text, const Runs& beyond) {
         if (!run->run.result.blew_up && last_energy(*run) < 1) hidden.push_back(run);
     if (hidden.empty()) return;
     const auto growth = [](const ExperimentRun& run) { return std::pow(2 * run.share() - 1, run.run.result.iterations); };
-    report::extend(text, words.say("runs.hidden_growth", "growth"_a = range_text(values_of(hidden, growth))), " ");
+    tell(text, words.say("runs.hidden_growth", "growth"_a = range_text(values_of(hidden, growth))));
 }
 
 /// The gap between explicit and implicit runs at the same λ, against how far they moved.
@@ -177,11 +174,8 @@ void tell_pairs(report::Text& text, const SmoothingExperiment& done, std::size_t
             if (!pair || a.run.result.blew_up || a.run.snapshots.empty() || b.run.snapshots.empty()) continue;
             const double percent = 100 / done.meshes[m].diagonal;
             const double apart = vertex_rms(a.run.snapshots.back(), b.run.snapshots.back());
-            report::extend(
-                text,
-                words.say("runs.pair", "share"_a = readable(a.share()), "apart"_a = readable(percent * apart),
-                          "explicit"_a = readable(percent * a.run.moved.rms), "implicit"_a = readable(percent * b.run.moved.rms)),
-                " ");
+            tell(text, words.say("runs.pair", "share"_a = readable(a.share()), "apart"_a = readable(percent * apart),
+                                 "explicit"_a = readable(percent * a.run.moved.rms), "implicit"_a = readable(percent * b.run.moved.rms)));
         }
     }
 }
@@ -204,8 +198,7 @@ void tell_equal_times(report::Text& text, const Experiment& e, const SmoothingEx
         }
     }
     if (gaps.empty()) return;
-    report::extend(text, words.say("runs.equal_times", "pairs"_a = gaps.size(), "gaps"_a = range_text(gaps), "moves"_a = range_text(moves)),
-                   " ");
+    tell(text, words.say("runs.equal_times", "pairs"_a = gaps.size(), "gaps"_a = range_text(gaps), "moves"_a = range_text(moves)));
 }
 
 report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, std::size_t m) {
@@ -218,17 +211,15 @@ report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, st
     tell_hidden_growth(text, beyond);
     const Runs rebuilt = chosen([](auto& run) { return is_explicit(run) && run.method.rebuild; });
     tell_runs(text, rebuilt, "runs.rebuilt");
-    if (!rebuilt.empty()) report::extend(text, words.say("runs.rebuilt_chaos"), " ");
+    if (!rebuilt.empty()) tell(text, words.say("runs.rebuilt_chaos"));
     tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::implicit_euler; }), "runs.implicit");
     tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::taubin; }), "runs.taubin");
     tell_pairs(text, done, m);
     tell_equal_times(text, r.experiment, done, m);
     for (const UsableStep& usable : done.usable) {
         if (usable.mesh != m) continue;
-        report::extend(text,
-                       words.say("runs.usable", "steps"_a = usable.iterations, "lambda"_a = readable(usable.lambda),
-                                 "share"_a = readable(usable.lambda / usable.critical, 4)),
-                       " ");
+        tell(text, words.say("runs.usable", "steps"_a = usable.iterations, "lambda"_a = readable(usable.lambda),
+                             "share"_a = readable(usable.lambda / usable.critical, 4)));
     }
     return text;
 }

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <set>
 
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio::reproductions {

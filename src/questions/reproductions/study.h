@@ -21,14 +21,13 @@ struct ExperimentMesh {
     const std::string& name() const { return label; }
 };
 
-/// The meshes of an experiment: the originals where they are at hand, else what stands in; the user's own, if there are any, in their
-/// place.
+/// The meshes of an experiment: the originals, else their stand-ins; the user's own take their places.
 std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
 /// By what rule the parameters of an experiment carry over to a mesh.
 enum class Carried { as_given, by_limit, by_edge };
-/// λ: as it is on the original, for the uniform operator and in any unit but raw; on a stand-in, the same multiple of λ_crit where nothing
-/// but smoothing is looked at, and of the squared mean edge where noise is. As given, too, where the original's measure is not known.
+/// A raw λ becomes on a stand-in the same multiple of λ_crit, or with noise of the squared mean edge. The uniform operator, other units and
+/// originals of unknown measure keep λ as given.
 Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind);
 /// λ on this mesh. [length²; 1 for the uniform operator]
 /// @param critical  λ_crit of the operator on this mesh, for unit tau

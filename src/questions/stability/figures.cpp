@@ -1,6 +1,5 @@
 #include <Eigen/Geometry>
 
-#include "mesh/triangle_measures.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {

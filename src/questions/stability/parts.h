@@ -18,8 +18,7 @@ report::Table flow_table(const RebuiltFlow& flow);
 report::Table flow_time_table(const RebuiltFlow& flow);
 report::Plot flow_plot(const RebuiltFlow& flow);
 
-/// Two figures of small multiples: every mesh seen along the normal of its limiting vertex, and the triangles around that vertex;
-/// coloured by |φ_max| over its largest value, near by with its sign, the vertex ringed.
+/// Two figures: every mesh seen along the normal of its limiting vertex, coloured by |φ_max|; and the triangles around it, by φ_max.
 void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const std::string& colormap);
 
 /// The triangles within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
@@ -30,7 +29,6 @@ struct Neighbourhood {
 };
 Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings);
 
-/// What the numbers say. Appends its heading and its paragraphs.
 /// The verdict in one sentence.
 report::Text answer_of(const Studies& studies);
 void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow);

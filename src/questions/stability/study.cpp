@@ -2,7 +2,6 @@
 
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/smoothing_study.h"
 
 namespace meshfolio::stability {

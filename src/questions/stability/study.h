@@ -54,8 +54,7 @@ struct WatchedRun {
     int inverted = 0;           // how many at the end
 };
 
-/// Curvature flow with the operator rebuilt at every step, from half the limit of the input; and beyond the limit with the operator of
-/// the input, where nothing keeps the top mode from growing.
+/// Flow with the operator rebuilt at every step, at half the limit of the input; and flow beyond the limit with the operator of the input.
 struct RebuiltFlow {
     std::shared_ptr<const LibraryMesh> source;
     double lambda = 0;    // asked for [length²]
